@@ -1,9 +1,9 @@
 /// Adaptive methods over vector lanes, each lane at its own time, with its own step and on its own sides of the
-/// switches: what a kernel works on.
+/// switches: the data of a kernel.
 ///
 /// Few vectors of slots, which stay in the first cache, serve the many lanes of an ensemble: a lane takes a slot for a
 /// revolution, and slots that have become free are given to the next lanes. A step is tried for all slots together;
-/// each takes or rejects its own. Slots near a switch are few: they are looked at one by one (adaptive_special.c), by
+/// each takes or rejects its own. Slots near a switch are few: they are handled one by one (adaptive_special.c), by
 /// functions that are compiled once, so that widths cannot differ.
 ///
 /// A method is its step: a kernel kernels/<method>_lanes.c, which includes kernels/adaptive_lanes.inc for what all
@@ -35,14 +35,14 @@ enum {
 typedef struct lane_rows {
     double *own, *theirs;
     size_t rows;
-    bool constant; ///< need not go back
-    bool observed; ///< goes with lanes that are observed
+    bool constant; ///< the slot's row is not copied back to the lane
+    bool observed; ///< exchanged for observed lanes only
 } lane_rows;
 
 /// The lanes that wait for a slot.
 typedef struct lane_queue {
     size_t next, count;
-    const size_t *order;         ///< [count] the lanes, those that are observed first
+    const size_t *order;         ///< [count] the lanes, observed ones first
     size_t observed;             ///< number of observed lanes
     size_t slot_lane[MAX_SLOTS]; ///< lane in every slot; NO_LANE
 } lane_queue;
@@ -74,14 +74,15 @@ typedef struct rodas5p_work {
 /// Arrays are [...][stride vectors] of slots.
 typedef struct adaptive_lanes {
     const struct lanes_method *method;
-    const void *model;              ///< machine whose structure all lanes have
-    const lanes_instance *instance; ///< its structure, if that has loops of its own for such groups; NULL: not
+    const void *model;              ///< machine that defines the structure of all lanes
+    const lanes_instance *instance; ///< its structure, if that has loops of its own for such groups; else NULL
     lanes_flow *flow;
     lanes_switches *switches;
     lanes_forcing *forcing_at;
-    void (*depends)(const void *model, bool *table); ///< as in whirl_lanes; NULL: all depend on all
-    const whirl_stop *stop;                          ///< stop of the options
-    size_t stride, slots;                            ///< vectors, and slots in them
+    void (*depends)(const void *model,
+                    bool *table); ///< as in whirl_lanes; NULL: every rate depends on every coordinate
+    const whirl_stop *stop;       ///< stop of the options
+    size_t stride, slots;         ///< vectors, and slots in them
     size_t degrees;
     size_t rates;     ///< velocities, and states of first order after them: the rows of every v and slope
     size_t dimension; ///< degrees + rates; rates follow their positions in memory
@@ -89,7 +90,7 @@ typedef struct adaptive_lanes {
     size_t group_count;
     const size_t *groups; ///< coordinates whose sizes are measured together
     const size_t *mates;  ///< [rates] for one slot: the next state whose size is measured with this one's; NULL: none
-    bool modulated;       ///< accelerations depend on the forcing in other ways than in proportion
+    bool modulated;       ///< accelerations are not linear in the forcing
     bool slides;          ///< motions can slide along a switch
     size_t followed;      ///< most perturbations
     size_t tangents;      ///< perturbations carried in this revolution
@@ -98,14 +99,14 @@ typedef struct adaptive_lanes {
     double *numbers, *q, *v;
     double *ended; ///< whirl_motion; lanes that have ended are not carried on
     // State of the revolution.
-    double *from, *until;           ///< its part that is carried
-    double *starting;               ///< 1 where it begins
+    double *from, *until;           ///< part of the revolution to be carried, from and until
+    double *starting;               ///< 1 where the revolution begins
     double *attempts;               ///< steps tried
     double *t, *h;                  ///< time, and length of step to try next
-    double *running;                ///< 1 until its revolution is over
+    double *running;                ///< 1 until the lane's revolution is over
     double *before;                 ///< (error of the step before)^(1/16)
     double *rejected;               ///< 1 after a step that was rejected
-    double *sides, *held, *sliding; ///< [switch_count] as in a stepper
+    double *sides, *held, *sliding; ///< [switch_count] sides, held and sliding of a stepper
     double *alone;                  ///< 1 while the motion slides along a switch: its steps are taken by the stepper
     double *switchings;
     double *landing;       ///< 1 + the switch that the step is to end at, 0: none
@@ -119,12 +120,12 @@ typedef struct adaptive_lanes {
     double *error;                ///< square of the error, in tolerances
     double *size;                 ///< largest coordinate
     double *special;              ///< 1 if the step needs special treatment
-    double *fresh;                ///< 1 where slope and switches at t must be taken anew
+    double *fresh;                ///< 1 where slope and switches at t must be computed again
     double *stage_q, *stage_v;    ///< [degrees], [rates]
     double *end_q, *end_v;        ///< [degrees], [rates] the state at its end
     double *end_slope;            ///< [rates] slopes there
     double *end_divergence;       ///< the divergence there
-    double *gained;               ///< its integral over the step
+    double *gained;               ///< integral of the divergence over the step
     double *later;                ///< [rates] workspace of beginnings
     double *end_value, *end_rate; ///< [switch_count]
     double *time, *forcing;       ///< workspace; [forcing_count]
@@ -132,10 +133,11 @@ typedef struct adaptive_lanes {
     rodas5p_work rodas5p;
     // Observation: the step taken, as polynomials.
     bool observing;
-    double *watched;                ///< 1 where the lane is observed
-    double *begin, *taken;          ///< its beginning and length; 0: none was taken
-    double *dense[1 + DENSE];       ///< [dimension] its first state, then the method's polynomials: rows in a line
-    double *instant, *seen, *theta; ///< number of the next instant, 1 if it lies in the step, and its place there
+    double *watched;          ///< 1 where the lane is observed
+    double *begin, *taken;    ///< beginning and length of the step; length 0: no step was taken
+    double *dense[1 + DENSE]; ///< [dimension] state at the step's beginning, then the method's polynomials, in adjacent
+                              ///< rows
+    double *instant, *seen, *theta; ///< number of the next instant, 1 if it lies in the step, and its theta there
     int instants;                   ///< instants of a revolution
     lanes_observe observe;
     size_t sample_stride; ///< instants from one sample to the next, 0: no samples
@@ -143,7 +145,8 @@ typedef struct adaptive_lanes {
     size_t sample_room;
     // The ensemble that is served.
     size_t lane_count;
-    const double *parts;                 ///< [lane_count][2] from where to where lanes go; NULL: the whole period
+    const double *parts; ///< [lane_count][2] beginning and end of the part of the period that lanes go over; NULL: the
+                         ///< whole period
     const whirl_system *const *machines; ///< [lane_count] NULL: empty lane
     lane_rows exchanged[MAX_LANE_ROWS];  ///< rows that are exchanged between a lane and its slot
     size_t exchanged_count;
@@ -160,10 +163,11 @@ typedef struct one_slot {
     void (*begin)(const adaptive_lanes *slot);            ///< the length of the first step, by the slope
     void (*try_step)(const adaptive_lanes *slot);         ///< from (t, v): end, slope there and error
     void (*take_polynomials)(const adaptive_lanes *slot); ///< the interpolant of the step tried
-    /// The state, in stage_v, at which slope `number` of the step tried was taken; of rodas5p one after the other.
+    /// The state, in stage_v, at which slope `number` of the step tried was taken; of rodas5p the states follow one
+    /// another.
     void (*take_stage)(const adaptive_lanes *slot, int number);
     void (*solve)(const adaptive_lanes *slot, double *x); ///< (1/(gamma h) - J)^-1 x in place; NULL: explicit
-    /// Returns true if the step is accepted; else it is special, or to be tried with the length h.
+    /// Returns true if the step is accepted; else the step is special, or must be tried again with the length h.
     bool (*judge)(const adaptive_lanes *slot);
 } one_slot;
 
@@ -174,14 +178,14 @@ typedef struct lanes_method {
     /// One function for every instruction set of vector.h; NULL if it is not built.
     adaptive_lanes_revolve *const *revolves;
     const one_slot *one;
-    bool implicit; ///< solves equations: looks for the zeros of its matrix first
+    bool implicit; ///< solves linear equations: finds the zeros of their matrix first
     /// Tries the step of a stepper's state for its perturbations; returns the norm of their estimated error over the
     /// tolerance.
     double (*try_varied)(stepper *c);
     int dense;                     ///< polynomials of the interpolant
     size_t (*group)(size_t rates); ///< vectors: enough to hide each other's latency, few enough for the first cache
-    /// Places its own arrays in a block of rows from `block` on, and those of the step that it owns; returns the number
-    /// of rows. NULL: only measures.
+    /// Lays out the method's own arrays, and those of the step that it owns, in a block of rows; returns the number of
+    /// rows. With a block of NULL it only counts them.
     size_t (*lay_out)(adaptive_lanes *lanes, double *block);
     void (*prepare)(adaptive_lanes *lanes); ///< writes what is constant into its arrays
 } lanes_method;
@@ -194,10 +198,10 @@ static inline double *lanes_row(const adaptive_lanes *lanes, double *block, size
     return block ? block + row * lanes->slots : NULL;
 }
 
-/// Makes a workspace of that shape with its arrays. NULL without memory.
+/// Makes a workspace of the given shape with its arrays. NULL without memory.
 adaptive_lanes *adaptive_lanes_make(const adaptive_lanes *shape);
 
-/// Makes a workspace for systems of that structure with that instruction set, for so many lanes (0: many) with so many
+/// Makes a workspace for systems of one structure and an instruction set, for `lane_count` lanes (0: many) with
 /// perturbations; the ensemble is set for every revolution. NULL without memory.
 adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *system,
                                    const whirl_integrate_options *options, const isa *set, size_t lane_count,

@@ -9,8 +9,8 @@ typedef struct part {
     size_t rows;
 } part;
 
-/// Rows of the block, and where each array begins.
-static size_t lay_out(adaptive_lanes *lanes, double *block) {
+/// Lays out the arrays in a block of rows; returns the number of rows.
+static size_t adaptive_lay_out(adaptive_lanes *lanes, double *block) {
     const size_t degrees = lanes->degrees, rates = lanes->rates, probes = lanes->observe.probe_count,
                  switches = lanes->switch_count;
     const size_t contacts = lanes->observe.contact_count, sets = 1 + lanes->followed;
@@ -92,7 +92,7 @@ adaptive_lanes *adaptive_lanes_make(const adaptive_lanes *shape) {
         adaptive_lanes_free(lanes);
         return NULL;
     }
-    const size_t bytes = (lay_out(lanes, NULL) * lanes->slots * sizeof(double) + 63) / 64 * 64;
+    const size_t bytes = (adaptive_lay_out(lanes, NULL) * lanes->slots * sizeof(double) + 63) / 64 * 64;
     lanes->block = aligned_alloc(64, bytes);
     lanes->queue = calloc(1, sizeof *lanes->queue);
     if (!lanes->block || !lanes->queue) {
@@ -100,7 +100,7 @@ adaptive_lanes *adaptive_lanes_make(const adaptive_lanes *shape) {
         return NULL;
     }
     memset(lanes->block, 0, bytes);
-    lay_out(lanes, lanes->block);
+    adaptive_lay_out(lanes, lanes->block);
     lanes->method->prepare(lanes);
     for (size_t i = 0; i < MAX_SLOTS; i++) lanes->queue->slot_lane[i] = NO_LANE;
     return lanes;
@@ -141,7 +141,8 @@ adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *
                                         .rubs = form->rubs}};
     if (form->damped || form->rubs) shape.observe.contacts = form->contacts[set->number];
     shape.instance = shape.stride == INSTANCE_STRIDE && followed == 0 ? form->instance : NULL;
-    // Loops of a structure's own are made for a whole group; without them, no vector need be idle.
+    // A structure with loops of its own needs a whole group of vectors; other structures take fewer vectors if there
+    // are few lanes.
     while (!shape.instance && lane_count > 0 && (shape.stride - 1) * set->lanes >= lane_count) shape.stride--;
     shape.slots = shape.stride * set->lanes;
     return adaptive_lanes_make(&shape);

@@ -1,7 +1,7 @@
 // Assigns lanes to slots.
 #include "adaptive_lanes.h"
 
-/// Puts a lane into a slot, or back.
+/// Copies a lane into a slot, or back.
 static void exchange(const adaptive_lanes *lanes, size_t slot, size_t lane, bool back) {
     for (size_t i = 0; i < lanes->exchanged_count; i++) {
         const lane_rows *rows = &lanes->exchanged[i];

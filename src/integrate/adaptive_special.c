@@ -1,9 +1,9 @@
-// Lanes that need to be looked at one by one: those that pass or come near a switch, and those that end.
+// Lanes that are handled one by one: those that pass or come near a switch, and those that end.
 //
-// Where a switching function falls through zero without doubt, the step is tried anew so that it ends there, together
-// with the other lanes' next steps: first by the cubic through both ends, then by the function's own value and
-// derivative. Where doubt is possible (grazes, two switches at once) the lane's step is taken by a stepper, which looks
-// with care; it takes all steps of a motion that slides along a switch.
+// If a switching function clearly falls through zero, the step is tried again so that it ends there, together with the
+// other lanes' next steps: first by the cubic through both ends, then by the function's own value and derivative. In
+// doubtful cases (grazes, two switches at once) a stepper takes the lane's step with its full search for zeros. A
+// stepper also takes all steps of a motion that slides along a switch.
 #include <math.h>
 #include <string.h>
 
@@ -19,14 +19,14 @@ static void copy(const adaptive_lanes *lanes, double *to, const double *from, si
     for (size_t i = 0; i < rows; i++) to[i * lanes->slots + slot] = from[i * lanes->slots + slot];
 }
 
-static void end(const adaptive_lanes *lanes, size_t slot, whirl_motion motion) {
+static void special_end(const adaptive_lanes *lanes, size_t slot, whirl_motion motion) {
     lanes->ended[slot] = motion;
     lanes->running[slot] = 0.0;
 }
 
 // ---------------------------------------------------------------- by the stepper
 
-/// The state, set 0, or a perturbation: x [dimension].
+/// Copies the state (set 0) or a perturbation to x [dimension].
 static void give_set(const adaptive_lanes *lanes, size_t slot, size_t set, double *x) {
     const size_t n = lanes->degrees, rates = lanes->rates;
     for (size_t d = 0; d < n; d++) x[d] = *at(lanes, lanes->q, set * n + d, slot);
@@ -81,7 +81,7 @@ void adaptive_find_sides(const adaptive_lanes *lanes, size_t slot) {
     give_state(lanes, slot);
     stepper_find_sides(lanes->stepper);
     stepper_vary_begin(lanes->stepper);
-    take_state(lanes, slot); // on the switches that it slides along
+    take_state(lanes, slot); // exactly on the switches along which the motion slides
     take_sides(lanes, slot);
 }
 
@@ -93,7 +93,7 @@ static void take_polynomials(const adaptive_lanes *lanes, size_t slot) {
     }
 }
 
-/// Takes the step by a stepper.
+/// Takes a slot's step by a stepper.
 static void step_alone(const adaptive_lanes *lanes, size_t slot) {
     const bool observed = lanes->observing && lanes->watched[slot] > 0.5;
     stepper *c = lanes->stepper;
@@ -116,15 +116,15 @@ static void step_alone(const adaptive_lanes *lanes, size_t slot) {
         take_polynomials(lanes, slot);
     }
     if (motion != WHIRL_BOUNDED)
-        end(lanes, slot, motion);
+        special_end(lanes, slot, motion);
     else if (!(c->t < lanes->until[slot]))
         lanes->running[slot] = 0.0;
 }
 
 // ---------------------------------------------------------------- landing on a switch
 
-/// Bernstein coefficients of the cubic by values and derivatives at both ends; of a function that begins at zero those
-/// of the quotient by theta.
+/// Computes the Bernstein coefficients of the cubic from values and derivatives at both ends; for a function that
+/// begins at zero, those of its quotient by theta.
 typedef struct cubic {
     double b[4];
     int degree;
@@ -151,7 +151,7 @@ static bool is_clear(const cubic *c) {
     return least > (c->degree == 3 ? 0.5 * margin + jump : margin);
 }
 
-/// Returns true if it falls monotonically from positive to negative.
+/// Returns true if the cubic falls monotonically from positive to negative.
 static bool falls(const cubic *c) {
     for (int i = 0; i < c->degree; i++)
         if (!(c->b[i + 1] < c->b[i])) return false;
@@ -160,7 +160,7 @@ static bool falls(const cubic *c) {
 
 static double zero_of(const cubic *c) {
     double low = 0.0, high = 1.0;
-    for (int i = 0; i < 20; i++) { // Newton's method goes on from there
+    for (int i = 0; i < 20; i++) { // close enough for Newton's method afterwards
         const double theta = 0.5 * (low + high);
         double b[4];
         memcpy(b, c->b, sizeof b);
@@ -171,7 +171,7 @@ static double zero_of(const cubic *c) {
     return high;
 }
 
-/// Result of a step with respect to switches: clear of them, the first one it passes, or in doubt.
+/// Result of a step with respect to switches: no switch, the first switch that it passes, or doubtful.
 typedef enum passage { PASSAGE_CLEAR, PASSAGE_FALLS, PASSAGE_DOUBTFUL } passage;
 
 static passage find_passage(const adaptive_lanes *lanes, size_t slot, size_t except, size_t *which, double *theta) {
@@ -191,7 +191,7 @@ static passage find_passage(const adaptive_lanes *lanes, size_t slot, size_t exc
     return found;
 }
 
-/// Chooses the side of switch `which`, on which the state is, or slides along it.
+/// Chooses the side of switch `which`, on which the state lies, or begins to slide along the switch.
 static void choose_side(const adaptive_lanes *lanes, size_t slot, size_t which) {
     give_state(lanes, slot);
     give_sides(lanes, slot);
@@ -213,11 +213,11 @@ static void cross(const adaptive_lanes *lanes, size_t slot, size_t which) {
         *at(lanes, lanes->sides, which, slot) *= -1.0;
     lanes->landing[slot] = 0.0;
     lanes->fresh[slot] = 1.0;
-    if (++lanes->switchings[slot] > MAX_SWITCHINGS) end(lanes, slot, WHIRL_STUCK);
+    if (++lanes->switchings[slot] > MAX_SWITCHINGS) special_end(lanes, slot, WHIRL_STUCK);
     if (!(lanes->t[slot] < lanes->until[slot])) lanes->running[slot] = 0.0;
 }
 
-/// Begins to land on a switch; with perturbations the stepper does it and carries them across.
+/// Shortens the step so that it ends at a switch; with perturbations the stepper does it and carries them across.
 static void begin_landing(const adaptive_lanes *lanes, size_t slot) {
     size_t which = 0;
     double theta;
@@ -258,9 +258,9 @@ void adaptive_special(const adaptive_lanes *lanes, size_t slot) {
     else if (landing)
         go_on_landing(lanes, slot);
     else if (!accepted || lanes->attempts[slot] > MAX_ATTEMPTS)
-        end(lanes, slot, accepted || isfinite(lanes->error[slot]) ? WHIRL_STUCK : WHIRL_DIVERGED);
+        special_end(lanes, slot, accepted || isfinite(lanes->error[slot]) ? WHIRL_STUCK : WHIRL_DIVERGED);
     else if (!(lanes->size[slot] < lanes->limit))
-        end(lanes, slot, WHIRL_DIVERGED);
+        special_end(lanes, slot, WHIRL_DIVERGED);
     else
         begin_landing(lanes, slot);
 }

@@ -17,7 +17,7 @@
 rk4_lanes_revolve *const rk4_lanes_revolves[VECTOR_ISAS] = EVERY_ISA(, rk4_lanes);
 
 struct whirl_ensemble {
-    const whirl_system *system; ///< first machine, which has the structure
+    const whirl_system *system; ///< first machine, which defines the structure
     const isa *isa;
     size_t lane_count, contact_count;
     size_t row_count; ///< rows of the block
@@ -26,15 +26,16 @@ struct whirl_ensemble {
     adaptive_lanes *adaptive;  ///< NULL for rk4
     stepper *stepper;          ///< for steps near switches; NULL: not needed
     whirl_perturbations along; ///< perturbations of the stepper
-    double *room, *parts;      ///< its workspace; [lane_count][2] parts of the period that lanes go over; NULL: none
-    alone_lanes *alone;        ///< lanes that integrators carry; NULL: kernels do
-    double *ended;             ///< [lane] whirl_motion
+    double *room, *parts; ///< workspace of the stepper; [lane_count][2] parts of the period that lanes go over; NULL:
+                          ///< whole periods
+    alone_lanes *alone;   ///< lanes that integrators carry; NULL: kernels carry all lanes
+    double *ended;        ///< [lane] whirl_motion
     const double
         *shown; ///< [dimension] states that whirl_ensemble_coordinate returns: a sample's; NULL: the present ones
     const whirl_system **machines; ///< [lane_count] machine of every lane; NULL: empty
     whirl_perturbations **beside;  ///< [lane_count] perturbations carried in the next revolution; NULL: none
     size_t *contact_probe;
-    size_t *order;           ///< [lane_count] in which lanes go their own way
+    size_t *order;           ///< [lane_count] order in which adaptive methods take the lanes
     double *state;           ///< [dimension] workspace
     double *forcing, *block; ///< block: all arrays of lanes, aligned to 64 bytes
 };
@@ -58,8 +59,8 @@ bool whirl_ensemble_follows(const whirl_system *system, const whirl_integrate_op
            !system->lanes->jumps && !system->lanes->slides && system->dimension <= MAX_PERTURBATIONS;
 }
 
-/// Rows of the block, and where each array begins.
-static size_t lay_out(whirl_ensemble *e, double *block) {
+/// Lays out the arrays in a block of rows; returns the number of rows.
+static size_t ensemble_lay_out(whirl_ensemble *e, double *block) {
     const size_t degrees = e->lanes.degrees, probes = e->system->probe_count, contacts = e->contact_count;
     const size_t forces = e->alone || e->lanes.observe.contacts ? contacts : 0;
     const size_t rates = e->lanes.rates, fixed = e->adaptive || e->alone ? 0 : 1,
@@ -114,9 +115,9 @@ static size_t lay_out(whirl_ensemble *e, double *block) {
     return row;
 }
 
-static bool allocate(whirl_ensemble *e) {
+static bool ensemble_allocate(whirl_ensemble *e) {
     const size_t table = e->adaptive || e->alone ? 0 : (2 * (size_t)e->lanes.steps + 1) * e->lanes.forcing_count;
-    const size_t bytes = lay_out(e, NULL) * e->lane_count * sizeof(double);
+    const size_t bytes = ensemble_lay_out(e, NULL) * e->lane_count * sizeof(double);
     e->block = aligned_alloc(64, (bytes + 63) / 64 * 64);
     e->forcing = malloc((table + 1) * sizeof *e->forcing);
     e->machines = calloc(e->lane_count, sizeof *e->machines);
@@ -127,7 +128,7 @@ static bool allocate(whirl_ensemble *e) {
     if (!e->state || !e->block || !e->forcing || !e->machines || !e->beside || !e->order || !e->contact_probe)
         return false;
     memset(e->block, 0, bytes);
-    e->row_count = lay_out(e, e->block);
+    e->row_count = ensemble_lay_out(e, e->block);
     return true;
 }
 
@@ -139,7 +140,7 @@ static void tabulate(whirl_ensemble *e) {
                         e->forcing + (size_t)i * system->forcing_count);
 }
 
-/// Fills in what all lanes have; integrators treat all coordinates as rates.
+/// Fills in the data that all lanes share; integrators treat all coordinates as rates.
 static void fill_shape(whirl_ensemble *e) {
     const whirl_system *system = e->system;
     rk4_lanes *lanes = &e->lanes;
@@ -150,7 +151,7 @@ static void fill_shape(whirl_ensemble *e) {
     lanes->observe.contact_count = e->contact_count = system->contact_count;
 }
 
-/// Takes the logarithms of all products of lengths, which begin afresh.
+/// Adds the logarithms of all products of lengths to the growth, and sets the products to 1.
 static void note_lengths(const rk4_lanes *lanes) {
     for (size_t i = 0; i < lanes->perturbations * lanes->lane_count; i++) {
         lanes->growth[i] += log(lanes->lengths[i]);
@@ -194,7 +195,7 @@ static bool attach_adaptive(whirl_ensemble *e, const lanes_method *own, const wh
     return true;
 }
 
-/// Attaches what methods that locate contacts need.
+/// Attaches the stepper and the memory that methods with located contacts need.
 static bool attach_location(whirl_ensemble *e, const whirl_integrate_options *options, size_t lanes) {
     const whirl_system *system = e->system;
     lanes_located *located = &e->lanes.located;
@@ -209,10 +210,10 @@ static bool attach_location(whirl_ensemble *e, const whirl_integrate_options *op
     return e->stepper != NULL;
 }
 
-/// Vectors that hide each other's latency, at most 8, and whose numbers, stages and, where they are at hand all the
-/// time (rk4_instance.inc), what is observed of them still fit into the first cache: 6 of 512 bits for the disc and
-/// journal, 4 for ten equal stations, 3 for a shaft of 22 coordinates, 1 for fifty stations (measured; of 256 bits 8,
-/// 8, 6 and 1).
+/// Returns the number of vectors that hide each other's latency, at most 8. Their numbers and stages, and with
+/// rk4_instance.inc their observations too, must fit into the first cache. Measured with 512 bits: 6 for disc and
+/// journal, 4 for ten equal stations, 3 for a shaft of 22 coordinates, 1 for fifty stations; with 256 bits 8, 8, 6 and
+/// 1.
 static size_t fast_vectors(const whirl_ensemble *e) {
     static const size_t choices[] = {8, 6, 4, 3, 2, 1};
     const whirl_system *system = e->system;
@@ -227,17 +228,19 @@ static size_t fast_vectors(const whirl_ensemble *e) {
     return choices[i];
 }
 
-/// Number of lanes with times of their own: several for a slot, so that few slots are idle while the last ones finish.
+/// Returns the number of lanes with times of their own: several for each slot, so that few slots are idle while the
+/// last lanes finish.
 static size_t fast_lanes(const whirl_ensemble *e) {
     enum { ROUNDS = 8 };
     return e->adaptive ? e->adaptive->slots * ROUNDS : fast_vectors(e) * e->isa->lanes;
 }
 
-/// Completes an ensemble that has an engine.
+/// Completes an ensemble whose method is attached.
 static whirl_status finish(whirl_ensemble *e, size_t lanes, whirl_ensemble **out) {
     e->lanes.stride = (lanes + e->isa->lanes - 1) / e->isa->lanes;
     e->lanes.lane_count = e->lane_count = e->lanes.stride * e->isa->lanes;
-    if (!allocate(e)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble of %zu lanes", e->lane_count);
+    if (!ensemble_allocate(e))
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble of %zu lanes", e->lane_count);
     tabulate(e);
     e->lanes.forcing = e->forcing;
     e->lanes.observe.contact_probe = e->contact_probe;
@@ -247,8 +250,8 @@ static whirl_status finish(whirl_ensemble *e, size_t lanes, whirl_ensemble **out
     return whirl_ok();
 }
 
-/// An ensemble without an engine and lanes; NULL without memory.
-static whirl_ensemble *begin(const whirl_system *system, const whirl_integrate_options *options) {
+/// Makes an ensemble without a method and lanes; NULL without memory.
+static whirl_ensemble *ensemble_begin(const whirl_system *system, const whirl_integrate_options *options) {
     whirl_ensemble *e = calloc(1, sizeof *e);
     if (!e) return NULL;
     e->system = system;
@@ -256,12 +259,12 @@ static whirl_ensemble *begin(const whirl_system *system, const whirl_integrate_o
     return e;
 }
 
-/// Lanes of kernels, with perturbations.
-static whirl_status make(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
-                         size_t perturbations, whirl_ensemble **out) {
+/// Makes an ensemble whose lanes are carried by kernels, with perturbations.
+static whirl_status ensemble_make(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
+                                  size_t perturbations, whirl_ensemble **out) {
     whirl_status status = check_options(system, options);
     if (status.code != WHIRL_OK) return status;
-    whirl_ensemble *e = begin(system, options);
+    whirl_ensemble *e = ensemble_begin(system, options);
     if (!e) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble");
     status = isa_choose(&e->isa);
     if (status.code == WHIRL_OK) {
@@ -280,7 +283,7 @@ static whirl_status make(const whirl_system *system, const whirl_integrate_optio
 whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
                                 whirl_ensemble **out) {
     *out = NULL;
-    if (whirl_ensemble_takes(system, options)) return make(system, options, lanes, 0, out);
+    if (whirl_ensemble_takes(system, options)) return ensemble_make(system, options, lanes, 0, out);
     return whirl_fail(WHIRL_BAD_INPUT,
                       "method %s of this system does not run in lanes, expected a rotor and rk4, dop853 or rodas5p",
                       options->method);
@@ -289,7 +292,7 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
 whirl_status whirl_ensemble_variational(const whirl_system *system, const whirl_integrate_options *options,
                                         whirl_ensemble **out) {
     *out = NULL;
-    if (whirl_ensemble_follows(system, options)) return make(system, options, 0, system->dimension, out);
+    if (whirl_ensemble_follows(system, options)) return ensemble_make(system, options, 0, system->dimension, out);
     return whirl_fail(WHIRL_BAD_INPUT, "perturbations of this system do not go in lanes, expected a rotor without "
                                        "jumps of its forces, and rk4 that does not locate contacts");
 }
@@ -308,7 +311,7 @@ whirl_status whirl_ensemble_flow(const whirl_system *system, const whirl_integra
     if (followed > system->dimension)
         return whirl_fail(WHIRL_BAD_INPUT, "%zu perturbations are to be followed, expected at most the dimension, %zu",
                           followed, system->dimension);
-    whirl_status status = make(system, options, lanes, followed, out);
+    whirl_status status = ensemble_make(system, options, lanes, followed, out);
     if (status.code != WHIRL_OK) return status;
     (*out)->parts = calloc(2 * (*out)->lane_count, sizeof *(*out)->parts);
     for (size_t i = 0; (*out)->parts && i < (*out)->lane_count; i++) (*out)->parts[2 * i + 1] = system->period;
@@ -329,7 +332,7 @@ whirl_status whirl_ensemble_alone(const whirl_system *system, const whirl_integr
     *out = NULL;
     whirl_status status = check_options(system, options);
     if (status.code != WHIRL_OK) return status;
-    whirl_ensemble *e = begin(system, options);
+    whirl_ensemble *e = ensemble_begin(system, options);
     if (!e) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble");
     e->isa = isa_at(VECTOR_SCALAR);
     e->alone = alone_lanes_new(options, followed, system->dimension, lanes);
@@ -399,7 +402,7 @@ static bool is_of_structure(const whirl_ensemble *e, const whirl_system *system)
     return system->lanes && whirl_ensemble_alike(e->system, system);
 }
 
-/// The numbers of a machine of the ensemble's structure.
+/// Loads the numbers of a machine of the ensemble's structure into a lane.
 static whirl_status load_numbers(whirl_ensemble *e, size_t lane, const whirl_system *system) {
     const whirl_lanes *form = e->system->lanes;
     double *numbers = malloc(form->number_count * sizeof *numbers);
@@ -428,7 +431,7 @@ whirl_status whirl_ensemble_load(whirl_ensemble *e, size_t lane, const whirl_sys
     return whirl_ok();
 }
 
-/// Puts the state (set 0) or a perturbation x [dimension] into a lane.
+/// Copies x [dimension] into a lane, as its state (set 0) or a perturbation.
 static void place(whirl_ensemble *e, size_t lane, size_t set, const double *x) {
     const size_t degrees = e->lanes.degrees, rates = e->lanes.rates;
     for (size_t d = 0; d < degrees; d++) e->lanes.q[(set * degrees + d) * e->lane_count + lane] = x[d];
@@ -439,7 +442,7 @@ void whirl_ensemble_place(whirl_ensemble *e, size_t lane, const double *x) {
     place(e, lane, 0, x);
 }
 
-/// A coordinate of the state, of all lanes.
+/// Returns a coordinate of the state in all lanes.
 static double *row_of(const whirl_ensemble *e, size_t index) {
     const size_t degrees = e->lanes.degrees;
     return index < degrees ? e->lanes.q + index * e->lane_count : e->lanes.v + (index - degrees) * e->lane_count;
@@ -534,7 +537,7 @@ static void revolve_alone(whirl_ensemble *e, size_t count, const whirl_ensemble_
     hand_out(e, e->alone->samples, samples, observe);
 }
 
-/// Puts perturbations into their lanes; returns true if there are any.
+/// Copies perturbations into their lanes; returns true if there are any.
 static bool begin_perturbations(whirl_ensemble *e, size_t count) {
     const rk4_lanes *lanes = &e->lanes;
     bool any = false;
@@ -542,7 +545,7 @@ static bool begin_perturbations(whirl_ensemble *e, size_t count) {
     memset(e->state, 0, e->system->dimension * sizeof *e->state);
     for (size_t lane = 0; any && lane < count; lane++) {
         const whirl_perturbations *set = e->beside[lane];
-        if (!set && !e->adaptive) continue; // steps of their own would be chosen by what is left there
+        if (!set && !e->adaptive) continue; // adaptive steps depend on them, so that unused ones must be cleared
         lanes->volume[lane] = 0.0;
         for (size_t k = 0; k < lanes->perturbations; k++) {
             place(e, lane, k + 1, set ? set->vectors + k * e->system->dimension : e->state);
@@ -553,7 +556,7 @@ static bool begin_perturbations(whirl_ensemble *e, size_t count) {
     return any;
 }
 
-/// Takes perturbations out of their lanes.
+/// Copies perturbations out of their lanes.
 static void end_perturbations(whirl_ensemble *e, size_t count) {
     const rk4_lanes *lanes = &e->lanes;
     const size_t degrees = lanes->degrees, rates = lanes->rates;
@@ -600,14 +603,15 @@ static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemb
     lanes.queue->order = e->order;
     lanes.queue->observed = put_in_order(e, count, lanes.observing ? observe : NULL);
     fill_exchange(e, &lanes);
-    for (size_t i = 0; i < samples * size; i++) lanes.samples[i] = NAN; // of lanes that end on the way
-    for (size_t lane = 0; samples < wanted && lane < count; lane++) e->ended[lane] = WHIRL_STUCK; // for want of memory
+    for (size_t i = 0; i < samples * size; i++) lanes.samples[i] = NAN; // remains for lanes whose motion ends early
+    for (size_t lane = 0; samples < wanted && lane < count; lane++)
+        e->ended[lane] = WHIRL_STUCK; // no memory for its samples
     lanes.method->revolves[e->isa->number](&lanes);
     hand_out(e, lanes.samples, samples, observe);
     if (lanes.tangents > 0) end_perturbations(e, count);
 }
 
-/// Brings angles back.
+/// Brings angles back into their first turn.
 static void wrap(whirl_ensemble *e, size_t count) {
     const double *turns = e->system->turns, *angles = e->system->angles;
     for (size_t i = 0; (turns || angles) && i < e->system->dimension; i++) {

@@ -47,12 +47,12 @@ void alone_lanes_move(const alone_lanes *alone, size_t from, size_t to) {
 
 // ---------------------------------------------------------------- what is observed
 
-/// A lane that is watched in a revolution.
+/// A lane that is observed during a revolution.
 typedef struct watched_lane {
     const alone_lanes *lanes;
     size_t lane, instant;
     const whirl_ensemble_observe *observe;
-    size_t samples; ///< for which there is room
+    size_t samples; ///< number of samples with room
 } watched_lane;
 
 /// Returns the lane's number in a row of an array.
@@ -85,8 +85,8 @@ static void observe(void *context, double t, const double *x) {
 
 // ---------------------------------------------------------------- revolutions
 
-/// Allocates the samples of a revolution, NaN for lanes that end on the way; returns how many fit.
-static size_t make_room(alone_lanes *alone, size_t samples) {
+/// Allocates the samples of a revolution, NaN for lanes that end on the way; returns how many samples fit.
+static size_t alone_make_room(alone_lanes *alone, size_t samples) {
     const size_t numbers = alone->dimension * alone->lane_count;
     if (samples > alone->sample_room) {
         free(alone->samples);
@@ -113,12 +113,12 @@ static void revolve_lane(const alone_lanes *alone, watched_lane *w) {
 size_t alone_lanes_revolve(alone_lanes *alone, size_t count, const whirl_ensemble_observe *observe) {
     const size_t steps = (size_t)alone->options.steps_per_revolution;
     const size_t wanted = observe && observe->stride > 0 ? steps / observe->stride : 0;
-    const size_t samples = make_room(alone, wanted);
+    const size_t samples = alone_make_room(alone, wanted);
     for (size_t lane = 0; lane < count; lane++) {
         watched_lane w = {.lanes = alone, .lane = lane, .observe = observe, .samples = samples};
         if (!alone->machines[lane] || alone->ended[lane] != WHIRL_BOUNDED) continue;
         revolve_lane(alone, &w);
-        if (samples < wanted) alone->ended[lane] = WHIRL_STUCK; // for want of memory
+        if (samples < wanted) alone->ended[lane] = WHIRL_STUCK; // no memory for its samples
     }
     return samples;
 }

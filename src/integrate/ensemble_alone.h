@@ -7,7 +7,7 @@
 
 typedef struct alone_lanes {
     whirl_integrate_options options;
-    size_t followed; ///< perturbations for which there is room
+    size_t followed; ///< most perturbations
     size_t dimension, lane_count;
     whirl_integrator **integrator; ///< [lane_count] NULL: empty lane
     double *state;                 ///< [dimension] workspace
@@ -20,15 +20,15 @@ typedef struct alone_lanes {
     const lanes_observe *watched;
 } alone_lanes;
 
-/// NULL where there is no memory.
+/// Makes lanes without machines. NULL without memory.
 alone_lanes *alone_lanes_new(const whirl_integrate_options *options, size_t followed, size_t dimension,
                              size_t lane_count);
 void alone_lanes_free(alone_lanes *alone);
 
-/// An integrator for the machine of a lane; none for NULL. Errors as whirl_integrator_new.
+/// Makes an integrator for the machine of a lane; removes it for NULL. Errors as whirl_integrator_new.
 whirl_status alone_lanes_load(const alone_lanes *alone, size_t lane, const whirl_system *system);
 
-/// Moves the integrator of a lane to another one that has none.
+/// Moves the integrator of a lane to an empty lane.
 void alone_lanes_move(const alone_lanes *alone, size_t from, size_t to);
 
 /// Carries the lanes 0 to count - 1 over a revolution; returns the number of its samples.

@@ -78,8 +78,8 @@ whirl_status check_options(const whirl_system *system, const whirl_integrate_opt
     return whirl_members_check(whirl_integrate_members(), options);
 }
 
-/// Allocates the workspace of so many perturbations.
-static whirl_status make_room(whirl_integrator *integrator, size_t most) {
+/// Allocates the workspace of `most` perturbations.
+static whirl_status integrator_make_room(whirl_integrator *integrator, size_t most) {
     const size_t rows = integrator->method->rows * (1 + most) + SPARE_ROWS;
     double *slopes = realloc(integrator->slopes, rows * integrator->system->dimension * sizeof *slopes);
     if (!slopes) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu perturbations", most);
@@ -99,7 +99,7 @@ whirl_status whirl_integrator_new(const whirl_system *system, const whirl_integr
     if (!integrator) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an integrator");
     if (options->located && chosen->located) chosen = chosen->located;
     *integrator = (whirl_integrator){.system = system, .options = *options, .method = chosen};
-    status = make_room(integrator, 0);
+    status = integrator_make_room(integrator, 0);
     if (status.code == WHIRL_OK) status = chosen->start(integrator);
     if (status.code != WHIRL_OK) {
         free(integrator->slopes);
@@ -132,7 +132,7 @@ whirl_status whirl_integrator_follow(whirl_integrator *integrator, size_t most) 
     if (most > n)
         return whirl_fail(WHIRL_BAD_INPUT, "%zu perturbations are to be followed, expected at most the dimension, %zu",
                           most, n);
-    return make_room(integrator, most);
+    return integrator_make_room(integrator, most);
 }
 
 whirl_motion whirl_integrator_carry(whirl_integrator *integrator, double *x, whirl_perturbations *perturbations,

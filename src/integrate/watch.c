@@ -4,7 +4,7 @@
 
 #include "kernels/watched_kernel.h"
 
-static void take(double *so_far, whirl_fold fold, double value) {
+static void watch_take(double *so_far, whirl_fold fold, double value) {
     *so_far = watched_with(fold, value, *so_far);
 }
 
@@ -12,7 +12,7 @@ static void watch_probe(const whirl_probe *probe, size_t p, const double *x, siz
                         const whirl_ensemble_seen *seen) {
     const watched_instant now = watched_at(probe, x[probe->x], x[probe->y], x[probe->vx], x[probe->vy]);
 #define WATCH(array, extent, columns, fold, ...)                                                                       \
-    for (size_t c = 0; c < (columns); c++) take(&seen->array[((columns)*p + c) * stride], fold, now.array[c]);
+    for (size_t c = 0; c < (columns); c++) watch_take(&seen->array[((columns)*p + c) * stride], fold, now.array[c]);
     WHIRL_WATCHED_OF_STATIONS(WATCH)
 #undef WATCH
 }
@@ -27,7 +27,7 @@ static void watch_contacts(const whirl_system *system, const double *x, size_t s
     for (size_t c = 0; c < system->contact_count; c++) {
         watch_contact(force[c] > 0.0 ? 1.0 : 0.0, 1.0, 1.0, &touching[c * stride], &seen->contact_share[c * stride],
                       &seen->contact_number[c * stride]);
-        take(&seen->contact_force[c * stride], WHIRL_LARGEST, force[c]);
+        watch_take(&seen->contact_force[c * stride], WHIRL_LARGEST, force[c]);
         watch_friction(friction[c][0], friction[c][1], &seen->contact_torque[c * stride],
                        &seen->contact_most[c * stride], &seen->contact_power[c * stride]);
     }
@@ -36,8 +36,8 @@ static void watch_contacts(const whirl_system *system, const double *x, size_t s
 void watch_instant(const whirl_system *system, const double *x, size_t stride, const whirl_ensemble_seen *seen,
                    double *touching) {
     for (size_t i = 0; i < system->dimension; i++) {
-        take(&seen->low[i * stride], WHIRL_SMALLEST, x[i]);
-        take(&seen->high[i * stride], WHIRL_LARGEST, x[i]);
+        watch_take(&seen->low[i * stride], WHIRL_SMALLEST, x[i]);
+        watch_take(&seen->high[i * stride], WHIRL_LARGEST, x[i]);
     }
     for (size_t p = 0; p < system->probe_count; p++) watch_probe(&system->probes[p], p, x, stride, seen);
     watch_contacts(system, x, stride, seen, touching);
@@ -45,15 +45,15 @@ void watch_instant(const whirl_system *system, const double *x, size_t stride, c
 
 // ---------------------------------------------------------------- for motions that no ensemble carries
 
-static void begin(double *array, size_t count, whirl_fold fold) {
+static void watch_begin(double *array, size_t count, whirl_fold fold) {
     for (size_t i = 0; i < count; i++) array[i] = fold_none(fold);
 }
 
 void whirl_seen_begin(const whirl_system *system, const double *x, const whirl_ensemble_seen *seen, double *touching) {
-    begin(seen->low, system->dimension, WHIRL_SMALLEST);
-    begin(seen->high, system->dimension, WHIRL_LARGEST);
+    watch_begin(seen->low, system->dimension, WHIRL_SMALLEST);
+    watch_begin(seen->high, system->dimension, WHIRL_LARGEST);
 #define BEGIN(array, extent, columns, fold, ...)                                                                       \
-    begin(seen->array, WHIRL_WATCHED_SIZE(extent, columns, system->probe_count, system->contact_count), fold);
+    watch_begin(seen->array, WHIRL_WATCHED_SIZE(extent, columns, system->probe_count, system->contact_count), fold);
     WHIRL_WATCHED(BEGIN)
 #undef BEGIN
     if (system->contact_count > 0) system->contacts(system->model, x, touching);

@@ -17,8 +17,8 @@ static inline double fold_end(whirl_fold fold, bool square, double folded, doubl
     return square ? sqrt(value) : value;
 }
 
-/// Adds the state x to what was seen, whose numbers lie `stride` apart, as those of `touching` [contact_count] do: 1
-/// where contacts were closed at the instant before, then at this one.
+/// Adds the state x to the observations, whose numbers lie `stride` apart. touching [contact_count], with the same
+/// stride: 1 for contacts that were closed at the instant before; set to the present instant.
 void watch_instant(const whirl_system *system, const double *x, size_t stride, const whirl_ensemble_seen *seen,
                    double *touching);
 

@@ -6,7 +6,7 @@
 /// Vectors in the sums of slopes at a time: two, or all of a structure with loops of its own.
 enum { SUMMED_TOGETHER = 2, MAX_TOGETHER = 4 };
 
-/// First rows of a set: the state's, set 0, or a perturbation's.
+/// First rows of a set: of the state (set 0), or of a perturbation.
 typedef struct set_place {
     size_t q, v;
 } set_place;
@@ -15,8 +15,8 @@ static inline set_place place_of_set(const adaptive_lanes *lanes, size_t set) {
     return (set_place){set * lanes->degrees * lanes->stride, set * lanes->rates * lanes->stride};
 }
 
-/// `count` vectors from the first, `step` apart, of the set at which slope `number` is taken. The last slope counts
-/// for velocities alone.
+/// Computes `count` vectors from the first, `step` apart, of the set at which slope `number` is taken. The last slope
+/// contributes to velocities only.
 VECTOR_INLINE void take_stage(const adaptive_lanes *lanes, int number, set_place set, size_t first, size_t step,
                               size_t count, vec *out_q, vec *out_v) {
     const slope_sums *sums = &lanes->dop853.sums.stage[number];
@@ -42,7 +42,7 @@ VECTOR_INLINE void take_stage(const adaptive_lanes *lanes, int number, set_place
     }
 }
 
-/// One of the sums of slopes, for up to MAX_TOGETHER vectors of the rates from the first.
+/// Computes one of the sums of slopes, for up to MAX_TOGETHER vectors of the rates from the first.
 VECTOR_INLINE void sum_rates(const adaptive_lanes *lanes, const slope_sums *sums, size_t which, size_t first,
                              size_t count, vec *sum) {
     for (size_t r = 0; r < count; r++) sum[r] = v_set(0.0);
@@ -52,7 +52,7 @@ VECTOR_INLINE void sum_rates(const adaptive_lanes *lanes, const slope_sums *sums
     }
 }
 
-/// The same for all states of first order of a set: out is from + h times the sum, from may be NULL.
+/// Computes a sum for all first-order states of a set: out is from + h times the sum; from may be NULL.
 static void sum_states(const adaptive_lanes *lanes, const slope_sums *sums, set_place set, const vec *from, vec *out) {
     const size_t last = set.v + lanes->rates * lanes->stride;
     const vec *h = VECTORS(length), zero = v_set(0.0);
@@ -68,7 +68,7 @@ static void sum_states(const adaptive_lanes *lanes, const slope_sums *sums, set_
     }
 }
 
-/// All of the state at which slope `number` is taken, and of the perturbations.
+/// Computes the whole state at which slope `number` is taken, and the perturbations.
 static void enter_stage(const adaptive_lanes *lanes, int number, vec *q, vec *v) {
     const size_t all = lanes->degrees * lanes->stride;
     for (size_t n = 0; n <= lanes->tangents; n++) {
@@ -101,7 +101,7 @@ static void take_slopes_by_stages(const adaptive_lanes *lanes, int from, int to)
 
 // ---------------------------------------------------------------- error
 
-/// Errors of `count` vectors of a set from the first, `step` apart, by the four sums.
+/// Computes the errors of `count` vectors of a set from the first, `step` apart, by the four sums.
 VECTOR_INLINE void sum_errors(const adaptive_lanes *lanes, set_place set, size_t first, size_t step, size_t count,
                               vec *q5, vec *v5, vec *q3, vec *v3) {
     const slope_sums *sums = &lanes->dop853.sums.error;
@@ -125,8 +125,8 @@ VECTOR_INLINE void sum_errors(const adaptive_lanes *lanes, set_place set, size_t
     }
 }
 
-/// The square of the error of vector k over the tolerance of all coordinates, of both embedded formulas as DOP853
-/// weighs them; not a number where the end is none. Its coordinates' errors are in q5 ... v3.
+/// Computes the squared error of vector k over the tolerance of all coordinates, from both embedded formulas as DOP853
+/// weighs them; NaN if the state at the end is. The coordinates' errors are in q5 ... v3.
 VECTOR_INLINE void take_error(const adaptive_lanes *lanes, size_t group_count, const size_t *groups, size_t states,
                               size_t stride, size_t k, const vec *q5, const vec *v5, const vec *q3, const vec *v3) {
     const size_t degrees = groups[group_count];
@@ -173,7 +173,7 @@ static void sum_all_errors(const adaptive_lanes *lanes, set_place set, vec *q5, 
     if (even < all) sum_errors(lanes, set, even, 1, 1, q5, v5, q3, v3);
 }
 
-/// The square of what a set's rows are long, of vector k.
+/// Returns the squared length of a set's rows, of vector k.
 static inline vec square_length(const adaptive_lanes *lanes, set_place set, size_t k, const vec *q, const vec *v) {
     vec sum = v_set(0.0);
     FOR_DEGREES_OF(k) sum = v_fma(q[set.q + i], q[set.q + i], sum);
@@ -181,12 +181,13 @@ static inline vec square_length(const adaptive_lanes *lanes, set_place set, size
     return sum;
 }
 
-/// Tolerance of a perturbation over rtol of its length: with a motion of some size its error follows that of the state,
-/// whose steps are then unchanged; a negligible motion would allow any step.
+/// Tolerance of a perturbation, in units of rtol times its length. It is loose enough that steps of a motion of
+/// ordinary size do not change: there the perturbation's error follows the state's. It limits steps of a negligible
+/// motion, for which the state alone would allow any length.
 enum { LOOSER = 100 };
 
-/// The square of the error of a perturbation over its tolerance. Equations of perturbations are linear: they know no
-/// absolute one.
+/// Returns the squared error of a perturbation over its tolerance. Equations of perturbations are linear, so that there
+/// is no absolute tolerance.
 static vec error_of_perturbation(const adaptive_lanes *lanes, set_place set, size_t k, const vec *q5, const vec *v5,
                                  const vec *q3, const vec *v3) {
     const slope_sums *sums = &lanes->dop853.sums.error;
@@ -230,7 +231,7 @@ static void take_errors_by_stages(const adaptive_lanes *lanes, vec *q5, vec *v5,
     take_errors_of_perturbations(lanes, q5, v5, q3, v3);
 }
 
-/// The integral of the divergence over the step, by the weights of its result.
+/// Integrates the divergence over the step, by the weights of the step's result.
 static void take_volume(const adaptive_lanes *lanes) {
     FOR_VECTORS {
         vec sum = v_set(0.0);
@@ -242,13 +243,13 @@ static void take_volume(const adaptive_lanes *lanes) {
 
 // ---------------------------------------------------------------- structures with loops of their own
 
-/// cos and sin of t.
+/// Computes cos and sin of t.
 static void take_base(const adaptive_lanes *lanes) {
     vec *base = VECTORS(dop853.base);
     FOR_VECTORS v_sincos(VECTORS(t)[k], &base[INSTANCE_STRIDE + k], &base[k]);
 }
 
-/// The forcing at t + c h of vector k, for h up to an eighth of a revolution.
+/// Computes the forcing at t + c h of vector k, for h up to an eighth of a revolution.
 VECTOR_INLINE void add_angle(const adaptive_lanes *lanes, double c, size_t k) {
     const vec *base = VECTORS(dop853.base), cosine = base[k], sine = base[INSTANCE_STRIDE + k];
     const size_t apart = INSTANCE_STRIDE;
@@ -261,8 +262,8 @@ VECTOR_INLINE void add_angle(const adaptive_lanes *lanes, double c, size_t k) {
     forcing[SIN_2TAU * apart] = v_mul(v_add(x, x), y);
 }
 
-/// State of slope `number`: the step's end for the result, else the stage.
-static inline vec *place_of(const adaptive_lanes *lanes, int number) {
+/// Returns the positions at which slope `number` is taken: the step's end for the result, else the stage.
+static inline vec *dop853_place(const adaptive_lanes *lanes, int number) {
     return number == DOP853_STAGES ? VECTORS(end_q) : VECTORS(stage_q);
 }
 static inline vec *speed_of(const adaptive_lanes *lanes, int number) {
@@ -272,7 +273,7 @@ static inline vec *speed_of(const adaptive_lanes *lanes, int number) {
 #define INSTANCE_FILE "kernels/dop853_instance.inc"
 #include "../../rotor/instances.h"
 
-/// Slopes from <= number < to; the last stage's before the result's.
+/// Computes the slopes from <= number < to.
 static void take_slopes(const adaptive_lanes *lanes, int from, int to) {
 #define TAKE(name, NAME)                                                                                               \
     if (IS_INSTANCE(NAME, lanes->instance)) {                                                                          \
@@ -297,7 +298,7 @@ static void take_errors(const adaptive_lanes *lanes) {
     take_errors_by_stages(lanes, q5, v5, q3, v3);
 }
 
-/// Tries the step: the state at its end, the slope there, the error.
+/// Tries the step: computes the state at its end, the slope there, the error.
 static void try_step(const adaptive_lanes *lanes) {
     take_slopes(lanes, 1, DOP853_STAGES + 1);
     take_errors(lanes);
@@ -308,7 +309,7 @@ static void try_step(const adaptive_lanes *lanes) {
 
 enum { METHOD_DENSE = DENSE };
 
-/// The cubic of row and vector j of the state, by what it and its slope are at both ends of a step of length h.
+/// Computes the cubic of row and vector j of the state from values and slopes at both ends of a step of length h.
 VECTOR_INLINE void take_cubic(const adaptive_lanes *lanes, size_t j, vec h, vec begin, vec end, vec first, vec last) {
     const vec way = v_sub(end, begin);
     VECTORS(dense[0])[j] = begin;
@@ -317,8 +318,8 @@ VECTOR_INLINE void take_cubic(const adaptive_lanes *lanes, size_t j, vec h, vec 
     VECTORS(dense[3])[j] = v_fnma(h, v_add(first, last), v_mul(v_set(2.0), way));
 }
 
-/// The interpolant of the step tried: a cubic, and what DOP853 adds to it by three more slopes (Hairer, Norsett, Wanner
-/// 1993, II.6).
+/// Computes the interpolant of the step tried: a cubic, and the polynomials that DOP853 adds by three more slopes
+/// (Hairer, Norsett, Wanner 1993, II.6).
 static void take_polynomials(const adaptive_lanes *lanes) {
     const size_t after = lanes->degrees * lanes->stride;
     const vec *q = VECTORS(q), *v = VECTORS(v), *end_q = VECTORS(end_q), *end_v = VECTORS(end_v);
@@ -346,8 +347,9 @@ static void take_polynomials(const adaptive_lanes *lanes) {
 
 // ---------------------------------------------------------------- lengths of steps
 
-/// For errors of order 8: proportional and integral control (Gustafsson 1991), err^(-3/32) times the error before to
-/// the power 1/16, which settles at 0.92^32 = 0.07 of the tolerance; roots alone, so that it is the same everywhere.
+/// Powers for errors of order 8: proportional and integral control (Gustafsson 1991), err^(-3/32) times the error
+/// before to the power 1/16, which settles at 0.92^32 = 0.07 of the tolerance; roots alone, so that it is the same
+/// everywhere.
 static inline error_powers powers_of(vec square) {
     vec p = v_max(v_min(square, v_set(1e16)), v_set(1e-16));
     for (int i = 0; i < 5; i++) p = rough_inverse_root(p); // err^-1, err^1/2, err^-1/4, err^1/8, err^-1/16

@@ -17,11 +17,11 @@
 #define FOR_ALL(lanes, body) FOR_ROWS(lanes, 0, (lanes)->degrees, body)
 #define FOR_STATES(lanes, body) FOR_ROWS(lanes, (lanes)->degrees, (lanes)->rates, body)
 
-/// Accelerations with the values of time that all lanes share, of the state and its perturbations, and at a stage the
-/// divergence.
+/// Computes accelerations of the state and its perturbations, with the values of time that all lanes share, and at a
+/// stage the divergence.
 static void accelerate(const rk4_lanes *lanes, const double *forcing, const vec *q, const vec *v, double *divergence,
                        vec *a) {
-    const bool spread = lanes->lane_count > 1; // one lane takes them as they stand
+    const bool spread = lanes->lane_count > 1; // a single lane needs no copies
     vec *now = (vec *)lanes->now;
     for (size_t i = 0; spread && i < lanes->forcing_count; i++)
         for (size_t k = 0; k < lanes->vectors; k++) now[i * lanes->stride + k] = v_set(forcing[i]);
@@ -39,7 +39,7 @@ static void accelerate(const rk4_lanes *lanes, const double *forcing, const vec 
     lanes->flow(&view);
 }
 
-/// Lets the scheme's stage or end enter for the state and all perturbations.
+/// Computes the scheme's stage or end for the state and all perturbations.
 #define ENTER_SET(stage, scheme)                                                                                       \
     FOR_ALL(lanes, stage(&(scheme), i);)                                                                               \
     FOR_STATES(lanes, stage##_state(&(scheme), i);)
@@ -50,12 +50,12 @@ static void accelerate(const rk4_lanes *lanes, const double *forcing, const vec 
         ENTER_SET(stage, beside)                                                                                       \
     }
 
-/// A place in an array; an array that is not there has none.
+/// Returns a position in an array; NULL if the array is NULL.
 static inline vec *place_in(void *array, size_t offset) {
     return array ? (vec *)array + offset : NULL;
 }
 
-/// The scheme with the arrays of the state (n = 0) or a perturbation.
+/// Returns the scheme with the arrays of the state (n = 0) or a perturbation.
 static inline scheme scheme_of_set(const rk4_lanes *lanes, const scheme *constants, size_t n) {
     const size_t place = n * lanes->degrees * lanes->stride, rate = n * lanes->rates * lanes->stride;
     return scheme_at(constants, place_in(lanes->q, place), place_in(lanes->v, rate), place_in(lanes->k[0], rate),
@@ -63,7 +63,7 @@ static inline scheme scheme_of_set(const rk4_lanes *lanes, const scheme *constan
                      place_in(lanes->stage_v, rate));
 }
 
-/// The integral of the divergence over the step.
+/// Integrates the divergence over the step.
 static void add_divergence(const rk4_lanes *lanes) {
     const vec sixth = v_set(lanes->step / 6.0), two = v_set(2.0);
     vec *volume = (vec *)lanes->volume;
@@ -132,7 +132,7 @@ static void observe_friction(const rk4_lanes *lanes) {
         }
 }
 
-/// Normal forces and friction by the machine itself.
+/// Observes normal forces and friction as the machine computes them.
 static void observe_forces(const rk4_lanes *lanes) {
     const lanes_observe *w = &lanes->observe;
     const lanes_view view = {.model = lanes->model,
@@ -148,7 +148,7 @@ static void observe_forces(const rk4_lanes *lanes) {
             ((vec *)w->contact_force)[at] = v_max(((const vec *)w->force)[at], ((const vec *)w->contact_force)[at]);
 }
 
-static vec_mask touches(const rk4_lanes *lanes, size_t c, size_t k) {
+static vec_mask rk4_touches(const rk4_lanes *lanes, size_t c, size_t k) {
     const lanes_observe *w = &lanes->observe;
     const whirl_probe *probe = &w->probes[w->contact_probe[c]];
     const size_t at = c * lanes->stride + k;
@@ -171,7 +171,7 @@ static void observe_contacts(const rk4_lanes *lanes) {
     for (size_t c = 0; c < w->contact_count; c++)
         for (size_t k = 0; k < lanes->vectors; k++) {
             const size_t at = c * lanes->stride + k;
-            count_contact(touches(lanes, c, k), (vec *)w->touching + at, (vec *)w->contact_share + at,
+            count_contact(rk4_touches(lanes, c, k), (vec *)w->touching + at, (vec *)w->contact_share + at,
                           (vec *)w->contact_number + at);
         }
 }

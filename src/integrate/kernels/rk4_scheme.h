@@ -35,7 +35,7 @@ VECTOR_INLINE scheme scheme_at(const scheme *constants, vec *q, vec *v, vec *k1,
     return s;
 }
 
-/// The states at which accelerations 2 to 4 are taken, and that at the step's end.
+/// States at which accelerations 2 to 4 are taken, and the state at the step's end.
 static inline void enter_second(const scheme *s, size_t i) {
     const vec v = s->v[i];
     s->stage_q[i] = v_fma(s->half, v, s->q[i]);
@@ -57,7 +57,7 @@ static inline void enter_end(const scheme *s, size_t i) {
     s->v[i] = v_fma(s->sixth, v_fma(v_set(2.0), inner, v_add(k1, s->k3[i])), v);
 }
 
-/// The same for states of first order.
+/// The same functions for states of first order.
 static inline void enter_second_state(const scheme *s, size_t i) {
     s->stage_v[i] = v_fma(s->half, s->k1[i], s->v[i]);
 }

@@ -18,7 +18,7 @@
 
 enum { METHOD_DENSE = RODAS5P_DENSE };
 
-/// For some vectors k, and for all degrees or rates as well, with the index i of their vector.
+/// Loops over some vectors k, and over all degrees or rates too, with the index i of their vector.
 #define FOR_SOME(of) for (size_t k = (of).first; k < (of).first + (of).count; k++)
 #define FOR_ROWS_OF_SOME(of, rows)                                                                                     \
     for (size_t d = 0; d < (rows); d++)                                                                                \
@@ -28,7 +28,7 @@ enum { METHOD_DENSE = RODAS5P_DENSE };
 
 // ---------------------------------------------------------------- derivatives
 
-/// The slope at t and the Jacobian.
+/// Computes the slope at t and the Jacobian.
 static void take_jacobian(const adaptive_lanes *lanes, vectors of) {
     memcpy(lanes->rodas5p.unit_q, lanes->q, lanes->degrees * lanes->stride * sizeof(vec));
     memcpy(lanes->rodas5p.unit_v, lanes->v, lanes->rates * lanes->stride * sizeof(vec));
@@ -48,13 +48,13 @@ static const struct {
               {-0x1p-10, 0x1p11 / 12.0}};
 enum { BESIDE = sizeof beside / sizeof *beside };
 
-/// The forcing at t + offset.
+/// Computes the forcing at t + offset.
 static void take_forcing_beside(const adaptive_lanes *lanes, vectors of, double offset) {
     FOR_SOME(of) VECTORS(time)[k] = v_add(VECTORS(t)[k], v_set(offset));
     lanes->forcing_at(lanes->model, lanes->stride, of.count, VECTORS(time) + of.first, VECTORS(forcing) + of.first);
 }
 
-/// Adds the forcing at t + offset, times a weight, to what is summed of it.
+/// Adds the forcing at t + offset, times a weight, to a sum.
 static void add_forcing(const adaptive_lanes *lanes, vectors of, double offset, double weight) {
     vec *sum = VECTORS(rodas5p.ahead);
     take_forcing_beside(lanes, of, offset);
@@ -64,7 +64,7 @@ static void add_forcing(const adaptive_lanes *lanes, vectors of, double offset, 
         }
 }
 
-/// The slope's difference of order 4, by times within the revolution.
+/// Computes the slope's time derivative by a difference of order 4, at times within the revolution.
 static void take_rate_of_slopes(const adaptive_lanes *lanes, vectors of) {
     static const double weights[] = {-25.0, 48.0, -36.0, 16.0, -3.0};
     const vec step = v_set(0x1p-13 * lanes->period), end = v_set(lanes->period);
@@ -83,8 +83,8 @@ static void take_rate_of_slopes(const adaptive_lanes *lanes, vectors of) {
     take_forcing(lanes, of, 0.0, lanes->length);
 }
 
-/// The derivative of the slope by time alone. Mostly it depends on time through the forcing, and on that in proportion:
-/// so it is the slope by the forcing and its derivative, less the slope.
+/// Computes the partial derivative of the slope by time. Usually the slope depends on time through the forcing, and
+/// linearly: then the derivative is the slope with the forcing plus its derivative, less the slope.
 static void take_rate(const adaptive_lanes *lanes, vectors of) {
     const size_t forcings = lanes->forcing_count * lanes->stride;
     vec *ahead = VECTORS(rodas5p.ahead);
@@ -116,19 +116,19 @@ static void take_rate(const adaptive_lanes *lanes, vectors of) {
             FOR_SOME(of) what(lanes->stride, k, 1);                                                                    \
     } while (0)
 
-/// The columns of row i among those that are listed.
+/// Loops over the listed columns of row i.
 #define FOR_ENTRIES(c, rows, i)                                                                                        \
     for (const size_t *r_##c = (rows).run + 2 * (rows).begin[i], *last_##c = (rows).run + 2 * (rows).begin[(i) + 1];   \
          r_##c < last_##c; r_##c += 2)                                                                                 \
         for (size_t c = r_##c[0], end_##c = r_##c[1]; c < end_##c; c++)
 #define FOR_COUNT for (size_t c = 0; c < count; c++)
 
-/// Row i of the Jacobian of vector k, of the column that perturbation d tells of.
+/// Returns the entry in row i of the Jacobian of vector k, in the column that perturbation d determines.
 VECTOR_INLINE const vec *by_perturbation(const vec *by, size_t d, size_t rates, size_t stride, size_t i) {
     return by + ((1 + d) * rates + i) * stride;
 }
 
-/// Row i of the matrix of `count` vectors from k on.
+/// Fills row i of the matrix of `count` vectors from k on.
 VECTOR_INLINE void fill_row(const adaptive_lanes *lanes, size_t i, size_t stride, size_t k, size_t count, vec *row) {
     const sparsity at = *lanes->rodas5p.sparsity;
     const size_t n = lanes->rates, *by_q = at.perturbation, *by_v = by_q + lanes->degrees;
@@ -150,7 +150,7 @@ VECTOR_INLINE void fill_row(const adaptive_lanes *lanes, size_t i, size_t stride
 /// Decomposes the matrices of `count` vectors from k on, row by row; the factors stay in their place.
 VECTOR_INLINE void decompose_some(const adaptive_lanes *lanes, size_t stride, size_t k, size_t count) {
     const size_t n = lanes->rates;
-    const sparsity at = *lanes->rodas5p.sparsity; // of one's own, so that what is written cannot be a part of it
+    const sparsity at = *lanes->rodas5p.sparsity; // a copy, so that compilers know that no write changes it
     vec *matrix = VECTORS(rodas5p.matrix) + k, *pivot = VECTORS(rodas5p.pivot) + k;
     vec least[MAX_GROUP], doubt[MAX_GROUP], factor[MAX_GROUP];
     FOR_COUNT {
@@ -179,7 +179,7 @@ static void decompose(const adaptive_lanes *lanes, vectors of) {
 #undef DECOMPOSE
 }
 
-/// Solves the equations of a stage of `count` vectors from k on: their right sides are in right_q and u_v.
+/// Solves the equations of a stage for `count` vectors from k on, with the right-hand sides in right_q and u_v.
 VECTOR_INLINE void solve_some(const adaptive_lanes *lanes, size_t stride, size_t k, size_t count, vec *u_q, vec *u_v) {
     const size_t n = lanes->rates;
     const sparsity at = *lanes->rodas5p.sparsity;
@@ -213,7 +213,7 @@ VECTOR_INLINE void solve_some(const adaptive_lanes *lanes, size_t stride, size_t
         }
 }
 
-static void solve(const adaptive_lanes *lanes, vectors of, vec *u_q, vec *u_v) {
+static void rodas5p_solve(const adaptive_lanes *lanes, vectors of, vec *u_q, vec *u_v) {
 #define SOLVE(stride, k, count) solve_some(lanes, stride, k, count, u_q, u_v)
     TOGETHER(SOLVE, of);
 #undef SOLVE
@@ -224,9 +224,9 @@ static inline vec per_length(const adaptive_lanes *lanes, size_t k) {
     return v_mul(VECTORS(rodas5p.shift)[k], v_set(rodas5p_gamma));
 }
 
-/// x plus the increments before stage `number` by their weights, u the first and `apart` vectors from one to the next;
-/// *right: their sum by the weights of its equations. The last states follow one another, each by the increment before
-/// it.
+/// Returns x plus the weighted increments before stage `number`; u is the first increment, `apart` vectors from one to
+/// the next. *right is their sum by the weights of the stage's equations. Each of the last states is the one before
+/// plus its increment.
 VECTOR_INLINE vec add_increments(int number, const vec *u, size_t apart, vec x, vec *right) {
     *right = v_set(0.0);
     for (int j = 0; j < number; j++, u += apart) {
@@ -236,8 +236,8 @@ VECTOR_INLINE vec add_increments(int number, const vec *u, size_t apart, vec x, 
     return x;
 }
 
-/// Computes the state of stage `number`'s slope, and what the increments before it add to its equations, in right_q and
-/// u_v; the slopes of positions are the velocities of the stage.
+/// Computes the state at which stage `number`'s slope is taken, and the contribution of earlier increments to its
+/// equations, in right_q and u_v. The slopes of positions are the velocities of the stage.
 VECTOR_INLINE void enter_stage(const adaptive_lanes *lanes, vectors of, int number) {
     const rodas5p_work *own = &lanes->rodas5p;
     const bool follows = number > RODAS5P_LAST_SUM;
@@ -256,7 +256,7 @@ VECTOR_INLINE void enter_stage(const adaptive_lanes *lanes, vectors of, int numb
     }
 }
 
-/// The same, without a choice in its loops.
+/// Computes the state of a stage with constant arguments, so that its loops have no branches.
 static void take_stage(const adaptive_lanes *lanes, vectors of, int number) {
     _Static_assert(RODAS5P_STAGES == 8, "a case for every stage");
 #define STAGE(n)                                                                                                       \
@@ -267,7 +267,7 @@ static void take_stage(const adaptive_lanes *lanes, vectors of, int number) {
 #undef STAGE
 }
 
-/// The increment of stage `number`, whose slope is a.
+/// Computes the increment of stage `number`, whose slope is a.
 static void take_increment(const adaptive_lanes *lanes, vectors of, int number, const vec *a) {
     const vec *rate = VECTORS(rodas5p.rate);
     vec *u_q = (vec *)lanes->rodas5p.u_q[number], *u_v = (vec *)lanes->rodas5p.u_v[number];
@@ -275,19 +275,19 @@ static void take_increment(const adaptive_lanes *lanes, vectors of, int number, 
         const vec by_time = v_mul(v_set(rodas5p_d[number]), VECTORS(length)[k]);
         u_v[i] = v_fma(by_time, rate[i], v_add(u_v[i], a[i]));
     }
-    solve(lanes, of, u_q, u_v);
+    rodas5p_solve(lanes, of, u_q, u_v);
 }
 
 // ---------------------------------------------------------------- the step
 
-/// The three sums of the interpolant for row and vector i of increments u.
+/// Computes the three sums of the interpolant for row and vector i of increments u.
 VECTOR_INLINE void sum_polynomials(double *const *u, size_t i, vec e[RODAS5P_DENSE - 1]) {
     for (int p = 0; p < RODAS5P_DENSE - 1; p++) e[p] = v_set(0.0);
     for (int n = 0; n < RODAS5P_STAGES; n++)
         for (int p = 0; p < RODAS5P_DENSE - 1; p++) e[p] = v_fma(v_set(rodas5p_h[p][n]), ((const vec *)u[n])[i], e[p]);
 }
 
-/// The place in the middle of the step by the interpolant; gives its speed there in steps.
+/// Computes the interpolant in the middle of the step; returns its derivative by theta there.
 VECTOR_INLINE vec take_middle(double *const *u, const vec *begin, const vec *end, size_t i, vec *place) {
     vec e[RODAS5P_DENSE - 1];
     const vec half = v_set(0.5), quarter = v_set(0.25), way = v_sub(end[i], begin[i]);
@@ -296,8 +296,8 @@ VECTOR_INLINE vec take_middle(double *const *u, const vec *begin, const vec *end
     return v_fma(quarter, v_add(e[1], e[2]), way);
 }
 
-/// The error of the interpolant in the middle of the step, which that of the end does not tell where all is
-/// stiff: what (1/(gamma h) - J)^-1 makes of the residual of the equations there, in between_q and between_v.
+/// Estimates the error of the interpolant in the middle of the step, into between_q and between_v: (1/(gamma h) - J)^-1
+/// times the residual of the equations there. In stiff systems the error at the step's end does not show it.
 static void take_error_between(const adaptive_lanes *lanes, vectors of) {
     const rodas5p_work *own = &lanes->rodas5p;
     vec *right_q = VECTORS(rodas5p.right_q), *right_v = VECTORS(rodas5p.between_v);
@@ -311,11 +311,11 @@ static void take_error_between(const adaptive_lanes *lanes, vectors of) {
     take_forcing(lanes, of, 0.5, lanes->length);
     take_slope(lanes, of, lanes->stage_q, lanes->stage_v, own->rate);
     FOR_RATES_OF_SOME(of) right_v[i] = v_sub(right_v[i], VECTORS(rodas5p.rate)[i]);
-    solve(lanes, of, VECTORS(rodas5p.between_q), right_v);
+    rodas5p_solve(lanes, of, VECTORS(rodas5p.between_q), right_v);
 }
 
-/// The larger square of the errors of vector k over the tolerance of all coordinates; not a number where the end is
-/// none, and large where the equations of the stages could not be trusted.
+/// Computes the larger squared error (end, middle) of vector k over the tolerance of all coordinates; NaN if the state
+/// at the end is, and large if a pivot of the stages' equations is too small.
 static void take_error(const adaptive_lanes *lanes, size_t k) {
     const vec *q = VECTORS(q), *v = VECTORS(v), *end_q = VECTORS(end_q), *end_v = VECTORS(end_v);
     const vec *u_q = VECTORS(rodas5p.u_q[RODAS5P_STAGES - 1]), *u_v = VECTORS(rodas5p.u_v[RODAS5P_STAGES - 1]);
@@ -350,7 +350,7 @@ static void take_error(const adaptive_lanes *lanes, size_t k) {
     VECTORS(size)[k] = most;
 }
 
-/// Tries the step: the state at its end, the slope there, the error.
+/// Tries the step: computes the state at its end, the slope there, the error.
 static void try_step(const adaptive_lanes *lanes) {
     const vec *last_q = VECTORS(rodas5p.u_q[RODAS5P_STAGES - 1]), *last_v = VECTORS(rodas5p.u_v[RODAS5P_STAGES - 1]);
     const vectors of = running(lanes);
@@ -374,7 +374,8 @@ static void try_step(const adaptive_lanes *lanes) {
     FOR_SOME(of) take_error(lanes, k);
 }
 
-/// The interpolant of rows that begin and end so, by their increments u; its own rows are those from `first` on.
+/// Computes the interpolant of rows from their values at both ends and their increments u; its own rows are those from
+/// `first` on.
 static void take_polynomials_of(const adaptive_lanes *lanes, size_t first, size_t rows, double *const *u,
                                 const vec *begin, const vec *end) {
     for (size_t i = 0, j = first * lanes->stride; i < rows * lanes->stride; i++, j++) {
@@ -388,15 +389,15 @@ static void take_polynomials_of(const adaptive_lanes *lanes, size_t first, size_
     }
 }
 
-/// The interpolant of the step tried, by theta and 1 - theta in turn.
+/// Computes the interpolant of the step tried, in factors theta and 1 - theta in turn.
 static void take_polynomials(const adaptive_lanes *lanes) {
     const size_t n = lanes->degrees;
     take_polynomials_of(lanes, 0, n, lanes->rodas5p.u_q, VECTORS(q), VECTORS(end_q));
     take_polynomials_of(lanes, n, lanes->rates, lanes->rodas5p.u_v, VECTORS(v), VECTORS(end_v));
 }
 
-/// For errors of order 5: err^(-1/8) times the error before to the power 1/16, which settles at 0.92^16 = 0.26 of the
-/// tolerance.
+/// Powers for errors of order 5: err^(-1/8) times the error before to the power 1/16, which settles at 0.92^16 = 0.26
+/// of the tolerance.
 static inline error_powers powers_of(vec square) {
     vec p = v_max(v_min(square, v_set(1e16)), v_set(1e-16));
     for (int i = 0; i < 5; i++) p = rough_inverse_root(p); // err^-1, err^1/2, err^-1/4, err^1/8, err^-1/16
@@ -407,12 +408,12 @@ static inline error_powers powers_of(vec square) {
 #if VECTOR_ISA == VECTOR_SCALAR
 static void take_stage_of_slot(const adaptive_lanes *slot, int number) {
     double *increment = slot->rodas5p.u_v[number], *kept = slot->rodas5p.between_v;
-    memcpy(kept, increment, slot->rates * sizeof *kept); // a stage begins its increment anew
+    memcpy(kept, increment, slot->rates * sizeof *kept); // a stage overwrites its increment
     take_stage(slot, only(0), number);
     memcpy(increment, kept, slot->rates * sizeof *kept);
 }
 static void solve_slot(const adaptive_lanes *slot, double *x) {
-    solve(slot, only(0), x, x);
+    rodas5p_solve(slot, only(0), x, x);
 }
 #endif
 

@@ -1,4 +1,4 @@
-/// Adds an instant to all that is watched (whirl/engine/watched.h), written once over the vector type.
+/// Adds an instant to all observed quantities (whirl/engine/watched.h), written once over the vector type.
 #ifndef INTEGRATE_WATCHED_KERNEL_H
 #define INTEGRATE_WATCHED_KERNEL_H
 
@@ -6,7 +6,7 @@
 #include "whirl/engine/system.h"
 #include "whirl/engine/watched.h"
 
-/// The values of an instant of a station.
+/// Values of a station at an instant.
 #define WATCHED_VALUES(array, extent, columns, ...) vec array[columns];
 typedef struct watched_instant {
     WHIRL_WATCHED_OF_STATIONS(WATCHED_VALUES)
@@ -18,7 +18,7 @@ VECTOR_INLINE watched_instant watched_at(const whirl_probe *probe, vec x, vec y,
         x = v_mul(x, v_set(probe->units[0])), y = v_mul(y, v_set(probe->units[1]));
         vx = v_mul(vx, v_set(probe->units[2])), vy = v_mul(vy, v_set(probe->units[3]));
     }
-    // The same as whirl_probe_sees.
+    // Computes the same values as whirl_probe_sees.
     if (probe->x == probe->y && probe->along_y) x = vx = v_set(0.0);
     if (probe->x == probe->y && !probe->along_y) y = vy = v_set(0.0);
     const vec square = v_fma(x, x, v_mul(y, y)), way = v_set(probe->clockwise ? -1.0 : 1.0);
@@ -29,14 +29,14 @@ VECTOR_INLINE watched_instant watched_at(const whirl_probe *probe, vec x, vec y,
                              .backward = {v_select(v_less(turning, v_set(0.0)), v_set(1.0), v_set(0.0))}};
 }
 
-/// Folds the value of one more instant.
+/// Folds the value at one more instant into a result.
 VECTOR_INLINE vec watched_with(whirl_fold fold, vec value, vec so_far) {
     return fold == WHIRL_LARGEST    ? v_max(value, so_far)
            : fold == WHIRL_SMALLEST ? v_min(value, so_far)
                                     : v_add(so_far, value);
 }
 
-/// A contact that touches `now` (1 or 0) for `part` of the time, counted in instants of 1/per.
+/// Adds a contact that is closed `now` (1 or 0) for `part` of the time, counted in instants of 1/per.
 VECTOR_INLINE void watch_contact(vec now, vec part, vec per, vec *before, vec *share, vec *number) {
     *share = v_fma(v_mul(now, part), per, *share);
     *number = v_fma(now, v_sub(v_set(1.0), *before), *number);

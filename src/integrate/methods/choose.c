@@ -1,6 +1,6 @@
-// Chooses the method for a machine: what method "auto" rests on.  dop853 takes as many steps as its tolerance asks for,
-// or as many as keep it stable where the machine is stiff: these follow from the eigenvalues of the Jacobian and the
-// method's own stability function. Where they would crawl, the work of revolutions by rodas5p is counted.
+// Chooses the method for a machine: method "auto". dop853 takes the number of steps that its tolerance requires or, for
+// a stiff machine, the number that keeps it stable, which follows from the eigenvalues of the Jacobian and the method's
+// stability function. If that is a great number, the work of some revolutions by rodas5p is counted and compared.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,25 +9,25 @@
 #include "method.h"
 #include "stepper.h"
 
-/// Steps per revolution up to which nothing is gained by another method: rodas5p takes hundreds at the usual
-/// tolerances, each worth several of them.
+/// Steps per revolution up to which dop853 is kept: rodas5p takes hundreds of steps at the usual tolerances, each as
+/// costly as several of dop853.
 static const double crawl = 1000.0;
 
 enum { PROBED = 16, COUNTED = 4, PHASES = 16 };
 
-/// A probe takes so many steps of dop853 at most: in twice as many the motion crawls for another reason; and so many
-/// multiplications, some n^2 a stage: about a second.
+/// Limits of a trial run of dop853: steps (if twice as many are not enough, the motion needs them for another reason),
+/// and multiplications, some n^2 a stage: about a second.
 static const double most_dop853 = 2.0 * PROBED * 1000.0, most_products = 3e9;
 
-/// And so many multiplications of rodas5p, whose equations take n^3 a step: about a second. Where that is too few steps
-/// to tell how many a revolution takes, it takes what is usual.
+/// Limit of multiplications in a trial run of rodas5p, whose equations take n^3 a step: about a second. If these steps
+/// are too few to extrapolate to a revolution, the usual number of steps is taken.
 static const double most_rodas5p = 4e9, telling_rodas5p = 64.0, usual_rodas5p = 500.0;
 
-/// Coordinates up to which eigenvalues are found in about a second; beyond, the norm bounds them.
+/// Number of coordinates up to which eigenvalues take about a second; for larger machines the norm bounds them.
 enum { MAX_SOLVED = 400 };
 
-static whirl_status start(const whirl_system *system, const whirl_integrate_options *options, const char *name,
-                          double most, whirl_integrator **integrator) {
+static whirl_status choose_start(const whirl_system *system, const whirl_integrate_options *options, const char *name,
+                                 double most, whirl_integrator **integrator) {
     whirl_integrate_options own = *options;
     memset(own.method, 0, sizeof own.method);
     memcpy(own.method, name, strlen(name));
@@ -37,14 +37,15 @@ static whirl_status start(const whirl_system *system, const whirl_integrate_opti
     return status;
 }
 
-/// Share, from 0 to 1, of its last revolution that a probe has completed when its steps ran out; 1 if they did not.
+/// Returns the share, 0 to 1, of its last revolution that a trial run has completed when its steps ran out; 1 if they
+/// did not.
 static double part_done(const whirl_integrator *integrator) {
     const stepper *c = integrator->workspace;
     return c->tried < integrator->most_steps ? 1.0 : fmin(c->t / integrator->system->period, 1.0);
 }
 
-/// Steps per revolution that keep dop853 stable at the stiffest phase seen, where they are more than what counts as
-/// crawling; else 0.
+/// Returns the steps per revolution that keep dop853 stable at the stiffest phase seen, if they exceed the limit up to
+/// which dop853 is kept; else 0.
 static double stable_steps(phase_search *search) {
     const double safe = 2.0; // |z| up to which dop853 is stable in the whole left half plane
     if (search->norm * search->system->period <= safe * crawl) return 0.0;
@@ -54,8 +55,8 @@ static double stable_steps(phase_search *search) {
     return steps > crawl ? steps : 0.0;
 }
 
-/// Carries x by a method, and looks at every phase; stops where dop853 would crawl, or where no step is left. Gives how
-/// many revolutions that were, or -1 where the motion could not go on.
+/// Carries x by a method over some revolutions and inspects every phase; stops if dop853 would need too many steps, or
+/// if no step is left. Returns the number of revolutions, or -1 if the motion ended.
 static double carry(whirl_integrator *integrator, phase_search *search, int revolutions, bool until_stiff,
                     double *steps) {
     for (int i = 0; i < revolutions; i++) {
@@ -68,14 +69,14 @@ static double carry(whirl_integrator *integrator, phase_search *search, int revo
     return revolutions;
 }
 
-/// Counts the work of rodas5p over the last of a few revolutions more; of a machine so large that the probe comes to
-/// its end before, over what there was.
+/// Counts the work of rodas5p over the last of a few more revolutions; for a machine so large that the trial run ends
+/// earlier, over the part that was carried.
 static whirl_status count_rodas5p(phase_search *search, const whirl_integrate_options *options, double *steps,
                                   double *count) {
     whirl_integrator *integrator;
     *count = INFINITY;
     const double most = fmax(1.0, most_rodas5p / pow((double)search->system->dimension, 3.0));
-    const whirl_status status = start(search->system, options, "rodas5p", fmin(most, 2e4), &integrator);
+    const whirl_status status = choose_start(search->system, options, "rodas5p", fmin(most, 2e4), &integrator);
     if (status.code != WHIRL_OK) return status;
     const double settled = carry(integrator, search, COUNTED, false, steps);
     const double before = integrator->method->work(integrator);
@@ -100,7 +101,7 @@ whirl_status whirl_method_probe(const whirl_system *system, const whirl_integrat
     *cost = (whirl_method_cost){0.0, (double)NAN};
     const double products = DOP853_STAGES * (double)system->dimension * (double)system->dimension;
     const double most = fmax(1.0, fmin(most_dop853, most_products / products));
-    whirl_status status = start(system, options, "dop853", most, &integrator);
+    whirl_status status = choose_start(system, options, "dop853", most, &integrator);
     if (status.code != WHIRL_OK) return status;
     if (phase_search_begin(&search, system, &block)) {
         memcpy(search.x, from, system->dimension * sizeof *from);

@@ -1,9 +1,10 @@
 // SUNDIALS CVODE (Hindmarsh et al. 2005; CVODES: Serban, Hindmarsh 2005) with root finding: the independent reference.
 //
 // Every revolution starts afresh at t = 0, and the integration starts afresh at every zero of a switching function, so
-// that no step straddles a contact. Where the system tells its laws on given sides of its switches these are held in
-// between, and CVODE, which steps past a switch before it looks back, never meets a law that changes within its step;
-// what happens at a zero, sliding included, is decided as for dop853 (sides.c). Of other systems the state decides.
+// that no step straddles a contact. If the system has its laws on given sides of its switches, the sides are fixed
+// between switches, so that CVODE, which steps past a switch before it locates it, never meets a law that changes
+// within a step; what happens at a zero, sliding included, is decided as for dop853 (sides.c). Of other systems the
+// state decides.
 //
 // A perturbation goes along by the variational equations, as CVODES carries sensitivities: two trajectories of their
 // own would differ by their steps and orders, which are chosen anew for each, more than by the perturbation.
@@ -27,7 +28,7 @@ static const double perturbation_rtol = 1e-7, perturbation_atol = 1e-9;
 typedef struct cvode {
     const whirl_system *system;
     const whirl_integrate_options *options;
-    stepper *sides; ///< sides that are fixed, with the state at the last switch; NULL: none are
+    stepper *sides; ///< fixed sides, with the state at the last switch; NULL: no sides are fixed
     SUNContext context;
     void *memory;
     N_Vector state;
@@ -37,7 +38,7 @@ typedef struct cvode {
     N_Vector perturbation[1];            ///< [0] NULL until one was followed
     SUNNonlinearSolver for_perturbation; ///< solver of Adams
     whirl_perturbations *set;            ///< perturbations of the present revolution, or NULL
-    int *roots;                          ///< [switch_count] what CVODE is told and says of its roots
+    int *roots; ///< [switch_count] directions of roots that CVODE is to find, and the roots found
 } cvode;
 
 static int right_hand_side(realtype t, N_Vector x, N_Vector slope, void *data) {
@@ -69,7 +70,7 @@ static void silent(int code, const char *module, const char *function, char *mes
     (void)code, (void)module, (void)function, (void)message, (void)data;
 }
 
-static void end(whirl_integrator *integrator) {
+static void cvode_end(whirl_integrator *integrator) {
     cvode *work = integrator->workspace;
     if (!work) return;
     if (work->memory) CVodeFree(&work->memory);
@@ -129,7 +130,7 @@ static bool prepare_sides(cvode *work, const whirl_integrate_options *options) {
     return work->sides != NULL;
 }
 
-static whirl_status start(whirl_integrator *integrator, int kind) {
+static whirl_status cvode_start(whirl_integrator *integrator, int kind) {
     cvode *work = calloc(1, sizeof *work);
     if (!work) return whirl_fail(WHIRL_NO_MEMORY, "no memory for CVODE");
     integrator->workspace = work;
@@ -140,16 +141,16 @@ static whirl_status start(whirl_integrator *integrator, int kind) {
     if (work->state) work->memory = CVodeCreate(kind, work->context);
     code = work->memory ? configure(work, integrator, kind) : CV_MEM_FAIL;
     if (code == CV_SUCCESS) return whirl_ok();
-    end(integrator);
+    cvode_end(integrator);
     integrator->workspace = NULL;
     return whirl_fail(WHIRL_NUMERICAL_FAILURE, "CVODE could not be set up (code %d)", code);
 }
 
 static whirl_status start_adams(whirl_integrator *integrator) {
-    return start(integrator, CV_ADAMS);
+    return cvode_start(integrator, CV_ADAMS);
 }
 static whirl_status start_bdf(whirl_integrator *integrator) {
-    return start(integrator, CV_BDF);
+    return cvode_start(integrator, CV_BDF);
 }
 
 /// Sets up the stepper that decides sides, to carry the perturbation across switches.
@@ -192,7 +193,7 @@ static int vary(int count, realtype t, N_Vector x, N_Vector slope, N_Vector *per
     return 0;
 }
 
-/// Room for a perturbation, the first time that there is one.
+/// Makes room for a perturbation at the first use.
 static int prepare_perturbation(cvode *work) {
     double tolerance[] = {perturbation_atol};
     work->perturbation[0] = N_VClone(work->state);
@@ -206,7 +207,7 @@ static int prepare_perturbation(cvode *work) {
     return work->for_perturbation ? CVodeSetNonlinearSolverSensStg(work->memory, work->for_perturbation) : CV_MEM_FAIL;
 }
 
-/// The perturbation as it is now, for what happens at a switch or at the end; false where CVODES cannot say.
+/// Reads the present perturbation, at a switch or at the end; returns false if CVODES fails to provide it.
 static bool fetch_perturbation(const cvode *work) {
     realtype t;
     N_Vector at[] = {work->perturbation[0]};
@@ -216,7 +217,7 @@ static bool fetch_perturbation(const cvode *work) {
     return true;
 }
 
-/// Starts CVODE afresh at t, with the perturbation or without.
+/// Restarts CVODE at t, with the perturbation or without.
 static int restart(cvode *work, double t) {
     int code = CVodeReInit(work->memory, t, work->state);
     if (code != CV_SUCCESS) return code;
@@ -255,7 +256,7 @@ static whirl_motion advance(const whirl_integrator *integrator, double *t, doubl
             if (work->sides) cross(work, *t);
             if (restart(work, *t) != CV_SUCCESS) return WHIRL_STUCK;
             CVodeSetStopTime(work->memory, integrator->system->period);
-            // Closer than CVODE can step: there already.
+            // Closer than CVODE can step: counts as reached.
             if (target - *t <= 1e-14 * integrator->system->period) return WHIRL_BOUNDED;
             continue;
         }
@@ -300,7 +301,7 @@ const method cvode_adams_method = {
     .start = start_adams,
     .revolve = revolve,
     .rows = 1,
-    .end = end,
+    .end = cvode_end,
 };
 
 const method cvode_bdf_method = {
@@ -309,5 +310,5 @@ const method cvode_bdf_method = {
     .start = start_bdf,
     .revolve = revolve,
     .rows = 1,
-    .end = end,
+    .end = cvode_end,
 };

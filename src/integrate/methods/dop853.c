@@ -1,4 +1,4 @@
-// Parts of the method of Dormand and Prince besides the kernel of its steps.
+// Parts of the method of Dormand and Prince other than the kernel of its steps.
 #include <math.h>
 
 #include "adaptive_lanes.h"
@@ -21,7 +21,7 @@ double dop853_amplification(double real, double imaginary) {
 
 // ---------------------------------------------------------------- perturbations
 
-/// The perturbations at which slope i is taken, [size].
+/// Computes the perturbations at which slope i is taken, out [size].
 static void take_stage(const stepper_variation *v, int i, size_t size, double h, double *out) {
     for (size_t d = 0; d < size; d++) {
         double sum = 0.0;
@@ -30,8 +30,7 @@ static void take_stage(const stepper_variation *v, int i, size_t size, double h,
     }
 }
 
-/// The error of perturbation `which` over the step, as the kernel has it of the state, over the tolerance of its
-/// length.
+/// Returns the error of perturbation `which` over the step, by the kernel's formula, over the tolerance of its length.
 static double estimated_error(const stepper *c, size_t which) {
     const stepper_variation *v = &c->variation;
     const size_t first = which * c->dimension;
@@ -75,7 +74,7 @@ static size_t group(size_t rates) {
     return rates <= 8 ? 4 : rates <= 20 ? 2 : 1;
 }
 
-static size_t lay_out(adaptive_lanes *lanes, double *block) {
+static size_t dop853_lay_out(adaptive_lanes *lanes, double *block) {
     dop853_work *own = &lanes->dop853;
     const size_t apart = (1 + lanes->followed) * lanes->rates;
     size_t row = 0;
@@ -90,8 +89,9 @@ static size_t lay_out(adaptive_lanes *lanes, double *block) {
     return row + 3 + DOP853_STAGES;
 }
 
-static void prepare(adaptive_lanes *lanes) {
+static void dop853_prepare(adaptive_lanes *lanes) {
     dop853_sums_fill(&lanes->dop853.sums, (1 + lanes->followed) * lanes->rates * lanes->stride);
 }
 
-const lanes_method dop853_in_lanes = {revolves, &dop853_slot, false, try_varied, DENSE, group, lay_out, prepare};
+const lanes_method dop853_in_lanes = {revolves, &dop853_slot, false,          try_varied,
+                                      DENSE,    group,        dop853_lay_out, dop853_prepare};

@@ -7,14 +7,14 @@
 /// Weights that vanish by the tableau's own conditions are left as rounding.
 static const double nothing = 1e-12;
 
-/// weights of velocities as weights of accelerations: weights times the matrix of the tableau.
+/// Converts weights of velocities to weights of accelerations: weights times the matrix of the tableau.
 static void through_velocities(const double *weights, size_t count, double product[DOP853_SLOPES]) {
     memset(product, 0, DOP853_SLOPES * sizeof *product);
     for (size_t j = 0; j < count; j++)
         for (size_t k = 0; k < DOP853_SLOPES - 1; k++) product[k] += weights[j] * dop853_a[j][k];
 }
 
-/// The sums that have the rows of `weights`.
+/// Returns the sums with the rows of `weights`.
 static slope_sums sums_of(const double (*weights)[DOP853_SLOPES], size_t count, size_t apart) {
     slope_sums sums = {0};
     for (size_t j = 0; j < DOP853_SLOPES; j++) {
@@ -28,7 +28,7 @@ static slope_sums sums_of(const double (*weights)[DOP853_SLOPES], size_t count, 
     return sums;
 }
 
-/// Two rows: what `weights` [count] of velocities make of positions, and they themselves.
+/// Writes two rows: the weights [count] of accelerations for positions, and those for velocities.
 static void put_state(const double *weights, size_t count, double rows[SUMS_OF_STATE][DOP853_SLOPES]) {
     through_velocities(weights, count, rows[POSITION]);
     memset(rows[VELOCITY], 0, sizeof rows[VELOCITY]);

@@ -25,42 +25,42 @@ struct whirl_integrator {
 
 typedef struct method {
     whirl_method about;
-    /// Makes the workspace of an integrator whose other members are set.
+    /// Makes the workspace of an integrator; its other members are already set.
     whirl_status (*start)(whirl_integrator *integrator);
-    /// `perturbations` is NULL where there are none.
+    /// Carries x over a revolution; perturbations: NULL for none.
     whirl_motion (*revolve)(whirl_integrator *integrator, double *x, whirl_perturbations *perturbations,
                             whirl_observe_fn observe, void *observer);
     size_t rows; ///< rows of the workspace `slopes`
     void (*end)(whirl_integrator *integrator);
-    const struct method *located;     ///< the same with located contacts, where that is a choice
+    const struct method *located;     ///< the variant with located contacts, if the method has both
     const struct lanes_method *lanes; ///< the adaptive method in lanes, or NULL
-    /// For fixed steps, returns |R(z)| at z = real + i imaginary, by which a step multiplies the mode exp(z t / h).
-    /// Else NULL.
+    /// For fixed steps, returns |R(z)| at z = real + i imaginary, the factor by which a step multiplies the mode exp(z
+    /// t / h). NULL for other methods.
     double (*amplification)(double real, double imaginary);
-    double (*work)(const whirl_integrator *integrator); ///< done so far, in right-hand sides, or NULL
+    double (*work)(const whirl_integrator *integrator); ///< work done so far, in right-hand sides; or NULL
 } method;
 
 extern const method auto_method, rk4_method, rk4_located_method, dop853_method, rodas5p_method, cvode_adams_method,
     cvode_bdf_method;
 extern const struct lanes_method dop853_in_lanes, rodas5p_in_lanes;
 
-/// |R(z)| of the explicit methods, by their formulas.
+/// Functions |R(z)| of the explicit methods.
 double rk4_amplification(double real, double imaginary);
 double dop853_amplification(double real, double imaginary);
 
-/// The adaptive method in lanes that the options ask for; NULL where they ask for another.
+/// Returns the adaptive method in lanes that the options name; NULL if they name another method.
 const struct lanes_method *adaptive_in_lanes(const whirl_integrate_options *options);
 
-/// The method of that name. WHIRL_BAD_INPUT that names the nearest one when there is none.
+/// Finds a method by its name. WHIRL_BAD_INPUT, with the nearest name, if there is none.
 whirl_status method_find(const char *name, const method **found);
 
-/// WHIRL_BAD_INPUT where the system or the options are none.
+/// Checks the system and the options. WHIRL_BAD_INPUT if one of them is invalid.
 whirl_status check_options(const whirl_system *system, const whirl_integrate_options *options);
 
-/// The divergence at (t, x); not a number where the system gives none.
+/// Returns the divergence at (t, x); NaN if the system does not provide it.
 double divergence_at(const whirl_system *system, double t, const double *forcing, const double *x, const double *sides);
 
-/// Bounded or diverged, by the options' limit.
+/// Returns whether the motion is bounded or diverged, by the options' limit.
 whirl_motion state_motion(const whirl_integrator *integrator, const double *x);
 
 // ---------------------------------------------------------------- dop853_sums
@@ -71,11 +71,11 @@ whirl_motion state_motion(const whirl_integrator *integrator, const double *x);
 //
 // with accelerations a_j alone, which halves what is kept of a step.
 
-/// Weighted sums that run over the same slopes, side by side; the weights of some may be zero.
+/// Several weighted sums over the same slopes; some weights may be zero.
 enum { POSITION, VELOCITY, SUMS_OF_STATE, SUMS_OF_ERROR = 4, MAX_SUMS = 4 };
 typedef struct slope_sums {
     size_t count;
-    size_t place[DOP853_SLOPES]; ///< first of the slopes, `apart` numbers from one to the next
+    size_t place[DOP853_SLOPES]; ///< indices of the slopes
     double weight[DOP853_SLOPES][MAX_SUMS];
 } slope_sums;
 
@@ -100,13 +100,13 @@ typedef struct sparse_rows {
 
 typedef struct sparsity {
     size_t perturbations;
-    size_t *perturbation;     ///< [dimension] by which a column is found, that of a position or of a rate
+    size_t *perturbation;     ///< [dimension] perturbation that determines a column, for positions and rates
     sparse_rows by_q, by_v;   ///< the Jacobian of the rates by positions and by rates
     sparse_rows lower, upper; ///< factors of the sum of both
 } sparsity;
 
-/// Makes the sparsity of a machine with so many positions and rates; depends as in whirl_lanes, NULL: all depend on
-/// all. In one block, freed by free(); NULL where there is no memory.
+/// Finds the sparsity of a machine with `degrees` positions and `rates` rates; depends as in whirl_lanes, NULL: every
+/// rate depends on every coordinate. One block, which the caller frees by free(); NULL without memory.
 sparsity *sparsity_new(size_t degrees, size_t rates, void (*depends)(const void *model, bool *table),
                        const void *model);
 
@@ -118,7 +118,7 @@ sparsity *sparsity_new(size_t degrees, size_t rates, void (*depends)(const void 
 typedef struct phase_search {
     const whirl_system *system;
     double norm;       ///< norm of the stiffest Jacobian so far
-    double solved;     ///< the norm of that whose eigenvalues are in real and imaginary
+    double solved;     ///< norm of the Jacobian whose eigenvalues are in real and imaginary
     double *stiffest;  ///< [dimension][dimension] balanced
     double *jacobian;  ///< [dimension][dimension] workspace
     double *unit;      ///< [dimension][dimension] workspace
@@ -128,20 +128,21 @@ typedef struct phase_search {
     double *x;         ///< [dimension] for the caller
 } phase_search;
 
-/// A search with its workspace in one block, `block`, to be freed by free; false without memory.
+/// Makes a search with its workspace in one block, `block`, which the caller frees by free(). Returns false without
+/// memory.
 bool phase_search_begin(phase_search *s, const whirl_system *system, double **block);
 
-/// Looks at a phase: a whirl_observe_fn whose observer is the search.
+/// Inspects a phase: a whirl_observe_fn whose observer is the search.
 void phase_search_note(void *search, double t, const double *x);
 
-/// The eigenvalues at the stiffest phase, in real and imaginary; false where they cannot be found.
+/// Computes the eigenvalues at the stiffest phase, in real and imaginary; returns false if they do not converge.
 bool phase_search_solve(phase_search *s);
 
 /// After phase_search_solve: the largest of |R(h lambda)| / max(1, |exp(h lambda)|), at least 1.
 double phase_search_growth(const phase_search *s, double (*amplification)(double, double), double h);
 
-/// Returns how many steps a period keep it below what counts as unstable: `steps`, or more within a few parts in a
-/// hundred.
+/// Returns the number of steps in a period that keeps the growth below the limit of instability: `steps`, or a larger
+/// number to a few percent.
 double phase_search_steps(const phase_search *s, double (*amplification)(double, double), double steps);
 
 #endif

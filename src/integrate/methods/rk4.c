@@ -10,8 +10,8 @@
 #include "orthonormal.h"
 #include "stepper.h"
 
-/// The flow of a system, by its own values of time and t after them.
-static void flow(const lanes_view *view) {
+/// Computes the slopes of any system; the values of time are the system's own, followed by t.
+static void rk4_system_flow(const lanes_view *view) {
     const whirl_system *system = view->model;
     const double *forcing = view->forcing, t = forcing[system->forcing_count], *x = view->v;
     const size_t n = system->dimension;
@@ -24,10 +24,10 @@ static void flow(const lanes_view *view) {
 typedef struct rk4 {
     rk4_one one;
     stepper *beside;  ///< carries perturbations across switches
-    double numbers[]; ///< the table of values of time, and those of now
+    double numbers[]; ///< the table of values of time, then the present values
 } rk4;
 
-static whirl_status start(whirl_integrator *integrator) {
+static whirl_status rk4_start(whirl_integrator *integrator) {
     const whirl_system *system = integrator->system;
     const int steps = integrator->options.steps_per_revolution;
     const size_t count = system->forcing_count + 1, instants = 2 * (size_t)steps + 1;
@@ -37,7 +37,7 @@ static whirl_status start(whirl_integrator *integrator) {
         free(work);
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for %d steps per revolution", steps);
     }
-    work->one = rk4_one_of(flow, system, system->dimension);
+    work->one = rk4_one_of(rk4_system_flow, system, system->dimension);
     rk4_lanes *lanes = &work->one.lanes;
     lanes->forcing_count = count;
     lanes->steps = steps;
@@ -112,7 +112,7 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_pertu
     return state_motion(integrator, x);
 }
 
-static void end(whirl_integrator *integrator) {
+static void rk4_end(whirl_integrator *integrator) {
     rk4 *work = integrator->workspace;
     stepper_free(work->beside);
     free(work);
@@ -121,10 +121,10 @@ static void end(whirl_integrator *integrator) {
 const method rk4_method = {
     .about = {"rk4", "Runge-Kutta of order 4, fixed steps; crosses contacts unless contacts: located", false, true,
               false},
-    .start = start,
+    .start = rk4_start,
     .revolve = revolve,
     .rows = RK4_ROWS,
-    .end = end,
+    .end = rk4_end,
     .located = &rk4_located_method,
     .amplification = rk4_amplification,
 };

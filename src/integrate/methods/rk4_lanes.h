@@ -26,11 +26,11 @@ typedef struct lanes_observe {
     double *friction; ///< [contact_count][2]
 } lanes_observe;
 
-/// Location of contacts: steps of lanes that pass or come near a switch are taken anew, one lane at a time.
+/// Location of contacts: steps of lanes that pass or come near a switch are taken again, one lane at a time.
 typedef struct lanes_located {
-    lanes_switches *switches; ///< NULL: steps walk over contacts
+    lanes_switches *switches; ///< NULL: contacts are not located
     size_t switch_count;
-    bool needs_slopes;             ///< their derivatives by time depend on accelerations
+    bool needs_slopes;             ///< the switches' derivatives by time depend on accelerations
     double *begin_q, *begin_v;     ///< [degrees], [rates] the states at the step's beginning
     double *value[2], *rate[2];    ///< [switch_count] at its beginning and end
     struct stepper *stepper;       ///< takes these steps
@@ -39,13 +39,13 @@ typedef struct lanes_located {
 } lanes_located;
 
 typedef struct rk4_lanes {
-    const void *model; ///< machine whose structure all lanes have
+    const void *model; ///< machine that defines the structure of all lanes
     lanes_flow *flow;
-    const lanes_instance *instance; ///< its structure, if that has loops of its own; NULL: not
-    size_t stride;                  ///< vectors there are
+    const lanes_instance *instance; ///< its structure, if that has loops of its own; else NULL
+    size_t stride;                  ///< number of vectors
     size_t vectors;                 ///< vectors in use
-    size_t lane_count;              ///< lanes there are
-    size_t used; ///< lanes in use, the first; those beside them in the last vector are computed and not looked at
+    size_t lane_count;              ///< number of lanes
+    size_t used; ///< lanes in use, from the first on; other lanes of the last vector are computed and ignored
     size_t degrees, forcing_count;
     size_t rates; ///< velocities, and states of first order after them
     int steps;
@@ -58,8 +58,8 @@ typedef struct rk4_lanes {
     double *k[3], *stage_q, *stage_v; ///< [rates], [degrees], [rates] workspace
     double *now;                      ///< [forcing_count] workspace
     double *divergence[4], *volume;   ///< [1] at the stages of a step, and its integral
-    /// [perturbations] products of what was left of them since the last call of `note`, which takes their logarithms;
-    /// NULL: they are not made orthonormal.
+    /// [perturbations] products of their lengths since the last logarithm was taken; NULL: perturbations are not made
+    /// orthonormal.
     double *lengths, *growth;
     void (*note)(const struct rk4_lanes *lanes);
     lanes_located located;
@@ -70,23 +70,23 @@ typedef struct rk4_lanes {
     void *context;
 } rk4_lanes;
 
-/// Steps from one time that perturbations are made orthonormal to the next: 64 times in a revolution, so that fast
-/// decays do not drown in rounding, and at its end.
+/// Returns the number of steps between two orthonormalisations of perturbations: 64 times in a revolution, so that fast
+/// decays are not lost in rounding, and at its end.
 static inline int rk4_orthonormal_steps(int steps) {
     enum { TIMES = 64 };
     return (steps + TIMES - 1) / TIMES;
 }
 
-/// Takes step n of a lane in use anew from its beginning, split at the switches that it meets.
+/// Takes step n of a lane again from its beginning, split at the switches that it meets.
 void rk4_redo(const rk4_lanes *lanes, int n, size_t lane);
 
-/// One lane of any system, all of whose coordinates are states of first order.
+/// One lane of any system, whose coordinates all count as states of first order.
 typedef struct rk4_one {
     rk4_lanes lanes;
     double divergence[4], volume;
 } rk4_one;
 
-/// Without perturbations, and without what depends on the steps and their values of time.
+/// Returns lanes without perturbations and without the members that depend on the steps and their values of time.
 rk4_one rk4_one_of(lanes_flow *flow, const void *model, size_t dimension);
 
 /// Rows of its memory; `row` is the length of each, in numbers: the first holds the state, then its perturbations.

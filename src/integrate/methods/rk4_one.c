@@ -1,4 +1,4 @@
-// One lane of rk4: its memory, and the steps of a stepper, as long as they have to be.
+// One lane of rk4: its memory, and steps of any length for a stepper.
 #include <math.h>
 #include <string.h>
 
@@ -32,7 +32,7 @@ double rk4_amplification(double real, double imaginary) {
 
 // ---------------------------------------------------------------- steps of a stepper
 
-/// A step from `start`, with so many perturbations.
+/// Takes a step from `start`, with `perturbations` perturbations.
 static void step(stepper *c, double *rows, size_t row, double h, size_t perturbations) {
     rk4_lanes *lanes = &c->fixed.lanes;
     rk4_one_place(&c->fixed, rows, row);

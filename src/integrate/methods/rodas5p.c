@@ -1,4 +1,4 @@
-// Parts of rodas5p besides the kernel of its steps.
+// Parts of rodas5p other than the kernel of its steps.
 #include <math.h>
 #include <string.h>
 
@@ -7,7 +7,7 @@
 
 // ---------------------------------------------------------------- perturbations
 
-/// from + the sum of the rows before row `count`, by weights.
+/// Computes `from` plus the weighted sum of the rows before row `count`.
 static void sum_rows(size_t size, const double *weights, int count, double *const *rows, const double *from,
                      double *out) {
     memcpy(out, from, size * sizeof *out);
@@ -19,8 +19,8 @@ static void sum_rows(size_t size, const double *weights, int count, double *cons
 ///
 ///     (1/(gamma h) - J) w_i = J(t_i, x_i) (d + sum_j a_ij w_j) + sum_j g_ij/h w_j + (J d)' (u_i, h d_i)
 ///
-/// where the last is the derivative of J d along the increment and by time, by a difference: good to 1e-9 of what J
-/// changes within the step.
+/// where the last is the derivative of J d along the increment and by time, by a difference: exact to 1e-9 of the
+/// change of J within the step.
 static void take_varied_increment(const stepper *c, int i, double h) {
     const stepper_variation *v = &c->variation;
     const size_t n = c->dimension, count = v->set->count, size = count * n;
@@ -41,7 +41,7 @@ static void take_varied_increment(const stepper *c, int i, double h) {
     for (size_t k = 0; k < count; k++) c->method->one->solve(c->slot, w[i] + k * n);
 }
 
-/// The integral of the divergence over the step, by Gauss' formula of order 6 along the interpolant.
+/// Integrates the divergence over the step, by Gauss' formula of order 6 along the interpolant.
 static double integrated_divergence(stepper *c) {
     static const double weights[] = {5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0};
     const double apart = 0.5 * sqrt(0.6);
@@ -55,7 +55,7 @@ static double integrated_divergence(stepper *c) {
     return c->length * sum;
 }
 
-/// The norm of the error of perturbation `which`, the last increment.
+/// Returns the norm of the error of perturbation `which`, its last increment.
 static double estimated_error(const stepper *c, size_t which) {
     const size_t n = c->dimension;
     const double *error = c->variation.k[RODAS5P_STAGES - 1] + which * n;
@@ -83,7 +83,7 @@ static size_t group(size_t rates) {
     return rates <= 6 ? 4 : 2;
 }
 
-static size_t lay_out(adaptive_lanes *lanes, double *block) {
+static size_t rodas5p_lay_out(adaptive_lanes *lanes, double *block) {
     rodas5p_work *own = &lanes->rodas5p;
     const size_t n = lanes->degrees, m = lanes->rates, sets = 1 + own->sparsity->perturbations;
     const struct {
@@ -109,8 +109,8 @@ static size_t lay_out(adaptive_lanes *lanes, double *block) {
     return row;
 }
 
-/// The perturbations, which stay.
-static void prepare(adaptive_lanes *lanes) {
+/// Sets the unit perturbations that find the Jacobian; they do not change.
+static void rodas5p_prepare(adaptive_lanes *lanes) {
     const size_t n = lanes->degrees, m = lanes->rates, *by = lanes->rodas5p.sparsity->perturbation;
     for (size_t slot = 0; slot < lanes->slots; slot++) {
         for (size_t d = 0; d < n; d++) lanes->rodas5p.unit_q[((1 + by[d]) * n + d) * lanes->slots + slot] = 1.0;
@@ -118,5 +118,5 @@ static void prepare(adaptive_lanes *lanes) {
     }
 }
 
-const lanes_method rodas5p_in_lanes = {revolves,      &rodas5p_slot, true,    try_varied,
-                                       RODAS5P_DENSE, group,         lay_out, prepare};
+const lanes_method rodas5p_in_lanes = {revolves, &rodas5p_slot,   true,           try_varied, RODAS5P_DENSE,
+                                       group,    rodas5p_lay_out, rodas5p_prepare};

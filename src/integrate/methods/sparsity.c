@@ -4,22 +4,22 @@
 #include <stdlib.h>
 
 /// Shares perturbations: columns without a common row are found by one perturbation (Curtis, Powell, Reid 1974); each
-/// column takes the first whose rows it does not meet. told [columns][rows]: rows that a perturbation determines.
-static void share_perturbations(sparsity *out, const bool *table, size_t rows, size_t columns, bool *told) {
+/// column takes the first perturbation with no common row. found [columns][rows]: rows that a perturbation determines.
+static void share_perturbations(sparsity *out, const bool *table, size_t rows, size_t columns, bool *found) {
     for (size_t c = 0; c < columns; c++) {
         size_t own = 0;
         for (size_t i = 0; i < rows; i++)
-            if (table[i * columns + c] && told[own * rows + i]) {
+            if (table[i * columns + c] && found[own * rows + i]) {
                 own++;
                 i = (size_t)-1;
             }
-        for (size_t i = 0; i < rows; i++) told[own * rows + i] |= table[i * columns + c];
+        for (size_t i = 0; i < rows; i++) found[own * rows + i] |= table[i * columns + c];
         out->perturbation[c] = own;
         if (own >= out->perturbations) out->perturbations = own + 1;
     }
 }
 
-/// Marks zeros that fill in as rows are eliminated one after the other, without exchange.
+/// Marks the fill-in of an elimination row by row, without exchange.
 static void fill_in(bool *matrix, size_t n) {
     for (size_t i = 0; i < n; i++)
         for (size_t m = 0; m < i; m++)
@@ -28,7 +28,8 @@ static void fill_in(bool *matrix, size_t n) {
 
 enum { ALL, BELOW_DIAGONAL, ABOVE_DIAGONAL };
 
-/// Lists a part of a table [rows][width] from its first column on, into `room`; gives the room that is left.
+/// Lists the runs of entries of a table [rows][width], from column `first` on, into `room`; returns the rest of the
+/// room.
 static size_t *list(sparse_rows *out, size_t *room, const bool *table, size_t rows, size_t width, size_t columns,
                     int part) {
     size_t *next = room + rows + 1;
@@ -49,7 +50,7 @@ static size_t *list(sparse_rows *out, size_t *room, const bool *table, size_t ro
 
 sparsity *sparsity_new(size_t n, size_t m, void (*depends)(const void *model, bool *table), const void *model) {
     const size_t width = n + m;
-    const size_t room = width + 4 * (m + 1) + m * (width + 4) + m * (m + 2); // a run may be of one column
+    const size_t room = width + 4 * (m + 1) + m * (width + 4) + m * (m + 2); // at worst every run is one column
     sparsity *out = calloc(1, sizeof *out + room * sizeof(size_t));
     bool *table = calloc(m * width + width * m + m * m, sizeof *table);
     if (!out || !table) {

@@ -1,8 +1,8 @@
-// Checks that fixed steps are short enough, by the method's stability region and by the equations themselves.  A
-// step h multiplies the mode of eigenvalue lambda by R(h lambda), the machine by exp(h lambda). Where |R| > 1 in a mode
-// that dies out, what the method computes is no motion of the machine, however smooth it may look (see docs/theory.md,
-// "Steps that are too long"). Eigenvalues are taken at the phase where the balanced Jacobian is largest, and only where
-// its norm does not show already that all of them lie well within the region.
+// Checks that fixed steps are short enough, by the method's stability region and by the equations themselves.  A step h
+// multiplies the mode of eigenvalue lambda by R(h lambda), the machine by exp(h lambda). Where |R| > 1 in a mode that
+// dies out, the computed motion is not a motion of the machine, however smooth it may look (see docs/theory.md, "Steps
+// that are too long"). Eigenvalues are taken at the phase where the balanced Jacobian is largest, and only where its
+// norm does not show already that all of them lie well within the region.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +18,7 @@ static const double safe_product = 1.0;
 
 // ---------------------------------------------------------------- the region
 
-/// growth and steps, by the stiffest phase found.
+/// Computes growth and steps from the stiffest phase found.
 static void judge_phase(phase_search *s, const method *own, int steps, whirl_step_check *check) {
     const double h = s->system->period / steps;
     check->growth = 1.0;
@@ -30,9 +30,9 @@ static void judge_phase(phase_search *s, const method *own, int steps, whirl_ste
 
 // ---------------------------------------------------------------- the revolution
 
-/// Follows the equations from `start` over a revolution, into x; phases are noted.
-static whirl_status follow(phase_search *s, const whirl_integrate_options *options, double tolerance, double *x,
-                           whirl_motion *motion) {
+/// Integrates from `start` over a revolution, into x, and inspects the phases.
+static whirl_status step_check_follow(phase_search *s, const whirl_integrate_options *options, double tolerance,
+                                      double *x, whirl_motion *motion) {
     whirl_integrate_options exact = *options;
     whirl_integrator *integrator;
     memcpy(exact.method, "dop853", sizeof "dop853");
@@ -76,7 +76,7 @@ whirl_status whirl_step_check_revolution(const whirl_system *system, const whirl
     judge_phase(&search, own, options->steps_per_revolution, check);
     if (!whirl_step_is_unstable(check)) {
         whirl_motion motion = WHIRL_STUCK;
-        status = follow(&search, options, tolerance, x, &motion);
+        status = step_check_follow(&search, options, tolerance, x, &motion);
         judge_phase(&search, own, options->steps_per_revolution, check);
         compare_ends(system, x, end, motion, check);
     }

@@ -7,7 +7,8 @@
 #include "matrix.h"
 #include "numerics.h"
 
-/// Largest growth of a perturbation in a step: 1 and what truncation adds to a mode that grows.
+/// Largest growth of a perturbation in a step that counts as stable: 1, and a margin for truncation errors of growing
+/// modes.
 static const double unstable_growth = 1.001;
 
 bool whirl_step_is_unstable(const whirl_step_check *check) {
@@ -32,7 +33,7 @@ bool phase_search_begin(phase_search *s, const whirl_system *system, double **bl
 
 // ---------------------------------------------------------------- Jacobians
 
-/// Row k of `rows` becomes column k of the Jacobian, by the system's own derivative.
+/// Computes column k of the Jacobian into row k of `rows`, by the system's own derivative.
 static void exact_columns(const phase_search *s, double t, const double *forcing, const double *x, double *rows) {
     const size_t n = s->system->dimension;
     memset(s->unit, 0, n * n * sizeof *s->unit);
@@ -40,7 +41,7 @@ static void exact_columns(const phase_search *s, double t, const double *forcing
     s->system->tangent(s->system->model, t, forcing, x, NULL, n, s->unit, rows);
 }
 
-/// The same by differences, for systems without a derivative.
+/// Computes the columns by differences, for systems without a derivative.
 static void difference_columns(const phase_search *s, double t, const double *forcing, const double *x, double *rows) {
     const whirl_system *system = s->system;
     const size_t n = system->dimension;

@@ -11,7 +11,7 @@
 enum { DEGREE = CROSSING_DEGREE, CHECKS = 2, SAMPLES = DEGREE + 1 + CHECKS, MAX_DEPTH = 14, MAX_REFINEMENTS = 80 };
 _Static_assert(SAMPLES + 1 == CROSSING_ROWS, "a row for every sample and one for what is refined");
 
-/// (1 - cos(j pi/8))/2, then two points between them, at which the polynomial is held against the function.
+/// (1 - cos(j pi/8))/2, then two points between them, at which the polynomial is compared with the function.
 static const double places[SAMPLES] = {0.0,
                                        0.038060233744356624,
                                        0.14644660940672624,
@@ -28,8 +28,8 @@ static const double places[SAMPLES] = {0.0,
 typedef struct suspect {
     const crossing_search *search;
     size_t index, degree;
-    double begin;  ///< its value at theta = 0
-    double margin; ///< by which polynomial and function may differ
+    double begin;  ///< value of the function at theta = 0
+    double margin; ///< largest accepted difference of polynomial and function
 } suspect;
 
 /// Bernstein coefficients of the polynomial through the first DEGREE + 1 values.
@@ -50,7 +50,7 @@ static void interpolate(const double *values, double *c) {
     }
 }
 
-/// The two halves of a polynomial: `left` in place of c.
+/// Divides a polynomial at theta = 1/2 into two halves: `left`, and the right one in place of c.
 static void halve(size_t degree, double *c, double *right) {
     for (size_t k = 0; k <= degree; k++) {
         right[degree - k] = c[degree];
@@ -66,7 +66,7 @@ static double value_at(size_t degree, const double *c, double theta) {
     return b[0];
 }
 
-/// The function itself, without the zero that it is held at.
+/// Evaluates the function, divided by theta if it begins at zero.
 static double evaluate(const suspect *s, double theta) {
     double *values = s->search->work + SAMPLES * s->search->count;
     s->search->values(s->search->context, theta, values);
@@ -77,7 +77,7 @@ static double evaluate(const suspect *s, double theta) {
     return value;
 }
 
-/// A zero between low, where the function is positive, and high, where it is not: regula falsi (Illinois).
+/// Finds a zero between `low`, where the function is positive, and `high`, where it is not: regula falsi (Illinois).
 static double refine(const suspect *s, double low, double f_low, double high, double f_high) {
     int side = 0;
     for (int i = 0; i < MAX_REFINEMENTS && high - low > 1e-15 && f_high < 0.0; i++) {
@@ -100,8 +100,8 @@ static double refine(const suspect *s, double low, double f_low, double high, do
     return high;
 }
 
-/// A piece too short to be halved: does the function itself dip below zero at its ends, or where the polynomial is
-/// least?
+/// Tests a piece too short to be halved: returns true if the function itself is below zero at its ends, or where the
+/// polynomial is least.
 static bool probe(const suspect *s, const double *c, double low, double high, double *theta) {
     const double left = c[0], right = c[s->degree], middle = value_at(s->degree, c, 0.5);
     const double slope = right - left, bend = 2.0 * (left - 2.0 * middle + right);
@@ -163,7 +163,7 @@ static bool search_one(const crossing_search *search, size_t index, double *thet
     }
     s.margin += 1e-15 * size;
     for (int i = 0; i < search->held[index]; i++) divide(s.degree--, c);
-    if (!(c[0] > 0.0)) { // it sets out in the wrong direction
+    if (!(c[0] > 0.0)) { // the function begins in the wrong direction
         *theta = 0.0;
         return true;
     }

@@ -6,25 +6,25 @@
 #include <math.h>
 #include <string.h>
 
-static double dot(size_t n, const double *a, const double *b) {
+static double orthonormal_dot(size_t n, const double *a, const double *b) {
     double sum = 0.0;
     for (size_t i = 0; i < n; i++) sum += a[i] * b[i];
     return sum;
 }
 
-/// Takes the parts along the `before` vectors off u; gives the length that is left.
+/// Subtracts from u its parts along the `before` vectors; returns the remaining length.
 static double take_off(size_t n, const double *vectors, size_t before, double *u) {
     for (int turn = 0; turn < 2; turn++)
         for (size_t j = 0; j < before; j++) {
             const double *v = vectors + j * n;
-            const double along = dot(n, u, v);
+            const double along = orthonormal_dot(n, u, v);
             for (size_t i = 0; i < n; i++) u[i] -= along * v[i];
         }
-    return sqrt(dot(n, u, u));
+    return sqrt(orthonormal_dot(n, u, u));
 }
 
-/// Some unit vector across the `before` ones: of those along the axes one has at least half its length left on the
-/// mean.
+/// Writes a unit vector orthogonal to the `before` ones. On average half the length of a unit vector along an axis
+/// remains, so that one of these serves.
 static void replace(size_t n, const double *vectors, size_t before, double *u) {
     for (size_t axis = 0; axis < n; axis++) {
         memset(u, 0, n * sizeof *u);

@@ -1,10 +1,10 @@
-// The saltation matrix: a perturbed motion meets the switch a little earlier or later and has the other slope for that
-// long.
+// The saltation matrix: a perturbed motion meets the switch slightly earlier or later, and has the other slope in
+// between.
 #include "saltation.h"
 
 #include <math.h>
 
-static double dot(size_t n, const double *a, const double *b) {
+static double saltation_dot(size_t n, const double *a, const double *b) {
     double sum = 0.0;
     for (size_t i = 0; i < n; i++) sum += a[i] * b[i];
     return sum;
@@ -12,12 +12,12 @@ static double dot(size_t n, const double *a, const double *b) {
 
 double saltate(size_t dimension, const double *before, const double *after, const double *gradient, double by_time,
                size_t count, double *perturbations) {
-    const double rate = dot(dimension, gradient, before) + by_time;
+    const double rate = saltation_dot(dimension, gradient, before) + by_time;
     if (!(fabs(rate) > 0.0)) return 0.0;
     for (size_t k = 0; k < count; k++) {
         double *u = perturbations + k * dimension;
-        const double earlier = dot(dimension, gradient, u) / rate;
+        const double earlier = saltation_dot(dimension, gradient, u) / rate;
         for (size_t i = 0; i < dimension; i++) u[i] += (after[i] - before[i]) * earlier;
     }
-    return log(fabs((dot(dimension, gradient, after) + by_time) / rate));
+    return log(fabs((saltation_dot(dimension, gradient, after) + by_time) / rate));
 }

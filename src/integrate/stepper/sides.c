@@ -1,4 +1,4 @@
-// Sides of a motion's switches, what happens at their zeros, and sliding along them (Filippov 1988).
+// Sides of a motion's switches, changes of side at their zeros, and sliding along them (Filippov 1988).
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 
 // ---------------------------------------------------------------- switching functions and their derivatives
 
-static double value_of(const stepper *c, size_t which, double t, const double *x) {
+static double sides_value(const stepper *c, size_t which, double t, const double *x) {
     double *values = stepper_row(c, ROW_VALUE);
     c->system->switches(c->system->model, t, x, values);
     return values[which];
@@ -23,13 +23,13 @@ double stepper_rate(const stepper *c, size_t which, double t, const double *x, c
     }
     const double step = 1e-6 * c->system->period;
     for (size_t d = 0; d < c->dimension; d++) c->work[d] = x[d] + step * slope[d];
-    rate = value_of(c, which, t + step, c->work);
+    rate = sides_value(c, which, t + step, c->work);
     for (size_t d = 0; d < c->dimension; d++) c->work[d] = x[d] - step * slope[d];
-    return (rate - value_of(c, which, t - step, c->work)) / (2.0 * step);
+    return (rate - sides_value(c, which, t - step, c->work)) / (2.0 * step);
 }
 
-/// By how much a switching function may change where every coordinate moves by `absolute` and `relative` of itself;
-/// without its gradient: a unit of the function for a unit of the state.
+/// Returns the change of a switching function if every coordinate changes by `absolute` plus `relative` times itself;
+/// without a gradient, a unit of the function for a unit of the state.
 static double change_by(const stepper *c, size_t which, double t, const double *x, double absolute, double relative) {
     double *gradient = c->work, by_time, change = 0.0;
     if (!c->system->switch_gradient) {
@@ -57,7 +57,8 @@ static void slope_on(const stepper *c, double t, const double *x, const double *
         system->rhs(system->model, t, forcing, x, dxdt);
 }
 
-/// Solves the n by n equations matrix out = right by elimination with the largest pivot; false where they are singular.
+/// Solves the n by n equations matrix out = right by elimination with the largest pivot; returns false if they are
+/// singular.
 bool stepper_solve(size_t n, double matrix[MAX_SLIDING][MAX_SLIDING], double *right) {
     for (size_t k = 0; k < n; k++) {
         size_t pivot = k;
@@ -92,9 +93,9 @@ size_t stepper_list_sliding(const stepper *c, size_t list[MAX_SLIDING]) {
     return count;
 }
 
-/// The slope that keeps to all switches that are slid along: that on their lower sides plus the share of what the upper
-/// side of each of them adds (laws add, so the convex combination of all sides is of this form). Writes the shares, 0
-/// to 1 while the motion keeps to the switch by itself.
+/// Computes the slope along all switches on which the motion slides: the slope on their lower sides plus, for each
+/// switch, a share of the difference of its upper side. (Laws are added, so that the convex combination of all sides
+/// has this form.) Writes the shares, 0 to 1 as long as the motion stays on the switch.
 void stepper_slope_along(const stepper *c, double t, const double *x, double *dxdt, double *share) {
     const size_t n = c->dimension;
     size_t list[MAX_SLIDING];
@@ -119,7 +120,7 @@ void stepper_slope_along(const stepper *c, double t, const double *x, double *dx
             for (size_t d = 0; d < n; d++) matrix[i][j] += c->work[d] * added[j * n + d];
         }
     }
-    if (!stepper_solve(count, matrix, share)) // nothing holds the motion on the switch
+    if (!stepper_solve(count, matrix, share)) // the two sides do not keep the motion on the switch
         for (size_t i = 0; i < count; i++) share[i] = 0.0;
     for (size_t j = 0; j < count; j++)
         for (size_t d = 0; d < n; d++) dxdt[d] += share[j] * added[j * n + d];
@@ -144,18 +145,19 @@ void stepper_guarded(const stepper *c, double t, const double *x, double *values
     size_t at = 0;
     for (size_t i = 0; i < c->system->switch_count; i++)
         if (c->sliding[i]) {
-            values[i] = share[at] * (1.0 - share[at]) / (1.0 + share[at] * share[at]); // smooth where 1/share is, too
+            values[i] =
+                share[at] * (1.0 - share[at]) / (1.0 + share[at] * share[at]); // smooth even where 1/share is not
             at++;
         }
 }
 
-/// Derivatives of a switching function that departs from zero on one side.
+/// Derivatives of a switching function along the motion on one side.
 typedef struct departure {
     double rate, bend; ///< first and second derivative by time
-    bool level;        ///< the first is so small that the second alone tells
+    bool level;        ///< the first derivative is so small that only the second decides
 } departure;
 
-/// From (t, x), where the function is zero.
+/// Computes the derivatives at (t, x), where the function is zero.
 static departure depart(stepper *c, size_t which, double side) {
     double *slope = c->work + (MAX_SLIDING + 1) * c->dimension, *later = slope + c->dimension, size = 0.0;
     const double step = 1e-5 * c->system->period, kept = c->sides[which];
@@ -169,7 +171,7 @@ static departure depart(stepper *c, size_t which, double side) {
     stepper_slope(c, c->t + step, later, slope);
     out.bend = (stepper_rate(c, which, c->t + step, later, slope) - out.rate) / step;
     c->sides[which] = kept;
-    // By rate^2/(2 bend) the function would pass zero before it turns round: nothing but rounding?
+    // Before it turns, the function would pass zero by rate^2/(2 bend): level if that is within rounding.
     out.level = out.rate * out.rate <= 16.0 * DBL_EPSILON * size * fabs(out.bend);
     return out;
 }
@@ -179,7 +181,7 @@ static bool goes(const departure *d, double side) {
     return side * (d->level ? d->bend : d->rate) > 0.0;
 }
 
-/// Slopes of a step of a trial, and two states.
+/// Rows of a trial step: four slopes, two states.
 enum { TRIAL_ROWS = 6, TRIAL_STEPS = 8 };
 
 /// Carries x by a classical Runge-Kutta step of length h from t, on the present sides; rows: four slopes, a state.
@@ -205,15 +207,15 @@ static bool goes_later(stepper *c, size_t which, double side, double *rows) {
     memcpy(x, c->x, n * sizeof *x);
     for (int k = 0; k < TRIAL_STEPS; k++) {
         trial_step(c, c->t + k * h, h, x, rows);
-        if (2 * (k + 1) == TRIAL_STEPS) half = side * value_of(c, which, c->t + (k + 1) * h, x);
+        if (2 * (k + 1) == TRIAL_STEPS) half = side * sides_value(c, which, c->t + (k + 1) * h, x);
     }
-    const double whole = side * value_of(c, which, c->t + TRIAL_STEPS * h, x);
+    const double whole = side * sides_value(c, which, c->t + TRIAL_STEPS * h, x);
     c->sides[which] = kept;
     return whole > half && half > 0.0;
 }
 
-/// Takes the side that the motion will be on. So near to the switch that rounding moves it to and fro it counts as on
-/// that side, for the length of a step.
+/// Sets the side on which the motion will be. If it is so near to the switch that rounding decides, it counts as on
+/// that side for the length of a step.
 static void try_sides(stepper *c, size_t which) {
     double *rows = calloc(TRIAL_ROWS * c->dimension, sizeof *rows);
     c->held[which] = CROSSING_ALONG;
@@ -235,7 +237,7 @@ static void slide(stepper *c, size_t which) {
     stepper_project(c, c->x);
 }
 
-/// Ends sliding on the side that keeps the motion: where the share of the upper side is 1, the upper.
+/// Ends sliding on the side to which the motion leaves: the upper one if the share of the upper side is 1.
 static void let_go(stepper *c, size_t which) {
     double share[MAX_SLIDING];
     size_t at = 0;
@@ -304,7 +306,7 @@ void stepper_project(const stepper *c, double *x) {
             double square = 0.0;
             c->system->switch_gradient(c->system->model, c->t, x, i, gradient, &by_time);
             for (size_t d = 0; d < c->dimension; d++) square += gradient[d] * gradient[d];
-            const double by = value_of(c, i, c->t, x) / square;
+            const double by = sides_value(c, i, c->t, x) / square;
             for (size_t d = 0; d < c->dimension; d++) x[d] -= by * gradient[d];
         }
 }

@@ -1,4 +1,4 @@
-// Properties of a single state: the divergence of the flow there, and whether the motion is still one.
+// Properties of a single state: the divergence of the flow there, and whether the motion is still bounded.
 #include <math.h>
 
 #include "method.h"

@@ -9,7 +9,7 @@
 #include "method.h"
 #include "stepper.h"
 
-static whirl_status start(whirl_integrator *integrator) {
+static whirl_status stepper_start(whirl_integrator *integrator) {
     integrator->workspace = stepper_new(integrator->method->lanes, integrator->system, &integrator->options);
     return integrator->workspace ? whirl_ok()
                                  : whirl_fail(WHIRL_NO_MEMORY, "no memory for %s", integrator->method->about.name);
@@ -21,7 +21,8 @@ static void set_variation(const whirl_integrator *integrator, whirl_perturbation
     if (perturbations) stepper_follow(c, integrator->most_perturbations, integrator->slopes);
 }
 
-static whirl_motion begin(whirl_integrator *integrator, const double *x, whirl_perturbations *perturbations) {
+static whirl_motion stepper_begin_motion(whirl_integrator *integrator, const double *x,
+                                         whirl_perturbations *perturbations) {
     stepper *c = integrator->workspace;
     set_variation(integrator, perturbations);
     const whirl_motion motion = stepper_begin(c, integrator->system, x);
@@ -29,8 +30,9 @@ static whirl_motion begin(whirl_integrator *integrator, const double *x, whirl_p
     return motion;
 }
 
-/// Reports the instants up to where the motion is, the next of which is `instant`; gives the one after them.
-static int tell(stepper *c, double period, int instants, int instant, whirl_observe_fn observe, void *observer) {
+/// Reports the instants from `instant` on up to the motion's time; returns the next instant.
+static int stepper_report(stepper *c, double period, int instants, int instant, whirl_observe_fn observe,
+                          void *observer) {
     for (; instant <= instants; instant++) {
         const double t = period * ((double)instant / instants);
         if (t > c->t) return instant;
@@ -40,14 +42,14 @@ static int tell(stepper *c, double period, int instants, int instant, whirl_obse
     return instant;
 }
 
-/// Returns true if a revolution ends before its time.
+/// Returns true if a revolution must end early.
 static bool is_cut_short(const whirl_integrator *integrator) {
     const stepper *c = integrator->workspace;
     return whirl_integrate_stopped(&integrator->options) ||
            (integrator->most_steps > 0 && c->tried >= integrator->most_steps);
 }
 
-/// Steps of rk4 end at every instant, the others where they like.
+/// Steps of rk4 end at every instant; steps of adaptive methods do not.
 static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_perturbations *perturbations,
                             whirl_observe_fn observe, void *observer) {
     stepper *c = integrator->workspace;
@@ -55,17 +57,17 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_pertu
     const int instants = integrator->options.steps_per_revolution;
     int instant = 1;
     c->observed = c->slot && observe;
-    whirl_motion motion = begin(integrator, x, perturbations);
+    whirl_motion motion = stepper_begin_motion(integrator, x, perturbations);
     while (motion == WHIRL_BOUNDED && c->t < period && !is_cut_short(integrator)) {
         motion = stepper_step(c, c->slot ? period : period * ((double)instant / instants));
         if (motion == WHIRL_BOUNDED && (observe || !c->slot))
-            instant = tell(c, period, instants, instant, observe, observer);
+            instant = stepper_report(c, period, instants, instant, observe, observer);
     }
     memcpy(x, c->x, c->dimension * sizeof *x);
     return motion;
 }
 
-static void end(whirl_integrator *integrator) {
+static void stepper_end(whirl_integrator *integrator) {
     stepper_free(integrator->workspace);
 }
 
@@ -78,38 +80,38 @@ static double rodas5p_work(const whirl_integrator *integrator) {
 const method auto_method = {
     .about = {"auto", "the method that suits the machine: dop853, or rodas5p where dop853 would need very many steps",
               true, true, false},
-    .start = start,
+    .start = stepper_start,
     .revolve = revolve,
     .rows = PERTURBATION_ROWS,
-    .end = end,
+    .end = stepper_end,
     .lanes = &dop853_in_lanes,
 };
 
 const method dop853_method = {
     .about = {"dop853", "Dormand-Prince of order 8(5,3), steps by the tolerance, contacts located", true, true, false},
-    .start = start,
+    .start = stepper_start,
     .revolve = revolve,
     .rows = PERTURBATION_ROWS,
-    .end = end,
+    .end = stepper_end,
     .lanes = &dop853_in_lanes,
 };
 
 const method rodas5p_method = {
     .about = {"rodas5p", "Rosenbrock-Wanner of order 5(4) for stiff machines, steps by the tolerance, contacts located",
               true, true, false},
-    .start = start,
+    .start = stepper_start,
     .revolve = revolve,
     .rows = PERTURBATION_ROWS,
-    .end = end,
+    .end = stepper_end,
     .lanes = &rodas5p_in_lanes,
     .work = rodas5p_work,
 };
 
 const method rk4_located_method = {
     .about = {"rk4", "Runge-Kutta of order 4, fixed steps that are split at contacts", false, true, false},
-    .start = start,
+    .start = stepper_start,
     .revolve = revolve,
     .rows = PERTURBATION_ROWS,
-    .end = end,
+    .end = stepper_end,
     .amplification = rk4_amplification,
 };

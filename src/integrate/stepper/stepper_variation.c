@@ -6,7 +6,7 @@
 #include "saltation.h"
 #include "stepper.h"
 
-/// Parts of the workspace: single vectors.
+/// Single vectors of the workspace.
 enum { BEFORE, AFTER, GRADIENT, CURVED };
 
 static double *spare(const stepper *c, int which) {
@@ -23,7 +23,7 @@ void stepper_follow(stepper *c, size_t most, double *room) {
     v->spare = room + PERTURBATION_ROWS * row;
 }
 
-static double dot(size_t n, const double *a, const double *b) {
+static double variation_dot(size_t n, const double *a, const double *b) {
     double sum = 0.0;
     for (size_t i = 0; i < n; i++) sum += a[i] * b[i];
     return sum;
@@ -31,7 +31,7 @@ static double dot(size_t n, const double *a, const double *b) {
 
 // ---------------------------------------------------------------- the Jacobian of motion along switches
 
-/// The mean of the Jacobians on both sides of all switches that are slid along, weighted as the slopes are.
+/// Computes the mean of the Jacobians on both sides of all switches with sliding, weighted as the slopes are.
 static void mean_jacobian(const stepper *c, double t, const double *x, const size_t *list, const double *share,
                           size_t count, const double *vectors, double *out) {
     const whirl_system *system = c->system;
@@ -71,12 +71,12 @@ static void slide_along(const stepper *c, double t, const double *x, size_t vect
         double matrix[MAX_SLIDING][MAX_SLIDING], change[MAX_SLIDING], *row = out + k * n;
         for (size_t i = 0; i < count; i++) {
             system->switch_gradient(system->model, t, x, list[i], spare(c, GRADIENT), &by_time);
-            change[i] = -dot(n, spare(c, GRADIENT), row);
+            change[i] = -variation_dot(n, spare(c, GRADIENT), row);
             if (system->switch_curvature) {
                 system->switch_curvature(system->model, t, x, list[i], u, curved);
-                change[i] -= dot(n, curved, slope);
+                change[i] -= variation_dot(n, curved, slope);
             }
-            for (size_t j = 0; j < count; j++) matrix[i][j] = dot(n, spare(c, GRADIENT), added + j * n);
+            for (size_t j = 0; j < count; j++) matrix[i][j] = variation_dot(n, spare(c, GRADIENT), added + j * n);
         }
         if (!stepper_solve(count, matrix, change)) continue;
         for (size_t j = 0; j < count; j++)
@@ -97,8 +97,8 @@ void stepper_vary_begin(stepper *c) {
         double matrix[MAX_SLIDING][MAX_SLIDING], off[MAX_SLIDING], *u = c->variation.set->vectors + k * n;
         for (size_t i = 0; i < count; i++) {
             system->switch_gradient(system->model, c->t, c->x, list[i], spare(c, GRADIENT), &by_time);
-            off[i] = dot(n, spare(c, GRADIENT), u);
-            for (size_t j = 0; j < count; j++) matrix[i][j] = dot(n, spare(c, GRADIENT), added + j * n);
+            off[i] = variation_dot(n, spare(c, GRADIENT), u);
+            for (size_t j = 0; j < count; j++) matrix[i][j] = variation_dot(n, spare(c, GRADIENT), added + j * n);
         }
         if (!stepper_solve(count, matrix, off)) continue;
         for (size_t j = 0; j < count; j++)
@@ -132,7 +132,7 @@ double stepper_divergence(const stepper *c, double t, const double *x) {
 double stepper_varied_tolerance(const stepper *c, size_t which) {
     const size_t n = c->dimension;
     const double *from = c->variation.set->vectors + which * n, *to = c->variation.end + which * n;
-    return c->rtol * sqrt(fmax(dot(n, from, from), dot(n, to, to)));
+    return c->rtol * sqrt(fmax(variation_dot(n, from, from), variation_dot(n, to, to)));
 }
 
 void stepper_vary(stepper *c) {
@@ -150,7 +150,7 @@ void stepper_cross_varied(stepper *c, size_t which) {
     const double from = c->sides[which];
     double by_time;
     if (!set || slid || !c->system->rhs_on_sides || !c->system->switch_gradient) {
-        // The slope goes on unbroken where a motion leaves a switch that it slid along.
+        // The slope is continuous where a motion ends sliding along a switch.
         stepper_cross(c, which);
         return;
     }

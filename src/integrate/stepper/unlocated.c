@@ -1,7 +1,7 @@
 // Effect on perturbations of a fixed step that has gone over a switch.  The step itself knows of no switch; its
-// derivative misses what happens where the right-hand side jumps. That is made good at the step's end by the saltation
-// matrix of the place where the step's cubic meets the switch: right to the first order of the step, and nothing at all
-// where the right-hand side is continuous, as in an elastic contact.
+// derivative misses what happens where the right-hand side jumps. The saltation matrix at the point where the step's
+// cubic meets the switch corrects this at the step's end, to first order in the step. It is the identity where the
+// right-hand side is continuous, as in an elastic contact.
 #include <string.h>
 
 #include "saltation.h"
@@ -23,7 +23,7 @@ static void take_sides(stepper *c, const double *values) {
     for (size_t i = 0; i < c->system->switch_count; i++) c->sides[i] = values[i] > 0.0 ? 1.0 : -1.0;
 }
 
-/// Halves the step down to where switch `which` changes: the state there, in c->stage, its time and sides.
+/// Bisects the step for the change of switch `which`; sets the state there (c->stage), its time and sides.
 static double find_change(stepper *c, size_t which, bool from) {
     enum { HALVINGS = 50 };
     double low = 0.0, high = 1.0, t = c->begin, *values = stepper_row(c, ROW_FOUND);
