@@ -14,7 +14,7 @@ enum { VERSION = 1, MAX_ROWS = 10000 };
 
 static const double two_pi = 6.283185307179586476925;
 
-/// A vibration by amplitude and phase, or by its parts.
+/// Keys of a vibration: amplitude and phase, or real and imaginary part.
 #define VECTOR_KEYS(unit, size, angle)                                                                                 \
     NUMBER_KEY("amplitude", "", unit, OPTIONAL, WHIRL_NOT_NEGATIVE, size),                                             \
         NUMBER_KEY("phase", "", "rad", OPTIONAL, WHIRL_ANY, angle),                                                    \
@@ -151,7 +151,7 @@ static double number_of(case_reader *reader, const setting_list *item, const cha
     return given->good && !given->value.expression ? given->value.number : 0.0;
 }
 
-/// The items of a list; NULL after a problem.
+/// Returns the items of a list; NULL after a problem.
 static const file_node *items_of(case_reader *reader, const setting_list *file, const char *name, size_t most) {
     char shown[SHOWN_SIZE];
     const setting *given = settings_find(file, name);
@@ -172,7 +172,7 @@ static void *room_for(case_reader *reader, const setting_list *file, const char 
     return room;
 }
 
-/// Sense of angles on the rotor: 1, or -1 against the rotation.
+/// Returns the sense of angles on the rotor: 1, or -1 against the rotation.
 static double way_of(const whirl_balance *of) {
     return of->against ? -1.0 : 1.0;
 }
@@ -212,7 +212,7 @@ static size_t find_plane(case_reader *reader, const setting_list *item, const wh
     return 0;
 }
 
-/// A number for every plane.
+/// Reads the shape of a mode, a number for every plane.
 static void read_shape(case_reader *reader, const setting *given, size_t planes, whirl_balance_mode *out) {
     char shown[SHOWN_SIZE];
     if (given->place->kind != NODE_LIST || given->place->count != planes) {
@@ -282,7 +282,7 @@ static void read_model(case_reader *reader, const setting_list *file, whirl_bala
         problem_at(reader->problems, settings_find(file, "influence")->place, "is model, expected a model, too");
 }
 
-/// The plane or set of a trial.
+/// Reads the plane or the set of a trial.
 static void read_place(case_reader *reader, const file_node *at, const setting_list *item, const whirl_balance *of,
                        whirl_balance_trial *out) {
     const setting *set = settings_find(item, "set");
@@ -299,7 +299,7 @@ static void read_place(case_reader *reader, const file_node *at, const setting_l
                    set ? "plane" : "set");
 }
 
-/// The radius at which a mass of a trial sits.
+/// Returns the radius of a trial mass.
 static double radius_of(case_reader *reader, const setting *mass, const whirl_balance *of,
                         const whirl_balance_trial *trial) {
     if (trial->plane == WHIRL_BALANCE_SET) {
@@ -343,7 +343,7 @@ static void read_phasor(case_reader *reader, const file_node *at, const setting_
     const double way = out->leads ? 1.0 : -1.0;
     const bool amplitude = settings_find(item, "amplitude"), phase = settings_find(item, "phase"),
                real = settings_find(item, "real"), imaginary = settings_find(item, "imag");
-    if (at->kind != NODE_MAPPING) return; // said already
+    if (at->kind != NODE_MAPPING) return; // has been reported
     if (amplitude != phase || real != imaginary || amplitude == real) {
         const bool parts = real || imaginary;
         const char *missing = parts ? (real ? "imag" : "real") : amplitude ? "phase" : "amplitude";
@@ -479,7 +479,7 @@ static void check_runs(case_reader *reader, const setting_list *file, const whir
     }
 }
 
-static void fill(case_reader *reader, const setting_list *file, void *into) {
+static void balance_fill(case_reader *reader, const setting_list *file, void *into) {
     whirl_balance *out = into;
     settings_text(reader, file, "title", out->title, sizeof out->title);
     settings_units(reader, file, out->units, sizeof out->units);
@@ -491,7 +491,7 @@ static void fill(case_reader *reader, const setting_list *file, void *into) {
     out->grade = number_of(reader, file, "grade");
     out->service_speed = number_of(reader, file, "service_speed");
     read_planes(reader, file, out);
-    if (out->plane_count == 0) return; // said already
+    if (out->plane_count == 0) return; // has been reported
     read_model(reader, file, out);
     read_modes(reader, file, out);
     read_probes(reader, file, out);
@@ -506,11 +506,11 @@ static void fill(case_reader *reader, const setting_list *file, void *into) {
     if (all_read) check_runs(reader, file, out);
 }
 
-static void release(void *made) {
+static void balance_release(void *made) {
     whirl_balance_free(made);
 }
 
-static const file_kind kind = {&file_group, VERSION, sizeof(whirl_balance), fill, release};
+static const file_kind kind = {&file_group, VERSION, sizeof(whirl_balance), balance_fill, balance_release};
 
 whirl_status whirl_balance_parse(const char *text, size_t length, const char *name, whirl_problems *problems,
                                  whirl_balance **out) {

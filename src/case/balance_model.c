@@ -12,18 +12,18 @@
 #include "whirl/engine/case.h"
 #include "whirl/engine/linear.h"
 
-static const double moment = 1e-6, two_pi = 6.283185307179586476925; // kg m that responses are found for
+static const double moment = 1e-6, two_pi = 6.283185307179586476925; // unbalance of the responses, kg m
 
-/// Under way.
+/// State of consulting the model.
 typedef struct consulting {
     const whirl_balance *balance;
     whirl_balance_model *model;
     whirl_study study;
-    whirl_batch batch; ///< without a parameter
+    whirl_batch batch; ///< a batch without a parameter
     size_t station[WHIRL_MAX_PLANES];
 } consulting;
 
-/// The responses to 1 kg m in each plane at a speed, about one place of rest.
+/// Responses to 1 kg m in each plane at a speed, about one equilibrium.
 typedef struct responses {
     whirl_machine machine; ///< with an unbalance in the last plane
     size_t dimension;
@@ -31,12 +31,12 @@ typedef struct responses {
     double *response; ///< [planes][dimension][2]
 } responses;
 
-static void release(const whirl_machine *machine) {
+static void balance_model_release(const whirl_machine *machine) {
     if (machine->release) machine->release(machine->owner);
 }
 
 static void let_go(responses *of) {
-    release(&of->machine);
+    balance_model_release(&of->machine);
     free(of->rest);
     free(of->response);
     *of = (responses){.rest = NULL};
@@ -56,7 +56,7 @@ static whirl_status machine_with(const consulting *c, double speed, whirl_varian
 /// Computes the response to an unbalance in a plane.
 static whirl_status respond_to(const consulting *c, double speed, size_t plane, responses *out) {
     const whirl_placed placed = {.station = c->station[plane], .moment = moment};
-    release(&out->machine);
+    balance_model_release(&out->machine);
     out->machine = (whirl_machine){.system = NULL};
     whirl_status status = machine_with(c, speed, WHIRL_AS_GIVEN, &placed, &out->machine);
     if (status.code != WHIRL_OK) return status;
@@ -130,11 +130,12 @@ static whirl_status see(const consulting *c, const responses *at, const char *na
     return status;
 }
 
-/// All rows at the speed of one; as they would be, were critical speeds others.
+/// Fills in all rows at the speed of one row. The model's critical speeds may be scaled to those of the machine.
 static whirl_status see_at_speed(const consulting *c, double speed) {
     whirl_status status = whirl_ok();
     for (int shift = -1; shift <= 1 && status.code == WHIRL_OK; shift++) {
-        // A machine whose critical speeds are higher by a fraction behaves at this speed like the model at a lower one.
+        // If the machine's critical speeds are higher than the model's by a fraction, it behaves like the model at a
+        // speed lower by that fraction.
         responses at = {.rest = NULL};
         status = respond(c, speed * (1.0 - shift * c->balance->model_error), &at);
         for (size_t r = 0; r < c->model->row_count && status.code == WHIRL_OK; r++) {
@@ -169,7 +170,7 @@ static whirl_status find_rows(consulting *c) {
 
 // ---------------------------------------------------------------- modes
 
-/// Eigenvectors of a Jacobian [n][n] and, of the same eigenvalues, of its transpose.
+/// Eigenvectors of a Jacobian [n][n], and of its transpose for the same eigenvalues.
 typedef struct both_sides {
     size_t n;
     double *real, *imaginary, *right, *other_real, *other_imaginary, *left;
@@ -207,7 +208,7 @@ static double complex product(size_t n, const double *a, const double *b) {
 }
 
 /// Extracts the mode with the largest part in the responses. With z and q its left and right vectors, |q| = 1, that
-/// part of a response r is q (z r)/(z q), and z r is how each plane excites it.
+/// part of a response r is q (z r)/(z q); z r is the excitation of the mode by each plane.
 static void take_mode(const consulting *c, const both_sides *of, const responses *at, size_t mode) {
     const size_t planes = c->balance->plane_count;
     double largest = 0.0;
@@ -255,7 +256,7 @@ static whirl_status find_mode(const consulting *c, size_t mode) {
 static whirl_status find_loads(const consulting *c) {
     whirl_machine machine = {.system = NULL};
     whirl_status status = machine_with(c, 0.0, WHIRL_WITH_STATICS, NULL, &machine);
-    if (status.code == WHIRL_BAD_INPUT) return whirl_ok(); // no shaft whose weight bearings carry: loads are not known
+    if (status.code == WHIRL_BAD_INPUT) return whirl_ok(); // no shaft whose weight bearings carry: loads stay unknown
     for (size_t p = 0; p < c->balance->plane_count && status.code == WHIRL_OK; p++) {
         const whirl_probe *probes = machine.system->probes, *own = &probes[c->station[p]];
         double nearest = INFINITY;
@@ -269,7 +270,7 @@ static whirl_status find_loads(const consulting *c) {
             snprintf(c->model->bearing[p], sizeof c->model->bearing[p], "%s", probes[i].name);
         }
     }
-    release(&machine);
+    balance_model_release(&machine);
     return status;
 }
 
@@ -284,7 +285,7 @@ static whirl_status find_planes(consulting *c) {
         status =
             find_station(machine.system, *own->station ? own->station : own->name, "plane", own->name, &c->station[p]);
     }
-    release(&machine);
+    balance_model_release(&machine);
     return status;
 }
 
@@ -303,7 +304,7 @@ static whirl_status ask(const whirl_balance *balance, const whirl_case *object, 
     return status;
 }
 
-/// The path of the model, from the folder of the file.
+/// Resolves the path of the model, relative to the folder of the file.
 static void find_path(const whirl_balance *balance, const char *path, char *out, size_t size) {
     const char *slash = strrchr(path, '/');
     const int folder = *balance->model == '/' || !slash ? 0 : (int)(slash + 1 - path);

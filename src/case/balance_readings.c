@@ -1,4 +1,4 @@
-// Readings as a table: comma-separated values become the list that a file on balancing would have in its place.
+// Readings as a table: converts comma-separated values to the list that a balancing file would have instead.
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,9 +11,9 @@
 
 enum { MAX_COLUMNS = 16 };
 
-/// A table under way.
+/// State of reading a table.
 typedef struct readings_table {
-    case_reader *reader; ///< its problems are those of the table's file
+    case_reader *reader; ///< reader of the table's file, with its problems
     const whirl_group *group;
     char separator;
     int line;
@@ -61,7 +61,8 @@ static void append(file_node *parent, file_node *node) {
     parent->last = node;
 }
 
-/// "amplitude [um]", "amplitude (um)" or "amplitude": a key of the group, and the unit of all its numbers.
+/// Reads a heading such as "amplitude [um]", "amplitude (um)" or "amplitude": a key of the group, and the unit of its
+/// column.
 static void read_heading(readings_table *table, char *text, int column) {
     const char *names[MAX_COLUMNS] = {NULL}, *unit = "";
     char advice[WHY_SIZE], shown[SHOWN_SIZE];

@@ -115,7 +115,7 @@ static const whirl_group speeds_group = {"speeds", "speeds in equal steps", "", 
                                          NULL};
 static const whirl_group loads_group = {"loads", "loads in equal steps", "", loads_keys, COUNT(loads_keys), NULL, NULL};
 
-/// The same group under another name, to distinguish it from the element `bearing`.
+/// The group of a bearing file, under another name than the element `bearing`.
 static const whirl_group described_group = {
     "bearing_file", "a file on a journal bearing by itself", "Reynolds 1886", file_keys, COUNT(file_keys), NULL, NULL};
 
@@ -124,12 +124,12 @@ const whirl_group *const *whirl_bearing_groups(void) {
     return groups;
 }
 
-static const file_node *place_of(const setting_list *file, const char *key) {
+static const file_node *bearing_place(const setting_list *file, const char *key) {
     const setting *given = settings_find(file, key);
     return given ? given->place : file->place;
 }
 
-/// One of two keys, and not both; 0, or 1 and 2 for the one that is given.
+/// Requires exactly one of two keys; returns 1 or 2 for the given one, 0 after a problem.
 static int one_of(case_reader *reader, const setting_list *file, const char *one, const char *other) {
     const setting *first = settings_find(file, one), *second = settings_find(file, other);
     if (first && second)
@@ -192,13 +192,13 @@ static void read_shape(case_reader *reader, const setting_list *file, whirl_bear
     if (which == 1) read_kind(reader, file, out);
     if (which == 2) {
         snprintf(out->kind, sizeof out->kind, "pads");
-        read_pads(reader, place_of(file, "pads"), out);
-        check_overlap(reader, place_of(file, "pads"), &out->pads);
+        read_pads(reader, bearing_place(file, "pads"), out);
+        check_overlap(reader, bearing_place(file, "pads"), &out->pads);
         out->pads.tilting = settings_yes(file, "tilting");
         if (!settings_find(file, "tilting") && !settings_misspelt(file, "tilting"))
             problem_missing(reader->problems, file->place, "tilting", "is missing, expected yes or no");
         if (settings_find(file, "preload"))
-            problem_at(reader->problems, place_of(file, "preload"), "is given, and pads have their own");
+            problem_at(reader->problems, bearing_place(file, "preload"), "is given, and pads have their own");
     }
     const double turned = settings_plain(reader, file, "turned");
     for (size_t i = 0; i < out->pads.count; i++) out->pads.pads[i].pivot += turned;
@@ -266,13 +266,13 @@ static void read_size(case_reader *reader, const setting_list *file, whirl_beari
     }
     const int of = one_of(reader, file, "pad_clearance", "clearance");
     if (of == 2 && out->pads.count > 0 && least != most)
-        problem_at(reader->problems, place_of(file, "clearance"),
+        problem_at(reader->problems, bearing_place(file, "clearance"),
                    "is of pads that have several preloads, expected pad_clearance in its place");
     out->pad_clearance = of == 1 ? settings_plain(reader, file, "pad_clearance")
                                  : settings_plain(reader, file, "clearance") / (1.0 - most);
     out->clearance = (1.0 - most) * out->pad_clearance;
     if (out->pad_clearance >= 0.05 * out->radius)
-        problem_at(reader->problems, place_of(file, of == 1 ? "pad_clearance" : "clearance"),
+        problem_at(reader->problems, bearing_place(file, of == 1 ? "pad_clearance" : "clearance"),
                    "makes a clearance of pads of %.3g times the radius, expected less than 0.05",
                    out->pad_clearance / out->radius);
 }
@@ -325,11 +325,12 @@ static void read_points(case_reader *reader, const setting_list *file, whirl_bea
     out->load_count = loads;
     if (loads == 0 || speeds == 0) return;
     if (out->pairs && loads != speeds)
-        problem_at(reader->problems, place_of(file, "combine"), "has %zu loads and %zu speeds, expected as many", loads,
-                   speeds);
+        problem_at(reader->problems, bearing_place(file, "combine"), "has %zu loads and %zu speeds, expected as many",
+                   loads, speeds);
     if (!out->pairs && loads * speeds > WHIRL_MAX_BEARING_POINTS)
-        problem_at(reader->problems, place_of(file, "load"), "makes %zu points with %zu speeds, expected at most %d",
-                   loads * speeds, speeds, WHIRL_MAX_BEARING_POINTS);
+        problem_at(reader->problems, bearing_place(file, "load"),
+                   "makes %zu points with %zu speeds, expected at most %d", loads * speeds, speeds,
+                   WHIRL_MAX_BEARING_POINTS);
     if ((out->pairs && loads != speeds) || loads * speeds > WHIRL_MAX_BEARING_POINTS * (out->pairs ? loads : 1)) return;
     const size_t count = out->pairs ? speeds : loads * speeds;
     out->speeds = malloc(count * sizeof *out->speeds);
@@ -347,7 +348,7 @@ static void read_ratios(case_reader *reader, const setting_list *file, whirl_bea
     out->ratio_count = settings_list_plain(reader, file, "whirl_ratio", out->ratios, WHIRL_MAX_WHIRL_RATIOS);
 }
 
-static void fill(case_reader *reader, const setting_list *file, void *into) {
+static void bearing_fill(case_reader *reader, const setting_list *file, void *into) {
     whirl_bearing *out = into;
     settings_text(reader, file, "title", out->title, sizeof out->title);
     settings_units(reader, file, out->units, sizeof out->units);
@@ -363,11 +364,11 @@ static void fill(case_reader *reader, const setting_list *file, void *into) {
     out->least_film = settings_plain(reader, file, "least_film");
 }
 
-static void release(void *made) {
+static void bearing_release(void *made) {
     whirl_bearing_free(made);
 }
 
-static const file_kind bearing_kind = {&file_group, VERSION, sizeof(whirl_bearing), fill, release};
+static const file_kind bearing_kind = {&file_group, VERSION, sizeof(whirl_bearing), bearing_fill, bearing_release};
 
 whirl_status whirl_bearing_parse(const char *text, size_t length, const char *name, whirl_problems *problems,
                                  whirl_bearing **out) {

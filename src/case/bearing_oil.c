@@ -9,7 +9,7 @@ enum { DYNAMIC, KINEMATIC, GRADE, TABLE, WAYS };
 static const char *const ways[] = {"viscosity", "kinematic_viscosity", "grade", "temperatures"};
 static const char *const warm_keys[] = {"temperature", "supply_temperature"};
 
-static const file_node *place_of(const setting_list *file, const char *key) {
+static const file_node *oil_place(const setting_list *file, const char *key) {
     const setting *given = settings_find(file, key);
     return given ? given->place : file->place;
 }
@@ -24,7 +24,7 @@ static int way_of(case_reader *reader, const setting_list *file) {
                         "is missing, expected this, kinematic_viscosity, or grade or temperatures with the "
                         "temperature of the film");
     if (given > 1)
-        problem_at(reader->problems, place_of(file, ways[last]),
+        problem_at(reader->problems, oil_place(file, ways[last]),
                    "is given together with another one, expected one of them");
     return given == 1 ? last : WAYS;
 }
@@ -40,7 +40,7 @@ static void check_strays(case_reader *reader, const setting_list *file, int way)
                   {"supply_temperature", "grade or temperatures", GRADE, TABLE}};
     for (size_t i = 0; i < sizeof strays / sizeof *strays; i++)
         if (settings_find(file, strays[i].key) && way != strays[i].way && way != strays[i].other && way != WAYS)
-            problem_at(reader->problems, place_of(file, strays[i].key), "belongs to %s, which is not given",
+            problem_at(reader->problems, oil_place(file, strays[i].key), "belongs to %s, which is not given",
                        strays[i].of);
 }
 
@@ -49,7 +49,7 @@ static void read_grade(case_reader *reader, const setting_list *file, whirl_bear
     const double hot =
         settings_find(file, "kinematic_100") ? settings_plain(reader, file, "kinematic_100") : mineral_oil_at_100(own);
     if (hot >= own) {
-        problem_at(reader->problems, place_of(file, "kinematic_100"), "is not below that at 40 degC, %g mm2/s",
+        problem_at(reader->problems, oil_place(file, "kinematic_100"), "is not below that at 40 degC, %g mm2/s",
                    own * 1e6);
         return;
     }
@@ -68,14 +68,15 @@ static void read_table(case_reader *reader, const setting_list *file, whirl_bear
         problem_missing(reader->problems, file->place, "viscosities", "is missing, expected one for every temperature");
     if (rows == 0 || count == 0) return;
     if (rows < 2 || rows != count) {
-        problem_at(reader->problems, place_of(file, "temperatures"),
+        problem_at(reader->problems, oil_place(file, "temperatures"),
                    "has %zu numbers for %zu viscosities, expected as many, and two or more", rows, count);
         return;
     }
     for (size_t i = 0; i < rows; i++) out->oil_viscosities[i] /= out->density;
     for (size_t i = 1; i < rows; i++) {
         if (!(out->oil_temperatures[i] > out->oil_temperatures[i - 1]))
-            problem_at(reader->problems, place_of(file, "temperatures"), "does not rise, expected rising temperatures");
+            problem_at(reader->problems, oil_place(file, "temperatures"),
+                       "does not rise, expected rising temperatures");
         else if (!(out->oil_viscosities[i] < out->oil_viscosities[i - 1]))
             problem_at(reader->problems, viscosities->place, "does not fall, expected that of an oil that gets warmer");
         else
@@ -105,7 +106,8 @@ void bearing_oil_read(case_reader *reader, const setting_list *file, whirl_beari
     out->temperature = NAN;
     check_strays(reader, file, way);
     if (settings_find(file, "heat_share") && !settings_find(file, "supply_temperature"))
-        problem_at(reader->problems, place_of(file, "heat_share"), "belongs to supply_temperature, which is not given");
+        problem_at(reader->problems, oil_place(file, "heat_share"),
+                   "belongs to supply_temperature, which is not given");
     if (way == WAYS) return;
     if (way < GRADE) {
         const double own = settings_plain(reader, file, ways[way]);

@@ -83,7 +83,7 @@ static bool is_checked(const case_reader *reader, const study_plan *plan, size_t
     return false;
 }
 
-/// The corners of a map; more rows and planes than one make it one.
+/// Returns the corners of a sweep or map; more than one row or plane makes it a map.
 static void check_corners(point_check *check, size_t b) {
     const study_plan *plan = &check->content->plan;
     const whirl_batch *batch = &plan->batches[b];
@@ -308,7 +308,7 @@ whirl_status whirl_case_parse(const char *text, size_t length, const char *name,
     *out = NULL;
     if (!problems) problems = &own;
     text = utf8_skip_mark(text, &length);
-    if (length > TREE_MAX_BYTES) length = TREE_MAX_BYTES + 1; // enough to be refused
+    if (length > TREE_MAX_BYTES) length = TREE_MAX_BYTES + 1; // the reader rejects a text of this length
     whirl_case *object = new_case(text, length, name);
     if (!object) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %.200s", name);
     const whirl_status status = make_content(object, &object->content, problems);
@@ -339,7 +339,7 @@ void whirl_case_free(whirl_case *object) {
 
 // ---------------------------------------------------------------- setting parameters and keys
 
-/// Bytes of a name, and of a value: an expression, at most.
+/// Limits of a name and of a value (an expression), in bytes.
 enum { SHOWN_NAME = 128, LONGEST_VALUE = 8192 };
 
 /// Copies the overrides into the arena of the new content, with one more if `name` is given.
@@ -516,7 +516,7 @@ whirl_status whirl_case_parameter(const whirl_case *object, const char *name, do
     return status;
 }
 
-/// The outline that was built becomes a rotor, or is freed.
+/// Completes the built outline to a rotor, or frees it after a failure.
 static whirl_status hold(whirl_status status, whirl_rotor **rotor) {
     if (status.code == WHIRL_OK) status = whirl_rotor_hold(*rotor, NULL);
     if (status.code == WHIRL_OK) return status;

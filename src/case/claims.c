@@ -12,8 +12,8 @@
 
 enum { MAX_CLAIMS = 1000 };
 
-/// A number of the parameter, with a unit or plain; claims have no parameters, so no expression has names.
-static bool read_number(case_reader *reader, const setting_list *item, const char *name, double *value) {
+/// Reads a value of the parameter, with a unit or plain; claims have no parameters, so that expressions have no names.
+static bool claims_read_number(case_reader *reader, const setting_list *item, const char *name, double *value) {
     const setting *given = settings_find(item, name);
     const whirl_key key = {.name = name, .unit = "", .range = WHIRL_ANY};
     number_formula read = {0};
@@ -31,17 +31,17 @@ static void read_range(case_reader *reader, const setting_list *item, whirl_clai
         return;
     }
     if (at) {
-        read_number(reader, item, "at", &claim->from);
+        claims_read_number(reader, item, "at", &claim->from);
         claim->to = claim->from;
         return;
     }
     double first = 0.0, last = 0.0;
-    if (!read_number(reader, item, "from", &first) || !read_number(reader, item, "to", &last)) return;
+    if (!claims_read_number(reader, item, "from", &first) || !claims_read_number(reader, item, "to", &last)) return;
     claim->from = fmin(first, last);
     claim->to = fmax(first, last);
 }
 
-/// "P-2", or a word.
+/// Reads an expected regime: "P-2", or a word.
 static bool parse_regime(const char *word, whirl_claim *claim) {
     static const struct {
         const char *word;
@@ -81,7 +81,7 @@ static int read_whole(case_reader *reader, const setting_list *item, const char 
     return (int)given->value.number;
 }
 
-/// Between `least` and `most` orders of the running speed.
+/// Reads between `least` and `most` orders of the running speed.
 static size_t read_orders(case_reader *reader, const setting_list *item, const char *name, size_t least, size_t most,
                           double *orders) {
     char shown[SHOWN_SIZE];
@@ -104,7 +104,7 @@ static size_t read_orders(case_reader *reader, const setting_list *item, const c
     return count;
 }
 
-/// Two orders, the lower one first.
+/// Reads two orders, the lower one first.
 static bool read_pair(case_reader *reader, const setting_list *item, const char *name, double orders[2]) {
     const bool there = read_orders(reader, item, name, 2, 2, orders) == 2;
     if (there && !(orders[0] < orders[1]))
@@ -121,7 +121,7 @@ static whirl_claim_contact read_contact(const setting_list *item) {
 
 // ---------------------------------------------------------------- branches
 
-/// One of the kinds of special points.
+/// Reads a kind of special points.
 static bool read_kind(case_reader *reader, const file_node *where, whirl_special *kind) {
     static const char *const names[] = {"fold", "crossing", "doubling", "neimark-sacker", "hopf", "grazing"};
     static const whirl_special kinds[] = {WHIRL_FOLD,           WHIRL_BRANCHING, WHIRL_DOUBLING,
@@ -161,7 +161,8 @@ static void read_given(case_reader *reader, const setting_list *item, whirl_clai
     if (!named) return;
     double first = 0.0, last = 0.0;
     settings_text(reader, item, "given", claim->given, sizeof claim->given);
-    if (!read_number(reader, item, "given_from", &first) || !read_number(reader, item, "given_to", &last)) return;
+    if (!claims_read_number(reader, item, "given_from", &first) || !claims_read_number(reader, item, "given_to", &last))
+        return;
     claim->given_from = fmin(first, last);
     claim->given_to = fmax(first, last);
 }
@@ -216,7 +217,7 @@ static void read_items(case_reader *reader, const file_node *where, whirl_claims
         read_claim(reader, item, &claims->items[claims->count++]);
 }
 
-static void fill(case_reader *reader, const setting_list *file, void *into) {
+static void claims_fill(case_reader *reader, const setting_list *file, void *into) {
     whirl_claims *claims = into;
     const setting *items = settings_find(file, "items");
     settings_text(reader, file, "source", claims->source, sizeof claims->source);
@@ -225,11 +226,11 @@ static void fill(case_reader *reader, const setting_list *file, void *into) {
     if (items) read_items(reader, items->place, claims);
 }
 
-static void release(void *made) {
+static void claims_release(void *made) {
     whirl_claims_free(made);
 }
 
-static const file_kind kind = {&schema_claims, SCHEMA_VERSION, sizeof(whirl_claims), fill, release};
+static const file_kind kind = {&schema_claims, SCHEMA_VERSION, sizeof(whirl_claims), claims_fill, claims_release};
 
 whirl_status claims_parse(const char *text, size_t length, const char *name, whirl_problems *problems,
                           whirl_claims **out) {

@@ -28,7 +28,7 @@ struct whirl_case {
     char *text; ///< byte for byte, with a final zero beyond `length`
     size_t length;
     case_content content;
-    whirl_budget refine; ///< no part of the file
+    whirl_budget refine; ///< budget of refinement; not part of the file
 };
 
 /// Returns true if an expression depends on a parameter, directly or through other parameters (uses.c).
@@ -40,17 +40,17 @@ const setting *case_list_depends(const case_content *content, const setting_list
 /// Returns the first setting of the machine, except its initial state, that depends on a parameter; NULL if none does.
 const setting *case_machine_use(const case_content *content, const char *name);
 
-/// A machine of the family that a case is: the rotor with one parameter at a value, and its initial state.
+/// Makes a machine of the case's family: the rotor with the batch's parameter at a value, and its initial state.
 whirl_status case_machine(const void *family, const whirl_batch *batch, double value, whirl_machine *machine);
 
 // ---------------------------------------------------------------- fits
 // Rational functions that replace frequency-dependent tables in motions: their errors, and whether they change the
 // machine's stability.
 
-/// Adds a fact to the result, "fit 1", ..., for every such function of the machine with these parameters [count],
-/// unless it has it already. `doubt` is a warning about modes that are stable with the functions but unstable with the
-/// tables or vice versa; "" if there are none. Machines without such tables, and those that cannot be built, are
-/// skipped: only WHIRL_NO_MEMORY is returned.
+/// Adds a fact "fit 1", ..., to the result for every function that replaces a table in the machine with these
+/// parameters [count], unless the fact exists. `doubt` is a warning about modes that are stable with the functions but
+/// unstable with the tables or vice versa; "" if there are none. Machines without such tables, and those that cannot be
+/// built, are skipped: only WHIRL_NO_MEMORY is returned.
 whirl_status case_tell_fits(const case_content *content, const whirl_given *given, size_t count, whirl_result *result,
                             char doubt[WHIRL_MESSAGE_SIZE]);
 

@@ -1,4 +1,4 @@
-// Descriptions of a case in its result, and the way from a case to a result.
+// Descriptions of a case in its result; whirl_case_run.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -29,7 +29,8 @@ static whirl_status describe_parameters(const case_content *content, whirl_resul
     return whirl_fail(WHIRL_NO_MEMORY, "no memory for the parameters of a result");
 }
 
-/// "range 1" is "film at journal: eccentricity ratio up to 0.95, to which its coefficients were found".
+/// Adds a fact for every range of a law: "range 1" is "film at journal: eccentricity ratio up to 0.95, to which its
+/// coefficients were found".
 static whirl_status describe_ranges(const whirl_system *system, whirl_result *result) {
     whirl_status status = whirl_ok();
     whirl_law_range range;
@@ -110,13 +111,13 @@ static whirl_status describe_unit(const char *of, whirl_unit written, const char
     return whirl_result_add_fact(result, name, text);
 }
 
-/// The SI unit of a parameter, "" of a plain number.
+/// Returns the SI unit of a parameter; "" for a plain number.
 static const char *known_unit(const case_content *content, size_t index) {
     const char *const known = parameter_expected_unit(&content->parameters.items[index]);
     return strcmp(known, "1") == 0 ? "" : known;
 }
 
-/// Adds what values do not show: their units, and "sweep ends at": "0.0018 m, short of 0.002 m".
+/// Adds facts about axes: units of values, and "sweep ends at": "0.0018 m, short of 0.002 m".
 static whirl_status describe_axes(const case_content *content, const whirl_batch *batch, const plan_origin *origin,
                                   whirl_result *result) {
     const char *const names[] = {batch->parameter, batch->second, batch->third};
@@ -136,8 +137,8 @@ static whirl_status describe_axes(const case_content *content, const whirl_batch
     return whirl_result_add_fact(result, name, text);
 }
 
-/// At which values a batch has the parameters of its condition, in the units in which the case writes them:
-/// "unbalance_minimum with" "clearance = 90 um".
+/// Adds the parameter values of a batch's condition in the units of the case: "unbalance_minimum with": "clearance = 90
+/// um".
 static whirl_status describe_given(const case_content *content, const whirl_batch *batch, whirl_result *result) {
     char name[2 * WHIRL_NAME_SIZE], text[WHIRL_MESSAGE_SIZE] = "";
     if (batch->given_count == 0) return whirl_ok();
@@ -200,7 +201,7 @@ static whirl_status describe_scales(const case_content *content, const whirl_res
     return status;
 }
 
-/// Values along an axis of a table; for branches the ends of the range.
+/// Values along an axis of a table; for branches, the ends of their range.
 typedef struct axis_values {
     const char *name;
     const double *values;
@@ -256,7 +257,7 @@ static whirl_status describe_clock(const whirl_case *object, const whirl_result 
     table->clock_factor = 1.0;
     if (index >= content->plan.batch_count) return whirl_ok();
     const whirl_batch *batch = &content->plan.batches[index];
-    // A condition that gives the speed gives it to all points alike.
+    // A condition that sets the speed sets it for all points.
     for (size_t i = 0; i < batch->given_count && expression; i++)
         if (case_depends(content, expression, batch->given[i].name)) table->clock_of = WHIRL_CLOCK_UNKNOWN;
     if (!*table->parameter || table->clock_of == WHIRL_CLOCK_UNKNOWN) return whirl_ok();
@@ -307,7 +308,7 @@ whirl_status whirl_case_speed(const whirl_case *object, const char *name, double
     return status;
 }
 
-/// "document tag", "document author": facts, which reports begin with.
+/// Adds the facts "document tag", "document author", ..., with which reports begin.
 static whirl_status describe_document(const case_content *content, whirl_result *result) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < content->document.count && status.code == WHIRL_OK; i++) {
@@ -350,7 +351,7 @@ whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *
     return status;
 }
 
-/// Adds to a result what the case and the build know. Frees a result that cannot be described.
+/// Adds the descriptions of the case and of the build to a result. Frees a result that cannot be described.
 static whirl_status describe_whole(const whirl_case *object, whirl_result **result) {
     whirl_status status = whirl_case_describe_result(object, *result);
     if (status.code == WHIRL_OK) status = whirl_result_add_provenance(*result);

@@ -12,7 +12,7 @@ typedef struct member {
     double *influence;              ///< [stations][stations]
 } member;
 
-static void release(void *owner) {
+static void family_release(void *owner) {
     member *m = owner;
     whirl_rotor_free(m->rotor);
     free(m->start);
@@ -21,7 +21,7 @@ static void release(void *owner) {
     free(m);
 }
 
-/// The state that the rotor starts from.
+/// Makes the initial state of a rotor.
 static whirl_status make_start(const case_content *content, const whirl_batch *batch, valuation *v, member *m) {
     const whirl_system *system = whirl_rotor_system(m->rotor);
     m->start = calloc(system->dimension, sizeof *m->start);
@@ -45,8 +45,8 @@ static machine_choice choose(const whirl_batch *batch) {
 }
 
 /// Builds the variant of a batch.
-static whirl_status build(const machine_parts *machine, const whirl_batch *batch, double value, valuation *v,
-                          whirl_rotor **rotor) {
+static whirl_status family_build(const machine_parts *machine, const whirl_batch *batch, double value, valuation *v,
+                                 whirl_rotor **rotor) {
     const machine_choice choice = choose(batch);
     if (batch->variant == WHIRL_BEARINGS_OF_IT) return machine_build_bearings(machine, v, batch->speed, rotor);
     if (batch->variant == WHIRL_HELD)
@@ -69,7 +69,7 @@ static whirl_status make_statics(const case_content *content, const whirl_batch 
     return machine_statics(&content->machine, v, batch->record.coupling, m->statics, m->influence);
 }
 
-/// Checks how a machine is to run up.
+/// Checks the options of a run-up against the rotor.
 static whirl_status check_runup(const whirl_rotor *rotor, const whirl_runup_options *options) {
     double highest = 0.0;
     const bool driven = whirl_rotor_drive(rotor, &highest);
@@ -81,7 +81,7 @@ static whirl_status make_member(const case_content *content, const whirl_batch *
     whirl_given given[PLAN_MAX_GIVEN];
     const size_t count = plan_given(batch, value, batch->second_value, batch->third_value, given);
     whirl_status status = valuation_open(&v, &content->parameters, given, count);
-    if (status.code == WHIRL_OK) status = build(&content->machine, batch, value, &v, &m->rotor);
+    if (status.code == WHIRL_OK) status = family_build(&content->machine, batch, value, &v, &m->rotor);
     if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(m->rotor));
     if (status.code == WHIRL_OK && whirl_analysis_has(batch->analyses, "runup"))
         status = check_runup(m->rotor, &batch->record.runup);
@@ -100,7 +100,7 @@ whirl_status case_machine(const void *family, const whirl_batch *batch, double v
     whirl_status status = make_member(&object->content, batch, value, m);
     if (exhausted(before)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
     if (status.code != WHIRL_OK) {
-        release(m);
+        family_release(m);
         char at[PLAN_GIVEN_TEXT];
         whirl_given given[PLAN_MAX_GIVEN];
         const size_t count = plan_given(batch, value, batch->second_value, batch->third_value, given);
@@ -111,7 +111,7 @@ whirl_status case_machine(const void *family, const whirl_batch *batch, double v
     *machine = (whirl_machine){.system = whirl_rotor_system(m->rotor),
                                .start = m->start,
                                .owner = m,
-                               .release = release,
+                               .release = family_release,
                                .clock = whirl_rotor_clock(m->rotor),
                                .speed = whirl_rotor_speed(m->rotor),
                                .length = whirl_rotor_length_scale(m->rotor),

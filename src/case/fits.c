@@ -28,8 +28,8 @@ static whirl_modes *modes_of(const whirl_rotor *rotor) {
     return NULL;
 }
 
-/// Eigenvalue number `index`: first those of modes, then real ones.
-static eigenvalue value_of(const whirl_modes *modes, size_t index, double clock) {
+/// Returns eigenvalue `index` in SI: modes first, then real eigenvalues.
+static eigenvalue fits_eigenvalue(const whirl_modes *modes, size_t index, double clock) {
     if (index >= modes->count) return (eigenvalue){clock * modes->reals[index - modes->count], 0.0};
     return (eigenvalue){clock * modes->modes[index].real, clock * modes->modes[index].imaginary};
 }
@@ -43,7 +43,7 @@ static bool by_tables(const case_content *content, valuation *v, eigenvalue near
     if (machine_build_with(&content->machine, v, 0.0, &choice, &rotor).code != WHIRL_OK) return false;
     whirl_modes *modes = whirl_rotor_hold(rotor, NULL).code == WHIRL_OK ? modes_of(rotor) : NULL;
     for (size_t i = 0; modes && i < modes->count + modes->real_count; i++) {
-        const eigenvalue own = value_of(modes, i, whirl_rotor_clock(rotor));
+        const eigenvalue own = fits_eigenvalue(modes, i, whirl_rotor_clock(rotor));
         const double apart = hypot(own.real - near.real, own.imaginary - near.imaginary);
         if (apart < least) least = apart, *out = own;
     }
@@ -57,19 +57,19 @@ static bool grows(eigenvalue own, double clock) {
     return own.real > 1e-9 * (fabs(own.imaginary) + clock);
 }
 
-/// The index of the eigenvalue with the largest real part below that of `last`; SIZE_MAX: none.
+/// Returns the index of the eigenvalue with the largest real part below that of `last`; SIZE_MAX if there is none.
 static size_t next_stable(const whirl_modes *modes, double clock, double last) {
     size_t best = SIZE_MAX;
     for (size_t i = 0; i < modes->count + modes->real_count; i++) {
-        const double real = value_of(modes, i, clock).real;
-        if (real < last && (best == SIZE_MAX || real > value_of(modes, best, clock).real)) best = i;
+        const double real = fits_eigenvalue(modes, i, clock).real;
+        if (real < last && (best == SIZE_MAX || real > fits_eigenvalue(modes, best, clock).real)) best = i;
     }
     return best;
 }
 
 /// Compares the least stable eigenvalues of the functions with those of the tables, until a doubt is found.
-static void compare(const case_content *content, valuation *v, const whirl_rotor *moving, const whirl_system *tables,
-                    char doubt[WHIRL_MESSAGE_SIZE]) {
+static void fits_compare(const case_content *content, valuation *v, const whirl_rotor *moving,
+                         const whirl_system *tables, char doubt[WHIRL_MESSAGE_SIZE]) {
     enum { LOOKS = 4 };
     whirl_modes *modes = modes_of(moving);
     const double clock = whirl_rotor_clock(moving);
@@ -78,7 +78,7 @@ static void compare(const case_content *content, valuation *v, const whirl_rotor
     for (int look = 0; look < LOOKS && modes && !*doubt; look++) {
         const size_t index = next_stable(modes, clock, last);
         if (index == SIZE_MAX) break;
-        const eigenvalue own = value_of(modes, index, clock);
+        const eigenvalue own = fits_eigenvalue(modes, index, clock);
         const bool known = own.imaginary >= low && own.imaginary <= high;
         eigenvalue other = {0.0, 0.0};
         last = own.real;
@@ -111,8 +111,8 @@ static whirl_status add_fit(whirl_result *result, const char *at, char *note) {
     return whirl_result_add_fact(result, name, text);
 }
 
-static whirl_status tell(const case_content *content, valuation *v, const whirl_rotor *tables, const char *at,
-                         whirl_result *result, char doubt[WHIRL_MESSAGE_SIZE]) {
+static whirl_status fits_warn(const case_content *content, valuation *v, const whirl_rotor *tables, const char *at,
+                              whirl_result *result, char doubt[WHIRL_MESSAGE_SIZE]) {
     char note[WHIRL_MESSAGE_SIZE];
     whirl_rotor *moving;
     whirl_status status = machine_build(&content->machine, v, true, &moving);
@@ -123,12 +123,12 @@ static whirl_status tell(const case_content *content, valuation *v, const whirl_
     }
     for (size_t i = 0; status.code == WHIRL_OK && whirl_rotor_note(moving, i, note); i++)
         status = add_fit(result, at, note);
-    if (status.code == WHIRL_OK) compare(content, v, moving, whirl_rotor_system(tables), doubt);
+    if (status.code == WHIRL_OK) fits_compare(content, v, moving, whirl_rotor_system(tables), doubt);
     whirl_rotor_free(moving);
     return status;
 }
 
-/// Most cases have none, and need no machine to know it.
+/// Most cases have no such tables, and need no machine to be built.
 static bool has_tables(const machine_parts *machine) {
     for (size_t i = 0; i < machine->element_count; i++)
         if (settings_find(&machine->elements[i], "frequencies")) return true;
@@ -147,7 +147,7 @@ whirl_status case_tell_fits(const case_content *content, const whirl_given *give
     if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, false, &tables);
     if (count > 0) given_text(&content->parameters, given, count, at, sizeof at);
     if (status.code == WHIRL_OK && whirl_rotor_system(tables)->frequency_count > 0)
-        status = tell(content, &v, tables, at, result, doubt);
+        status = fits_warn(content, &v, tables, at, result, doubt);
     whirl_rotor_free(tables);
     valuation_close(&v);
     if (exhausted(before)) return whirl_fail(WHIRL_NO_MEMORY, "no memory to compare tables with functions");

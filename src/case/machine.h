@@ -28,7 +28,7 @@ void machine_read(case_reader *reader, const file_node *where, bool may_stand_st
 /// Reports everything that prevents building a machine from the case's values. Call it only without problems so far.
 void machine_check(case_reader *reader, valuation *v, const machine_parts *machine);
 
-/// formula_settle of all its settings.
+/// Applies formula_settle to all settings of the machine.
 void machine_settle(valuation *v, machine_parts *machine);
 
 /// Builds a rotor with the values of `valuation` at the speed of the case; in_time: as whirl_design_in_time does. It is
@@ -38,21 +38,21 @@ whirl_status machine_build(const machine_parts *machine, valuation *v, bool in_t
 /// Changes to a machine for a variant.
 typedef struct machine_choice {
     size_t placed_count;
-    const whirl_placed *placed; ///< [placed_count] unbalances; none: its own
-    whirl_drag drag;            ///< seals and impellers to include, ...
-    size_t drag_at;             ///< ... for those of one station: its index
-    double stages;              ///< times which stages count
-    bool in_time;               ///< it is to move: coefficients over the frequency of whirl have states
+    const whirl_placed *placed; ///< [placed_count] unbalances that replace those of the machine; none: they stay
+    whirl_drag drag;            ///< seals and impellers to include
+    size_t drag_at;             ///< station of the seals and impellers, if only one station's are included
+    double stages;              ///< factor of stages
+    bool in_time;               ///< the machine is to move: coefficients over the frequency of whirl get states
     bool asynchronous;          ///< frequency-dependent coefficients are those at
-    double frequency;           ///< rad/s, in place of that of the shaft
+    double frequency;           ///< rad/s, frequency of whirl in place of the shaft's
 } machine_choice;
 
-/// The same with a choice.
+/// As machine_build, at a speed and with the changes of a variant.
 whirl_status machine_build_with(const machine_parts *machine, valuation *v, double speed, const machine_choice *choice,
                                 whirl_rotor **rotor);
 
-/// The same with springs of that stiffness (N/m) in the place of its bearings, or its bearings alone on stations of 1
-/// kg.
+/// As machine_build, with springs of a stiffness (N/m) in place of the bearings, or with the bearings alone on stations
+/// of 1 kg.
 whirl_status machine_build_on_springs(const machine_parts *machine, valuation *v, double speed, whirl_bearings what,
                                       double stiffness, whirl_rotor **rotor);
 whirl_status machine_build_bearings(const machine_parts *machine, valuation *v, double speed, whirl_rotor **rotor);
@@ -61,7 +61,7 @@ whirl_status machine_build_bearings(const machine_parts *machine, valuation *v, 
 whirl_status machine_statics(const machine_parts *machine, valuation *v, const char *couplings,
                              whirl_station_statics *out, double *influence);
 
-/// The line of its shafts, as whirl_design_line makes it; choice: of the rotor that machine_build_with builds.
+/// Finds the line of the shafts, as whirl_design_line does; `choice` as in machine_build_with.
 whirl_status machine_line(const machine_parts *machine, valuation *v, double speed, const machine_choice *choice,
                           const char *couplings, whirl_shaft_line *out);
 
@@ -87,7 +87,7 @@ void machine_check_alone(case_reader *reader, const machine_parts *machine);
 /// Writes advice for a word that is no station: the nearest station or all of them, and ground if that is allowed.
 void machine_advise(const machine_parts *machine, const char *word, bool ground, char advice[WHY_SIZE]);
 
-/// Index of the part of that name, or their count.
+/// Returns the index of the part of a name; the number of parts if there is none.
 size_t named_find(const named_list *in, const char *name);
 
 #endif

@@ -25,7 +25,8 @@ void plan_options(valuation *v, const plan_parts *parts, whirl_integrate_options
     *record = record_options(v, parts, integrate->steps_per_revolution);
 }
 
-/// The highest order that a machine names, or that probes see of the shaft's surface; 0: none.
+/// Returns the highest order that a machine names, or that runout of the shaft's surface shows to probes; 0 if there is
+/// none.
 static double highest_order(const whirl_system *system) {
     double highest = 0.0;
     whirl_named_order named;
@@ -77,28 +78,28 @@ void plan_choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool sp
 
 // ---------------------------------------------------------------- contradictions
 
-/// At the key when it was given, at its mapping otherwise.
-static const file_node *place_of(const setting_list *settings, const char *key) {
+/// Returns the place of a key in the file if it is given, else the place of its mapping.
+static const file_node *plan_place(const setting_list *settings, const char *key) {
     const setting *given = settings_find(settings, key);
     return given ? given->place : settings->place;
 }
 
 static void check_record(case_reader *reader, const plan_parts *parts, const whirl_record_options *options, int steps) {
     if (options->samples_per_revolution > steps)
-        problem_at(reader->problems, place_of(&parts->keep, "samples"),
+        problem_at(reader->problems, plan_place(&parts->keep, "samples"),
                    "is %d, expected at most steps_per_revolution (%d)", options->samples_per_revolution, steps);
     if (options->waveform_revolutions > options->record)
-        problem_at(reader->problems, place_of(&parts->keep, "waveform"),
+        problem_at(reader->problems, plan_place(&parts->keep, "waveform"),
                    "is %d, expected at most the revolutions of the record (%d)", options->waveform_revolutions,
                    options->record);
     if (options->watch != 0 &&
         (options->watch < options->record || options->watch > options->transient + options->record))
-        problem_at(reader->problems, place_of(&parts->integrate, "watch"),
+        problem_at(reader->problems, plan_place(&parts->integrate, "watch"),
                    "is %d, expected 0, or record (%d) to transient + record (%d)", options->watch, options->record,
                    options->transient + options->record);
     const double highest = whirl_record_samples(options, steps) / 2.0;
     if (settings_find(&parts->keep, "highest_order") && options->highest_order > highest)
-        problem_at(reader->problems, place_of(&parts->keep, "highest_order"),
+        problem_at(reader->problems, plan_place(&parts->keep, "highest_order"),
                    "is %.10g, expected at most %.10g, half the samples per revolution (keep.samples)",
                    options->highest_order, highest);
 }
@@ -109,7 +110,7 @@ static void check_analyses(case_reader *reader, const plan_parts *parts, const w
     whirl_analysis_set verdicts = 0;
     whirl_analysis_add(&verdicts, needed);
     if (settings_yes(&parts->study, "confirm") && !(parts->analyses & verdicts))
-        problem_at(reader->problems, place_of(&parts->study, "confirm"),
+        problem_at(reader->problems, plan_place(&parts->study, "confirm"),
                    "is yes, but analyze lacks %s, whose verdicts would be confirmed", needed);
     if (!chosen || settings_find(&parts->study, "detail")) return;
     for (const file_node *item = chosen->place->first; item; item = item->next) {
@@ -122,7 +123,7 @@ static void check_analyses(case_reader *reader, const plan_parts *parts, const w
 
 static void check_detail(case_reader *reader, const plan_parts *parts, const whirl_record_options *options) {
     if (options->waveform_revolutions > options->record)
-        problem_at(reader->problems, place_of(&parts->detail, "waveform"),
+        problem_at(reader->problems, plan_place(&parts->detail, "waveform"),
                    "is %d, expected at most the revolutions of the record (%d)", options->waveform_revolutions,
                    options->record);
 }
@@ -141,7 +142,7 @@ whirl_batch *plan_add_batch(study_plan *result, whirl_role role, const char *nam
     return batch;
 }
 
-/// One more batch, as that at `like` but for its role, name and place.
+/// Adds a batch like the one at index `like`, with another role, name and place.
 static whirl_batch *plan_add_like(study_plan *result, size_t like, whirl_role role, const char *name,
                                   const file_node *place) {
     *plan_next_origin(result) = result->origins[like];
@@ -152,7 +153,7 @@ static whirl_batch *plan_add_like(study_plan *result, size_t like, whirl_role ro
     return batch;
 }
 
-/// Values between two ends with equal differences; the last is exactly `to`, and nothing overflows between.
+/// Fills in values between two ends with equal differences; the last is exactly `to`, and no value between overflows.
 static void space_values(double from, double to, size_t count, double *values) {
     for (size_t i = 0; i < count; i++) {
         const double share = count > 1 ? (double)i / (double)(count - 1) : 0.0;
@@ -160,7 +161,7 @@ static void space_values(double from, double to, size_t count, double *values) {
     }
 }
 
-/// The same with equal ratios.
+/// Fills in values between two ends with equal ratios.
 static void scale_values(double from, double to, size_t count, double *values) {
     for (size_t i = 0; i < count; i++) values[i] = from * pow(to / from, (double)i / (double)(count - 1));
     values[count - 1] = count > 1 ? to : from;
@@ -174,7 +175,7 @@ static void step_values(double from, double to, double step, size_t count, doubl
     }
 }
 
-/// Up and down are meant along the parameter; the batch knows first and last.
+/// "Up" and "down" refer to the parameter; a batch has a first and a last value.
 static whirl_carry carry_of(const setting_list *sweep, bool rising) {
     if (strcmp(settings_word(sweep, "start"), "carry") != 0) return WHIRL_CARRY_NONE;
     const char *direction = settings_word(sweep, "direction");
@@ -204,21 +205,21 @@ static bool count_steps(case_reader *reader, const setting *given, double from, 
     return *count > 0;
 }
 
-/// Values of an axis with two ends; NULL after a problem.
+/// Returns the values of an axis with two ends; NULL after a problem.
 static double *range_values(case_reader *reader, valuation *v, const axis_parts *axis, size_t *count) {
     char shown[SHOWN_SIZE], end[SHOWN_SIZE];
     double from, to, distance = 0.0;
     const setting_list *sweep = &axis->keys;
     const setting *step = settings_find(sweep, "step");
     const bool ratios = strcmp(settings_word(sweep, "scale"), "log") == 0;
-    bool good = plan_formula_value(reader, v, place_of(sweep, "from"), &axis->from, &from);
-    good = plan_formula_value(reader, v, place_of(sweep, "to"), &axis->to, &to) && good;
+    bool good = plan_formula_value(reader, v, plan_place(sweep, "from"), &axis->from, &from);
+    good = plan_formula_value(reader, v, plan_place(sweep, "to"), &axis->to, &to) && good;
     if (step) good = plan_formula_value(reader, v, step->place, &axis->step, &distance) && good;
     if (!good) return NULL;
     if (ratios && !(to / from > 0.0 && isfinite(to / from))) {
-        problem_at(reader->problems, place_of(sweep, "scale"),
+        problem_at(reader->problems, plan_place(sweep, "scale"),
                    "is log from %s to %s, expected two ends above 0 or two below",
-                   node_shown(place_of(sweep, "from"), shown), node_shown(place_of(sweep, "to"), end));
+                   node_shown(plan_place(sweep, "from"), shown), node_shown(plan_place(sweep, "to"), end));
         return NULL;
     }
     *count = step ? 0 : (size_t)settings_number(v, sweep, "points");
@@ -235,7 +236,7 @@ static double *range_values(case_reader *reader, valuation *v, const axis_parts 
     return values;
 }
 
-/// The values of a list; NULL after a problem.
+/// Returns the values of a list; NULL after a problem.
 static double *list_values(case_reader *reader, valuation *v, const formula_list *list) {
     double *values = arena_take(reader->arena, list->count * sizeof *values);
     bool good = values != NULL;
@@ -258,7 +259,7 @@ static bool check_order(case_reader *reader, const formula_list *list, const dou
     return true;
 }
 
-/// The values of an axis in the order in which they were written; NULL after a problem.
+/// Returns the values of an axis in the order of the file; NULL after a problem.
 static double *axis_values(case_reader *reader, valuation *v, const axis_parts *axis, size_t *count) {
     *count = axis->values.count;
     if (*count == 0) return range_values(reader, v, axis, count);
@@ -266,13 +267,13 @@ static double *axis_values(case_reader *reader, valuation *v, const axis_parts *
     return values && check_order(reader, &axis->values, values) ? values : NULL;
 }
 
-/// Place of the first or last value of an axis in the file.
+/// Returns the place in the file of the first or last value of an axis.
 static const file_node *end_place(const axis_parts *axis, bool last) {
-    if (axis->values.count == 0) return place_of(&axis->keys, last ? "to" : "from");
+    if (axis->values.count == 0) return plan_place(&axis->keys, last ? "to" : "from");
     return axis->values.places[last ? axis->values.count - 1 : 0];
 }
 
-/// End of a sweep by steps that the steps do not reach; NaN if they do.
+/// Returns the end of a sweep that its steps do not reach; NaN if they reach it.
 static double missed_end(valuation *v, const axis_parts *axis, double last) {
     double to;
     if (!settings_find(&axis->keys, "step") || valuation_number(v, &axis->to, &to).code != WHIRL_OK || last == to)
@@ -309,7 +310,7 @@ static void make_sweep(case_reader *reader, valuation *v, const plan_parts *part
     if (batch) batch->carry = carry_of(sweep, batch->values[0] <= batch->values[batch->count - 1]);
 }
 
-/// An axis of a map, with its values. One without a parameter has one place.
+/// An axis of a map, with its values. An axis without a parameter has one value.
 typedef struct map_side {
     const axis_parts *parts;
     const double *values;
@@ -336,12 +337,12 @@ static size_t map_sides(case_reader *reader, valuation *v, const plan_parts *par
     return 0;
 }
 
-/// The value of an axis at every point of a map, of which the axis goes on every `step` points.
+/// Returns the value of an axis at every point of a map; it changes every `step` points.
 static void fill_side(const map_side *side, size_t step, double *values, size_t points) {
     for (size_t i = 0; i < points; i++) values[i] = side->values[i / step % side->count];
 }
 
-/// The width of the first squares of a map that is refined, else 0.
+/// Returns the width of the first squares of a refined map; 0 for other maps.
 static size_t map_refine(case_reader *reader, valuation *v, const plan_parts *parts) {
     char shown[SHOWN_SIZE];
     const setting *given = settings_find(&parts->map, "refine");
@@ -403,7 +404,7 @@ static void make_detail(case_reader *reader, valuation *v, const plan_parts *par
 
 // ---------------------------------------------------------------- branches
 
-/// Finds a bound of branches and its place in the file; the sweep's if the branch has none.
+/// Finds a bound of branches and its place in the file; the sweep's bound if the branch has none.
 static bool branch_bound(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *result,
                          size_t which, double *value, const file_node **place) {
     const char *key = which == 0 ? "from" : "to";
@@ -442,7 +443,7 @@ static double *begin_values(case_reader *reader, valuation *v, const plan_parts 
     return values;
 }
 
-/// Places in the file of the values at which branches begin.
+/// Returns the places in the file of the values at which branches begin.
 static const file_node *const *begin_places(case_reader *reader, const plan_parts *parts, const file_node *first) {
     if (parts->begins.count > 0) return parts->begins.places;
     const file_node **place = arena_take(reader->arena, sizeof(const file_node *));
@@ -455,12 +456,12 @@ static const file_node *const *begin_places(case_reader *reader, const plan_part
 static void make_curves(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
     const setting_list *curves = &parts->curves;
     double low, high;
-    bool good = plan_formula_value(reader, v, place_of(curves, "from"), &parts->second_low, &low);
-    good = plan_formula_value(reader, v, place_of(curves, "to"), &parts->second_high, &high) && good;
+    bool good = plan_formula_value(reader, v, plan_place(curves, "from"), &parts->second_low, &low);
+    good = plan_formula_value(reader, v, plan_place(curves, "to"), &parts->second_high, &high) && good;
     if (!good) return;
     const double own = v->values[parts->second - v->parameters->items];
     if (!(own >= fmin(low, high) && own <= fmax(low, high) && low != high)) {
-        problem_at(reader->problems, place_of(curves, "from"),
+        problem_at(reader->problems, plan_place(curves, "from"),
                    "gives bounds %.10g and %.10g, expected two around %.10g, the value of %s in the case", low, high,
                    own, parts->second->name);
         return;
@@ -482,7 +483,7 @@ static void make_tori(const plan_parts *parts, size_t branch, study_plan *result
 static void make_branch(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
     const file_node *first, *last;
     double bounds[2];
-    if (parts->swept_too && result->batch_count == 0) return; // said already
+    if (parts->swept_too && result->batch_count == 0) return; // has been reported
     if (!branch_bound(reader, v, parts, result, 0, &bounds[0], &first) ||
         !branch_bound(reader, v, parts, result, 1, &bounds[1], &last))
         return;
@@ -553,8 +554,8 @@ static void finish_found(valuation *v, const plan_parts *parts, whirl_batch *bat
     plan_choose_analyses(batch, batch->analyses, false);
 }
 
-/// Number of starts: the initial state, and all combinations of a grid's values; more than WHIRL_MAX_STARTS if there
-/// are too many.
+/// Returns the number of starts: the initial state, and all combinations of a grid's values; more than WHIRL_MAX_STARTS
+/// if there are too many.
 static size_t count_grid(const study_plan *plan) {
     size_t count = 1;
     for (size_t i = 0; i < plan->range_count; i++)
@@ -574,18 +575,18 @@ static void check_starts(case_reader *reader, const plan_parts *parts, const fil
         problem_at(reader->problems, place, "is %zu at %zu points%s, expected at most %d starts in all", batch->starts,
                    batch->count, beside ? " with up to 16 from neighbours at each" : "", SCHEMA_MAX_POINTS);
     if (beside && batch->count <= 1)
-        problem_at(reader->problems, place_of(&parts->starts, "neighbours"),
+        problem_at(reader->problems, plan_place(&parts->starts, "neighbours"),
                    "has no meaning with one point, which has no neighbours");
 }
 
-/// Points in detail have but the first start.
+/// Sets the starts of a batch. Points in detail have only the first start.
 static void take_starts(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *plan,
                         whirl_batch *batch) {
     if (!settings_find(&parts->study, "starts") || batch->role == WHIRL_ROLE_DETAIL) return;
     const setting *grid = settings_find(&parts->starts, "grid");
     batch->starts = grid ? count_grid(plan) : (size_t)settings_number(v, &parts->starts, "count");
     batch->neighbours = (size_t)settings_number(v, &parts->starts, "neighbours");
-    check_starts(reader, parts, grid ? grid->place : place_of(&parts->starts, "count"), batch);
+    check_starts(reader, parts, grid ? grid->place : plan_place(&parts->starts, "count"), batch);
 }
 
 void plan_finish_points(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *plan,

@@ -1,4 +1,4 @@
-/// The study of a case: which points, from which states, recorded and analysed how.
+/// The study of a case: its points, their initial states, and the options of records and analyses.
 #ifndef CASE_PLAN_H
 #define CASE_PLAN_H
 
@@ -34,7 +34,7 @@ const char *schema_scaled_unit(const whirl_key *key);
 
 extern const whirl_group schema_claims, schema_claim;
 
-/// The state that one station starts from.
+/// The initial state of one station.
 typedef struct plan_start {
     size_t station;
     setting_list state;
@@ -55,8 +55,8 @@ typedef struct plan_origin {
     const file_node *across;       ///< place of the last value from row to row of a map
     const file_node *planes;       ///< ... from plane to plane
     whirl_unit units[3];           ///< units of the values where their parameter has another unit, size 0: none
-    double end;                    ///< end that the steps of the sweep do not reach, NaN if they do
-    bool rest;                     ///< it starts from zero instead of the initial state
+    double end;                    ///< end that the steps of the sweep do not reach; NaN if they reach it
+    bool rest;                     ///< points start from zero instead of the initial state
 } plan_origin;
 
 typedef struct study_plan {
@@ -142,13 +142,13 @@ enum { PLAN_MAX_GIVEN = 3 + WHIRL_MAX_GIVEN, PLAN_GIVEN_TEXT = PLAN_MAX_GIVEN * 
 size_t plan_given(const whirl_batch *batch, double value, double second, double third,
                   whirl_given given[PLAN_MAX_GIVEN]);
 
-/// The same of one of its points, by its index among the values of its axes.
+/// As plan_given, for one point of a batch, by its index among the values of its axes.
 size_t plan_given_at(const whirl_batch *batch, size_t point, whirl_given given[PLAN_MAX_GIVEN]);
 
-/// Index of the batch of that name; `batch_count` if there is none.
+/// Returns the index of the batch of a name; `batch_count` if there is none.
 size_t plan_batch(const study_plan *plan, const char *name);
 
-/// Returns true if a batch has motions, or finds them; false for studies at rest.
+/// Returns true if a batch has motions, or traces them; false for studies at rest.
 bool plan_moves(const whirl_batch *batch);
 
 /// Refuses speed 0 if motions are counted in revolutions. WHIRL_BAD_INPUT with a sentence.
@@ -164,27 +164,27 @@ void plan_check_start(case_reader *reader, const study_plan *plan, size_t batch,
 void plan_read_part(case_reader *reader, const setting_list *study, const char *key, const whirl_group *group,
                     setting_list *part);
 
-/// The parameter that a key names, NULL after a problem.
+/// Returns the parameter that a key names; NULL after a problem.
 const parameter *plan_find_parameter(case_reader *reader, const setting *given);
 
 /// Reads the parameter and its values from the keys of an axis.
 void plan_read_axis(case_reader *reader, axis_parts *axis);
 
-/// The value of a formula; false after a problem.
+/// Evaluates a formula; returns false after a problem.
 bool plan_formula_value(case_reader *reader, valuation *v, const file_node *where, const number_formula *formula,
                         double *value);
 
-/// The origin of the batch that is added next.
+/// Returns the origin of the batch that is added next.
 plan_origin *plan_next_origin(study_plan *result);
 
-/// One more batch, of one point.
+/// Adds a batch of one point.
 whirl_batch *plan_add_batch(study_plan *result, whirl_role role, const char *name, const file_node *place);
 
-/// A batch along an axis, by the name of its group; NULL after a problem.
+/// Adds a batch along an axis, with the name of the axis's group; NULL after a problem.
 whirl_batch *plan_make_axis(case_reader *reader, valuation *v, const axis_parts *axis, whirl_role role,
                             study_plan *result);
 
-/// Options of all motions of a study.
+/// Sets the options of all motions of a study.
 void plan_options(valuation *v, const plan_parts *parts, whirl_integrate_options *integrate,
                   whirl_record_options *record);
 
@@ -196,7 +196,7 @@ void plan_raise_order(const plan_parts *parts, const whirl_system *system, whirl
 void plan_finish_points(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *plan,
                         whirl_batch *batch);
 
-/// Records what the chosen analyses need; nothing for studies at rest and branches.
+/// Sets the record to what the chosen analyses need; studies at rest and branches record nothing.
 void plan_choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool spectra);
 
 // ---------------------------------------------------------------- claims_read
@@ -209,7 +209,7 @@ whirl_status claims_parse(const char *text, size_t length, const char *name, whi
 // ---------------------------------------------------------------- plan_resting
 // Studies of machines at rest, any number of them in a case, each at every condition that the case names.
 
-/// Reads the studies of machines at rest, and the conditions that they are done at.
+/// Reads the studies of machines at rest, and their conditions.
 void resting_read(case_reader *reader, const machine_parts *machine, plan_parts *parts);
 
 /// Makes the batches of studies at rest after the existing ones, as plan_make does.

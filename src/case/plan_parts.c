@@ -50,7 +50,7 @@ static void read_swept_value(case_reader *reader, const file_node *where, axis_p
     if (strcmp(axis->unit, "1") == 0) axis->unit = ""; // a plain number is one in SI
 }
 
-/// A list of values of the swept parameter, at most so many.
+/// Reads a list of at most `most` values of the swept parameter.
 static void read_values(case_reader *reader, const file_node *where, size_t most, axis_parts *axis,
                         formula_list *result) {
     char shown[SHOWN_SIZE];
@@ -101,7 +101,7 @@ static void check_list_keys(case_reader *reader, const setting_list *sweep) {
     }
 }
 
-/// The unit of the first of these values that has one, unless the parameter itself is written in it.
+/// Notes the unit of the first of these values that has one, unless it is the parameter's own unit.
 static void note_unit(case_reader *reader, axis_parts *axis, const setting *const *given, size_t count) {
     const char *const expected = axis->unit;
     const char *const text = axis->parameter->value.expression ? "" : axis->parameter->text;
@@ -141,11 +141,11 @@ static void read_sweep(case_reader *reader, plan_parts *parts) {
         problem_at_key(reader->problems, direction->place, "has a meaning only with start: carry");
 }
 
-/// An axis of a map, one of its keys.
+/// Reads an axis of a map from one of its keys.
 static void read_map_axis(case_reader *reader, const setting_list *map, const char *key, axis_parts *axis) {
     char shown[SHOWN_SIZE];
     const setting *given = settings_find(map, key);
-    if (!given) return; // said already, or there is one plane
+    if (!given) return; // has been reported, or the map has one plane
     if (given->place->kind == NODE_MAPPING) {
         settings_read(reader, given->place, &schema_axis, &axis->keys);
         plan_read_axis(reader, axis);
@@ -217,7 +217,7 @@ static void read_branch_values(case_reader *reader, plan_parts *parts) {
     if (!parts->swept_too) note_unit(reader, &parts->sweep, (const setting *[]){from, to, at}, 3);
 }
 
-/// The second parameter of curves and its bounds.
+/// Reads the second parameter of curves and its bounds.
 static void read_curves(case_reader *reader, plan_parts *parts) {
     plan_read_part(reader, &parts->study, "curves", &schema_curves, &parts->curves);
     const setting *given = settings_find(&parts->study, "curves");
@@ -225,7 +225,7 @@ static void read_curves(case_reader *reader, plan_parts *parts) {
     const setting *from = settings_find(&parts->curves, "from"), *to = settings_find(&parts->curves, "to");
     if (given && !parts->branches)
         problem_at_key(reader->problems, given->place, "needs branch, whose special points it follows");
-    if (!given || !name || !from || !to) return; // said already
+    if (!given || !name || !from || !to) return; // has been reported
     parts->second = plan_find_parameter(reader, name);
     if (!parts->second) return;
     if (parts->second == parts->sweep.parameter)
@@ -297,7 +297,7 @@ static const kind_of_study kinds[] = {{&schema_response, read_response},
                                       {&schema_branch, read_no_sweep}};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
-/// The list of kinds is that of the message.
+/// The message lists the kinds in the same order.
 static void tell_kinds(case_reader *reader, const file_node *study) {
     char names[WHY_SIZE] = "";
     for (size_t i = 0, used = 0; i < KINDS + SCHEMA_AT_REST; i++)
@@ -437,7 +437,7 @@ static size_t read_points(case_reader *reader, const file_node *where, const pla
     const file_node *given = station ? node_member(station, name) : NULL;
     char shown[SHOWN_SIZE];
     number_formula read;
-    if (station && station->kind != NODE_MAPPING) return 0; // said already
+    if (station && station->kind != NODE_MAPPING) return 0; // has been reported
     if (!given) {
         problem_at_key(reader->problems, where, "has no number for %s of %s, expected one for every range of within",
                        name, range->low.place->key);
@@ -464,7 +464,7 @@ static void check_grid(case_reader *reader, const file_node *where, const file_n
     }
 }
 
-/// Numbers of values for all ranges.
+/// Reads the numbers of values for all ranges of a grid.
 static void read_grid(case_reader *reader, const file_node *where, const file_node *within, study_plan *result) {
     char shown[SHOWN_SIZE];
     if (where->kind != NODE_MAPPING || !where->first) {
@@ -566,8 +566,8 @@ void plan_read_parts(case_reader *reader, const file_node *where, const machine_
     *parts = (plan_parts){0};
     *result = (study_plan){0};
     settings_read(reader, where, &schema_study, &parts->study);
-    if (where->kind != NODE_MAPPING && !node_is_null(where)) return;  // said already
-    const setting *initial = settings_find(&parts->study, "initial"); // first: what is swept may be used here
+    if (where->kind != NODE_MAPPING && !node_is_null(where)) return;  // has been reported
+    const setting *initial = settings_find(&parts->study, "initial"); // first, since ranges may use the swept parameter
     if (initial) read_initial(reader, initial->place, machine, result);
     read_kinds(reader, parts);
     read_branch(reader, parts);

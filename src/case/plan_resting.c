@@ -1,5 +1,5 @@
-// Studies of which a case has any number, each at every condition that it names: of machines at rest, and of motions
-// with the unbalances of these.
+// Studies that a case may have several of, each at all its conditions: studies of machines at rest, and motions with
+// the unbalances of such a study.
 #include "plan.h"
 
 #include <ctype.h>
@@ -34,8 +34,8 @@ static bool is_name_of_table(const char *name) {
     return *name && strlen(name) <= WHIRL_NAME_SIZE / 3;
 }
 
-/// "unbalance", or "unbalance_NAME".
-static void read_name(case_reader *reader, const plan_parts *parts, resting_parts *resting) {
+/// Sets the name of a study's table: "unbalance", or "unbalance_NAME".
+static void resting_read_name(case_reader *reader, const plan_parts *parts, resting_parts *resting) {
     char shown[SHOWN_SIZE];
     const setting *given = settings_find(&resting->axis.keys, "name");
     const char *group = resting->axis.keys.group->name, *own = given ? given->place->text : NULL;
@@ -51,7 +51,7 @@ static void read_name(case_reader *reader, const plan_parts *parts, resting_part
                        "is another %s of the same name, expected a name of its own: {name: ..., ...}", group);
 }
 
-/// Appends a name; false after a problem.
+/// Appends the name of a station; returns false after a problem.
 static bool add_station(case_reader *reader, const file_node *where, const machine_parts *machine, const char *name,
                         char names[WHIRL_NAME_SIZE]) {
     char advice[WHY_SIZE], shown[SHOWN_SIZE];
@@ -71,7 +71,7 @@ static bool add_station(case_reader *reader, const file_node *where, const machi
     return true;
 }
 
-/// The stations of a text; false after a problem.
+/// Appends the stations of a text; returns false after a problem.
 static bool add_stations(case_reader *reader, const file_node *where, const machine_parts *machine,
                          char names[WHIRL_NAME_SIZE]) {
     char shown[SHOWN_SIZE], name[WHIRL_NAME_SIZE];
@@ -83,7 +83,7 @@ static bool add_stations(case_reader *reader, const file_node *where, const mach
     return any;
 }
 
-/// A station, or several as a list or with blanks between, which is how options have them.
+/// Reads one station, or several as a list, or as a text with blanks as in options of analyses.
 static void read_stations(case_reader *reader, const machine_parts *machine, const setting_list *keys, const char *key,
                           bool several) {
     char names[WHIRL_NAME_SIZE] = "";
@@ -144,7 +144,7 @@ static void read_one(case_reader *reader, const file_node *where, const whirl_gr
     axis_parts *axis = &resting->axis;
     axis->keys = (setting_list){.name = group->name, .group = group, .place = where};
     settings_read(reader, where, group, &axis->keys);
-    read_name(reader, parts, resting);
+    resting_read_name(reader, parts, resting);
     const bool varies = settings_find(&axis->keys, "parameter") != NULL;
     if (varies) plan_read_axis(reader, axis);
     check_bearings(reader, axis);
@@ -159,7 +159,7 @@ static void read_one(case_reader *reader, const file_node *where, const whirl_gr
     }
 }
 
-/// A value that a condition gives to a parameter.
+/// Reads a value that a condition gives to a parameter.
 static void read_given(case_reader *reader, const file_node *where, condition_parts *condition) {
     char advice[WHY_SIZE];
     const parameter_table *parameters = reader->parameters;
@@ -209,7 +209,7 @@ static void read_conditions(case_reader *reader, plan_parts *parts) {
     for (const file_node *one = where->first; one; one = one->next) read_condition(reader, one, parts);
 }
 
-/// The study, or the studies, of a kind.
+/// Reads the study, or the list of studies, of a kind.
 static void read_group(case_reader *reader, const whirl_group *group, const machine_parts *machine, plan_parts *parts) {
     const setting *given = settings_find(&parts->study, group->name);
     if (!given) return;
@@ -222,13 +222,13 @@ static void read_group(case_reader *reader, const whirl_group *group, const mach
 
 void resting_read(case_reader *reader, const machine_parts *machine, plan_parts *parts) {
     for (const whirl_group *group = schema_at_rest; group->name; group++) read_group(reader, group, machine, parts);
-    read_group(reader, &schema_motions, machine, parts); // they name others
+    read_group(reader, &schema_motions, machine, parts); // last, since they name other studies
     read_conditions(reader, parts);
 }
 
 // ---------------------------------------------------------------- batches
 
-/// Recording options of studies at rest, which have no motions.
+/// Sets the recording options of studies at rest, which have no motions.
 static whirl_record_options resting_options(valuation *v, const resting_parts *resting,
                                             const whirl_integrate_options *integrate) {
     whirl_record_options options = whirl_record_default();
@@ -266,7 +266,7 @@ static void check_placed(case_reader *reader, const resting_parts *resting, cons
                        "needs running_to, the speed that determines unbalances");
 }
 
-/// The values that a condition gives, once for all studies; NULL after a problem.
+/// Returns the values that a condition gives, evaluated once for all studies; NULL after a problem.
 static const whirl_given *condition_values(case_reader *reader, valuation *v, const condition_parts *condition) {
     whirl_given *given = arena_take(reader->arena, (condition->count + 1) * sizeof *given);
     reader->no_memory = reader->no_memory || !given;

@@ -1,7 +1,7 @@
 // The tables that a case file is checked against, and that `whirl describe` prints.
 //
-// A key of kind WHIRL_KEY_CHOICE with "" for its choices holds what its meaning says: a text, a name, or a part of the
-// file with keys of its own. A number whose unit is "" is in the unit of the swept parameter, or a list.
+// A key of kind WHIRL_KEY_CHOICE with "" for its choices holds a text, a name, or a part of the file with keys of its
+// own, as its meaning explains. A number whose unit is "" has the unit of the swept parameter, or is a list.
 #include "plan.h"
 
 #include <limits.h>

@@ -102,7 +102,7 @@ static bool read_choice(case_reader *reader, const file_node *where, const whirl
 }
 
 /// Reads the name of a station, or of a `kind`.
-static bool read_name(case_reader *reader, const file_node *where, const char *kind, setting *result) {
+static bool settings_read_name(case_reader *reader, const file_node *where, const char *kind, setting *result) {
     char shown[SHOWN_SIZE];
     result->word = where->kind == NODE_TEXT ? where->text : NULL;
     if (result->word && result->word[0]) return true;
@@ -110,7 +110,7 @@ static bool read_name(case_reader *reader, const file_node *where, const char *k
     return false;
 }
 
-/// [a, b], or "a, b"; either becomes "a, b".
+/// Reads a pair of names, [a, b] or "a, b", as "a, b".
 static bool read_stations(case_reader *reader, const file_node *where, setting *result) {
     char shown[SHOWN_SIZE];
     result->word = where->text;
@@ -141,8 +141,8 @@ static bool read_dimension(case_reader *reader, const file_node *where, const ch
     return dimension != DIMENSION_OTHER;
 }
 
-/// A number of the state may be a plain one, in scales, or have a unit.
-static bool read_number(case_reader *reader, const file_node *where, const whirl_key *key, setting *result) {
+/// Reads a number; a number of the state may be plain, in scales, or have a unit.
+static bool settings_read_number(case_reader *reader, const file_node *where, const whirl_key *key, setting *result) {
     const char *const unit = schema_scaled_unit(key);
     whirl_key given = *key;
     result->scaled = unit[0] && where->kind == NODE_TEXT && formula_has_unit(reader, where->text);
@@ -177,7 +177,7 @@ static bool check_count(case_reader *reader, const file_node *where, const char 
     return false;
 }
 
-/// Lists of a list are as long as the first.
+/// All rows of a list are as long as the first.
 static bool check_rows(case_reader *reader, const file_node *where) {
     char shown[SHOWN_SIZE];
     if (!check_count(reader, where, "lists")) return false;
@@ -222,19 +222,20 @@ static bool read_value(case_reader *reader, const file_node *where, const whirl_
     switch (key->kind) {
     case WHIRL_KEY_NUMBER:
     case WHIRL_KEY_WHOLE:
-        return key->unit[0] == '\0' || read_number(reader, where, key, result);
+        return key->unit[0] == '\0' || settings_read_number(reader, where, key, result);
     case WHIRL_KEY_CHOICE:
         result->word = where->kind == NODE_TEXT ? where->text : NULL;
         return key->choices[0] == '\0' || read_choice(reader, where, key, result);
     case WHIRL_KEY_STATION:
-        return read_name(reader, where, "a station", result);
+        return settings_read_name(reader, where, "a station", result);
     case WHIRL_KEY_NAME:
-        return read_name(reader, where, strcmp(key->choices, "shafts") == 0 ? "a shaft" : "a material", result);
+        return settings_read_name(reader, where, strcmp(key->choices, "shafts") == 0 ? "a shaft" : "a material",
+                                  result);
     case WHIRL_KEY_STATIONS:
         return read_stations(reader, where, result);
     case WHIRL_KEY_NUMBERS:
         return where->kind == NODE_LIST ? read_list(reader, where, key, result)
-                                        : read_number(reader, where, key, result);
+                                        : settings_read_number(reader, where, key, result);
     }
     return false;
 }
@@ -250,7 +251,7 @@ static void read_members(case_reader *reader, const file_node *where, const whir
         const whirl_key *key = whirl_group_key(group, member->key);
         if (!key)
             report_unknown(reader, member, group);
-        else if (!settings_find(result, key->name)) // the first of a key that stands twice
+        else if (!settings_find(result, key->name)) // of a duplicate key the first counts
             add_setting(reader, member, key, result);
     }
     report_missing(reader, where, group);
@@ -340,7 +341,7 @@ whirl_status setting_list_text(valuation *v, const setting *item, char *text) {
     return whirl_ok();
 }
 
-/// Checks the value of one number that is an expression; false after a problem.
+/// Checks the value of one number that is an expression; returns false after a problem.
 static bool check_expression(case_reader *reader, valuation *v, const setting *item) {
     char shown[SHOWN_SIZE], why[WHY_SIZE];
     double number;

@@ -12,11 +12,11 @@ enum { SETTINGS_MAX = 64 };
 typedef struct setting {
     const whirl_key *key;
     const file_node *place;
-    bool good;               ///< no problem was found; the following members are valid only then
-    number_formula value;    ///< value of numbers
-    bool scaled;             ///< the value has the unit that schema_scaled_unit names: it is to be divided by its scale
-    const char *word;        ///< value of choices, texts, stations, lists ("a, b"); else NULL
-    struct setting *entries; ///< [entry_count] entries of a list with expressions, instead of `word`; or NULL
+    bool good;            ///< no problem was found; the following members are valid only then
+    number_formula value; ///< value of numbers
+    bool scaled;      ///< the value has the unit that schema_scaled_unit names, and is still to be divided by its scale
+    const char *word; ///< value of choices, texts, stations, lists ("a, b"); else NULL
+    struct setting *entries;        ///< [entry_count] entries of a list with expressions, instead of `word`; or NULL
     size_t entry_count, row_length; ///< number of entries, row by row
 } setting;
 
@@ -41,27 +41,27 @@ void settings_read_ranges(case_reader *reader, const file_node *where, const whi
 /// Returns true if an absent key was misspelt, which has been reported.
 bool settings_misspelt(const setting_list *settings, const char *key);
 
-/// The setting of a key if it was given, else NULL.
+/// Returns the setting of a key if it is given, else NULL.
 const setting *settings_find(const setting_list *settings, const char *key);
 
 /// Returns the numbers of a setting as settings: the entries of a list with expressions, else the setting itself; and
 /// their number.
 size_t setting_numbers(const setting *item, const setting **first);
 
-/// Size of the text of a list with expressions; 1 for others.
+/// Returns the size of the text of a list with expressions; 1 for other lists.
 size_t setting_list_size(const setting *item);
 
 /// Writes the numbers of such a list as rotors read them: "1, 2; 3, 4". Errors as valuation_number.
 whirl_status setting_list_text(valuation *v, const setting *item, char *text);
 
-/// Evaluates expressions and reports the ones that have no value or one out of range. false when any has.
+/// Evaluates expressions and reports values that are missing or out of range. Returns false if there are any.
 bool settings_check(case_reader *reader, valuation *v, const setting_list *settings);
 
-/// The value of a number, not yet divided by its scale, or the key's default. Only after settings_check.
+/// Returns the value of a number, not yet divided by its scale, or the key's default. Only after settings_check.
 double settings_number(valuation *v, const setting_list *settings, const char *key);
 
-/// Value of a number in a file without parameters, where expressions are problems. An absent key has its default, or
-/// NaN.
+/// Returns the value of a number in a file without parameters, where expressions are problems. An absent key has its
+/// default, or NaN.
 double settings_plain(case_reader *reader, const setting_list *settings, const char *key);
 
 /// Reads the numbers of a list, or a single number, or the default, in a file without parameters. Returns their number,
@@ -69,7 +69,7 @@ double settings_plain(case_reader *reader, const setting_list *settings, const c
 size_t settings_list_plain(case_reader *reader, const setting_list *settings, const char *key, double *out,
                            size_t most);
 
-/// The word of a choice, or the key's default.
+/// Returns the word of a choice, or the key's default.
 const char *settings_word(const setting_list *settings, const char *key);
 
 /// Returns true if the word of a choice (or its default) is yes or true.
@@ -79,10 +79,10 @@ bool settings_yes(const setting_list *settings, const char *key);
 /// settings_check.
 void settings_take(valuation *v, const setting_list *settings, const whirl_member *table, void *object);
 
-/// A text of at most `size` - 1 bytes without line breaks; a problem and "" otherwise.
+/// Reads a text of at most `size` - 1 bytes without line breaks; other texts are a problem and give "".
 void settings_text(case_reader *reader, const setting_list *settings, const char *key, char *text, size_t size);
 
-/// The units in which numbers are shown, words of base/words/unit_words.c; a problem and "" otherwise.
+/// Reads the units in which numbers are shown, words of base/words/unit_words.c; other words are a problem and give "".
 void settings_units(case_reader *reader, const setting_list *settings, char *text, size_t size);
 
 /// The key of files of one subject that settings_units reads.
@@ -91,7 +91,7 @@ void settings_units(case_reader *reader, const setting_list *settings, char *tex
                "units of the output, such as mil, psi, lbf, or all of a system (US, SI), as `units` of a study; "      \
                "absent: um, rpm, N and the like")
 
-/// "did you mean WORD?" with the nearest of the names, or "expected one of ..." with all of them.
+/// Writes "did you mean WORD?" with the nearest of the names, or "expected one of ..." with all of them.
 void describe_names(const char *word, const char *const *names, size_t count, char text[WHY_SIZE]);
 
 // ---------------------------------------------------------------- bearing_oil
@@ -104,8 +104,8 @@ void bearing_oil_read(case_reader *reader, const setting_list *file, whirl_beari
 // Readings of a file on balancing in a table of its own.
 
 /// Reads comma-separated values (or values separated by semicolons or tabs) under headings that are keys of the group,
-/// with units after them ("amplitude [um]"). Returns the equivalent list of mappings; NULL after a problem. Problems,
-/// of which the reader has none before, are those of the table.
+/// with units after them ("amplitude [um]"). Returns the equivalent list of mappings; NULL after a problem. The reader
+/// has no problems before; afterwards it has those of the table.
 const file_node *balance_readings(case_reader *reader, const char *path, const whirl_group *group);
 
 /// Reports problems of a table where the file names it, each with its line and column in the table.
@@ -127,7 +127,7 @@ typedef struct file_kind {
     const whirl_group *group; ///< group of the file's keys, named after the first key, which holds the version
     int version;              ///< version that is read
     size_t size;              ///< size of the object
-    /// Fills it, all zero before, from the settings of the file.
+    /// Fills the object, all zero before, from the settings of the file.
     void (*fill)(case_reader *reader, const setting_list *file, void *into);
     void (*release)(void *made);
 } file_kind;

@@ -13,12 +13,12 @@ static const double TOLERANCE = 1e-6;
 static bool value_in(const parameter_table *parameters, const char *expression, size_t base, double *value) {
     valuation v;
     bool done = valuation_open(&v, parameters, NULL, 0).code == WHIRL_OK;
-    memset(&v.changed, 0xff, sizeof v.changed); // nothing is as the case has it
+    memset(&v.changed, 0xff, sizeof v.changed); // all parameters count as changed
     for (size_t i = 0; i < parameters->count && done; i++) {
         const parameter *item = &parameters->items[parameters->order[i]];
         double powers[UNIT_BASES];
         double *const number = &v.values[parameters->order[i]];
-        if (item->value.expression) // it follows from those before it
+        if (item->value.expression) // it follows from earlier parameters
             done = valuation_number(&v, &item->value, number).code == WHIRL_OK;
         else if (base < UNIT_BASES && quantity_unit_powers(item->unit, powers))
             *number *= exp2(powers[base]);

@@ -10,7 +10,7 @@
 #include "memory.h"
 #include "tree.h"
 
-/// muParser's own, all with radians; log is the natural logarithm, as ln.
+/// Functions of muParser, all with radians; log is the natural logarithm, as ln.
 static const char *const words[] = {"sin",   "cos",   "tan",   "asin", "acos",  "atan", "atan2", "sinh", "cosh", "tanh",
                                     "asinh", "acosh", "atanh", "log2", "log10", "log",  "ln",    "exp",  "sqrt", "sign",
                                     "rint",  "abs",   "min",   "max",  "sum",   "avg",  "pi",    "_pi",  "_e",   NULL};
@@ -34,7 +34,7 @@ typedef struct scanner {
     const char *text;
     size_t at, depth;
     bool calls[EXPRESSION_MAX_DEPTH + 1];
-    bool after_name; ///< the last thing was a name, so that a parenthesis calls it
+    bool after_name; ///< the last token was a name, so that a parenthesis is a call
 } scanner;
 
 static bool is_name_start(char c) {

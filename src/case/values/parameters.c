@@ -37,7 +37,7 @@ bool reader_reports(case_reader *reader, const char *what, const char *name) {
 
 // ---------------------------------------------------------------- sets
 
-static void put(parameter_set *set, size_t index) {
+static void parameters_put(parameter_set *set, size_t index) {
     set->bits[index / 64] |= (uint64_t)1 << index % 64;
 }
 
@@ -68,7 +68,7 @@ static bool parameter_is_known(void *context, const char *name, size_t length) {
     l->name[length] = '\0';
     const size_t index = parameters_find(l->parameters, l->name);
     if (index == l->parameters->count) return false;
-    put(&l->uses, index);
+    parameters_put(&l->uses, index);
     return true;
 }
 
@@ -128,7 +128,7 @@ static bool read_expression(case_reader *reader, const parameter_table *known, c
     return false;
 }
 
-/// The parameter that is the whole of an expression, or NULL.
+/// Returns the parameter that is the whole of an expression, or NULL.
 static parameter *sole_name(const parameter_table *parameters, const char *expression) {
     char name[WHIRL_NAME_SIZE];
     const size_t length = strcspn(expression, " ");
@@ -149,7 +149,7 @@ const char *parameter_expected_unit(const parameter *item) {
     return item->unit[0] ? item->unit : item->taken_as;
 }
 
-/// Notes that a key has a parameter as its value, and so have the parameters that it equals.
+/// Notes that a parameter is the value of a key, for that parameter and for those that it equals.
 static void note_use(const parameter_table *parameters, const char *expression, const char *unit) {
     parameter *item = sole_name(parameters, expression);
     for (size_t depth = 0; item && depth < parameters->count && !item->taken_as[0]; depth++) {
@@ -158,7 +158,8 @@ static void note_use(const parameter_table *parameters, const char *expression, 
     }
 }
 
-/// Size in SI of the unit of "12 mm"; 0 if there is none, or it has an offset, like degrees Celsius.
+/// Returns the size in SI of the unit of a text such as "12 mm"; 0 without a unit, or for a unit with an offset, like
+/// degrees Celsius.
 static double size_of_unit(const char *text, const char *expected, char unit[WHIRL_NAME_SIZE]) {
     char quantities[2][WHIRL_NAME_SIZE + 2], why[WHY_SIZE];
     quantity one, none;
@@ -336,7 +337,7 @@ static const parameter_override *find_override(const char *name, const parameter
     return NULL;
 }
 
-static bool allocate(case_reader *reader, size_t count, parameter_table *result) {
+static bool parameters_allocate(case_reader *reader, size_t count, parameter_table *result) {
     result->items = arena_take(reader->arena, count * sizeof *result->items);
     result->names = arena_take(reader->arena, count * sizeof *result->names);
     result->order = arena_take(reader->arena, count * sizeof *result->order);
@@ -380,7 +381,7 @@ static bool visit_name(void *context, const char *name, size_t length) {
     return true;
 }
 
-/// Depth first; at most PARAMETERS_MAX deep.
+/// Orders parameters by dependence, depth first; at most PARAMETERS_MAX deep.
 static void visit(dependence_walk *w, size_t index) {
     char why[WHY_SIZE];
     parameter *item = &w->result->items[index];
@@ -400,7 +401,7 @@ static void visit(dependence_walk *w, size_t index) {
 static void sort_by_dependence(case_reader *reader, parameter_table *result) {
     dependence_walk w = {.reader = reader, .result = result};
     for (size_t i = 0; i < result->count; i++) {
-        w.cyclic = false; // one report for every cycle
+        w.cyclic = false; // each cycle is reported once
         visit(&w, i);
     }
 }
@@ -417,7 +418,7 @@ void parameters_read(case_reader *reader, const file_node *where, const paramete
     if (where->count > PARAMETERS_MAX) {
         problem_at(reader->problems, where, "has %zu parameters, expected at most %d", where->count, PARAMETERS_MAX);
     }
-    if (!allocate(reader, PARAMETERS_MAX, result)) return;
+    if (!parameters_allocate(reader, PARAMETERS_MAX, result)) return;
     // Names come first, since an expression may use later ones. A duplicate name counts once.
     for (const file_node *member = where->first; member && result->count < PARAMETERS_MAX; member = member->next) {
         check_name(reader, member);
@@ -444,7 +445,7 @@ static whirl_status take_given(valuation *v, const whirl_given *given, size_t co
         const size_t index = parameters_find(v->parameters, given[i].name);
         if (index == v->parameters->count)
             return whirl_fail(WHIRL_BAD_INPUT, "no parameter is called %.63s", given[i].name);
-        put(&v->changed, index);
+        parameters_put(&v->changed, index);
         v->values[index] = given[i].value;
     }
     return whirl_ok();
@@ -479,7 +480,7 @@ whirl_status valuation_open(valuation *v, const parameter_table *parameters, con
         const size_t index = parameters->order[i];
         const number_formula *formula = &parameters->items[index].value;
         if (has(&taken, index)) continue;
-        if (share(&formula->uses, &v->changed)) put(&v->changed, index);
+        if (share(&formula->uses, &v->changed)) parameters_put(&v->changed, index);
         status = valuation_number(v, formula, &v->values[index]);
         if (status.code == WHIRL_OK) continue;
         v->culprit = index;
@@ -505,7 +506,7 @@ static bool multiply_parameters(const valuation *v, const char *expression, doub
         memcpy(name, c, length);
         name[length] = '\0';
         const size_t index = parameters_find(v->parameters, name);
-        if (index == v->parameters->count) return false; // a number, or a constant
+        if (index == v->parameters->count) return false; // not a parameter: a number or a constant
         const double value = v->values[index];
         *number = sign == '*' ? *number * value : sign == '/' ? *number / value : value;
         c += length;

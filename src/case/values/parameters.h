@@ -45,7 +45,8 @@ bool quantity_number(const char *text, double *value, const char **end);
 
 enum { EXPRESSION_MAX_LENGTH = 500, EXPRESSION_MAX_DEPTH = 50 };
 
-/// Called with every name in an expression that is neither a function nor a constant; false for an unknown one.
+/// Callback for every name in an expression that is neither a function nor a constant; returns false for an unknown
+/// name.
 typedef bool (*expression_name_fn)(void *context, const char *name, size_t length);
 
 /// Checks all that needs no values: length, depth, characters, names. On failure `why` is the reason; after an unknown
@@ -56,10 +57,10 @@ bool expression_check(const char *text, expression_name_fn known, void *context,
 const char *const *expression_words(void);
 bool expression_has_word(const char *name);
 
-/// Evaluates expressions over variables. Not to be shared between threads; as many as one likes may be at work at once.
+/// Evaluates expressions over variables. Each thread needs its own.
 typedef struct expression_evaluator expression_evaluator;
 
-/// `values` [count] are read when an expression is evaluated. NULL when memory ran out.
+/// Makes an evaluator; `values` [count] are read when an expression is evaluated. NULL without memory.
 expression_evaluator *evaluator_new(const char *const *names, double *values, size_t count);
 
 /// Evaluates an expression that expression_check has passed. Returns false if it is invalid or not finite; `why` is the
@@ -79,7 +80,7 @@ typedef struct parameter_set {
 typedef struct number_formula {
     double number;
     const char *expression; ///< used if not NULL
-    parameter_set uses;     ///< by the expression
+    parameter_set uses;     ///< parameters that the expression uses
     bool settled;           ///< its value with all parameters as the case has them is `number`
 } number_formula;
 
@@ -124,40 +125,41 @@ typedef struct case_reader {
 /// Compilers do the same with undeclared names.
 bool reader_reports(case_reader *reader, const char *what, const char *name);
 
-/// The status of a reading that is over: the first problem, or that memory ran out. `name` is the file's.
+/// Returns the status of a finished reading: the first problem, or WHIRL_NO_MEMORY. `name` is the file's.
 whirl_status reader_outcome(const case_reader *reader, const char *name);
 
 /// Reads `parameters:`; `where` may be NULL. Names of overrides must exist in the case.
 void parameters_read(case_reader *reader, const file_node *where, const parameter_override *overrides,
                      size_t override_count, parameter_table *result);
 
-/// The index of a parameter, or `count`.
+/// Returns the index of a parameter; `count` if there is none.
 size_t parameters_find(const parameter_table *parameters, const char *name);
 
-/// Reads a number of `key` at a place of the file: with a unit, plain, or an expression. false after a problem.
+/// Reads a number of `key` at a place of the file: with a unit, plain, or an expression. Returns false after a problem.
 bool formula_read(case_reader *reader, const file_node *where, const whirl_key *key, number_formula *result);
 
-/// whirl_key_check_number for the value of a formula; of a parameter alone in the unit in which that is written: "is
-/// -100 rpm, expected a number above 0 rpm".
+/// Checks the value of a formula as whirl_key_check_number does. The message for a single parameter has its written
+/// unit: "is -100 rpm, expected a number above 0 rpm".
 whirl_status formula_check(const parameter_table *parameters, const whirl_key *key, const number_formula *formula,
                            double value);
 
 /// Returns true if a number has a unit: its own, or that of the parameter that is its whole expression.
 bool formula_has_unit(const case_reader *reader, const char *text);
 
-/// Unit that values of a parameter must have: its own or, for an expression, that of the key that uses it. "" if both
-/// are unknown.
+/// Returns the unit that values of a parameter must have: its own or, for an expression, that of the key that uses it.
+/// "" if both are unknown.
 const char *parameter_expected_unit(const parameter *item);
 
-/// The unit of an expression that is no more than the name of a parameter, else "" (and "1" for a plain parameter).
+/// Returns the unit of an expression that is only the name of a parameter ("1" for a plain parameter); "" for others.
 const char *expression_unit(const parameter_table *parameters, const char *expression);
 
-/// Unit in which a number is written (its own, or that of the parameter that is its whole expression), and its size in
-/// SI; `expected` as in quantity_read. Size 0 if there is none, or it has an offset, like degrees Celsius.
+/// Returns the unit in which a number is written (its own, or that of the parameter that is its whole expression), and
+/// the unit's size in SI; `expected` as in quantity_read. Size 0 if there is none, or it has an offset, like degrees
+/// Celsius.
 whirl_unit formula_unit(const parameter_table *parameters, const char *text, const char *expected);
 
-/// Refuses plain numbers for angles beyond a full turn either way: they are radians, but degrees were meant. Then `why`
-/// is "is 270 rad without a unit, ...".
+/// Rejects plain numbers for angles beyond a full turn: they would be radians, and degrees were probably meant. Then
+/// `why` is "is 270 rad without a unit, ...".
 bool angle_is_likely(const whirl_key *key, double number, char why[WHY_SIZE]);
 
 /// Values of all parameters for one machine. Cheap; one for every thread.
@@ -166,13 +168,13 @@ typedef struct valuation {
     expression_evaluator *evaluator; ///< made when it is first needed
     double values[PARAMETERS_MAX];
     parameter_set changed; ///< parameters that may differ from the case
-    size_t culprit;        ///< the parameter that valuation_open failed at, or PARAMETERS_MAX
+    size_t culprit;        ///< the parameter whose value failed in valuation_open, or PARAMETERS_MAX
 } valuation;
 
-/// "90 um": a value of a parameter, in the unit in which the case writes it, else in SI.
+/// Writes a value of a parameter, "90 um", in the unit in which the case writes it, else in SI.
 void value_text(const parameter_table *parameters, const char *name, double value, char *text, size_t size);
 
-/// "a = 1 mm, b = 2 and c = 3", of any that are given.
+/// Writes the given values as "a = 1 mm, b = 2 and c = 3".
 void given_text(const parameter_table *parameters, const whirl_given *given, size_t count, char *text, size_t size);
 
 /// Evaluates all parameters, with those `given` [count] at their values, the others as in the case. WHIRL_BAD_INPUT for
@@ -180,11 +182,11 @@ void given_text(const parameter_table *parameters, const whirl_given *given, siz
 whirl_status valuation_open(valuation *v, const parameter_table *parameters, const whirl_given *given, size_t count);
 void valuation_close(valuation *v);
 
-/// The value of a formula.
+/// Evaluates a formula.
 whirl_status valuation_number(valuation *v, const number_formula *formula, double *number);
 
-/// Notes values with all parameters as the case has them, so that they are not evaluated again for machines that do not
-/// differ by them.
+/// Stores the values that formulas have with the case's own parameters, so that machines that do not change these
+/// parameters need no evaluation.
 void formula_settle(valuation *v, number_formula *formula);
 void parameters_settle(valuation *v, parameter_table *parameters);
 
@@ -193,11 +195,11 @@ void parameters_settle(valuation *v, parameter_table *parameters);
 
 typedef enum value_dimension {
     DIMENSION_PLAIN,   ///< the same in all units; also 0, and expressions without a value
-    DIMENSION_OF_UNIT, ///< like the unit in question
+    DIMENSION_OF_UNIT, ///< the dimension of the unit in question
     DIMENSION_OTHER
 } value_dimension;
 
-/// Dimension of an expression over parameters that were read without a problem, compared with an SI unit.
+/// Finds the dimension of an expression over parameters that were read without a problem, compared with an SI unit.
 value_dimension expression_dimension(const parameter_table *parameters, const char *expression, const char *unit);
 
 #endif

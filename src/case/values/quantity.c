@@ -1,8 +1,8 @@
 // Units by UDUNITS-2.
 //
-// UDUNITS takes the radian for a dimensionless unit and reciprocals for convertible: 50 Hz would pass for 50 rad/s,
-// and 1 s for 1 Hz. Here a unit fits only when its quotient with the expected one is dimensionless and both or neither
-// hold radians. UDUNITS keeps state of its own and is not thread-safe, hence the lock; the unit system is read once.
+// UDUNITS treats the radian as dimensionless and reciprocals as convertible: 50 Hz would count as 50 rad/s, and 1 s as
+// 1 Hz. Here a unit fits only when its quotient with the expected one is dimensionless and both or neither hold
+// radians. UDUNITS keeps state of its own and is not thread-safe, hence the lock; the unit system is read once.
 #include "parameters.h"
 
 #include <ctype.h>
@@ -226,7 +226,7 @@ bool quantity_number(const char *text, double *value, const char **end) {
     if (length > LONGEST_NUMBER) return false;
     memcpy(copy, text, length);
     copy[length] = '\0';
-    *value = strtod(copy, NULL); // the digits alone, lest strtod finds a hexadecimal number
+    *value = strtod(copy, NULL); // only the digits, so that strtod finds no hexadecimal number
     *end = c;
     return true;
 }

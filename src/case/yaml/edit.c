@@ -82,7 +82,7 @@ static char *insert(const char *text, size_t length, const file_node *mapping, c
 }
 
 /// Adds a missing path as nested mappings: "integrate: {transient: 100}".
-static char *add(const char *text, size_t length, const file_node *root, const char *path, const char *value) {
+static char *edit_add(const char *text, size_t length, const file_node *root, const char *path, const char *value) {
     char parent[PATH_SIZE], member[PATH_SIZE + 64];
     const char *dot = strrchr(path, '.');
     const file_node *found = dot ? NULL : root;
@@ -96,7 +96,7 @@ static char *add(const char *text, size_t length, const file_node *root, const c
     }
     snprintf(member, sizeof member, "{%s: %s}", dot ? dot + 1 : path, value);
     if (found && node_is_null(found)) return replace(text, length, found, member);
-    return found || !dot ? NULL : add(text, length, root, parent, member);
+    return found || !dot ? NULL : edit_add(text, length, root, parent, member);
 }
 
 /// Returns the text without a member of a mapping. In braces its comma goes too; elsewhere its lines do, unless a dash
@@ -185,7 +185,7 @@ static char *quoted(const char *value) {
 static char *try_edit(const char *text, size_t length, const file_node *root, const char *path, const char *value,
                       const char *written) {
     const file_node *node = find_node(root, path);
-    char *result = node ? replace(text, length, node, written) : add(text, length, root, path, written);
+    char *result = node ? replace(text, length, node, written) : edit_add(text, length, root, path, written);
     if (result && says(result, path, value)) return result;
     free(result);
     return NULL;

@@ -161,7 +161,7 @@ static void report_syntax(tree_builder *b, const yaml_parser_t *parser) {
                     context ? " (" : "", context ? parser->context : "", context ? ")" : "");
 }
 
-static void parse(tree_builder *b, yaml_parser_t *parser) {
+static void tree_parse(tree_builder *b, yaml_parser_t *parser) {
     for (bool more = true; more;) {
         yaml_event_t event;
         if (!yaml_parser_parse(parser, &event)) {
@@ -211,7 +211,7 @@ whirl_status tree_read(const char *text, size_t length, memory_arena *arena, whi
     yaml_parser_set_encoding(&parser, YAML_UTF8_ENCODING);
     yaml_parser_set_input_string(&parser, (const unsigned char *)text, length);
     tree_builder b = {.arena = arena, .problems = problems};
-    parse(&b, &parser);
+    tree_parse(&b, &parser);
     yaml_parser_delete(&parser);
     if (b.no_memory || (b.done && !check_keys(b.root, problems)))
         return whirl_fail(WHIRL_NO_MEMORY, "no memory to parse %.200s", problems->file);
