@@ -52,7 +52,7 @@ void balance_name(const whirl_balance *of, size_t n, char *text, size_t size) {
 
 // ---------------------------------------------------------------- the view of a job
 
-/// /// A balancing job, its result, and the units to show it in.
+/// /// A balancing job, its result, and the units in which it is shown.
 typedef struct balance_view {
     finder to;
     whirl_shown_units units;
@@ -102,7 +102,7 @@ static whirl_status view_begin(balance_view *v, const whirl_balance *of, const w
     return v->to.findings ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for what was found");
 }
 
-/// Residual vibration of a row; 0 below the rounding of the largest vibration.
+/// Returns the residual vibration of a row; 0 below the rounding of the largest vibration.
 static double left_of(const whirl_correction *found, const whirl_balance_row *row) {
     const double after = balance_size(row->after);
     double largest = 0.0;
@@ -134,7 +134,7 @@ static void phrase_left(const balance_view *v, whirl_phrase *phrase) {
 
 // ---------------------------------------------------------------- sentences
 
-/// A tenth of the load on a bearing, which the force of a trial weight is.
+/// Writes the force of a trial weight, a tenth of the load on a bearing.
 static void phrase_load(const balance_view *v, const whirl_balance_proposal *own, whirl_phrase *phrase) {
     const char *at = v->model && *v->model->bearing[own->bearing] ? v->model->bearing[own->bearing] : "";
     if (!(own->load > 0.0)) {
@@ -191,7 +191,7 @@ static void phrase_needless(const balance_view *v, whirl_phrase *phrase) {
     phrase_amplitude(v, phrase, found->left);
 }
 
-/// A warning by its index; false past the last.
+/// Writes a warning by its index; returns false past the last.
 static bool phrase_warning(const balance_view *v, size_t index, whirl_phrase *phrase) {
     const whirl_correction *found = v->found;
     char name[WHIRL_NAME_SIZE];

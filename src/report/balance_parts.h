@@ -8,31 +8,31 @@
 #include "report_parts.h"
 #include "whirl/engine/balance.h"
 
-/// Length of a vector.
+/// Returns the length of a vector.
 double balance_size(const double vector[2]);
 
-/// From 0 to 360 degrees, of `way` (1, -1) times the angle.
+/// Returns `way` (1, -1) times an angle, in degrees from 0 to 360.
 double balance_degrees(const double vector[2], double way);
 
-/// Sense in which the file counts angles on the rotor, and phases: 1 or -1.
+/// Return the sense in which the file counts angles on the rotor, and phases: 1 or -1.
 double balance_way_of_angles(const whirl_balance *of);
 double balance_way_of_phases(const whirl_balance *of);
 
 /// Static part of a correction in two planes, and half of its couple (difference) in each plane; 0 below rounding.
 void balance_static(const whirl_correction *found, double sum[2], double half[2]);
 
-/// kg m in all planes together.
+/// Returns the sum of the weights in all planes, kg m.
 double balance_sum(const whirl_balance *of, const whirl_correction *found);
 
 /// Names the plane or set of an unknown.
 void balance_name(const whirl_balance *of, size_t n, char *text, size_t size);
 
-/// Says why a trial weight is as large as it is, and what it does, in the units of `units`, or else of the file. False
-/// without memory.
+/// Writes the reason for the size of a trial weight, and its expected effect, in the units of `units`, or else of the
+/// file. Returns false without memory.
 bool balance_reason_text(const whirl_balance *of, const whirl_balance_model *model, const whirl_correction *found,
                          const char *units, size_t n, char text[STATEMENT_SIZE]);
 
-/// A warning by its index, "" past the last; units likewise. False without memory.
+/// Writes a warning by its index, "" past the last, in the same units. Returns false without memory.
 bool balance_warning_text(const whirl_balance *of, const whirl_correction *found, const char *units, size_t index,
                           char text[STATEMENT_SIZE]);
 

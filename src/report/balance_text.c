@@ -9,7 +9,7 @@ typedef struct answer {
     const whirl_balance *balance;
     const whirl_balance_model *model;
     const whirl_correction *found;
-    const char *units; ///< in which it is shown
+    const char *units; ///< units in which it is shown
 } answer;
 
 static whirl_status write_answer(const void *of, FILE *stream) {

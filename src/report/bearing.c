@@ -287,7 +287,7 @@ static void find_coefficients(const finder *of, const whirl_bearing_table *table
     find_sheet_end(of);
 }
 
-/// Points at which a rigid rotor of any mass is stable, which a sheet has no critical mass of.
+/// Reports points without a critical mass in the sheet, because a rigid rotor of any mass is stable there.
 static void find_stable(const finder *of, const whirl_bearing_table *table) {
     size_t found = 0, stable = 0;
     for (size_t i = 0; i < table->count; i++) {

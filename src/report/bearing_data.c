@@ -286,7 +286,7 @@ static void put_list(FILE *out, const char *name, const double *numbers, size_t 
     for (size_t i = 0; i < count; i++) put_number(out, numbers[i], i + 1 < count ? ", " : "]\n");
 }
 
-/// Coefficient k of all speeds, a list over the frequencies each.
+/// Writes coefficient k: for each speed a list over the frequencies.
 static void put_sheet(FILE *out, const whirl_bearing_table *table, const double *frequencies, size_t count, int k) {
     for (size_t i = 0; i < table->count; i++) {
         const whirl_bearing_point *point = &table->points[i];

@@ -7,7 +7,7 @@
 #include "whirl/engine/figure.h"
 #include "whirl/handles.h"
 
-/// A table, and the units in which it is shown.
+/// A table of bearing points, and the units in which it is shown.
 typedef struct answer {
     const whirl_bearing_table *table;
     const char *units;

@@ -11,7 +11,7 @@ json_t *document_number(double value) {
     return isfinite(value) ? json_real(value) : json_null();
 }
 
-/// Text from a file may be anything.
+/// Bytes from a file need not be UTF-8.
 static const char *make_valid(const char *from, char valid[TEXT_SIZE]) {
     size_t length = 0;
     while (*from && length + 4 < TEXT_SIZE) {
@@ -52,7 +52,7 @@ void document_put_members(bool *well, json_t *object, const whirl_member *member
         if (member->name) document_put(well, object, member->name, member_value(member, from));
 }
 
-/// A real number stays one: 2.0, not 2.
+/// A real number is written as one: 2.0, not 2.
 static bool write_real(double value, FILE *stream) {
     char text[NUMBER_SIZE];
     number_text(value, text);

@@ -96,7 +96,7 @@ static size_t nearest_point(const whirl_table *table, double wanted, bool sure) 
     return best;
 }
 
-/// The first table of motions that the page may compute; NULL of a result without.
+/// Returns the first table of motions that the page may compute; NULL if there is none.
 static const whirl_table *diagram_of(const whirl_result *result) {
     for (const whirl_table *table = result->tables; table < result->tables + result->table_count; table++)
         if (whirl_analysis_kind(table->analyses)->moves && !motions_beside(table)) return table;
@@ -137,7 +137,7 @@ static void write_verdict(FILE *stream, const whirl_verdict *verdict) {
     fputc('}', stream);
 }
 
-/// All that the run knows of the motion where the page opens, so that it is seen before anything is computed.
+/// Writes the stored data of the motion with which the page opens, so that it is shown before anything is computed.
 static void write_opening(FILE *stream, const whirl_result *result, const whirl_case *machine) {
     size_t point;
     const whirl_table *table = find_opening(result, &point);

@@ -12,7 +12,7 @@
 /// left out.
 enum { MAX_FIGURE = 4 << 20, MAX_FIGURES = 24 << 20 };
 
-/// A result as contents show it.
+/// A result whose contents are written.
 typedef struct contents {
     FILE *stream;
     whirl_result *view; ///< the result with every attractor once
@@ -22,7 +22,7 @@ typedef struct contents {
     figure_list figures;
 } contents;
 
-/// Returns true if the page lists findings: of studies at rest, and of motions that it cannot compute. Other results
+/// Returns true if the page lists findings: for studies at rest, and for motions that it cannot compute. Other results
 /// appear in its live views.
 static bool has_contents(const whirl_result *result) {
     for (size_t t = 0; t < result->table_count; t++) {
@@ -32,7 +32,7 @@ static bool has_contents(const whirl_result *result) {
     return false;
 }
 
-/// JSON within a script: nothing in it ends the script.
+/// Writes JSON within a script element; escapes everything that could end the script.
 static void put_safely(FILE *stream, const char *json) {
     for (; *json; json++)
         if (*json == '<')

@@ -96,7 +96,7 @@ static selection select_points(const whirl_table *table, bool sections) {
                        .moves = kind->moves};
 }
 
-/// Columns and rows that a map has in the page, in each of its planes.
+/// Returns the columns and rows of a map in the page, in each of its planes.
 typedef struct page_grid {
     size_t columns, rows, planes;
 } page_grid;
@@ -107,7 +107,7 @@ static page_grid grid_of(const selection *chosen) {
                        whirl_table_planes(table)};
 }
 
-/// The cell of a point, row after row, plane after plane.
+/// Returns the number of a point's cell, counted row by row, plane by plane.
 static size_t cell_of(const selection *chosen, page_grid grid, size_t point) {
     const size_t row = chosen->table->row, rows = whirl_table_rows(chosen->table);
     const size_t slot = whirl_table_slot(chosen->table, point), plane = slot / row / rows;
@@ -215,7 +215,7 @@ static void write_attractors(FILE *stream, const selection *chosen) {
     free(labels);
 }
 
-/// A number of every chosen point.
+/// Writes a number of every chosen point.
 static void write_chosen(FILE *stream, const char *key, const selection *chosen, const double *values) {
     script_key(stream, ',', key);
     fputc('"', stream);
@@ -277,8 +277,8 @@ static void write_verdicts(FILE *stream, const selection *chosen) {
     fputs(end_of_list(chosen), stream);
 }
 
-/// The part of a field that the page draws: numbers of one row, all columns; of machines at rest all rows; of the
-/// section the displacements x and y of its last rows.
+/// The part of a field that the page draws: one row with all columns; for machines at rest all rows; for the section
+/// the displacements x and y of its last rows.
 typedef struct kept_part {
     size_t first_row, rows, columns;
 } kept_part;
@@ -294,7 +294,7 @@ static bool is_looked_at_most(const whirl_field *field) {
     return false;
 }
 
-/// Rows to write of a field: the last ones of a section, the lowest orders of a spectrum.
+/// Returns the rows of a field to write: the last ones of a section, the lowest orders of a spectrum.
 static kept_part whole_part_of(const whirl_field *field) {
     const size_t rows = field->rows < MAX_ROWS ? field->rows : MAX_ROWS;
     const bool section = strcmp(field->name, WHIRL_FIELD_POINCARE_SECTION) == 0;
@@ -358,7 +358,7 @@ static void write_fields(FILE *stream, const selection *chosen) {
     fputc(']', stream);
 }
 
-/// Writes the crossings located between points, of all points, with all digits.
+/// Writes the crossings located between points, for all points, with all digits.
 static void write_critical(FILE *stream, const whirl_table *table) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
     bool first = true;
@@ -405,12 +405,12 @@ static void write_mode_lines(FILE *stream, const selection *chosen) {
     mode_lines_free(&lines);
 }
 
-/// Loads a point of a branch with its orbit, to be freed. Returns false if the table has none there.
+/// Loads a point of a branch with its orbit, to be freed. Returns false if the table has no orbit there.
 static bool take_trace(const whirl_table *table, size_t point, whirl_trace *trace) {
     return whirl_table_done(table, point) && whirl_table_trace(table, point, trace).code == WHIRL_OK;
 }
 
-/// Numbers of the nodes of an orbit: the states at the beginnings of its segments.
+/// Returns the count of numbers of an orbit's nodes, the states at the beginnings of its segments.
 static size_t count_nodes(const whirl_orbit *orbit) {
     return orbit->segment_count * orbit->dimension;
 }

@@ -48,7 +48,7 @@ static bool dump_points(const char *key, const whirl_result *result, const whirl
 
 enum { MAX_JUMPS = 1000 };
 
-// Jumps within a regime: between which values, of which station, how large and how large usually.
+// Returns the jumps within a regime: the values on both sides, the station, the size and the usual size.
 static json_t *jumps_of(bool *well, const whirl_result *result, const whirl_table *table) {
     json_t *array = json_array();
     size_t count = 0;
@@ -93,7 +93,7 @@ static whirl_status dump_findings(const whirl_result *result, FILE *stream) {
 
 enum { MAX_ATTRACTORS = 64 };
 
-// Attractors of a basin, that of most starts first: the first point (from 1 in "points") that came to rest there.
+// Writes the attractors of a basin, the one with most starts first, each with its first point (from 1 in "points").
 static json_t *attractors_of(bool *well, const whirl_table *table) {
     json_t *array = json_array();
     whirl_attractor found[MAX_ATTRACTORS];
@@ -113,7 +113,7 @@ static json_t *attractors_of(bool *well, const whirl_table *table) {
     return array;
 }
 
-// Attractors of all places of a table with several starts, place by place.
+// Appends the attractors of all places of a table with several starts, place by place.
 static void append_coexisting(bool *well, const whirl_result *result, const whirl_table *table, json_t *array) {
     whirl_coexistence found;
     if (whirl_table_coexistence(table, &found).code != WHIRL_OK) *well = false;
@@ -167,7 +167,7 @@ static bool dump_refined(const whirl_result *result, FILE *stream) {
     return dump_member(",\n", "refined", object, stream) && well;
 }
 
-// Version that computed the result; this one if it is not recorded.
+// Returns the version that computed the result; the present version if none is recorded.
 static const char *version_of(const whirl_result *result) {
     for (size_t i = 0; i < result->fact_count; ++i)
         if (strcmp(result->facts[i].name, "version") == 0) return result->facts[i].value;
@@ -204,7 +204,7 @@ static bool dump_film_tables(const whirl_result *result, FILE *stream) {
     return !*tables || dump_member(",\n", "film_tables", document_text(tables), stream);
 }
 
-/// Texts by number, to the first that is empty.
+/// Writes texts by their number, up to the first empty one.
 static bool dump_texts(const char *key, const char *(*text_of)(const whirl_result *, size_t),
                        const whirl_result *result, FILE *stream) {
     bool well = true;
@@ -245,7 +245,7 @@ static bool dump_beyond(const whirl_result *result, FILE *stream) {
     return dump_member(",\n", "beyond", all, stream) && well;
 }
 
-/// Contacts against which machines rest.
+/// Writes the contacts that are closed at rest.
 static bool dump_held(const whirl_result *result, FILE *stream) {
     bool well = true;
     json_t *all = json_array();
@@ -263,7 +263,7 @@ static bool dump_held(const whirl_result *result, FILE *stream) {
     return dump_member(",\n", "held", all, stream) && well;
 }
 
-/// Machines at rest without an answer, as no place of rest was found.
+/// Writes the points of machines at rest for which no equilibrium was found.
 static bool dump_unfound(const whirl_result *result, FILE *stream) {
     bool well = true;
     json_t *all = json_array();
@@ -311,7 +311,7 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
            dump_member(",\n", "speed", document_number(result->speed), stream) && dump_machine(result, stream) &&
            dump_film_tables(result, stream) &&
            dump_member(",\n", "length_scale", document_number(result->length_scale), stream) &&
-           dump_member(",\n", "amplitudes", document_text("0-p"), stream) && // as analyses have them
+           dump_member(",\n", "amplitudes", document_text("0-p"), stream) && // as in the fields of analyses
            dump_member(",\n", "force_scale", document_number(result->force_scale), stream) &&
            dump_member(",\n", "partial", json_boolean(partial), stream) && dump_warnings(result, stream) &&
            dump_beyond(result, stream) && dump_held(result, stream) && dump_unfound(result, stream) &&

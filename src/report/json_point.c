@@ -28,7 +28,8 @@ json_t *point_parameters(bool *well, const whirl_result *result, const whirl_tab
     return object;
 }
 
-// "confirmed" is the verdict at the second tolerance, null without one; "advice" is what would settle the verdict.
+// Writes the verdict. "confirmed" is the verdict at the second tolerance, null without one; "advice" is a change that
+// would settle the verdict.
 static void put_confidence(bool *well, json_t *object, const whirl_verdict *verdict) {
     char advice[WHIRL_MESSAGE_SIZE];
     whirl_verdict_advice(verdict, advice, sizeof advice);
@@ -116,7 +117,8 @@ static void put_exponents(bool *well, json_t *object, const whirl_table *table, 
     const double *sum = whirl_table_field(table, point, WHIRL_FIELD_EXPONENTS_SUM, 0);
     const double *exact = whirl_table_field(table, point, WHIRL_FIELD_EXPONENTS_SUM_EXACT, 0);
     const double *dimension = whirl_table_field(table, point, WHIRL_FIELD_EXPONENTS_DIMENSION, 0);
-    const double *failed = whirl_table_field(table, point, WHIRL_FIELD_EXPONENTS_FAILED, 0); // results of old have none
+    const double *failed =
+        whirl_table_field(table, point, WHIRL_FIELD_EXPONENTS_FAILED, 0); // absent in results of older versions
     if (!values || !errors || !sum || !exact || !dimension) return;
     const size_t count = whirl_layout_field(&table->layout, WHIRL_FIELD_EXPONENTS_VALUES)->rows;
     json_t *exponents = json_object();
@@ -129,8 +131,8 @@ static void put_exponents(bool *well, json_t *object, const whirl_table *table, 
     document_put(well, object, "exponents", exponents);
 }
 
-// Every single number, or row of them, that an analysis ("orbit/") gives of a station or contact: orbit/max_radius,
-// orbit/mean, ...; forces in newtons.
+// Writes all single numbers and rows of an analysis ("orbit/") at a station or contact: orbit/max_radius, orbit/mean,
+// ...; forces in newtons.
 static json_t *numbers_of(const char *analysis, whirl_extent extent, double newtons, bool *well,
                           const whirl_table *table, size_t point, size_t which) {
     const size_t length = strlen(analysis);
@@ -148,7 +150,7 @@ static json_t *numbers_of(const char *analysis, whirl_extent extent, double newt
     return object;
 }
 
-/// Writes the Floquet analysis of a settled motion; numbers that it lacks are null.
+/// Writes the Floquet analysis of a settled motion; missing numbers are null.
 static void put_floquet(bool *well, json_t *object, const whirl_table *table, size_t point) {
     const double *multipliers = whirl_table_field(table, point, WHIRL_FIELD_FLOQUET_MULTIPLIERS, 0);
     if (!multipliers) return;
@@ -169,7 +171,7 @@ static json_t *contact_numbers(bool *well, const whirl_result *result, const whi
     return object;
 }
 
-// Times in contact as shares of the record, forces in newtons; "fraction" is the largest of all contacts.
+// Writes times in contact as shares of the record, forces in newtons; "fraction" is the largest of all contacts.
 static void put_rub(bool *well, json_t *object, const whirl_result *result, const whirl_table *table, size_t point) {
     const double *contact = whirl_table_field(table, point, WHIRL_FIELD_RUB_CONTACT, 0);
     if (!contact) return;
@@ -194,7 +196,7 @@ static json_t *station_winding(bool *well, const whirl_table *table, size_t poin
     return numbers_of("winding/", WHIRL_PER_STATION, 1.0, well, table, point, station);
 }
 
-// Points of the section, [x, y].
+// Returns the points of the section, [x, y].
 static json_t *station_section(bool *well, const whirl_table *table, size_t point, size_t station) {
     const numbers section = point_section(table, point, station);
     json_t *array = json_array();
@@ -203,7 +205,7 @@ static json_t *station_section(bool *well, const whirl_table *table, size_t poin
     return array;
 }
 
-// Lines of the spectrum, largest first. "amplitude" is that of x, zero to peak, as the other amplitudes are.
+// Returns the lines of the spectrum, largest first. "amplitude" is the amplitude of x; all amplitudes are zero to peak.
 static json_t *station_lines(bool *well, const whirl_table *table, size_t point, size_t station) {
     enum { ORDER, X, Y, FORWARD, BACKWARD };
     const numbers lines = point_lines(table, point, station);
@@ -223,7 +225,7 @@ static json_t *station_lines(bool *well, const whirl_table *table, size_t point,
     return array;
 }
 
-// The synchronous part: amplitude, zero to peak, and phase lag in degrees of x, y and both circular motions.
+// Returns the synchronous part: amplitude, zero to peak, and phase lag in degrees, of x, y and both circular motions.
 static json_t *station_synchronous(bool *well, const whirl_table *table, size_t point, size_t station) {
     static const char *const parts[] = {"x", "y", "forward", "backward"};
     const double *amplitude = whirl_table_field(table, point, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, station);
@@ -238,7 +240,7 @@ static json_t *station_synchronous(bool *well, const whirl_table *table, size_t 
     return object;
 }
 
-// Share of the motion that these lines hold.
+// Returns the share of the motion in these lines.
 static json_t *station_share(bool *well, const whirl_table *table, size_t point, size_t station) {
     (void)well;
     return document_number(whirl_table_number(table, point, WHIRL_FIELD_SPECTRUM_SHARE, station));
@@ -254,7 +256,7 @@ static void put_stations(bool *well, json_t *object, const char *key, station_pa
     document_put(well, object, key, stations);
 }
 
-// Orbit of a station: bounds, and the section once a revolution, [x, y].
+// Returns the orbit of a station: bounds, and the section once a revolution, [x, y].
 static json_t *station_trace(bool *well, const whirl_table *table, size_t point, size_t station) {
     json_t *object = numbers_of("trace/", WHIRL_PER_STATION, 1.0, well, table, point, station);
     const double *section = whirl_table_field(table, point, WHIRL_FIELD_TRACE_SECTION, station);
@@ -314,7 +316,7 @@ static void put_trace(bool *well, json_t *object, const whirl_table *table, size
     whirl_orbit_free(at.point.orbit);
 }
 
-// The rows of a field that there are: all of their columns, or the first two.
+// Returns the existing rows of a field: all of their columns, or the first two.
 static json_t *rows_of(bool *well, const whirl_table *table, size_t point, const char *field, size_t which) {
     const whirl_field *found = whirl_layout_field(&table->layout, field);
     const double *row = whirl_table_field(table, point, field, which);
@@ -324,8 +326,8 @@ static json_t *rows_of(bool *well, const whirl_table *table, size_t point, const
     return array;
 }
 
-// Torus at a station: frequency and amplitude of its second line, bounds, and the closed curve of its section with
-// bounds once a revolution, [x, y].
+// Returns the torus at a station: frequency and amplitude of its second line, bounds, and the closed curve of its
+// section with bounds once a revolution, [x, y].
 static json_t *station_torus(bool *well, const whirl_table *table, size_t point, size_t station) {
     json_t *object = numbers_of("torus/", WHIRL_PER_STATION, 1.0, well, table, point, station);
     document_put(well, object, "section", rows_of(well, table, point, WHIRL_FIELD_TORUS_SECTION, station));
@@ -353,7 +355,7 @@ static json_t *member(bool *well, json_t *object, const char *name) {
     return json_object_get(object, name);
 }
 
-/// The rows of a field up to the last that has a number: numbers, or rows of them.
+/// Returns the rows of a field up to the last one with a number: numbers, or rows of numbers.
 static json_t *whole_field(bool *well, const whirl_table *table, size_t point, const whirl_field *field, size_t which) {
     const double *const values = whirl_table_field(table, point, field->name, which);
     if (field->rows == 1 && field->columns == 1) return document_number(*values);
@@ -368,8 +370,8 @@ static json_t *whole_field(bool *well, const whirl_table *table, size_t point, c
     return array;
 }
 
-/// Writes how far the point went in validity ranges ("law" names them), and the forces, N, of closed contacts:
-/// "ranges": {"left": 1, "reached": [[0.97, 0.95], ...], "held": {"rub at disc": 120}}.
+/// Writes the values that the point reached in validity ranges ("law" names them), and the forces, N, of closed
+/// contacts: "ranges": {"left": 1, "reached": [[0.97, 0.95], ...], "held": {"rub at disc": 120}}.
 static void put_ranges(bool *well, json_t *object, const whirl_result *result, const whirl_table *table, size_t point) {
     const whirl_field *const field = whirl_layout_field(&table->layout, WHIRL_FIELD_RANGES_REACHED);
     if (field) {
@@ -387,7 +389,7 @@ static void put_ranges(bool *well, json_t *object, const whirl_result *result, c
     }
 }
 
-/// All of a machine at rest: "modes": {"frequency": [...], ..., "stations": {"disc": {"shape": [...]}}}.
+/// Writes all fields of a machine at rest: "modes": {"frequency": [...], ..., "stations": {"disc": {"shape": [...]}}}.
 static void put_rest(bool *well, json_t *object, const whirl_result *result, const whirl_table *table, size_t point) {
     for (size_t i = 0; i < table->layout.field_count; ++i) {
         const whirl_field *const field = &table->layout.fields[i];
@@ -452,7 +454,7 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
     return object;
 }
 
-/// Removes arrays with a row for every revolution or node, which are most of a document.
+/// Removes arrays with a row for every revolution or node, which are the largest part of a document.
 static void leave_out_rows(json_t *point) {
     static const char *const rows[] = {"section", "section_low", "section_high"};
     const char *name;
@@ -465,8 +467,8 @@ static void leave_out_rows(json_t *point) {
         json_object_del(station, rows[i]);
 }
 
-// Writes the start of a motion, where points have several: its number, the neighbour it continues, its initial state,
-// and its attractor, null if unknown.
+// Writes the start of a motion if points have several starts: its number, the neighbour that it continues, its initial
+// state, and its attractor, null if unknown.
 static void put_start(bool *well, json_t *object, const whirl_result *result, const whirl_table *table, size_t point,
                       const whirl_coexistence *found) {
     json_t *start = json_object();
@@ -490,7 +492,7 @@ static void put_mode_names(bool *well, json_t *object, const whirl_table *table,
                            size_t point) {
     json_t *names = json_array();
     const double *const frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0);
-    const size_t least = lines->modes == 1; // one number is no list, as in whole_field
+    const size_t least = lines->modes == 1; // a single name is not a list, as in whole_field
     size_t count = lines->modes;
     while (count > least && isnan(frequency[count - 1])) count--;
     for (size_t i = 0; i < count; i++) {

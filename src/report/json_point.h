@@ -9,8 +9,8 @@
 /// belong to the case as written, not to the point, and are left out.
 json_t *point_parameters(bool *well, const whirl_result *result, const whirl_table *table, size_t point);
 
-/// Returns all of a point. With several starts at a place, `found` tells which one this is (labels NULL: there is one).
-/// `lines` has the names of its modes, NULL: they were not followed. Without `full`, arrays with a row for every
+/// Returns all data of a point. With several starts at a place, `found` identifies the start (labels NULL: one start).
+/// `lines` has the names of its modes, NULL: modes were not followed. Without `full`, arrays with a row for every
 /// revolution or node are left out. `well` becomes false without memory.
 json_t *point_json(bool *well, const whirl_result *result, const whirl_table *table, size_t point,
                    const whirl_coexistence *found, const mode_lines *lines, bool full);

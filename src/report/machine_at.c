@@ -74,8 +74,8 @@ machine_walls machine_walls_at(const whirl_case *machine, const whirl_result *re
     return walls;
 }
 
-/// Finds the largest eccentricity of a journal in every direction, with all else centred. Returns false if the wall is
-/// unknown.
+/// Finds the largest eccentricity of a journal in every direction, with all other stations centred. Returns false if
+/// the wall is unknown.
 static bool find_wall(const whirl_system *system, size_t station, double clearance, double *radius) {
     const whirl_probe *probe = &system->probes[station];
     whirl_film_gap gap;

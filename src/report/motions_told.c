@@ -22,13 +22,13 @@ typedef struct paragraph {
     char *text;
 } paragraph;
 
-static void add(const paragraph *p, const char *format, ...)
+static void paragraph_add(const paragraph *p, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 2, 3)))
 #endif
     ;
 
-static void add(const paragraph *p, const char *format, ...) {
+static void paragraph_add(const paragraph *p, const char *format, ...) {
     const size_t used = strlen(p->text);
     va_list arguments;
     va_start(arguments, format);
@@ -39,7 +39,8 @@ static void add(const paragraph *p, const char *format, ...) {
 /// Adds " at 5700 rpm"; nothing without a parameter.
 static void add_place(const paragraph *p, const char *before, size_t point) {
     if (!*p->table->parameter) return;
-    add(p, "%s%.6g%s%s", before, p->table->values[point] / p->unit.size, *p->unit.name ? " " : "", p->unit.name);
+    paragraph_add(p, "%s%.6g%s%s", before, p->table->values[point] / p->unit.size, *p->unit.name ? " " : "",
+                  p->unit.name);
 }
 
 // ---------------------------------------------------------------- kinds of motion
@@ -47,21 +48,21 @@ static void add_place(const paragraph *p, const char *before, size_t point) {
 static void add_unbalances(const paragraph *p) {
     const whirl_record_options *record = &p->table->record;
     if (record->antinodes_of > 0)
-        add(p, "with unbalances by rule at the antinodes of forward mode %d", record->antinodes_of);
+        paragraph_add(p, "with unbalances by rule at the antinodes of forward mode %d", record->antinodes_of);
     else if (*record->placed_at)
-        add(p, "with an unbalance by rule at %s", record->placed_at);
+        paragraph_add(p, "with an unbalance by rule at %s", record->placed_at);
     else
-        add(p, "with the machine's own unbalances");
-    if (record->placed_factor != 1.0) add(p, ", %.4g times as large", record->placed_factor);
+        paragraph_add(p, "with the machine's own unbalances");
+    if (record->placed_factor != 1.0) paragraph_add(p, ", %.4g times as large", record->placed_factor);
 }
 
-/// Motions that were not judged: how many there are, and how long they are.
+/// Reports motions without a verdict: their number, and their length.
 static void add_count(const paragraph *p) {
     size_t done = 0;
     for (size_t i = 0; i < p->table->count; i++) done += whirl_table_done(p->table, i);
-    add(p, "%zu motion%s, not judged (analyze: regime): %d revolutions%s", done, done == 1 ? "" : "s",
-        p->table->record.record, p->table->record.transient == 0 ? " from the start" : " after a transient");
-    if (done < whirl_table_planned(p->table)) add(p, " (of %zu points)", whirl_table_planned(p->table));
+    paragraph_add(p, "%zu motion%s, not judged (analyze: regime): %d revolutions%s", done, done == 1 ? "" : "s",
+                  p->table->record.record, p->table->record.transient == 0 ? " from the start" : " after a transient");
+    if (done < whirl_table_planned(p->table)) paragraph_add(p, " (of %zu points)", whirl_table_planned(p->table));
 }
 
 static void add_regimes(const paragraph *p) {
@@ -74,24 +75,24 @@ static void add_regimes(const paragraph *p) {
         doubtful += verdict.regime == WHIRL_UNDETERMINED || verdict.confidence == WHIRL_LOW;
         diverged += verdict.regime == WHIRL_DIVERGING;
     }
-    add(p, "%zu of %zu motions come back every revolution", periodic, done);
+    paragraph_add(p, "%zu of %zu motions come back every revolution", periodic, done);
     if (diverged > 0)
-        add(p,
-            ", %zu diverge (a station comes to the wall of a film or seal, or a coordinate beyond the limit: "
-            "clearances "
-            "and contacts are reported without them)",
-            diverged);
-    if (doubtful > 0) add(p, ", %zu are in doubt", doubtful);
-    if (done < whirl_table_planned(p->table)) add(p, " (of %zu points)", whirl_table_planned(p->table));
+        paragraph_add(p,
+                      ", %zu diverge (a station comes to the wall of a film or seal, or a coordinate beyond the limit: "
+                      "clearances "
+                      "and contacts are reported without them)",
+                      diverged);
+    if (doubtful > 0) paragraph_add(p, ", %zu are in doubt", doubtful);
+    if (done < whirl_table_planned(p->table)) paragraph_add(p, " (of %zu points)", whirl_table_planned(p->table));
 }
 
 // ---------------------------------------------------------------- clearances
 
-/// The closest approach of motions to a wall.
+/// Closest approach of motions to a wall.
 typedef struct nearest {
     double share;
     size_t station, point;
-    bool film; ///< the wall is that of a bearing
+    bool film; ///< the wall belongs to a bearing
 } nearest;
 
 static void look_at(const paragraph *p, size_t point, nearest *found) {
@@ -112,8 +113,8 @@ static void add_clearance(const paragraph *p) {
     for (size_t i = 0; i < p->table->count; i++)
         if (whirl_table_done(p->table, i)) look_at(p, i, &found);
     if (found.share < 0.0) return;
-    add(p, "; they come nearest to the wall at %s, to %.3g %% of its radial %s", p->view->stations[found.station].name,
-        100.0 * found.share, found.film ? "clearance" : "gap");
+    paragraph_add(p, "; they come nearest to the wall at %s, to %.3g %% of its radial %s",
+                  p->view->stations[found.station].name, 100.0 * found.share, found.film ? "clearance" : "gap");
     add_place(p, ", at ", found.point);
 }
 
@@ -133,17 +134,17 @@ static void add_contact(const paragraph *p, size_t contact) {
         if (strength > force) force = strength, hardest = i;
     }
     if (done == 0) return;
-    add(p, "; %s ", p->view->contacts[contact]);
+    paragraph_add(p, "; %s ", p->view->contacts[contact]);
     if (touching == 0) {
-        add(p, "never touches");
+        paragraph_add(p, "never touches");
         return;
     }
-    add(p, "touches in %zu of %zu motions", touching, done);
+    paragraph_add(p, "touches in %zu of %zu motions", touching, done);
     add_place(p, ", from ", first);
     add_place(p, " to ", last);
-    add(p, ", at most %.3g %% of the time and with %.4g N", 100.0 * share, force * p->view->force_scale);
+    paragraph_add(p, ", at most %.3g %% of the time and with %.4g N", 100.0 * share, force * p->view->force_scale);
     add_place(p, " (at ", hardest);
-    if (*p->table->parameter) add(p, ")");
+    if (*p->table->parameter) paragraph_add(p, ")");
 }
 
 // ---------------------------------------------------------------- coexisting motions
@@ -153,7 +154,7 @@ static void add_beside(const paragraph *p) {
     double several = 0.0;
     size_t first = table->count;
     if (!table->attractors) {
-        add(p, ". Coexisting motions were not searched for (starts).");
+        paragraph_add(p, ". Coexisting motions were not searched for (starts).");
         return;
     }
     for (size_t i = 0; i < table->count; i++) {
@@ -162,9 +163,10 @@ static void add_beside(const paragraph *p) {
         if (first == table->count || table->attractors[i].place < table->attractors[first].place) first = i;
     }
     if (first == table->count) {
-        add(p, ". From %zu starts a place no other motion was found", table->source->starts);
+        paragraph_add(p, ". From %zu starts a place no other motion was found", table->source->starts);
     } else {
-        add(p, ". At %.0f of %zu places other motions stand side by side with them, found from %zu starts a place: ",
+        paragraph_add(
+            p, ". At %.0f of %zu places other motions stand side by side with them, found from %zu starts a place: ",
             several, whirl_table_places(table), table->source->starts);
         add_place(p, "first at ", first);
         const char *before = *table->parameter ? ", " : "";
@@ -173,12 +175,12 @@ static void add_beside(const paragraph *p) {
             if (table->attractors[i].place != table->attractors[first].place) continue;
             const whirl_verdict verdict = whirl_table_verdict(table, i);
             regime_name(&verdict, name, sizeof name);
-            add(p, "%s%s (%.3g %% of the starts)", before, name, 100.0 * table->attractors[i].share);
+            paragraph_add(p, "%s%s (%.3g %% of the starts)", before, name, 100.0 * table->attractors[i].share);
             before = " and ";
         }
     }
-    add(p, "; one that fewer than %.2g %% of starts lead to may be missed.",
-        100.0 * whirl_missed_share(table->source->starts));
+    paragraph_add(p, "; one that fewer than %.2g %% of starts lead to may be missed.",
+                  100.0 * whirl_missed_share(table->source->starts));
 }
 
 void motions_told(const whirl_shown_units *units, const whirl_result *view, const whirl_case *machine,
@@ -187,7 +189,7 @@ void motions_told(const whirl_shown_units *units, const whirl_result *view, cons
     *text = '\0';
     const bool judged = whirl_layout_has_verdict(&table->layout);
     judged ? add_regimes(&p) : add_count(&p);
-    add(&p, ", ");
+    paragraph_add(&p, ", ");
     add_unbalances(&p);
     add_clearance(&p);
     for (size_t c = 0; c < view->contact_count; c++)
@@ -195,7 +197,7 @@ void motions_told(const whirl_shown_units *units, const whirl_result *view, cons
     if (judged)
         add_beside(&p);
     else
-        add(&p, ".");
+        paragraph_add(&p, ".");
 }
 
 // ---------------------------------------------------------------- ranges_told

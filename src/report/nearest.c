@@ -1,4 +1,4 @@
-// The value of a parameter that is nearest to one that a person writes: the one rule of command, Python and Octave.
+// The parameter value nearest to a value that a user writes: one rule for command, Python and Octave.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,11 +8,11 @@
 #include "whirl/engine/shown.h"
 #include "whirl/handles.h"
 
-/// Values without an extent have no step: as far from one of them counts as that value.
+/// Relative distance that is accepted if the values have no extent, and so no step.
 static const double share_of_a_lone_value = 0.01;
 
-/// End of the values [count] towards larger (sign 1) or smaller (-1) numbers, and the distance beyond it that is still
-/// accepted: the step to the nearest other value. NaN without values.
+/// Returns the end of the values [count] towards larger (sign 1) or smaller (-1) numbers, and the distance beyond it
+/// that is still accepted: the step to the nearest other value. NaN without values.
 static double nearest_end(const double *values, size_t count, double sign, double *step) {
     double end = NAN;
     *step = INFINITY;

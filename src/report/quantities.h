@@ -1,4 +1,4 @@
-// The numbers of a result that a report shows, and how they are labelled.
+// Numbers of a result for reports, and their labels.
 #ifndef REPORT_QUANTITIES_H
 #define REPORT_QUANTITIES_H
 
@@ -26,34 +26,36 @@ double point_number(const whirl_table *table, size_t point, const char *field);
 numbers point_section(const whirl_table *table, size_t point, size_t station);  ///< x, y, vx, vy once a revolution
 numbers point_waveform(const whirl_table *table, size_t point, size_t station); ///< x, y
 numbers point_spectrum(const whirl_table *table, size_t point, size_t station); ///< order, x, y, forward, backward
-numbers point_lines(const whirl_table *table, size_t point, size_t station); ///< the same, of the peaks, largest first
+numbers point_lines(const whirl_table *table, size_t point,
+                    size_t station); ///< the same columns for the peaks, largest first
 
-/// Share of a station's motion in its stored spectral lines (spectrum/share); NaN if unknown. Summary and report give
-/// it below FEW_LINES.
+/// Returns the share of a station's motion in its stored spectral lines (spectrum/share); NaN if unknown. Summary and
+/// report show it below FEW_LINES.
 double line_share(const whirl_table *table, size_t point, size_t station);
 #define FEW_LINES 0.9
 
-/// Largest Lyapunov exponent per revolution: of the analysis "lyapunov", else of the verdict; NaN without both.
+/// Returns the largest Lyapunov exponent per revolution: from the analysis "lyapunov", else from the verdict; NaN
+/// without both.
 whirl_estimate point_exponent(const whirl_table *table, size_t point);
 
 double max_radius(const whirl_table *table, size_t point, size_t station);     ///< NaN if not computed
 double backward_share(const whirl_table *table, size_t point, size_t station); ///< NaN if not computed
 
-/// An estimate as it is shown: an error of at most two significant digits and at least 0.0001, a value of as many
-/// decimals.
+/// An estimate rounded for display: an error of at most two significant digits and at least 0.0001, a value with as
+/// many decimals.
 typedef struct shown_estimate {
     double value, error;
     int decimals;
 } shown_estimate;
 shown_estimate estimate_shown(whirl_estimate estimate);
 
-/// A sentence for terminals, plain ASCII, as it is read on a page: "+-" becomes one sign.
+/// Converts a sentence for terminals (ASCII) to one for pages: "+-" becomes one sign.
 void plus_minus(char *text);
 
-/// The verdict's reason, its exponent as it is shown.
+/// Writes the verdict's reason, with its exponent rounded for display.
 void reason_text(const whirl_verdict *verdict, char *text, size_t size);
 
-/// Share of time in contact, the largest over all contacts; NaN if not computed or without contacts.
+/// Returns the share of time in contact, the largest over all contacts; NaN if not computed or without contacts.
 double rub_share(const whirl_table *table, size_t point, size_t contact_count);
 
 /// Returns true if the table has fields of contacts.

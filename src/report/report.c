@@ -9,7 +9,7 @@
 #include "report_parts.h"
 #include "whirl/engine/report.h"
 
-/// Data made on the way, freed by report_free.
+/// State of making a report, freed by report_free.
 typedef struct report {
     char (*folders)[FOLDER_NAME_SIZE];
     char (*paths)[FILE_PATH_SIZE];
@@ -35,7 +35,7 @@ static void report_free(report *made) {
     machines_free(made->machines, made->count);
 }
 
-/// A folder name for every result, no two alike.
+/// Makes a unique folder name for every result.
 static void name_folders(char (*folders)[FOLDER_NAME_SIZE], const char *const *names, size_t count) {
     for (size_t r = 0; r < count; r++) {
         char safe[FOLDER_NAME_SIZE - 24];
@@ -63,7 +63,7 @@ bool whirl_report_find(const char *const *names, size_t count, const char *direc
         snprintf(found, size, "%s/%s", directory, pages[i].name);
         is_there = pages[i].written && report_file_there(found);
     }
-    // Without memory nothing is written either: whirl_report_write fails.
+    // Without memory whirl_report_write fails before anything is written.
     char(*folders)[FOLDER_NAME_SIZE] = calloc(count + 1, sizeof *folders);
     if (folders) name_folders(folders, names, count);
     for (size_t r = 0; folders && r < count && !is_there; r++) {
@@ -74,7 +74,7 @@ bool whirl_report_find(const char *const *names, size_t count, const char *direc
     return is_there;
 }
 
-/// A figure's data and its script in the folder of its result.
+/// Writes a figure's data and script to the folder of its result.
 static whirl_status write_figure(const char *folder, const whirl_figure *figure) {
     report_file file = {0};
     char name[FIGURE_FILE_SIZE];
@@ -153,7 +153,7 @@ static whirl_status draw(report *made, const char *program) {
     return status;
 }
 
-static void compare(report *made, const whirl_result *const *results, size_t count, const whirl_claims *claims) {
+static void report_compare(report *made, const whirl_result *const *results, size_t count, const whirl_claims *claims) {
     for (size_t c = 0; c < claims->count; c++)
         for (size_t r = 0; r < count; r++)
             claim_compare(claims, &claims->items[c], results[r], &made->outcomes[c * count + r]);
@@ -190,7 +190,7 @@ static whirl_status write_page(const report *made, const whirl_result *const *re
     return whirl_fail(WHIRL_NO_MEMORY, "no memory for the page of a report");
 }
 
-/// The page of a lateral analysis, and the same as a document to be printed. WHIRL_MISSING_PROGRAM without its program.
+/// Writes the page of a lateral analysis, and the same page as a PDF. WHIRL_MISSING_PROGRAM without weasyprint.
 static whirl_status write_lateral(const report *made, const whirl_result *const *results, const char *const *names,
                                   size_t count, const char *directory, const whirl_report_options *options) {
     const whirl_status status = write_page(made, results, names, count, directory, options, true);
@@ -198,14 +198,14 @@ static whirl_status write_lateral(const report *made, const whirl_result *const 
                                    : status;
 }
 
-static whirl_status make(report *made, const whirl_result *const *results, const char *const *names, size_t count,
-                         const char *directory, const whirl_report_options *options) {
+static whirl_status report_make(report *made, const whirl_result *const *results, const char *const *names,
+                                size_t count, const char *directory, const whirl_report_options *options) {
     whirl_status status = folder_make(directory);
     if (status.code == WHIRL_OK) status = write_figures(made, results, count, directory);
     if (status.code != WHIRL_OK) return status;
     const whirl_status drawn = draw(made, options->gnuplot);
     if (drawn.code == WHIRL_NO_MEMORY) return drawn;
-    if (options->claims) compare(made, results, count, options->claims);
+    if (options->claims) report_compare(made, results, count, options->claims);
     status = write_page(made, results, names, count, directory, options, false);
     if (status.code == WHIRL_OK && options->explorer)
         status = explorer_write(options->explorer, results, (const whirl_case *const *)made->machines, names, count,
@@ -247,7 +247,7 @@ whirl_status whirl_report_write(const whirl_result *const *results, const char *
         status = findings_of(made.views[r], &made.units[r], made.machines[r], &made.findings[r]);
     if (status.code == WHIRL_OK) {
         name_folders(made.folders, names, count);
-        status = make(&made, (const whirl_result *const *)made.views, names, count, directory, options);
+        status = report_make(&made, (const whirl_result *const *)made.views, names, count, directory, options);
     }
     report_free(&made);
     return status;

@@ -29,7 +29,7 @@ json_t *document_number(double value);
 /// Returns a JSON text; bytes that are not UTF-8 become question marks.
 json_t *document_text(const char *text);
 
-/// Add a value, which they take over, to a container; `well` becomes false without memory.
+/// Add a value to a container, which then owns it; `well` becomes false without memory.
 void document_put(bool *well, json_t *object, const char *key, json_t *value);
 void document_append(bool *well, json_t *array, json_t *value);
 
@@ -60,8 +60,8 @@ void explorer_write_point(FILE *stream, const whirl_table *table, size_t point);
 // ---------------------------------------------------------------- explorer_contents
 // Findings of a result in the explorer: statements, sheets and figures of every table.
 
-/// Writes `,"parts": [...],"statements": [...],"sheets": [...],"figures": [...]` of a result that has tables of
-/// machines at rest, or of motions that the page does not compute; of all others nothing. False without memory.
+/// Writes `,"parts": [...],"statements": [...],"sheets": [...],"figures": [...]` for a result with tables of machines
+/// at rest, or of motions that the page does not compute; nothing for other results. Returns false without memory.
 bool explorer_write_contents(FILE *stream, const whirl_result *result, const whirl_case *machine, const char *units);
 
 // ---------------------------------------------------------------- findings
@@ -80,11 +80,11 @@ void statement_text(const whirl_statement *statement, char *text, size_t size);
 /// Returns true if a column is empty in all rows; pages leave it out.
 bool sheet_column_empty(const whirl_sheet *sheet, size_t column);
 
-/// A sheet as aligned text, its title first; of more rows than `most` (2 or more) the first ones and the last.
-/// False without memory.
+/// Writes a sheet as aligned text after its title; of more rows than `most` (2 or more) only the first ones and the
+/// last. Returns false without memory.
 bool sheet_write_text(FILE *stream, const whirl_sheet *sheet, size_t most);
 
-/// ... as CSV and as LaTeX, as whirl_sheet_write has them.
+/// Write a sheet as CSV and as LaTeX, in the form of whirl_sheet_write.
 void sheet_write_csv(FILE *stream, const whirl_sheet *sheet);
 void sheet_write_latex(FILE *stream, const whirl_sheet *sheet);
 
@@ -93,11 +93,11 @@ void sheet_write_latex(FILE *stream, const whirl_sheet *sheet);
 bool findings_write_table(FILE *stream, const whirl_findings *findings, const char *table, size_t points, size_t rows);
 
 /// Words a warning of a point of a bearing, or of the bearing as a whole (point NULL), in the units of `units`, or else
-/// of its file. False without memory.
+/// of its file. Returns false without memory.
 bool bearing_remark_text(const whirl_bearing *bearing, const char *units, const whirl_bearing_point *point,
                          whirl_bearing_remark remark, char text[STATEMENT_SIZE]);
 
-/// A sheet as a JSON document. WHIRL_NO_MEMORY, WHIRL_IO_ERROR.
+/// Writes a sheet as a JSON document. WHIRL_NO_MEMORY, WHIRL_IO_ERROR.
 whirl_status sheet_write_json(const whirl_sheet *sheet, FILE *stream);
 
 /// Return statements and sheets as parts of a JSON document.
@@ -107,8 +107,8 @@ json_t *sheets_json(bool *well, const whirl_findings *findings);
 // ---------------------------------------------------------------- machine_at
 // The machine at a point of a result, which its parameter may change, from the case that the result holds.
 
-/// Makes the case of a result, with the parameters of the run; free it with whirl_case_free. NULL if the result has
-/// none that can be read. WHIRL_NO_MEMORY.
+/// Makes the case of a result, with the parameters of the run; free it with whirl_case_free. NULL if the result has no
+/// case, or one that cannot be read. WHIRL_NO_MEMORY.
 whirl_status machine_of(const whirl_result *result, whirl_case **machine);
 
 /// Makes the cases of several results [count], freed by machines_free, also after a failure. WHIRL_NO_MEMORY.
@@ -120,19 +120,19 @@ void machines_free(whirl_case **machines, size_t count);
 whirl_batch *machine_batch(const whirl_case *machine, const whirl_table *table, size_t point, whirl_study *study);
 
 /// Makes the machine of a point with the values of its batch, but with the case's own unbalances instead of unbalances
-/// by rule. To be released. Returns false if it cannot be made.
+/// by rule. The caller releases it. Returns false if it cannot be made.
 bool machine_at(const whirl_case *machine, const whirl_table *table, size_t point, whirl_machine *out);
 
-/// Speed at a point, rad/s; NaN if unknown.
+/// Returns the speed at a point, rad/s; NaN if unknown.
 double machine_clock(const whirl_case *machine, const whirl_result *result, const whirl_table *table, size_t point);
 
 /// Walls around a station, in length scales of the point; 0: none.
 typedef struct machine_walls {
     double clearance; ///< clearance of its bearing
-    double gap;       ///< to the stator
+    double gap;       ///< gap to the stator
 } machine_walls;
 
-/// Walls at a point, or those of the result's own case if the point's machine is unknown.
+/// Returns the walls at a point, or those of the result's own case if the point's machine is unknown.
 machine_walls machine_walls_at(const whirl_case *machine, const whirl_result *result, const whirl_table *table,
                                size_t point, size_t station);
 
@@ -149,7 +149,7 @@ typedef struct machine_wall {
 void machine_wall_at(const whirl_case *machine, const whirl_table *table, size_t point, size_t station,
                      double clearance, machine_wall *out);
 
-/// Radius in a direction, rad, interpolated linearly.
+/// Returns the radius in a direction (rad), interpolated linearly.
 double machine_wall_radius(const machine_wall *wall, double angle);
 
 // ---------------------------------------------------------------- motions_told
@@ -264,10 +264,10 @@ typedef struct report_file {
 /// Opens `folder`/`name` for writing. WHIRL_IO_ERROR with a sentence.
 whirl_status report_file_open(report_file *file, const char *folder, const char *name);
 
-/// Closes the file, looks for errors (a full disk) and gives it its name. A file that failed is removed.
+/// Closes the file, checks for errors (a full disk) and renames it to its final name. A failed file is removed.
 whirl_status report_file_close(report_file *file);
 
-/// Closes and removes a file that cannot be completed; one that had its name stays.
+/// Closes and removes an incomplete file; an existing file of the final name stays.
 void report_file_drop(report_file *file);
 
 /// Creates a folder and its parents; an existing one is fine.
@@ -279,7 +279,7 @@ bool report_file_there(const char *path);
 /// Returns true if a folder exists and is not empty.
 bool folder_holds_files(const char *path);
 
-/// The same for a folder that only the report writes to: a link in its place is refused, for it may lead anywhere.
+/// Creates a folder that only the report writes to; a link in its place is refused.
 whirl_status folder_make_own(const char *path);
 
 /// Creates a new folder in another one; path [FILE_PATH_SIZE]. WHIRL_IO_ERROR with a sentence.
@@ -301,13 +301,13 @@ enum { UNIT_LABEL_SIZE = 160 };
 /// unknown.
 double units_order(const whirl_shown_units *units, double speed);
 
-/// The axis of orders of the running speed, or of the frequencies that they are; `full`: of backward whirl, too.
+/// Writes the label of an axis of orders of the running speed, or of frequencies; `full`: with backward whirl too.
 void units_order_label(const whirl_shown_units *units, bool orders, bool full, char *label, size_t size);
 
-/// Returns true if the parameter of a table is the speed of the shaft, which the field `speeds` has at every point.
+/// Returns true if the parameter of a table is the speed of the shaft, by the field `speeds` at every point.
 bool units_of_speed(const whirl_table *table, const char *speeds);
 
-/// Direction of whirl from a number between -1 and 1: 1 forward, -1 backward, 0 to and fro.
+/// Returns the direction of whirl from a number between -1 and 1: 1 forward, -1 backward, 0 to and fro.
 int units_way(double direction);
 
 /// Returns the factor from a length at a point of the table to its shown value.

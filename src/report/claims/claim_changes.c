@@ -18,7 +18,7 @@ typedef struct claim_range {
     double from, to;
 } claim_range;
 
-static void put(char *text, size_t size, const char *format, ...) {
+static void changes_put(char *text, size_t size, const char *format, ...) {
     const size_t used = strlen(text);
     va_list arguments;
     va_start(arguments, format);
@@ -35,7 +35,7 @@ const whirl_table *claim_table_over(const whirl_result *result, whirl_role role,
     return table && table->count > 0 && strcmp(table->parameter, parameter) == 0 ? table : NULL;
 }
 
-static claim_range range_of(const whirl_claims *claims, const whirl_claim *claim, const whirl_result *result) {
+static claim_range changes_range(const whirl_claims *claims, const whirl_claim *claim, const whirl_result *result) {
     const double aside = claim->from == claim->to ? NEAR_VALUE * fabs(claim->from) : 0.0;
     return (claim_range){claim_table_over(result, WHIRL_ROLE_BRANCHES, claims->parameter), claim->from - aside,
                          claim->to + aside};
@@ -67,13 +67,13 @@ static size_t first_change(const claim_range *of, whirl_special kind) {
 static void put_kind(const claim_range *of, whirl_special kind, char *text, size_t size) {
     size_t shown = 0;
     const size_t count = count_changes(of, kind);
-    put(text, size, *text ? ", %s%s" : "%s%s", count ? "" : "no ", whirl_special_name(kind));
+    changes_put(text, size, *text ? ", %s%s" : "%s%s", count ? "" : "no ", whirl_special_name(kind));
     for (size_t i = 0; i < of->branches->count && shown < MAX_SHOWN; i++)
-        if (is_change(of, i, kind)) put(text, size, shown++ ? ", %.6g" : " at %.6g", of->branches->values[i]);
-    if (count > shown) put(text, size, " and %zu more", count - shown);
+        if (is_change(of, i, kind)) changes_put(text, size, shown++ ? ", %.6g" : " at %.6g", of->branches->values[i]);
+    if (count > shown) changes_put(text, size, " and %zu more", count - shown);
 }
 
-/// Share of the range that the branches cover.
+/// Returns the share of the range that the branches cover.
 static double covered(const claim_range *of) {
     double low = INFINITY, high = -INFINITY;
     for (size_t i = 0; i < of->branches->count; i++) {
@@ -100,7 +100,7 @@ static void compare_kinds(const claim_range *of, const whirl_claim_kinds *kinds,
     found->agreement = agreement_of(agreeing, kinds->count);
     const double share = covered(of);
     if (share >= 1.0 - 1e-9) return;
-    put(found->text, FINDING_SIZE, " (branches were followed over %.3g %% of the range)", 100.0 * share);
+    changes_put(found->text, FINDING_SIZE, " (branches were followed over %.3g %% of the range)", 100.0 * share);
     if (found->agreement == WHIRL_AGREES && !there) found->agreement = WHIRL_AGREES_PARTLY;
     if (share == 0.0) found->agreement = WHIRL_NOT_COMPARED;
 }
@@ -108,17 +108,17 @@ static void compare_kinds(const claim_range *of, const whirl_claim_kinds *kinds,
 static void compare_sense(const claim_range *of, const whirl_claim *claim, claim_finding *found) {
     const size_t row = first_change(of, claim->changes.list[0]);
     const double sense = row == SIZE_MAX ? (double)NAN : number_at(of->branches, row, WHIRL_FIELD_TRACE_CRITICALITY);
-    put(found->text, FINDING_SIZE, "%s",
-        isnan(sense)  ? "sense not known"
-        : sense < 0.0 ? "supercritical"
-                      : "subcritical");
+    changes_put(found->text, FINDING_SIZE, "%s",
+                isnan(sense)  ? "sense not known"
+                : sense < 0.0 ? "supercritical"
+                              : "subcritical");
     if (!isnan(sense)) found->agreement = (sense < 0.0) == (claim->sense < 0) ? WHIRL_AGREES : WHIRL_DISAGREES;
 }
 
 static void compare_orders(const claim_range *of, const whirl_claim *claim, claim_finding *found) {
     const size_t row = first_change(of, WHIRL_HOPF);
     if (row == SIZE_MAX) {
-        put(found->text, FINDING_SIZE, "no whirl begins");
+        changes_put(found->text, FINDING_SIZE, "no whirl begins");
         found->agreement = WHIRL_DISAGREES;
         return;
     }
@@ -126,7 +126,8 @@ static void compare_orders(const claim_range *of, const whirl_claim *claim, clai
     bool met = false;
     for (size_t i = 0; i < claim->order_count; i++)
         met = met || fabs(order - claim->orders[i]) <= NEAR_ORDER * claim->orders[i];
-    put(found->text, FINDING_SIZE, "whirl of %.4g orders begins first, at %.6g", order, of->branches->values[row]);
+    changes_put(found->text, FINDING_SIZE, "whirl of %.4g orders begins first, at %.6g", order,
+                of->branches->values[row]);
     found->agreement = met ? WHIRL_AGREES : WHIRL_DISAGREES;
 }
 
@@ -151,7 +152,7 @@ static size_t leg_length(const whirl_table *table, size_t first) {
     return count;
 }
 
-/// The first curve of Hopf points; none: without rows.
+/// Returns the first curve of Hopf points; a curve without rows if there is none.
 static claim_curve hopf_curve(const whirl_result *result) {
     claim_curve curve = {whirl_result_role(result, WHIRL_ROLE_CURVES), 0, 0, 0};
     const whirl_table *table = curve.table;
@@ -178,10 +179,11 @@ static void compare_regions(const whirl_claims *claims, const whirl_claim *claim
         if (isnan(sense) || sense == 0.0 || (sense > 0.0 ? 1 : -1) == sign) continue;
         sign = sense > 0.0 ? 1 : -1;
         regions++;
-        put(parts, sizeof parts, regions == 1 ? "%s from %s = %.4g" : ", %s from %s = %.4g",
-            sign > 0 ? "subcritical" : "supercritical", claims->parameter, curve.table->values[row]);
+        changes_put(parts, sizeof parts, regions == 1 ? "%s from %s = %.4g" : ", %s from %s = %.4g",
+                    sign > 0 ? "subcritical" : "supercritical", claims->parameter, curve.table->values[row]);
     }
-    put(found->text, FINDING_SIZE, regions ? "%d: %s" : "the result has no curve of Hopf points", regions, parts);
+    changes_put(found->text, FINDING_SIZE, regions ? "%d: %s" : "the result has no curve of Hopf points", regions,
+                parts);
     if (regions > 0) found->agreement = regions == claim->regions ? WHIRL_AGREES : WHIRL_DISAGREES;
 }
 
@@ -199,11 +201,11 @@ static claim_finding *next_finding(claim_outcome *outcome) {
 
 void claim_compare_branches(const whirl_claims *claims, const whirl_claim *claim, const whirl_result *result,
                             claim_outcome *outcome) {
-    const claim_range of = range_of(claims, claim, result);
+    const claim_range of = changes_range(claims, claim, result);
     if (claim->regions > 0) compare_regions(claims, claim, result, next_finding(outcome));
     if (claim->changes.count + claim->unchanged.count + claim->order_count == 0) return;
     if (!of.branches) {
-        put(next_finding(outcome)->text, FINDING_SIZE, "the result has no branches over %s", claims->parameter);
+        changes_put(next_finding(outcome)->text, FINDING_SIZE, "the result has no branches over %s", claims->parameter);
         return;
     }
     if (claim->changes.count > 0) compare_kinds(&of, &claim->changes, true, next_finding(outcome));

@@ -30,7 +30,7 @@ static bool states_contact(const whirl_claim *claim) {
 }
 
 static double score_contact(const claim_view *view, size_t point) {
-    // A rotor without a stator does not rub.
+    // A rotor without contacts does not rub.
     const double share = view->result->contact_count ? rub_share(view->table, point, view->result->contact_count) : 0.0;
     if (isnan(share)) return NAN;
     switch (view->claim->contact) {
@@ -117,7 +117,7 @@ static bool states_whirl(const whirl_claim *claim) {
     return claim->has_whirl;
 }
 
-/// A bounded motion that whirls backward most of the time meets half of "diverging-backward".
+/// A bounded motion that whirls backward most of the time scores half of "diverging-backward".
 static double score_whirl(const claim_view *view, size_t point) {
     const bool diverged = whirl_table_verdict(view->table, point).regime == WHIRL_DIVERGING;
     const bool diverging = strcmp(view->claim->whirl, "diverging-backward") == 0;

@@ -17,7 +17,7 @@ typedef struct claim_view {
     size_t station;
 } claim_view;
 
-/// Counts over the points of a range that are done.
+/// Counts over the computed points of a range.
 typedef struct claim_census {
     size_t points, in_class[CLASS_COUNT], rubbing, rub_known, always, whipping, whip_known;
     double rub_low, rub_high;         ///< values of the parameter between which there is contact
@@ -46,7 +46,7 @@ const claim_part *claim_parts(void);
 /// Tolerance of a line's position, in orders.
 static const double LINE_TOLERANCE = 0.02;
 
-/// The lines of the spectrum that count in a comparison: at least a twentieth of the largest.
+/// Lines of a spectrum that count in a comparison: at least a twentieth of the largest.
 numbers claim_lines(const claim_view *view, size_t point);
 
 /// Content of the claimed band.
@@ -56,10 +56,10 @@ typedef struct claim_band {
 } claim_band;
 claim_band claim_band_of(const claim_view *view, size_t point);
 
-/// A contact that lasts is there for this share of the time at least.
+/// Least share of the time in contact that counts as permanent contact.
 static const double ALWAYS = 1.0 - 1e-9;
 
-/// The lines that parts write (claim_text.c).
+/// Functions that write the finding of a part as a line (claim_text.c).
 void claim_regime_at(const claim_view *view, size_t point, char *text, size_t size);
 void claim_regime_over(const claim_view *view, const claim_census *census, char *text, size_t size);
 void claim_curves_at(const claim_view *view, size_t point, char *text, size_t size);
@@ -87,10 +87,11 @@ typedef struct claim_outcome {
     whirl_agreement agreement;
     size_t count;
     claim_finding findings[MAX_FINDINGS];
-    char note[FINDING_SIZE]; ///< place of the comparison if it is another one, or reason why there was none; else ""
+    char note[FINDING_SIZE]; ///< place of the comparison if it is not the claimed one, or reason why there was no
+                             ///< comparison; else ""
 } claim_outcome;
 
-/// The points that a claim speaks of: a table and the range of its parameter.
+/// Points to which a claim applies: a table and the range of its parameter.
 typedef struct claim_selection {
     const whirl_table *table;
     double from, to;

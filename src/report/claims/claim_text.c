@@ -47,7 +47,7 @@ void claim_regime_at(const claim_view *view, size_t point, char *text, size_t si
     if (verdict.regime == WHIRL_DIVERGING || view->claim->curves == 0)
         whirl_verdict_name(&verdict, text, size);
     else
-        regime_name(&verdict, text, size); // the curves have a line of their own
+        regime_name(&verdict, text, size); // without curves: they have a line of their own
     const size_t used = strlen(text);
     const bool known = point_numbers(view->table, point, WHIRL_FIELD_REGIME_CONFIDENCE, 0).at != NULL;
     if (known && verdict.confidence == WHIRL_LOW && verdict.regime != WHIRL_UNDETERMINED)

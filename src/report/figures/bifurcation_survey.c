@@ -11,7 +11,7 @@ static int by_value(const void *left, const void *right) {
     return (a > b) - (a < b);
 }
 
-/// Range of the exponents without the deep minima at superstable points, which would flatten the curve.
+/// Finds the range of the exponents, without the deep minima at superstable points that would flatten the curve.
 static span exponent_span(const whirl_table *table) {
     span range = span_empty();
     double *sorted = malloc((table->count + 1) * sizeof *sorted);
@@ -51,7 +51,7 @@ static bool has_equal_ratios(const whirl_table *table) {
     return fabs(next - first) > 1e-6 * fabs(first);
 }
 
-/// Half-way between two values, as the axis has it.
+/// Returns the middle of two values on the axis, linear or logarithmic.
 static double middle(const bifurcation *of, double a, double b) {
     return of->ratios ? sqrt(a * b) : 0.5 * (a + b);
 }
@@ -177,7 +177,7 @@ void bifurcation_survey(bifurcation *of) {
         whirl_shown_one_length(of->units, table) ? lasting_walls(of) : (machine_walls){0.0, 0.0};
     of->gap = of->length * walls.gap;
     of->clearance = of->length * walls.clearance;
-    if (of->gap > 2.0 * radius.high) of->gap = 0.0; // so far off that the radius would be a line at the bottom
+    if (of->gap > 2.0 * radius.high) of->gap = 0.0; // so far away that the curve of the radius would be flat
     if (of->gap > 0.0) span_widen(&radius, of->gap);
     of->radius = span_with_margin(radius, 0.08, 1e-6 * of->length);
     of->exponent = exponent_span(table);

@@ -13,13 +13,13 @@ static const double degree = 3.14159265358979323846 / 180.0;
 /// Quantity on the horizontal axis.
 typedef enum along { ALONG_SPEED, ALONG_LOAD, ALONG_SOMMERFELD } along;
 
-/// A number of a point, and of which panel and axis it is.
+/// A number of a point, with its panel and axis.
 typedef struct quantity {
     const char *panel, *label, *name;
     int index; ///< 0 to 7: coefficients; -1 to -5: eccentricity, attitude, film, power, flow
 } quantity;
 
-/// Curves of a table, and in which units they are drawn.
+/// Curves of a table, and the units in which they are drawn.
 typedef struct curves {
     const whirl_bearing_table *table;
     const whirl_shown_units *units;
@@ -30,7 +30,7 @@ static double shown(const curves *of, whirl_quantity of_kind, double value) {
     return value / of->units->of[of_kind].size;
 }
 
-static double value_of(const curves *drawn, const whirl_bearing_point *point, int index) {
+static double figure_bearing_value(const curves *drawn, const whirl_bearing_point *point, int index) {
     const whirl_bearing *of = drawn->table->bearing;
     const bool bare = drawn->axis == ALONG_SOMMERFELD;
     if (!point->found) return NAN;
@@ -51,7 +51,7 @@ static double value_of(const curves *drawn, const whirl_bearing_point *point, in
     return value * of->pad_clearance / point->load * (index < 4 ? 1.0 : point->speed);
 }
 
-static double place_of(const curves *drawn, const whirl_bearing_point *point) {
+static double figure_bearing_place(const curves *drawn, const whirl_bearing_point *point) {
     return drawn->axis == ALONG_SPEED  ? shown(drawn, WHIRL_QUANTITY_SPEED, point->speed)
            : drawn->axis == ALONG_LOAD ? shown(drawn, WHIRL_QUANTITY_FORCE, point->load)
                                        : point->sommerfeld;
@@ -69,7 +69,7 @@ static int by_sommerfeld(const void *a, const void *b) {
     return (one > other) - (one < other);
 }
 
-/// The points in the order in which lines go; NULL without memory.
+/// Returns the points in the order of the lines; NULL without memory.
 static const whirl_bearing_point **order(const whirl_bearing_table *table, along axis) {
     const whirl_bearing_point **points = malloc((table->count + 1) * sizeof *points);
     for (size_t i = 0; i < table->count && points; i++) points[i] = &table->points[i];
@@ -86,7 +86,8 @@ static void add_values(whirl_figure *figure, whirl_panel *panel, const curves *d
     const whirl_bearing_point **points = order(table, drawn->axis);
     figure->failed = figure->failed || !points;
     for (size_t i = 0; i < table->count && points; i++) {
-        const double x = place_of(drawn, points[i]), y = value_of(drawn, points[i], what->index);
+        const double x = figure_bearing_place(drawn, points[i]),
+                     y = figure_bearing_value(drawn, points[i], what->index);
         const bool anew =
             i > 0 && drawn->axis == ALONG_SPEED && !table->bearing->pairs && points[i]->load != points[i - 1]->load;
         if (anew || isnan(y)) series_break(figure, line);
@@ -99,18 +100,19 @@ static void add_values(whirl_figure *figure, whirl_panel *panel, const curves *d
 
 /// Range of `count` quantities from `index` on, over all points. A constant quantity gets a margin above its rounding;
 /// panels of coefficients get a row for their legend.
-static span range_of(const curves *drawn, int index, int count) {
+static span figure_bearing_range(const curves *drawn, int index, int count) {
     const double legend = count > 1 ? 0.16 : 0.0;
     span range = span_empty();
     for (size_t i = 0; i < drawn->table->count; i++)
-        for (int k = 0; k < count; k++) span_widen(&range, value_of(drawn, &drawn->table->points[i], index + k));
+        for (int k = 0; k < count; k++)
+            span_widen(&range, figure_bearing_value(drawn, &drawn->table->points[i], index + k));
     const double size = 0.1 * fmax(fabs(range.low), fabs(range.high));
     range = span_with_margin(range, 0.06, index == -2 ? 5.0 : size);
     range.high += legend / (1.0 - legend) * (range.high - range.low);
     return range;
 }
 
-/// The label of a panel of a quantity: "film (um)".
+/// Writes the label of a quantity's panel, "film (um)".
 static void label_of(const curves *drawn, const quantity *what, char *label, size_t size) {
     const whirl_shown_units *units = drawn->units;
     const bool bare = drawn->axis == ALONG_SOMMERFELD;
@@ -164,7 +166,7 @@ static void draw_curves(whirl_figure *figure, const curves *drawn) {
             label_of(drawn, what, panel->y.label, sizeof panel->y.label);
             panel->x.logarithmic = bare && table->count > 1;
             panel->keyed = what->index >= 0;
-            axis_show(&panel->y, range_of(drawn, what->index, what->index >= 0 ? 4 : 1));
+            axis_show(&panel->y, figure_bearing_range(drawn, what->index, what->index >= 0 ? 4 : 1));
         }
         add_values(figure, panel, drawn, what, what->index < 0 ? "#0072B2" : line_colour((size_t)what->index % 4));
     }
@@ -179,8 +181,8 @@ static void draw_curves(whirl_figure *figure, const curves *drawn) {
              axis == ALONG_SPEED && table->bearing->load_count > 1 && !table->bearing->pairs ? " A line a load." : "");
 }
 
-/// Distance from the centre at which the journal touches a pad in a direction, in pad clearances.
-static double touches(const whirl_pads *pads, double angle) {
+/// Returns the distance from the centre at which the journal touches a pad in a direction, in pad clearances.
+static double figure_bearing_touch_distance(const whirl_pads *pads, double angle) {
     enum { LOOKS = 180 };
     double least = 1.0 + WHIRL_MAX_PADS;
     for (size_t i = 0; i < pads->count; i++) {
@@ -203,7 +205,7 @@ static void draw_locus(whirl_figure *figure, const whirl_bearing_table *table) {
     snprintf(panel->y.label, sizeof panel->y.label, "$y/c$");
     whirl_series *wall = panel_series(figure, panel, WHIRL_LINE, "#606060", 0.8);
     for (int k = 0; k <= 360; k++) {
-        const double r = fmin(touches(&of->pads, k * degree), 1.3);
+        const double r = fmin(figure_bearing_touch_distance(&of->pads, k * degree), 1.3);
         series_add(figure, wall, r * cos(k * degree), r * sin(k * degree));
     }
     whirl_series *line = panel_series(figure, panel, WHIRL_LINE, "#0072B2", 0.7);

@@ -59,8 +59,8 @@ static void add_rub_bands(whirl_figure *figure, whirl_panel *panel, const bifurc
     }
 }
 
-static whirl_panel *add_panel(whirl_figure *figure, const bifurcation *of, const char *name, double height,
-                              span range) {
+static whirl_panel *bifurcation_add_panel(whirl_figure *figure, const bifurcation *of, const char *name, double height,
+                                          span range) {
     whirl_panel *panel = figure_panel(figure, name, 1.0, height);
     if (!panel) return NULL;
     axis_show(&panel->x, of->parameter);
@@ -106,7 +106,7 @@ static void add_dots(whirl_figure *figure, whirl_series *to, const bifurcation *
             series_add(figure, to, shown_value(of, point), length * section.at[4 * dots[k].row + column]);
 }
 
-/// Returns true for kinds with few dots, or dots in doubt, which are drawn larger.
+/// Returns true for kinds with few or doubtful dots, which are drawn larger.
 static bool has_large_dots(const bifurcation *of, size_t kind) {
     return of->attractors > 0 || kind == CLASS_UNDETERMINED || kind == CLASS_P1 || kind == CLASS_P2 ||
            kind == CLASS_P4 || kind == CLASS_OTHER_PERIOD;
@@ -131,10 +131,10 @@ static void add_kind(whirl_figure *figure, whirl_panel *panel, const bifurcation
             add_dots(figure, to, of, i, column, dots);
 }
 
-/// The dots of coordinate `column` of the section.
+/// Adds the dots of coordinate `column` of the section.
 static void add_section(whirl_figure *figure, const bifurcation *of, size_t column) {
     const size_t rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_POINCARE_SECTION)->rows;
-    whirl_panel *panel = add_panel(figure, of, column == 0 ? "x" : "y", 3.9, column == 0 ? of->x : of->y);
+    whirl_panel *panel = bifurcation_add_panel(figure, of, column == 0 ? "x" : "y", 3.9, column == 0 ? of->x : of->y);
     dot *dots = malloc((rows + 1) * sizeof *dots);
     figure->failed = figure->failed || !dots;
     if (panel && dots) {
@@ -163,11 +163,11 @@ static span strip_of(const bifurcation *of, const regime_interval *interval) {
     return (span){top - (of->attractors > 1 ? 0.85 : of->both ? 0.96 : 1.0) / count, top};
 }
 
-/// The regime of every point as a strip, the branch from the first value on above that from the last.
+/// Adds the regime of every point as a strip, the branch from the first value above the branch from the last.
 static void add_regimes(whirl_figure *figure, const bifurcation *of) {
     const size_t most = of->table->count;
     const double height = of->attractors > 1 ? 0.26 * (double)of->attractors : of->both ? 0.57 : 0.39;
-    whirl_panel *panel = add_panel(figure, of, "regime", height, (span){0.0, 1.0});
+    whirl_panel *panel = bifurcation_add_panel(figure, of, "regime", height, (span){0.0, 1.0});
     regime_interval *intervals = malloc((most + 1) * sizeof *intervals);
     figure->failed = figure->failed || !intervals;
     const size_t count = intervals ? regime_intervals(of->table, of->result->contact_count, intervals, most) : 0;
@@ -189,11 +189,11 @@ static void add_regimes(whirl_figure *figure, const bifurcation *of) {
 }
 
 /// Adds a bar for each confidence: pale and long for trusted verdicts, short and coloured for doubtful ones. The branch
-/// from the last value on has lines.
+/// from the last value on is drawn as lines.
 static void add_confidence(whirl_figure *figure, const bifurcation *of) {
     static const char *const colours[] = {"#D55E00", "#A8A8A8", "#DCDCDC"};
     static const char *const names[] = {"low", "", "high"};
-    whirl_panel *panel = add_panel(figure, of, "confidence", 0.8, (span){0.0, 3.4});
+    whirl_panel *panel = bifurcation_add_panel(figure, of, "confidence", 0.8, (span){0.0, 3.4});
     if (!panel) return;
     snprintf(panel->y.label, sizeof panel->y.label, "trust");
     for (int level = 0; level < 3; level++) {
@@ -221,7 +221,7 @@ static void add_confidence(whirl_figure *figure, const bifurcation *of) {
 }
 
 static void add_exponents(whirl_figure *figure, const bifurcation *of) {
-    whirl_panel *panel = add_panel(figure, of, "exponent", 2.45, of->exponent);
+    whirl_panel *panel = bifurcation_add_panel(figure, of, "exponent", 2.45, of->exponent);
     if (!panel) return;
     snprintf(panel->y.label, sizeof panel->y.label, "largest exponent (1/revolution)");
     add_rub_bands(figure, panel, of);
@@ -254,7 +254,7 @@ static void add_exponents(whirl_figure *figure, const bifurcation *of) {
 
 // ---------------------------------------------------------------- lines
 
-/// A number of the points as a line, blue from the first value on, orange from the last.
+/// Adds a number of the points as a line, blue from the first value on, orange from the last.
 static void add_lines(whirl_figure *figure, whirl_panel *panel, const bifurcation *of,
                       double (*number)(const bifurcation *of, size_t point)) {
     for (int branch = 1; branch >= (of->both ? -1 : 1); branch -= 2) {
@@ -276,7 +276,7 @@ static double contact_of(const bifurcation *of, size_t point) {
     return 100.0 * rub_share(of->table, point, of->result->contact_count);
 }
 
-/// Least distance of the curve of the largest radius from the gap, within a tenth of the axis around a place (0: left,
+/// Returns the least distance of the largest radius from the gap, within a tenth of the axis around a place (0: left,
 /// 1: right).
 static double room_for_label(const bifurcation *of, double place) {
     const double width = of->parameter.high - of->parameter.low;
@@ -308,7 +308,8 @@ static void add_gap(whirl_figure *figure, whirl_panel *panel, const bifurcation 
 
 static void add_radius(whirl_figure *figure, const bifurcation *of) {
     const double clearance = of->clearance, scale = clearance > 0.0 ? 1.0 / clearance : 1.0;
-    whirl_panel *panel = add_panel(figure, of, "radius", 1.7, (span){scale * of->radius.low, scale * of->radius.high});
+    whirl_panel *panel =
+        bifurcation_add_panel(figure, of, "radius", 1.7, (span){scale * of->radius.low, scale * of->radius.high});
     if (!panel) return;
     if (clearance > 0.0)
         snprintf(panel->y.label, sizeof panel->y.label, "largest eccentricity");
@@ -320,7 +321,7 @@ static void add_radius(whirl_figure *figure, const bifurcation *of) {
 }
 
 static void add_contact(whirl_figure *figure, const bifurcation *of) {
-    whirl_panel *panel = add_panel(figure, of, "contact", 1.45, (span){0.0, 100.0 * of->share});
+    whirl_panel *panel = bifurcation_add_panel(figure, of, "contact", 1.45, (span){0.0, 100.0 * of->share});
     if (!panel) return;
     snprintf(panel->y.label, sizeof panel->y.label, "time in contact (%%)");
     add_rub_bands(figure, panel, of);
@@ -330,7 +331,7 @@ static void add_contact(whirl_figure *figure, const bifurcation *of) {
 /// Adds the share of starts that lead to each attractor, with its standard error. Rings mark a share of 0: attractors
 /// found only from neighbours.
 static void add_shares(whirl_figure *figure, const bifurcation *of) {
-    whirl_panel *panel = add_panel(figure, of, "share", 1.45, (span){-4.0, 104.0});
+    whirl_panel *panel = bifurcation_add_panel(figure, of, "share", 1.45, (span){-4.0, 104.0});
     if (!panel) return;
     snprintf(panel->y.label, sizeof panel->y.label, "share of starts (%%)");
     for (size_t kind = 0; kind < of->attractors; kind++) {

@@ -24,7 +24,7 @@ static const struct {
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
-static int kind_of(const whirl_table *table, size_t point) {
+static int branch_kind(const whirl_table *table, size_t point) {
     const double kind = point_number(table, point, WHIRL_FIELD_TRACE_SPECIAL);
     return kind > 0.0 && kind < KINDS ? (int)kind : 0;
 }
@@ -36,11 +36,11 @@ static bool are_one(const whirl_table *table, size_t a, size_t b) {
 /// Returns true if orbits between two neighbouring points are stable. A special point is marginal, so the other one
 /// decides.
 static bool is_stable(const whirl_table *table, size_t a, size_t b) {
-    const size_t told = kind_of(table, a) ? b : a;
+    const size_t told = branch_kind(table, a) ? b : a;
     return point_number(table, told, WHIRL_FIELD_TRACE_UNSTABLE) == 0.0;
 }
 
-/// Largest modulus of a multiplier; of an equilibrium that over a revolution.
+/// Returns the largest modulus of a multiplier; for an equilibrium, over one revolution.
 static double multiplier_of(const whirl_table *table, size_t point) {
     const double largest = point_number(table, point, WHIRL_FIELD_TRACE_LARGEST);
     return point_number(table, point, WHIRL_FIELD_TRACE_PERIOD) > 0.0 ? largest : exp(two_pi * largest);
@@ -48,7 +48,7 @@ static double multiplier_of(const whirl_table *table, size_t point) {
 
 static bool has_kind(const whirl_table *table, int kind) {
     for (size_t point = 0; point < table->count; point++)
-        if (kind_of(table, point) == kind) return true;
+        if (branch_kind(table, point) == kind) return true;
     return false;
 }
 
@@ -63,7 +63,8 @@ typedef struct view {
     span range;             ///< range of the parameter in the figure
 } view;
 
-/// The lines that a point is drawn as: of a forced orbit one a revolution, of others the bounds of their motion.
+/// Returns the number of lines of a point: one a revolution for a forced orbit, the two bounds of the motion for
+/// others.
 static size_t lines_of(const view *v, size_t point) {
     const double revolutions = point_number(v->table, point, WHIRL_FIELD_TRACE_REVOLUTIONS);
     if (v->column == 2) return 1;
@@ -82,7 +83,7 @@ static double number_of(const view *v, size_t point, size_t line) {
     return whirl_shown_length(v->of->units, v->table, point) * at[v->column];
 }
 
-static double value_of(const view *v, size_t point) {
+static double branch_value(const view *v, size_t point) {
     return v->table->values[point] / v->size;
 }
 
@@ -99,7 +100,7 @@ static void add_pieces(whirl_figure *figure, whirl_panel *panel, const view *v, 
         if (last == first) continue;
         for (size_t line = 0; line < lines_of(v, first); line++) {
             for (size_t point = first; point <= last; point++)
-                series_add(figure, lines, value_of(v, point), number_of(v, point, line));
+                series_add(figure, lines, branch_value(v, point), number_of(v, point, line));
             series_break(figure, lines);
         }
         first = last - 1;
@@ -112,20 +113,20 @@ static void add_marks(whirl_figure *figure, whirl_panel *panel, const view *v) {
         whirl_series *marks = panel_named(figure, panel, WHIRL_DOTS, kinds[kind].title, kinds[kind].colour, 2.3);
         if (marks) marks->mark = kinds[kind].mark;
         for (size_t point = 0; point < v->table->count; point++)
-            for (size_t line = 0; kind_of(v->table, point) == kind && line < lines_of(v, point); line++)
-                series_add(figure, marks, value_of(v, point), number_of(v, point, line));
+            for (size_t line = 0; branch_kind(v->table, point) == kind && line < lines_of(v, point); line++)
+                series_add(figure, marks, branch_value(v, point), number_of(v, point, line));
     }
 }
 
-/// The values of special points.
+/// Adds the values of special points.
 static void add_labels(whirl_figure *figure, whirl_panel *panel, const view *v) {
     whirl_series *texts = panel_series(figure, panel, WHIRL_TEXTS, "#000000", 1.0);
     if (texts) texts->movable = true;
     for (size_t point = 0; point < v->table->count; point++) {
         char text[32];
-        if (kind_of(v->table, point) == 0) continue;
-        snprintf(text, sizeof text, "%.5g", value_of(v, point));
-        series_add_text(figure, texts, value_of(v, point), number_of(v, point, 0), text);
+        if (branch_kind(v->table, point) == 0) continue;
+        snprintf(text, sizeof text, "%.5g", branch_value(v, point));
+        series_add_text(figure, texts, branch_value(v, point), number_of(v, point, 0), text);
     }
 }
 
@@ -151,7 +152,7 @@ static void add_sweep(whirl_figure *figure, whirl_panel *panel, const view *v) {
     }
 }
 
-static whirl_panel *add_panel(whirl_figure *figure, const view *v, const char *name) {
+static whirl_panel *branch_add_panel(whirl_figure *figure, const view *v, const char *name) {
     whirl_panel *panel = figure_panel(figure, name, 1.0, 4.0);
     if (!panel) return NULL;
     axis_show(&panel->x, v->range);
@@ -162,7 +163,7 @@ static whirl_panel *add_panel(whirl_figure *figure, const view *v, const char *n
 
 static void add_section(whirl_figure *figure, view v, size_t column) {
     v.column = column;
-    whirl_panel *panel = add_panel(figure, &v, column == 0 ? "x" : "y");
+    whirl_panel *panel = branch_add_panel(figure, &v, column == 0 ? "x" : "y");
     if (!panel) return;
     symbol_length(v.of->units, WHIRL_FROM_CENTRE, column == 0 ? "$x$" : "$y$", panel->y.label, sizeof panel->y.label);
     add_sweep(figure, panel, &v);
@@ -174,7 +175,7 @@ static void add_section(whirl_figure *figure, view v, size_t column) {
 
 static void add_multipliers(whirl_figure *figure, view v) {
     v.column = 2;
-    whirl_panel *panel = add_panel(figure, &v, "multiplier");
+    whirl_panel *panel = branch_add_panel(figure, &v, "multiplier");
     if (!panel) return;
     snprintf(panel->y.label, sizeof panel->y.label, "largest multiplier");
     panel->y.logarithmic = true;
@@ -234,20 +235,20 @@ static bool is_subcritical(const whirl_table *table, size_t point) {
     return point_number(table, point, WHIRL_FIELD_TRACE_CRITICALITY) > 0.0;
 }
 
-/// The curves of a kind: all of them, or their subcritical parts.
+/// Adds the curves of a kind: all of them, or their subcritical parts.
 static void add_curves(whirl_figure *figure, whirl_panel *panel, const view *v, int kind, double up, bool subcritical) {
     const whirl_table *table = v->table;
     whirl_series *lines = NULL;
     char title[64];
     snprintf(title, sizeof title, "%s%s", kinds[kind].title, subcritical ? ", subcritical" : "");
     for (size_t i = 0; i < table->count; i++) {
-        if (kind_of(table, i) != kind || is_subcritical(table, i) != subcritical) continue;
+        if (branch_kind(table, i) != kind || is_subcritical(table, i) != subcritical) continue;
         if (!lines) lines = panel_named(figure, panel, WHIRL_LINE, title, kinds[kind].colour, 0.9);
         if (!lines) return;
         lines->dashed = subcritical;
         const bool first = i == 0 || !are_one(table, i - 1, i),
                    last = i + 1 == table->count || !are_one(table, i, i + 1);
-        // Pieces share their end point where the sense changes, to leave no gap.
+        // Where the sense changes, neighbouring pieces share a point, so that there is no gap.
         for (size_t k = first || is_subcritical(table, i - 1) == subcritical ? i : i - 1; k <= i; k++)
             series_add(figure, lines, table->values[k] / v->size,
                        point_number(table, k, WHIRL_FIELD_TRACE_SECOND) / up);

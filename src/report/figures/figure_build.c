@@ -30,7 +30,7 @@ span span_with_margin(span range, double margin, double least) {
 // ---------------------------------------------------------------- parts
 
 /// Makes room for one more of `count` things in an array, which doubles when full (at 0 and powers of two).
-static bool make_room(whirl_figure *figure, void *array, size_t count, size_t size) {
+static bool figure_make_room(whirl_figure *figure, void *array, size_t count, size_t size) {
     void **at = array;
     if (figure->failed) return false;
     if (count != 0 && (count & (count - 1)) != 0) return true;
@@ -53,7 +53,7 @@ static char *copy_text(whirl_figure *figure, const char *text) {
 
 whirl_panel *figure_panel(whirl_figure *figure, const char *name, double width, double height) {
     whirl_panel *panel = calloc(1, sizeof *panel);
-    if (!panel || !make_room(figure, (void *)&figure->panels, figure->count, sizeof *figure->panels)) {
+    if (!panel || !figure_make_room(figure, (void *)&figure->panels, figure->count, sizeof *figure->panels)) {
         free(panel);
         figure->failed = true;
         return NULL;
@@ -68,7 +68,7 @@ whirl_panel *figure_panel(whirl_figure *figure, const char *name, double width, 
 whirl_series *panel_named(whirl_figure *figure, whirl_panel *panel, whirl_shape shape, const char *name,
                           const char *colour, double size) {
     whirl_series *series = panel ? calloc(1, sizeof *series) : NULL;
-    if (!series || !make_room(figure, (void *)&panel->series, panel->count, sizeof *panel->series)) {
+    if (!series || !figure_make_room(figure, (void *)&panel->series, panel->count, sizeof *panel->series)) {
         free(series);
         figure->failed = true;
         return NULL;
@@ -85,9 +85,9 @@ whirl_series *panel_series(whirl_figure *figure, whirl_panel *panel, whirl_shape
     return panel_named(figure, panel, shape, "", colour, size);
 }
 
-static bool add(whirl_figure *figure, whirl_series *series, double x, double y) {
-    if (!series || !make_room(figure, (void *)&series->x, series->count, sizeof *series->x) ||
-        !make_room(figure, (void *)&series->y, series->count, sizeof *series->y))
+static bool figure_add(whirl_figure *figure, whirl_series *series, double x, double y) {
+    if (!series || !figure_make_room(figure, (void *)&series->x, series->count, sizeof *series->x) ||
+        !figure_make_room(figure, (void *)&series->y, series->count, sizeof *series->y))
         return false;
     series->x[series->count] = x;
     series->y[series->count] = y;
@@ -95,7 +95,7 @@ static bool add(whirl_figure *figure, whirl_series *series, double x, double y) 
 }
 
 void series_add(whirl_figure *figure, whirl_series *series, double x, double y) {
-    if (add(figure, series, x, y)) series->count++;
+    if (figure_add(figure, series, x, y)) series->count++;
 }
 
 void series_break(whirl_figure *figure, whirl_series *series) {
@@ -107,15 +107,16 @@ void series_break(whirl_figure *figure, whirl_series *series) {
 }
 
 void series_add_to(whirl_figure *figure, whirl_series *series, double x, double y, double y_to) {
-    if (!add(figure, series, x, y) || !make_room(figure, (void *)&series->y_to, series->count, sizeof *series->y_to))
+    if (!figure_add(figure, series, x, y) ||
+        !figure_make_room(figure, (void *)&series->y_to, series->count, sizeof *series->y_to))
         return;
     series->y_to[series->count++] = y_to;
 }
 
 void series_add_box(whirl_figure *figure, whirl_series *series, span x, span y) {
-    if (!add(figure, series, x.low, y.low) ||
-        !make_room(figure, (void *)&series->x_to, series->count, sizeof *series->x_to) ||
-        !make_room(figure, (void *)&series->y_to, series->count, sizeof *series->y_to))
+    if (!figure_add(figure, series, x.low, y.low) ||
+        !figure_make_room(figure, (void *)&series->x_to, series->count, sizeof *series->x_to) ||
+        !figure_make_room(figure, (void *)&series->y_to, series->count, sizeof *series->y_to))
         return;
     series->x_to[series->count] = x.high;
     series->y_to[series->count++] = y.high;
@@ -124,26 +125,27 @@ void series_add_box(whirl_figure *figure, whirl_series *series, span x, span y) 
 void series_value(whirl_figure *figure, whirl_series *series, double value) {
     if (!series || series->count == 0) return;
     const size_t at = series->count - 1;
-    if (make_room(figure, (void *)&series->values, at, sizeof *series->values)) series->values[at] = value;
+    if (figure_make_room(figure, (void *)&series->values, at, sizeof *series->values)) series->values[at] = value;
 }
 
 void series_add_text(whirl_figure *figure, whirl_series *series, double x, double y, const char *text) {
-    if (!add(figure, series, x, y) || !make_room(figure, (void *)&series->texts, series->count, sizeof *series->texts))
+    if (!figure_add(figure, series, x, y) ||
+        !figure_make_room(figure, (void *)&series->texts, series->count, sizeof *series->texts))
         return;
     series->texts[series->count] = copy_text(figure, text);
     if (series->texts[series->count]) series->count++;
 }
 
 void panel_spot(whirl_figure *figure, whirl_panel *panel, const char *station, span x, span y) {
-    if (!panel || !make_room(figure, (void *)&panel->spots, panel->spot_count, sizeof *panel->spots)) return;
+    if (!panel || !figure_make_room(figure, (void *)&panel->spots, panel->spot_count, sizeof *panel->spots)) return;
     whirl_spot *own = &panel->spots[panel->spot_count++];
     *own = (whirl_spot){.x = x.low, .y = y.low, .x_to = x.high, .y_to = y.high};
     snprintf(own->station, sizeof own->station, "%s", station);
 }
 
 void axis_tick(whirl_figure *figure, whirl_axis *axis, double at, const char *text) {
-    if (!make_room(figure, (void *)&axis->ticks, axis->tick_count, sizeof *axis->ticks) ||
-        !make_room(figure, (void *)&axis->tick_texts, axis->tick_count, sizeof *axis->tick_texts))
+    if (!figure_make_room(figure, (void *)&axis->ticks, axis->tick_count, sizeof *axis->ticks) ||
+        !figure_make_room(figure, (void *)&axis->tick_texts, axis->tick_count, sizeof *axis->tick_texts))
         return;
     axis->ticks[axis->tick_count] = at;
     axis->tick_texts[axis->tick_count] = copy_text(figure, text);

@@ -19,7 +19,7 @@ typedef struct span {
 span span_empty(void);
 void span_widen(span *range, double value);
 
-/// With a margin of its width on both sides, and at least `least` wide.
+/// Returns a span widened by a margin (a share of its width) on both sides, and at least `least` wide.
 span span_with_margin(span range, double margin, double least);
 
 /// Prepares a span for drawing; returns true if it has any value.
@@ -33,7 +33,7 @@ whirl_panel *figure_panel(whirl_figure *figure, const char *name, double width, 
 whirl_series *panel_series(whirl_figure *figure, whirl_panel *panel, whirl_shape shape, const char *colour,
                            double size);
 
-/// The same with a name in the legend.
+/// As panel_series, with a name in the legend.
 whirl_series *panel_named(whirl_figure *figure, whirl_panel *panel, whirl_shape shape, const char *name,
                           const char *colour, double size);
 
@@ -45,7 +45,7 @@ void series_add_box(whirl_figure *figure, whirl_series *series, span x, span y);
 void series_add_text(whirl_figure *figure, whirl_series *series, double x, double y, const char *text);
 void series_value(whirl_figure *figure, whirl_series *series, double value); ///< value of the last box
 
-/// A part of a panel that shows a station.
+/// Adds a hot spot: a part of a panel that shows a station.
 void panel_spot(whirl_figure *figure, whirl_panel *panel, const char *station, span x, span y);
 
 /// Adds a tick with a given text.
@@ -55,7 +55,7 @@ void axis_tick(whirl_figure *figure, whirl_axis *axis, double at, const char *te
 /// shows the finite numbers.
 void axis_show(whirl_axis *axis, span range);
 
-/// A line from edge to edge of a panel at a height, or at a place; the axes are shown.
+/// Adds a line from edge to edge of a panel, at a height or at a horizontal place; the axes must have their ranges.
 whirl_series *panel_level(whirl_figure *figure, whirl_panel *panel, double y, const char *colour, double width);
 whirl_series *panel_upright(whirl_figure *figure, whirl_panel *panel, double x, const char *colour, double width);
 
@@ -66,28 +66,28 @@ whirl_status figure_choose(whirl_figure *figure, const char *names);
 /// places the panels from the top, as many in a row as fit.
 void figure_finish(whirl_figure *figure, const char *log);
 
-/// Rows that the legend above the figure has.
+/// Returns the number of rows of the legend above the figure.
 size_t figure_legend_rows(const whirl_figure *figure);
 
-/// The distance of ticks (1, 2 or 5 times a power of ten) that gives at most `most` of them in a range.
+/// Returns a distance of ticks (1, 2 or 5 times a power of ten) with at most `most` ticks in a range.
 double tick_step(double width, int most);
 
 /// Fills in at most `most` ticks if an axis has none.
 void axis_fill_ticks(whirl_figure *figure, whirl_axis *axis, int most);
 
-/// Width of the numbers at vertical axes in cm; the same for all panels, so that labels line up.
+/// Returns the width of the numbers at vertical axes in cm; the same for all panels, so that labels line up.
 double figure_number_width(const whirl_figure *figure);
 
 /// Least height of a panel with a vertical label (cm).
 #define FIGURE_LOW_PANEL 0.7
 
-/// cm of text of so many letters.
+/// Returns the width in cm of a text with `letters` letters.
 double figure_text_width(const whirl_figure *figure, size_t letters);
 
-/// Letters of a text in UTF-8.
+/// Returns the number of letters of a text in UTF-8.
 size_t figure_letters(const char *text);
 
-/// Places the movable texts of a panel, whose axes and box are known, so that they meet no other text, legend or edge.
+/// Places the movable texts of a panel, after its axes and box, so that they overlap no other text, legend or edge.
 void figure_place_texts(whirl_figure *figure, whirl_panel *panel);
 
 // ---------------------------------------------------------------- script_data
@@ -127,17 +127,17 @@ void base64_end(base64 *to);                   ///< writes the remaining bytes, 
 
 enum { SYMBOL_SIZE = 256 };
 
-/// A name as a symbol: "r_k" becomes "$r_{k}$", "k1" likewise, "omega" and "r_delta" get their Greek letters; a name
-/// that is a word stays one.
+/// Writes a name as a symbol: "r_k" becomes "$r_{k}$", "k1" likewise; "omega" and "r_delta" get Greek letters; words
+/// are unchanged.
 void symbol_of(const char *name, char *text, size_t size);
 
-/// The same units with the scale of lengths as a symbol.
+/// Returns the units with the scale of lengths as a symbol.
 whirl_shown_units symbol_units(const whirl_shown_units *units);
 
-/// The axis of a parameter: symbol and unit.
+/// Writes the axis label of a parameter: symbol and unit.
 void symbol_parameter(const whirl_shown_units *units, const char *name, char *text, size_t size);
 
-/// The axis of x or y of a station, "$x$ (mm)", or of another length, "radius (mm)".
+/// Writes the axis label of x or y of a station, "$x$ (mm)", or of another length, "radius (mm)".
 void symbol_length(const whirl_shown_units *units, whirl_counting counting, const char *quantity, char *text,
                    size_t size);
 

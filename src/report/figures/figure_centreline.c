@@ -20,7 +20,7 @@ static bool centreline_place(const drawing *of, const whirl_table *table, size_t
     return true;
 }
 
-/// The first and the last point at which a journal rests in a film that carries; how many: 0, 1 or 2.
+/// Finds the first and the last point at which a journal rests in a film that carries it; returns how many: 0, 1 or 2.
 static size_t centreline_ends(const drawing *of, const whirl_table *table, size_t station, size_t ends[2]) {
     size_t count = 0;
     double place[2];
@@ -47,7 +47,7 @@ static void centreline_list(figure_list *to, const drawing *of, const whirl_tabl
         list_figure(to, &place, "centreline", "Places of rest of journals in their bearings");
 }
 
-/// The value of an end of the line beside it, towards the middle of the panel.
+/// Adds the parameter's value next to an end of the line, towards the middle of the panel.
 static void add_end(whirl_figure *figure, whirl_panel *panel, const drawing *of, const whirl_table *table, size_t point,
                     const double place[2]) {
     const whirl_unit unit = whirl_shown_parameter(of->units, table->parameter);

@@ -27,7 +27,7 @@ static double speed_of(const whirl_table *table, size_t point, int direction, si
     return NAN;
 }
 
-/// A line a critical speed of a direction, by their order; of the first one the name.
+/// Adds a line for each critical speed of a direction, in their order; the first line gets the name.
 static void add_direction(whirl_figure *figure, whirl_panel *panel, const drawing *of, const whirl_table *table,
                           int direction, double unit) {
     static const char *const names[] = {"backward", "to and fro", "forward"};
@@ -62,7 +62,7 @@ static int by_speed(const void *a, const void *b) {
     return (one->speed > other->speed) - (one->speed < other->speed);
 }
 
-/// The stiffness kxx or kyy of the bearings at a station over the speed, wherever critical speeds were found.
+/// Adds the stiffness kxx or kyy of the bearings at a station over the speed, at all critical speeds found.
 static void add_bearings(whirl_figure *figure, whirl_panel *panel, const drawing *of, const whirl_table *table,
                          size_t station, size_t column, double unit) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_CRITICAL_SPEEDS_BEARINGS);
@@ -102,7 +102,7 @@ static bool running_of(const whirl_result *result, double *low, double *high) {
     return false;
 }
 
-/// A band over the whole map, drawn before all lines.
+/// Adds a band over the whole map, drawn before all lines.
 static void add_running(whirl_figure *figure, whirl_panel *panel, const drawing *of, const whirl_table *table,
                         double unit) {
     const double size = whirl_shown_parameter(of->units, table->parameter).size;

@@ -62,7 +62,7 @@ const figure_kind sag_figure = {.list = list_sag, .describe = describe_sag};
 
 enum { DEFLECTED = 6 };
 
-/// The point of a table nearest to a speed, rad/s.
+/// Returns the point of a table nearest to a speed, rad/s.
 static size_t point_near(const whirl_table *table, double speed) {
     size_t near = table->count;
     double least = HUGE_VAL;
@@ -97,8 +97,8 @@ static int by_number(const void *a, const void *b) {
     return (one > other) - (one < other);
 }
 
-/// Points at which shapes are drawn: at the largest peaks that probes see, and at both ends of the running speeds; of a
-/// response with neither the one with the largest orbit. In their order; how many.
+/// Chooses the points at which shapes are drawn, in their order: the largest peaks at probes, and both ends of the
+/// running speeds; without these, the point with the largest orbit. Returns how many.
 static size_t choose_points(const drawing *of, const whirl_table *table, size_t points[DEFLECTED]) {
     double low, high, below = HUGE_VAL, most = -1.0;
     size_t count = 0, largest = table->count;
@@ -130,7 +130,7 @@ static void list_deflected(figure_list *to, const drawing *of, const whirl_table
         list_figure(to, &place, "deflected", "Shafts bent by unbalance");
 }
 
-/// x_cos, x_sin, y_cos or y_sin of a station, in units shown.
+/// Returns x_cos, x_sin, y_cos or y_sin of a station, in shown units.
 static double station_number(const whirl_table *table, size_t point, size_t station, size_t column, double length) {
     static const double degree = 3.14159265358979323846 / 180.0;
     const double size = whirl_table_field(table, point, WHIRL_FIELD_UNBALANCE_AMPLITUDE, station)[column / 2];

@@ -37,7 +37,7 @@ static whirl_status choose_owner(const drawing *of, const figure_place *place, c
     return choose(word, names, count, station ? "station" : "contact", owner);
 }
 
-/// The first table along a parameter, or over two, that has the field.
+/// Finds the first table over one or two parameters that has the field.
 static bool find_field(const whirl_result *result, const char *name, figure_place *place) {
     for (size_t t = 0; t < result->table_count; t++) {
         place->table = &result->tables[t];
@@ -55,7 +55,7 @@ static whirl_status no_field(const whirl_result *result, const char *name) {
     return choose(name, names, layout->field_count, "field along a parameter", &ignored);
 }
 
-static whirl_status find(figure_list *list, const drawing *of, const char *name) {
+static whirl_status field_find(figure_list *list, const drawing *of, const char *name) {
     char text[200], title[280], label[WHIRL_NAME_SIZE];
     figure_place place = {.kind = &field_figure, .point = NO_POINT};
     if (*name == '@' || !strchr(name, '/') || of->result->table_count == 0) return whirl_ok();
@@ -123,4 +123,4 @@ static void field_describe(const drawing *of, const figure_place *place, whirl_f
              kinds > 1 ? ", coloured by regime" : "", down ? "; crosses: carried down" : "");
 }
 
-const figure_kind field_figure = {.describe = field_describe, .find = find};
+const figure_kind field_figure = {.describe = field_describe, .find = field_find};

@@ -58,7 +58,7 @@ whirl_status figure_make(const drawing *of, const figure_place *place, const whi
 
 // ---------------------------------------------------------------- for others
 
-/// A result as figures show it: every attractor once.
+/// A result for figures, with every attractor once.
 typedef struct shown_result {
     whirl_result *view;
     whirl_shown_units units;
@@ -131,8 +131,8 @@ static whirl_status no_figure(const shown_result *shown, const whirl_table *with
     return status;
 }
 
-/// Finds the list index of a figure by name, or makes a figure on request; index list->count if there is none. Only
-/// figures of table `within` unless that is NULL.
+/// Finds the list index of a figure by name, or makes a figure on request; index list->count if there is none. If
+/// `within` is not NULL, only figures of that table count.
 static whirl_status find_named(shown_result *shown, const whirl_table *within, const char *name, size_t *at) {
     figure_list *list = &shown->list;
     whirl_result alone = *shown->of.result;

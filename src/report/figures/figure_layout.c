@@ -7,7 +7,7 @@
 // Margins around a panel in cm: left of the numbers, for a label, right, below with numbers and label, below without,
 // for titles.
 static const double BARE = 0.45, LABEL = 0.62, RIGHT = 0.3, BELOW = 0.95, APART = 0.16, TITLE = 0.45;
-/// cm on the right for the colours of numbers.
+/// Width in cm of the colour scale on the right.
 static const double SCALE = 2.0;
 
 double figure_number_width(const whirl_figure *figure) {
@@ -22,8 +22,8 @@ double figure_number_width(const whirl_figure *figure) {
 
 // ---------------------------------------------------------------- axes
 
-/// Range of all numbers along an axis.
-static span range_of(const whirl_panel *panel, bool upright) {
+/// Returns the range of all numbers along an axis.
+static span layout_range(const whirl_panel *panel, bool upright) {
     span range = span_empty();
     for (size_t i = 0; i < panel->count; i++) {
         const whirl_series *series = panel->series[i];
@@ -36,7 +36,7 @@ static span range_of(const whirl_panel *panel, bool upright) {
     return range;
 }
 
-/// The smallest number above 0 along an axis, up to `most`.
+/// Returns the smallest number above 0 along an axis, at most `most`.
 static double least_of(const whirl_panel *panel, bool upright, double most) {
     double least = most;
     for (size_t i = 0; i < panel->count; i++) {
@@ -54,7 +54,7 @@ static span around(span range, double margin) {
 }
 
 static void fit_axis(const whirl_panel *panel, whirl_axis *axis, bool upright, bool log) {
-    const span all = range_of(panel, upright);
+    const span all = layout_range(panel, upright);
     const bool open = !isfinite(axis->low) || !isfinite(axis->high);
     const double most = fmax(fabs(all.low), fabs(all.high));
     const bool may = axis->logarithmic || (axis->tick_count == 0 && !panel->equal);
@@ -72,7 +72,7 @@ static void fit_axis(const whirl_panel *panel, whirl_axis *axis, bool upright, b
     else if (open)
         axis_show(axis, span_with_margin(all, 0.05, most > 0.0 ? 1e-9 * most : 1.0));
     if (!(axis->low > 0.0)) axis->logarithmic = false;
-    const double wide = fmax(1.0, 1e-6 * fabs(axis->low)); // of one number alone
+    const double wide = fmax(1.0, 1e-6 * fabs(axis->low)); // a span of one number
     if (!(axis->low < axis->high)) axis_show(axis, span_with_margin((span){axis->low, axis->low}, 0.0, wide));
 }
 
@@ -119,7 +119,7 @@ static size_t row_end(const whirl_figure *figure, size_t first) {
     return end;
 }
 
-/// cm that a row has above and below its panels.
+/// Computes the margins in cm above and below a row of panels.
 static double above_row(const whirl_figure *figure, size_t first, size_t end) {
     double above = 0.0;
     for (size_t i = first; i < end; i++)
@@ -177,7 +177,7 @@ static void place_row(whirl_figure *figure, size_t first, size_t end, double top
     }
 }
 
-/// Labels of vertical axes that are longer than their panels are high have two lines.
+/// Splits labels of vertical axes into two lines if they are longer than their panels are high.
 static void break_label(const whirl_figure *figure, whirl_panel *panel) {
     const size_t letters = figure_letters(panel->y.label);
     char *gap = strchr(panel->y.label + strlen(panel->y.label) / 3, ' ');

@@ -15,7 +15,7 @@ enum { MAX_PLANES = 12, LEVELS = WHIRL_HIGH + 1 };
 /// Strength of a verdict's colour over white, by confidence.
 static const double strength[LEVELS] = {[WHIRL_LOW] = 0.4, [WHIRL_FAIR] = 0.8, [WHIRL_HIGH] = 1.0};
 
-// Viridis and a blue-white-vermilion scale: both are read alike by all kinds of colour vision.
+// Viridis and a blue-white-vermilion scale: both are suitable for all kinds of colour vision.
 static const char *const rising[] = {"#440154", "#46327e", "#365c8d", "#277f8e",
                                      "#1fa187", "#4ac16d", "#a0da39", "#fde725"};
 static const char *const around_zero[] = {"#0072B2", "#ffffff", "#D55E00"};
@@ -41,7 +41,7 @@ typedef struct map_quantity {
 
 // ---------------------------------------------------------------- numbers
 
-/// Class and confidence in one number.
+/// Returns class and confidence as one number.
 static double regime_of(const map_drawing *map, size_t point, size_t station) {
     const whirl_verdict verdict = whirl_table_verdict(map->table, point);
     (void)station;
@@ -141,12 +141,12 @@ static const map_quantity quantities[] = {
 };
 enum { BASINS, REGIMES, QUANTITIES = sizeof quantities / sizeof *quantities };
 
-/// The numbers of any field.
+/// Returns the numbers of any field.
 static const map_quantity of_field = {"", "", "", field_of, scale_as_found, false};
 
 // ---------------------------------------------------------------- cells
 
-/// The number of a square that was not divided: the mean of its corners'.
+/// Returns the number of an undivided square: the mean of its corners.
 static double square_number(const map_drawing *map, const map_cells *cells, const double *of, size_t point,
                             size_t width) {
     const size_t slot = whirl_table_slot(map->table, point), x = slot % cells->columns, y = slot / cells->columns;
@@ -176,7 +176,7 @@ static void fill_cells(const map_drawing *map, const map_cells *cells, bool mixe
 
 /// Region id of a cell, used to draw borders: one id per regime and period (or attractor); 0 if the point has no
 /// verdict.
-static long kind_of(const map_drawing *map, size_t point) {
+static long map_kind_of(const map_drawing *map, size_t point) {
     if (point == map->table->count) return 0;
     if (map->labels) return (long)map->labels[point];
     if (!whirl_layout_has_verdict(&map->table->layout)) return 0;
@@ -189,7 +189,7 @@ static void add_borders(const map_drawing *map, whirl_panel *panel, const map_ce
     long *kinds = calloc(count + 1, sizeof *kinds);
     whirl_series *lines = panel_series(map->figure, panel, WHIRL_LINE, "#606060", 0.3);
     map->figure->failed = map->figure->failed || !kinds;
-    for (size_t i = 0; kinds && i < count; i++) kinds[i] = kind_of(map, cells->cover[i]);
+    for (size_t i = 0; kinds && i < count; i++) kinds[i] = map_kind_of(map, cells->cover[i]);
     if (kinds) map_cells_add_borders(map->figure, lines, cells, kinds);
     free(kinds);
 }
@@ -220,7 +220,7 @@ static void kind_name(const map_drawing *map, const map_quantity *what, size_t c
     snprintf(name, size, "%.32s (%.3g %%)", regime, 100.0 * one->share);
 }
 
-/// The legend: classes in full colour, all of them, or the attractors.
+/// Adds the legend: all classes in full colour, or the attractors.
 static void add_legend(const map_drawing *map, whirl_panel *panel, const map_quantity *what) {
     const bool judged = what == &quantities[REGIMES];
     const size_t most = map->attractor_count < ATTRACTOR_COLOURS ? map->attractor_count : ATTRACTOR_COLOURS;
@@ -255,7 +255,7 @@ static void add_numbers(const map_drawing *map, whirl_panel *panel, const map_ce
 
 // ---------------------------------------------------------------- panels
 
-/// Panels side by side: up to three, or as many as above each other, or one more.
+/// Returns the number of panels in a row: up to three, or about the square root of the number of planes.
 static size_t panels_across(size_t count) {
     return count <= 3 ? count : (size_t)ceil(sqrt((double)count));
 }
@@ -371,7 +371,7 @@ static void map_list(figure_list *to, const drawing *of, const whirl_table *tabl
     if (table->row == 0) return;
     if (is_basin(table)) add_to_list(to, &map, BASINS, 0);
     if (whirl_layout_has_verdict(&table->layout)) add_to_list(to, &map, REGIMES, 0);
-    // Other numbers of a basin belong to its attractors, and are not drawn.
+    // Other numbers of a basin are those of its attractors, and are not drawn as maps.
     for (size_t which = REGIMES + 1; which < QUANTITIES && !is_basin(table); which++)
         for (size_t s = 0; s < (quantities[which].per_station ? of->result->station_count : 1); s++)
             if (is_known(&map, &quantities[which], s)) add_to_list(to, &map, which, s);

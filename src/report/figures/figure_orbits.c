@@ -12,7 +12,7 @@
 
 enum { MAX_STATIONS = 12, MAX_MOTIONS = 6, STEPS = 180 };
 
-/// The motions that are drawn: the first so many with a waveform.
+/// Motions that are drawn: the first ones with a waveform.
 static size_t motions_of(const whirl_table *table, size_t motions[MAX_MOTIONS]) {
     size_t count = 0;
     for (size_t i = 0; i < table->count && count < MAX_MOTIONS; i++)
@@ -109,7 +109,7 @@ static double add_walls(whirl_figure *figure, whirl_panel *panel, const drawing 
     return widest;
 }
 
-/// The motions at a station; named in the legend once.
+/// Adds the motions at a station; the legend names them once.
 static void add_station(whirl_figure *figure, const drawing *of, const whirl_table *table, size_t station,
                         const size_t *motions, size_t count) {
     const char *name = of->result->stations[station].name;

@@ -13,7 +13,7 @@
 #include "whirl/engine/case.h"
 #include "whirl/handles.h"
 
-/// An orbit is near a circle that it misses or passes by this share of its size.
+/// An orbit counts as near a circle if it misses or passes it by at most this share of its size.
 static const double NEAR = 0.35;
 
 enum { SHOWN_TURNS = 10 }; ///< revolutions of the waveform panel
@@ -52,7 +52,7 @@ static subject subject_of(const drawing *to, const whirl_table *table, size_t po
     return of;
 }
 
-/// A square of the plane: its middle and its side.
+/// A square window of the plane: its middle and its side.
 typedef struct window {
     double x, y, side;
 } window;
@@ -129,7 +129,7 @@ static void add_waveform(whirl_figure *figure, whirl_panel *panel, const subject
                 series_add(figure, line, at, of->length * of->waveform.at[2 * k + column]);
         }
     }
-    // The instants of the section.
+    // Adds the points of the section.
     whirl_series *marks = panel_series(figure, panel, WHIRL_DOTS, dark, 0.9);
     for (size_t k = 0; k < rows; k++) {
         const double at = (double)(k + 1) / (double)of->turn;
@@ -147,7 +147,7 @@ static void show_window(whirl_panel *panel, const subject *of, const window *in)
     panel->equal = true;
 }
 
-/// The part of a circle around (0, 0) that falls into a window, and some more.
+/// Adds the part of a circle around (0, 0) that falls into a window, and slightly more.
 static void add_circle(whirl_figure *figure, whirl_series *line, const window *in, double radius) {
     // Only the arc that may cross the window is drawn. Seen from the centre, it lies within the angle of the window's
     // circumscribed circle.
@@ -169,7 +169,7 @@ static double mark_size(const subject *of) {
     return is_periodic(of) ? 2.2 : 1.1;
 }
 
-/// The head of an arrow at a place of an orbit, along the chord between the places around it.
+/// Adds the head of an arrow at a point of an orbit, along the chord between its neighbours.
 static void add_arrow(whirl_figure *figure, whirl_panel *panel, const double *before, const double *at,
                       const double *after, double length, double size, const char *colour) {
     const double chord = hypot(after[0] - before[0], after[1] - before[1]), slim = 0.42;
@@ -204,7 +204,7 @@ void orbit_marks(whirl_figure *figure, whirl_panel *panel, const numbers *sample
     add_arrow(figure, panel, at + 2 * (k - 1), at + 2 * k, at + 2 * (k + 1), length, fmin(size, own), colour);
 }
 
-/// The part of the bearing's wall that falls into a window, and some more.
+/// Adds the part of the bearing's wall that falls into a window, and slightly more.
 static void add_wall(whirl_figure *figure, whirl_series *line, const window *in, const subject *of) {
     if (of->wall.round) {
         add_circle(figure, line, in, of->length * of->walls.clearance);
@@ -231,8 +231,8 @@ static void add_orbit(whirl_figure *figure, whirl_panel *panel, const subject *o
     orbit_marks(figure, panel, &of->waveform, of->turn, of->length, 0.05 * in.side, line_colour(1), mark_size(of));
 }
 
-/// The window follows the section, but never below a fifth of the motion: rounding noise of a fixed point is no
-/// structure.
+/// The window fits the section, but has at least a fifth of the motion's size, so that rounding noise of a fixed point
+/// is not magnified.
 static void add_section(whirl_figure *figure, whirl_panel *panel, const subject *of) {
     span x = span_empty(), y = span_empty();
     for (size_t k = 0; k < of->section.rows; k++) {
@@ -240,7 +240,8 @@ static void add_section(whirl_figure *figure, whirl_panel *panel, const subject 
         span_widen(&y, of->length * of->section.at[4 * k + 1]);
     }
     const double extent = fmax(x.high - x.low, y.high - y.low);
-    const double least = fmax(0.2 * of->size, 1e-3 * hypot(x.high, y.high)); // where no waveform says how far it moves
+    const double least =
+        fmax(0.2 * of->size, 1e-3 * hypot(x.high, y.high)); // without a waveform the size of the motion is unknown
     const window in = window_around(x, y, fmax(1.24 * extent, least));
     show_window(panel, of, &in);
     const bool cloud = of->section.rows > 1000 && extent > 1e-3 * of->size && !is_periodic(of);
@@ -296,7 +297,7 @@ static bool is_there(const whirl_table *table, size_t point, size_t station) {
             point_spectrum(table, point, station).at || point_lines(table, point, station).at);
 }
 
-/// ": P-1", or nothing of a motion that was not judged.
+/// Appends ": P-1"; nothing for a motion that was not judged.
 static void name_verdict(const whirl_table *table, size_t point, char text[LABEL_SIZE + 2]) {
     const whirl_verdict verdict = whirl_table_verdict(table, point);
     char name[LABEL_SIZE];
@@ -373,7 +374,7 @@ static whirl_status add_numbered(figure_list *to, const drawing *of, const char 
     char *end;
     const unsigned long long point = strtoull(text, &end, 10);
     const whirl_table *table = &of->result->tables[0];
-    if (table->source) table = table->source; // any of several starts, and not one an attractor
+    if (table->source) table = table->source; // all starts, not one for each attractor
     if (end == text || *end || point >= table->count)
         return whirl_fail(WHIRL_BAD_INPUT, "the point is '%.60s', expected a number from 0 to %zu", text,
                           table->count > 0 ? table->count - 1 : 0);
@@ -383,7 +384,7 @@ static whirl_status add_numbered(figure_list *to, const drawing *of, const char 
     return whirl_ok();
 }
 
-static whirl_status find(figure_list *to, const drawing *of, const char *name) {
+static whirl_status point_find(figure_list *to, const drawing *of, const char *name) {
     char text[200];
     if (*name != '@' || of->result->table_count == 0) return whirl_ok();
     snprintf(text, sizeof text, "%s", name + 1);
@@ -424,4 +425,4 @@ static void point_describe(const drawing *to, const figure_place *place, whirl_f
                             : " No waveform was kept.");
 }
 
-const figure_kind point_figure = {.list = point_list, .describe = point_describe, .find = find};
+const figure_kind point_figure = {.list = point_list, .describe = point_describe, .find = point_find};

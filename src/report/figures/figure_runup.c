@@ -6,7 +6,7 @@
 #include "figure_kinds.h"
 #include "shown_kinds.h"
 
-/// Figures of a run, and what `which` of their places is.
+/// Figures of a run, and the meaning of `which` in their places.
 enum { OVER_SPEED, OVER_TIME, ORDERS, SHAFT, CONTACTS };
 
 enum { MAX_RUNS = 6, MAX_ORDERS = 4 };
@@ -15,7 +15,7 @@ static bool runup_is_done(const whirl_table *table, size_t point) {
     return whirl_table_done(table, point) && whirl_table_number(table, point, WHIRL_FIELD_RUNUP_END, 0) >= 0.0;
 }
 
-/// The runs that are drawn, at most MAX_RUNS of them.
+/// Runs that are drawn, at most MAX_RUNS.
 static size_t runup_list_runs(const whirl_table *table, size_t runs[MAX_RUNS]) {
     size_t count = 0;
     for (size_t point = 0; point < table->count && count < MAX_RUNS; point++)
@@ -46,7 +46,7 @@ static void runup_list(figure_list *to, const drawing *of, const whirl_table *ta
     if (of->result->contact_count > 0) list_figure(to, &place, "runup-contacts", "Contacts over the time");
 }
 
-/// What a line goes through: a column of a field of rows, in units, over another one.
+/// Data of a line: a column of a field with rows, in units, over another field.
 typedef struct course {
     const drawing *of;
     const whirl_table *table;
@@ -55,7 +55,7 @@ typedef struct course {
     double over_size;
 } course;
 
-/// Adds a line of all rows that there are; a lag breaks where it wraps.
+/// Adds a line through all rows; the line of a lag breaks where it wraps.
 static void runup_add_line(whirl_figure *figure, whirl_series *line, const course *c, const char *field, size_t which,
                            size_t column, double factor) {
     const whirl_field *shape = whirl_layout_field(&c->table->layout, field);
@@ -92,7 +92,7 @@ static whirl_panel *runup_length_panel(const drawing *of, whirl_figure *figure, 
     return panel;
 }
 
-/// Of one run x and y, largest radius and lags; of several the largest radius of each.
+/// Draws the motion: for one run x and y, largest radius and lags; for several runs the largest radius of each.
 static void runup_describe_motion(const drawing *of, const figure_place *place, whirl_figure *figure, bool by_speed) {
     static const char *const names[] = {"$x$ at 1X", "$y$ at 1X"};
     size_t runs[MAX_RUNS];
@@ -152,7 +152,7 @@ static void runup_describe_orders(const drawing *of, const figure_place *place, 
              of->result->stations[place->station].name);
 }
 
-/// Of several runs the speed of each; of one what turns the shaft, too.
+/// Draws the speed of each run; for a single run the torques on the shaft too.
 static void runup_describe_shaft(const drawing *of, const figure_place *place, whirl_figure *figure) {
     static const char *const names[] = {"motor", "load", "friction", "rotor"};
     size_t runs[MAX_RUNS];
@@ -212,7 +212,7 @@ static void runup_describe_contacts(const drawing *of, const figure_place *place
              "were closed.");
 }
 
-/// Says which runs of several a figure shows: the first `shown`.
+/// Notes in the caption that a figure shows the first `shown` of several runs.
 static void runup_caption_runs(const drawing *of, const whirl_table *table, size_t shown, whirl_figure *figure) {
     const size_t used = strlen(figure->caption);
     char label[UNIT_LABEL_SIZE] = "";

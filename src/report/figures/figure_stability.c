@@ -5,7 +5,7 @@
 #include "figure_kinds.h"
 #include "shown_kinds.h"
 
-/// A figure a point, of not too many.
+/// Lists a figure for each point, unless there are too many.
 static void stability_list(figure_list *to, const drawing *of, const whirl_table *table) {
     enum { MOST = 6 };
     const size_t step = 1 + (table->count - 1) / MOST;

@@ -11,7 +11,7 @@ typedef struct text_box {
     double at[4][2];
 } text_box;
 
-/// A panel with what its texts keep clear of.
+/// A panel with the legend, marks and texts that its texts must not overlap.
 typedef struct text_room {
     const whirl_figure *figure;
     const whirl_panel *panel;
@@ -30,18 +30,18 @@ double figure_text_width(const whirl_figure *figure, size_t letters) {
     return 0.0195 * figure->font * (double)letters;
 }
 
-/// Share of the axis below a value, as it is shown; NaN where a logarithmic axis has none.
+/// Returns the share of the axis below a value; NaN if a logarithmic axis cannot show it.
 static double text_share(const whirl_axis *axis, double value) {
     if (axis->logarithmic) return value > 0.0 ? log(value / axis->low) / log(axis->high / axis->low) : (double)NAN;
     return (value - axis->low) / (axis->high - axis->low);
 }
 
-/// cm that a letter is high.
+/// Returns the height of a letter in cm.
 static double text_em(const text_room *room) {
     return 0.9 * room->figure->font * 2.54 / 72.0;
 }
 
-/// The box of a text on a side of its point: offsets in letters' heights are those that renderers take.
+/// Returns the box of a text on a side of its point, with the renderers' offsets in letter heights.
 static text_box text_box_of(const text_room *room, const whirl_series *series, size_t k, whirl_side side) {
     const double em = text_em(room), turn = acos(-1.0) / 3.0;
     const double wide = 1.06 * figure_text_width(room->figure, figure_letters(series->texts[k]));
@@ -88,7 +88,7 @@ static bool text_boxes_meet(const text_box *one, const text_box *other) {
     return !text_edge_parts(one, other) && !text_edge_parts(other, one);
 }
 
-/// Place of a point of a series, cm in the panel; false where it has none.
+/// Finds the position of a point of a series in the panel, cm; returns false if it has none.
 static bool text_place_of(const text_room *room, const whirl_series *series, size_t k, double place[2]) {
     place[0] = room->width * text_share(&room->panel->x, series->x[k]);
     place[1] = room->height * text_share(&room->panel->y, series->y[k]);
@@ -137,7 +137,7 @@ static bool text_is_free(const text_room *room, const text_box *box) {
     return true;
 }
 
-/// Keeps clear of the legend inside a panel, at its upper right.
+/// Reserves the box of the legend inside a panel, at its upper right.
 static void text_keep_legend(text_room *room) {
     const whirl_figure *figure = room->figure;
     double wide = 0.0, longest = 0.0;
@@ -154,8 +154,8 @@ static void text_keep_legend(text_room *room) {
         (text_box){{{left, low}, {room->width, low}, {room->width, room->height}, {left, room->height}}};
 }
 
-/// Finds the side of a text, its series' own first: one where it covers neither lines nor marks, else one where it
-/// covers lines alone, else any that is free.
+/// Finds a side for a text, trying its series' own side first: a side where it covers neither lines nor marks, else one
+/// where it covers only lines, else any free one.
 static bool text_find_side(text_room *room, const whirl_series *series, size_t k, whirl_side *found) {
     static const whirl_side others[] = {WHIRL_ABOVE, WHIRL_BELOW, WHIRL_RIGHT, WHIRL_LEFT, WHIRL_BESIDE, WHIRL_SLANTED};
     enum { OTHERS = sizeof others / sizeof *others };
@@ -175,8 +175,8 @@ static bool text_find_side(text_room *room, const whirl_series *series, size_t k
     return false;
 }
 
-/// Places the texts of a movable series. Those of another side than its own go to a series of that side; texts without
-/// room are left out.
+/// Places the texts of a movable series. Texts that need another side move to a series of that side; texts without room
+/// are left out.
 static void text_place_series(whirl_figure *figure, whirl_panel *panel, text_room *room, whirl_series *series) {
     whirl_series *moved[WHIRL_BESIDE + 1] = {[0] = NULL};
     size_t kept = 0;

@@ -34,7 +34,7 @@ typedef struct band {
     bool stable;
 } band;
 
-/// The orbit at which a branch of tori begins, of no width.
+/// Band of no width: the orbit at which a branch of tori begins.
 static bool beginning(const drawing *to, const whirl_table *table, size_t first, size_t station, size_t line,
                       band *out) {
     const whirl_table *branches = whirl_result_role(to->result, WHIRL_ROLE_BRANCHES);
@@ -48,7 +48,7 @@ static bool beginning(const drawing *to, const whirl_table *table, size_t first,
     return section != NULL;
 }
 
-/// Last band of a branch that shrinks to an orbit: the middle of the band before. Returns false for other ends.
+/// Last band of a branch that shrinks to an orbit: the middle of the band before it. Returns false for other ends.
 static bool closing(const whirl_table *table, size_t last, size_t station, size_t line, band *out) {
     const double *low = whirl_table_field(table, last, WHIRL_FIELD_TORUS_SECTION_LOW, station);
     const double *high = whirl_table_field(table, last, WHIRL_FIELD_TORUS_SECTION_HIGH, station);
@@ -211,7 +211,7 @@ static span rotations_of(const torus_view *v) {
     return span_with_margin(range, 0.12, 1e-6);
 }
 
-static whirl_panel *add_panel(whirl_figure *figure, const torus_view *v, const char *name, const char *label) {
+static whirl_panel *torus_add_panel(whirl_figure *figure, const torus_view *v, const char *name, const char *label) {
     whirl_panel *panel = figure_panel(figure, name, 1.0, 4.0);
     if (!panel) return NULL;
     axis_show(&panel->x, v->range);
@@ -249,17 +249,17 @@ static void torus_figure_describe(const drawing *of, const figure_place *place, 
     char label[SYMBOL_SIZE];
     v.size = whirl_shown_parameter(of->units, v.table->parameter).size;
     v.range = axis_of(&v);
-    whirl_panel *rotation = add_panel(figure, &v, "rotation", "rotation number");
+    whirl_panel *rotation = torus_add_panel(figure, &v, "rotation", "rotation number");
     const span rotations = rotations_of(&v);
     if (rotation) axis_show(&rotation->y, rotations);
     if (rotation) add_resonances(figure, rotation, rotations);
     add_numbers(figure, rotation, &v, 0, "", rotation_of);
     symbol_length(of->units, WHIRL_AMPLITUDE, "amplitude", label, sizeof label);
-    whirl_panel *amplitude = add_panel(figure, &v, "amplitude", label);
+    whirl_panel *amplitude = torus_add_panel(figure, &v, "amplitude", label);
     if (amplitude) amplitude->keyed = true;
     for (size_t s = 0; s < of->result->station_count; s++)
         add_numbers(figure, amplitude, &v, s, of->result->stations[s].name, amplitude_of);
-    whirl_panel *exponent = add_panel(figure, &v, "exponent", "normal exponent / rev.");
+    whirl_panel *exponent = torus_add_panel(figure, &v, "exponent", "normal exponent / rev.");
     if (exponent) {
         exponent->x.shown = true;
         whirl_series *zero = panel_level(figure, exponent, 0.0, "#9A9A9A", 0.4);

@@ -64,7 +64,7 @@ static void add_lags(whirl_figure *figure, whirl_panel *panel, const view *v) {
     }
 }
 
-/// Field of curve `which`: the first probe, the second probe, the major axis.
+/// Returns the field of curve `which`: the first probe, the second probe, the major axis.
 static const char *source_of(size_t which) {
     return which == 2 ? WHIRL_FIELD_UNBALANCE_AXES : WHIRL_FIELD_UNBALANCE_PROBE;
 }
@@ -95,7 +95,7 @@ static void add_amplitudes(whirl_figure *figure, whirl_panel *panel, const view 
     }
 }
 
-/// Circles of equal amplitude and rays of equal lag, with their names; `high`: the largest amplitude shown.
+/// Adds circles of equal amplitude and rays of equal lag, with their names; `high`: the largest amplitude shown.
 static void add_lag_axes(whirl_figure *figure, whirl_panel *panel, double high) {
     enum { STEPS = 96, RAYS = 8 };
     const double step = tick_step(high, 4);
@@ -111,7 +111,7 @@ static void add_lag_axes(whirl_figure *figure, whirl_panel *panel, double high) 
         series_add_text(figure, numbers, k * step * cos(two_pi / 16.0), k * step * sin(two_pi / 16.0), text);
     }
     for (int k = 0; k < RAYS; k++) {
-        const double angle = -two_pi * k / RAYS; // against the rotation the lag grows
+        const double angle = -two_pi * k / RAYS; // lag is counted against the rotation
         char text[16];
         series_add(figure, grid, 0.0, 0.0);
         series_add(figure, grid, high * cos(angle), high * sin(angle));
@@ -132,7 +132,7 @@ static bool polar_place(const view *v, size_t point, size_t probe, double place[
     return true;
 }
 
-/// Marks speeds on a probe's line at round values of the parameter.
+/// Marks round values of the parameter on a probe's line.
 static void add_speeds(whirl_figure *figure, whirl_panel *panel, const view *v, size_t probe) {
     span range = span_empty();
     for (size_t point = 0; point < v->table->count; point++) span_widen(&range, value_at(v, point));
@@ -158,7 +158,7 @@ static void add_speeds(whirl_figure *figure, whirl_panel *panel, const view *v, 
     }
 }
 
-/// The polar diagram of both probes, the origin in its middle.
+/// Adds the polar diagram of both probes, with the origin in the middle.
 static void add_polar(whirl_figure *figure, whirl_panel *panel, const view *v) {
     double most = 0.0, place[2];
     symbol_length(v->of->units, WHIRL_AMPLITUDE, "amplitude", panel->x.label, sizeof panel->x.label);

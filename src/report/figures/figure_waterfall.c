@@ -19,7 +19,7 @@ static const double LEAST = 1e-3;
 /// Width of a mark, and its largest height where points are far apart, as parts of the axes.
 static const double WIDE = 0.007, HIGH = 0.03;
 
-/// A whirl of a line.
+/// Mark of a spectral line in one direction of whirl.
 typedef struct mark {
     size_t point;
     double at, amplitude; ///< shown frequency, negative for backward whirl; shown amplitude
@@ -29,9 +29,9 @@ typedef struct waterfall {
     bifurcation axis; ///< axis of the parameter
     bool orders;      ///< frequencies are shown as orders of the running speed
     double *sizes;    ///< [points] shown size of one order
-    mark *marks;      ///< the largest last, which is drawn over the others
+    mark *marks;      ///< rising by amplitude, so that the largest is drawn over the others
     size_t count;
-    double largest; ///< amplitude
+    double largest; ///< largest amplitude
 } waterfall;
 
 static int by_amplitude(const void *left, const void *right) {
@@ -72,7 +72,7 @@ static void gather(waterfall *of) {
     if (kept > 1) qsort(of->marks, kept, sizeof *of->marks, by_amplitude);
 }
 
-/// Height of a point's marks: its part of the axis, up to a limit.
+/// Returns the height of a point's marks: its part of the axis, up to a limit.
 static span height_of(const waterfall *of, size_t point) {
     const bifurcation *axis = &of->axis;
     const double at = axis->value * axis->table->values[point];
@@ -88,7 +88,7 @@ static span height_of(const waterfall *of, size_t point) {
 
 // ---------------------------------------------------------------- the figure
 
-static void add_panel(whirl_figure *figure, const waterfall *of, int branch) {
+static void waterfall_add_panel(whirl_figure *figure, const waterfall *of, int branch) {
     const bifurcation *axis = &of->axis;
     whirl_panel *panel = figure_panel(figure,
                                       !axis->both  ? "waterfall"
@@ -159,8 +159,8 @@ static void waterfall_describe(const drawing *to, const figure_place *place, whi
                                              .count = sizeof darker / sizeof *darker};
         symbol_length(to->units, WHIRL_AMPLITUDE, "amplitude", figure->scale.label, sizeof figure->scale.label);
         if (of.axis.both) figure->width = 17.5;
-        add_panel(figure, &of, 1);
-        if (of.axis.both) add_panel(figure, &of, -1);
+        waterfall_add_panel(figure, &of, 1);
+        if (of.axis.both) waterfall_add_panel(figure, &of, -1);
         snprintf(figure->caption, sizeof figure->caption,
                  "Waterfall of %s: the spectral lines of x + iy over %s, forward whirl on the right, backward whirl on "
                  "the left, coloured by their amplitudes (the darker, the larger), down to a thousandth of the "

@@ -4,7 +4,7 @@
 
 #include "figure_kinds.h"
 
-/// Places along the axis that shafts of one axis reach over.
+/// Range of positions covered by the shafts of one axis.
 static span axis_reach(const machine_layout *l, double axis) {
     span reach = span_empty();
     for (size_t s = 0; s < l->model.shaft_count; s++) {
@@ -61,7 +61,7 @@ void along_place(const drawing *of, machine_along *out) {
     out->range = (span){places.low - 0.3 * step, places.high + step * ((double)out->aside + 0.3)};
 }
 
-/// Ticks over the shafts of one axis, by the places of the first of them.
+/// Adds ticks over the shafts of one axis, in positions of its first shaft.
 static void add_ticks(whirl_figure *figure, whirl_panel *panel, span own, double start, double step) {
     char text[32];
     const double first = ceil((own.low - start) / step - 1e-9);
@@ -113,11 +113,11 @@ void along_axis(whirl_figure *figure, whirl_panel *panel, const drawing *of, con
 
 // ---------------------------------------------------------------- the machine in grey
 
-/// Shown units per m of the vertical axis: the same scale as along the axis if that fits.
+/// Returns the shown units per m of the vertical axis: the same scale as along the axis if that fits.
 static double across_scale(const whirl_figure *figure, const whirl_panel *panel, const machine_along *along,
                            double high) {
     const machine_layout *l = along->layout;
-    const double numbers = 1.6; // cm beside a panel, or so
+    const double numbers = 1.6; // width of numbers next to a panel in cm, approximately
     const double wide = fmax(figure->width * panel->width - numbers, 1.0);
     const double scale = 2.0 * high / panel->height * wide / ((along->range.high - along->range.low) * along->unit);
     double radius = 0.0;
@@ -136,7 +136,7 @@ static void add_wall(whirl_figure *figure, whirl_series *area, const machine_alo
     }
 }
 
-/// A box above and one below the axis; `inner` and `outer` in m.
+/// Adds a box above and one below the axis; `inner` and `outer` in m.
 static void add_pair(whirl_figure *figure, whirl_series *boxes, span x, double inner, double outer, double scale) {
     series_add_box(figure, boxes, x, (span){scale * inner, scale * outer});
     series_add_box(figure, boxes, x, (span){-scale * outer, -scale * inner});
@@ -174,7 +174,7 @@ const char *along_caption(const machine_along *along) {
 
 // ---------------------------------------------------------------- shapes
 
-/// Next station along a shaft; station_count if there is none.
+/// Returns the next station along a shaft; station_count if there is none.
 static size_t next_on_shaft(const whirl_result *result, size_t shaft, double after) {
     size_t next = result->station_count;
     for (size_t s = 0; s < result->station_count; s++) {
@@ -185,7 +185,7 @@ static size_t next_on_shaft(const whirl_result *result, size_t shaft, double aft
     return next;
 }
 
-/// From station to station of every shaft; without shafts from each to the next.
+/// Adds lines from station to station of every shaft; without shafts, from each station to the next.
 static void add_polygons(whirl_figure *figure, whirl_series *line, const drawing *of, const machine_along *along,
                          const double *values) {
     const whirl_result *result = of->result;

@@ -13,7 +13,8 @@ static bool have_equal_ratios(const double *values, size_t count) {
     return fabs(values[count - 1] - values[count - 2] - difference) > 1e-3 * fabs(difference);
 }
 
-/// Half-way between neighbours, on a logarithmic axis by ratios; outer cells reach as far out as in.
+/// Places edges half-way between neighbours (on a logarithmic axis by ratios); outer cells are symmetric about their
+/// points.
 static void find_edges(const double *values, size_t count, bool ratios, double *edges) {
     const double own = fabs(values[0]) > 0.0 ? 0.05 * fabs(values[0]) : 0.5;
     for (size_t i = 1; i < count; i++)
@@ -70,7 +71,7 @@ static void fill_gaps(double *values, size_t count) {
     size_t first = 0, last = count - 1;
     while (first < last && isnan(values[first])) first++;
     while (last > first && isnan(values[last])) last--;
-    if (first == last) { // or none at all
+    if (first == last) { // one known value, or none
         const double only = isnan(values[first]) ? 0.0 : values[first];
         for (size_t k = 0; k < count; k++) values[k] = only + (double)k - (double)first;
         return;
@@ -135,7 +136,7 @@ bool map_cells_next(const map_cells *map, const double *values, map_run *run) {
     return true;
 }
 
-/// A line of the grid: between columns `at` - 1 and `at` if it stands upright, else between rows.
+/// Adds the borders along a grid line: between columns `at` - 1 and `at` if `upright`, else between rows.
 typedef struct border {
     const map_cells *map;
     const long *labels;

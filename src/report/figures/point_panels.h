@@ -15,9 +15,9 @@ typedef struct subject {
     numbers waveform, section, spectrum, lines;
     machine_walls walls; ///< around the station
     machine_wall wall;   ///< wall of its bearing
-    size_t turn;         ///< samples of the waveform a revolution
-    span x, y;           ///< range of the orbit, or of the section without a waveform; as shown
-    double size;         ///< larger side of the motion's box; as shown
+    size_t turn;         ///< samples of the waveform in a revolution
+    span x, y;           ///< range of the orbit (of the section without a waveform), in shown units
+    double size;         ///< larger side of the motion's box, in shown units
     const whirl_shown_units *units;
     /// Factors from numbers of the result to shown displacements, amplitudes and orders (NaN: orders stay orders).
     double length, amplitude, order;

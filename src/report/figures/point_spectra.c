@@ -24,13 +24,13 @@ static double amplitude(const double *line, int full) {
 /// Axis of amplitudes: logarithmic if lines would be too small on a linear one.
 typedef struct scale {
     bool logarithmic;
-    double low, high; ///< as shown
+    double low, high; ///< limits, in shown units
 } scale;
 
 /// Least amplitude, relative to the largest, that is visible on a linear axis.
 static const double SEEN = 0.01;
 
-/// Makes the axis, with room for the label of the tallest line.
+/// Makes the axis of amplitudes, with room for the label of the tallest line.
 static scale scale_of(const subject *of, int full, double room) {
     double tallest = 0.0, least = INFINITY;
     for (size_t k = 0; k < of->spectrum.rows; k++) tallest = fmax(tallest, amplitude(&of->spectrum.at[5 * k], full));
@@ -44,13 +44,13 @@ static scale scale_of(const subject *of, int full, double room) {
     return (scale){true, low, high * pow(high / low, room - 1.0)};
 }
 
-/// Position of an amplitude on the axis, from 0 to 1.
+/// Returns the position of an amplitude on the axis, from 0 to 1.
 static double scale_place(const scale *axis, double height) {
     if (!axis->logarithmic) return height / axis->high;
     return fmax(log(fmax(height, axis->low) / axis->low) / log(axis->high / axis->low), 0.0);
 }
 
-/// Amplitude at a position of the axis.
+/// Returns the amplitude at a position of the axis.
 static double scale_height(const scale *axis, double place) {
     return axis->logarithmic ? axis->low * pow(axis->high / axis->low, place) : place * axis->high;
 }
@@ -65,7 +65,8 @@ static int by_height(const void *left, const void *right) {
     return (a < b) - (a > b);
 }
 
-/// Height of the drawn curve, as shown, near an order: that of a line between two bins is a little larger.
+/// Returns the height of the drawn curve near an order, in shown units; an interpolated line between two bins is
+/// slightly higher.
 static double drawn_height(const subject *of, double order, int column) {
     double most = 0.0;
     const double *at = of->spectrum.at;
@@ -109,7 +110,7 @@ static bool peak_stands_alone(const peak *candidate, const peak *labelled, int c
     return true;
 }
 
-/// Side on which another peak of about this height is: -1 left, 1 right, 0 none. The nearest one decides.
+/// Returns the side of the nearest other peak of about this height: -1 left, 1 right, 0 none.
 static int neighbour_side(const peak *peaks, size_t count, const peak *of, double wide, double tall) {
     const peak *nearest = NULL;
     for (const peak *other = peaks; other < peaks + count; other++) {
@@ -140,7 +141,7 @@ static int label_text(const subject *of, const whirl_machine *named, double plac
     return letters + snprintf(text + letters, size - (size_t)letters, " (%s)", name);
 }
 
-/// Adds the orders of the largest lines above them.
+/// Labels the largest lines with their orders.
 static void add_line_labels(whirl_figure *figure, whirl_panel *panel, const subject *of, const scale *axis,
                             double highest, int full) {
     peak peaks[2 * WHIRL_MAX_LINES], labelled[MAX_LABELS];
@@ -155,7 +156,7 @@ static void add_line_labels(whirl_figure *figure, whirl_panel *panel, const subj
         if (!peak_stands_alone(&peaks[k], labelled, count, 0.025 * highest)) continue;
         char text[32 + LINE_NAME_SIZE];
         const int letters = label_text(of, made ? &own : NULL, fabs(peaks[k].place), text, sizeof text);
-        // Half a letter between neighbours.
+        // Keep half a letter between neighbouring labels.
         const double wide = 0.017 * highest * (letters + 0.5), tall = 0.06;
         const int neighbour = neighbour_side(peaks, found, &peaks[k], wide, tall);
         const label here = place_label(&peaks[k], neighbour, placed, count, wide, tall);
@@ -167,7 +168,7 @@ static void add_line_labels(whirl_figure *figure, whirl_panel *panel, const subj
     if (made) own.release(own.owner);
 }
 
-/// The frequency up to which the spectrum is drawn, as shown.
+/// Returns the highest frequency drawn, in its shown unit.
 static double highest_order(const subject *of) {
     const double last = of->spectrum.at[5 * (of->spectrum.rows - 1)];
     return order_size(of) * (last > 0.0 ? last : 1.0);
@@ -179,7 +180,7 @@ static void label_spectrum(whirl_panel *panel, const subject *of, int full) {
     units_order_label(of->units, isnan(of->order), full, panel->x.label, sizeof panel->x.label);
 }
 
-/// A spectrum's axes, and the orders of its largest lines. Gives its axis of amplitudes.
+/// Sets up a spectrum's axes and labels its largest lines. Returns its axis of amplitudes.
 static scale begin_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of, int full) {
     const double highest = highest_order(of);
     const scale axis = scale_of(of, full, full ? 1.24 : 1.22);

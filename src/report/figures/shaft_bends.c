@@ -55,13 +55,14 @@ double bends_length(const shaft_bends *b) {
     return b->machine.length;
 }
 
-/// Displacement of a station along x (axis: 0) or y in a vector [dimension][2].
+/// Returns the displacement of a station along x (axis: 0) or y in a vector [dimension][2].
 static double complex moved_at(const whirl_probe *probe, int axis, const double *vector) {
     const double *at = vector + 2 * (axis == 0 ? probe->x : probe->y);
     return whirl_probe_sees(probe, (size_t)axis) ? at[0] + at[1] * I : 0.0;
 }
 
-/// Displacement of a place on the shaft line along x (axis: 0) or y in a vector [dimension][2], in length scales.
+/// Returns the displacement of a place on the shaft line along x (axis: 0) or y in a vector [dimension][2], in length
+/// scales.
 static double complex moved_on_line(const shaft_bends *b, size_t place, int axis, const double *vector, double length) {
     return (whirl_shaft_line_at(&b->line, place, axis, vector, 2) +
             whirl_shaft_line_at(&b->line, place, axis, vector + 1, 2) * I) /
@@ -70,8 +71,8 @@ static double complex moved_on_line(const shaft_bends *b, size_t place, int axis
 
 // ---------------------------------------------------------------- modes
 
-/// One or two vectors whose linear combination is to be the shape of a result. Vectors interleave real and imaginary
-/// parts.
+/// One or two vectors, a linear combination of which must be the shape of a result. Vectors interleave real and
+/// imaginary parts.
 typedef struct fit {
     const shaft_bends *of;
     size_t mode, count;
@@ -79,14 +80,15 @@ typedef struct fit {
     double complex factors[2];
 } fit;
 
-/// The result's own number of a station.
+/// Returns the result's number for a station.
 static double complex fit_wanted(const fit *f, size_t station, int axis) {
     const double *row = whirl_table_field(f->of->table, f->of->point, WHIRL_FIELD_MODES_SHAPE, station) + 4 * f->mode;
     const size_t at = 2 * (size_t)axis;
     return row[at] - row[at + 1] * I;
 }
 
-/// Scalar product of two vectors over all stations, the first one conjugated; `other` NULL: the shape of the result.
+/// Returns the scalar product of two vectors over all stations, the first one conjugated; `other` NULL: the result's
+/// shape.
 static double complex fit_product(const fit *f, const whirl_system *system, const double *one, const double *other) {
     double complex sum = 0.0;
     for (size_t p = 0; p < 2 * system->probe_count; p++) {

@@ -11,7 +11,7 @@ const char *shown_owner(const drawing *of, const figure_place *place) {
     return place->field->extent == WHIRL_PER_CONTACT ? of->result->contacts[place->which] : "";
 }
 
-/// Name of the column; "" if the field has one number.
+/// Writes the name of the column; "" if the field has one number.
 static void column_of(const figure_place *place, char name[WHIRL_NAME_SIZE]) {
     char names[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE];
     *name = '\0';
@@ -22,7 +22,7 @@ void shown_quantity(const figure_place *place, char *text, size_t size) {
     const char *meaning = place->field->meaning, *last = strrchr(place->field->name, '/');
     char column[WHIRL_NAME_SIZE];
     column_of(place, column);
-    // A meaning that lists codes ("0: ...") is no name.
+    // A meaning that lists codes ("0: ...") cannot serve as a name.
     const bool told = !*column && *meaning && !strchr("0123456789", *meaning);
     if (told)
         snprintf(text, size, "%.*s", (int)strcspn(meaning, ",;(:"), meaning);
@@ -46,7 +46,7 @@ static measure measure_of(const figure_place *place) {
     return PLAIN;
 }
 
-/// Unit of frequencies and speeds: the one asked for, else that of a speed on the axis.
+/// Returns the unit of frequencies and speeds: the requested one, else that of a speed on the axis.
 static whirl_unit speed_unit_beside(const drawing *of, const whirl_table *table) {
     whirl_unit unit = {.name = "rad/s", .size = 1.0};
     if (of->units->frequency > 0.0) {
@@ -60,7 +60,7 @@ static whirl_unit speed_unit_beside(const drawing *of, const whirl_table *table)
     return unit;
 }
 
-/// Unit of a number that is no length.
+/// Returns the unit of a number that is not a length.
 static whirl_unit unit_of(const drawing *of, const figure_place *place) {
     static const char *const kept[] = {"revolution", "1/revolution", "order"};
     const whirl_field *field = place->field;

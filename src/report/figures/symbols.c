@@ -15,15 +15,15 @@ static const struct {
     {"Lambda", "\u039b"}, {"Sigma", "\u03a3"}, {"Theta", "\u0398"},
 };
 
-/// The letter of a Greek name, or NULL.
+/// Returns the letter of a Greek name, or NULL.
 static const char *greek_letter(const char *name, size_t length) {
     for (size_t i = 0; i < sizeof greek / sizeof *greek; i++)
         if (strlen(greek[i].name) == length && strncmp(greek[i].name, name, length) == 0) return greek[i].letter;
     return NULL;
 }
 
-/// Length of the symbol at the beginning of a name: a letter or a Greek name, then the end, digits or a subscript. 0
-/// for a word.
+/// Returns the length of the symbol at the beginning of a name: a letter or a Greek name, then the end, digits or a
+/// subscript. 0 for a word.
 static size_t letters_of(const char *name) {
     const size_t letters = strcspn(name, "_0123456789");
     const bool symbol = (letters == 1 && isalpha((unsigned char)*name)) || greek_letter(name, letters);

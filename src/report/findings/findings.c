@@ -27,7 +27,8 @@ whirl_status findings_of(const whirl_result *view, const whirl_shown_units *unit
     if (all) find_machine(&(finder){all, units, view, &whole, machine});
     for (size_t t = 0; all && t < view->table_count; t++)
         find_table(&(finder){all, units, view, &view->tables[t], machine});
-    // Peaks, scales and lines of modes are looked for in functions that find none without memory.
+    // The functions that search peaks, scales and lines of modes find nothing without memory, and return no status:
+    // memory is checked here.
     if (all && exhausted(before)) all->failed = true;
     return find_made(all, findings);
 }

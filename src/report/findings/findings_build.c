@@ -15,8 +15,8 @@ const char *whirl_judgement_name(whirl_judgement judgement) {
 
 // ---------------------------------------------------------------- memory
 
-/// Memory of texts and numbers, and dummies that are written to after an allocation failed; such findings are
-/// discarded.
+/// Memory of texts and numbers, and a dummy statement and sheet: after a failed allocation calls write to these, and
+/// the findings are discarded.
 typedef struct find_memory {
     memory_arena arena;
     whirl_statement statement;
@@ -53,7 +53,7 @@ const char *find_text(whirl_findings *findings, const char *format, ...) {
     return text;
 }
 
-/// Room for one more item [count] of an array that doubles; false without memory.
+/// Makes room for one more item [count] of an array that doubles; returns false without memory.
 static bool find_room(whirl_findings *findings, void **items, size_t count, size_t size) {
     if (findings->failed) return false;
     if ((count & (count - 1)) != 0) return true;
@@ -200,7 +200,8 @@ void sheet_texts(const finder *of, whirl_sheet *sheet, const char *key, const ch
 void sheet_values(const finder *of, whirl_sheet *sheet, const char *heading, int digits) {
     if (!*of->table->parameter) return;
     const whirl_unit unit = whirl_shown_parameter(of->units, of->table->parameter);
-    const char *const own = find_text(of->findings, "%s", of->table->parameter); // the view may go before the findings
+    const char *const own =
+        find_text(of->findings, "%s", of->table->parameter); // a copy: the view may be freed before the findings
     sheet_add_numbers(of, sheet, *heading ? heading : own,
                       *heading ? find_text(of->findings, "%s %s", heading, own) : own, &unit, digits, NULL);
 }

@@ -6,25 +6,26 @@
 #include "whirl/engine/case.h"
 #include "whirl/engine/findings.h"
 
-/// A table of a result on which findings are made.
+/// A table of a result for which findings are made.
 typedef struct finder {
     whirl_findings *findings;
     const whirl_shown_units *units; ///< units of the result
-    const whirl_result *result;     ///< a view of it (whirl_result_by_attractor)
+    const whirl_result *result;     ///< view of the result (whirl_result_by_attractor)
     const whirl_table *table;
-    const whirl_case *machine; ///< its case (machine_of), or NULL
+    const whirl_case *machine; ///< case of the result (machine_of), or NULL
 } finder;
 
-/// Findings without any in them, to be freed by whirl_findings_free; NULL without memory.
+/// Makes empty findings, freed by whirl_findings_free; NULL without memory.
 whirl_findings *find_begin(void);
 
-/// Hands over complete findings. If `made` is NULL or an allocation failed, frees them and returns WHIRL_NO_MEMORY.
+/// Returns complete findings in *out. If `made` is NULL or an allocation failed, frees them and returns
+/// WHIRL_NO_MEMORY.
 whirl_status find_made(whirl_findings *made, whirl_findings **findings);
 
-/// The first and the last point that is done; how many: 0, 1 or 2.
+/// Finds the first and the last computed point; returns how many: 0, 1 or 2.
 size_t find_ends(const whirl_table *table, size_t ends[2]);
 
-/// A copy of a formatted text that lives as long as the findings; "" without memory.
+/// Returns a formatted text that lives as long as the findings; "" without memory.
 const char *find_text(whirl_findings *findings, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /// Begins a statement; never NULL. The texts are static, or from find_text. It lives until the next one is begun.
@@ -56,16 +57,18 @@ void sheet_list(const finder *of, whirl_sheet *sheet, const char *key, const cha
 void sheet_texts(const finder *of, whirl_sheet *sheet, const char *key, const char *heading); ///< texts
 void sheet_values(const finder *of, whirl_sheet *sheet, const char *heading,
                   int digits); ///< values of the parameter, if any
-/// kxx, kxy, kyx, kyy, cxx, ..., of stiffness and damping of a bearing; headings [8], static; NULL: the same words.
+/// Adds columns kxx, kxy, kyx, kyy, cxx, ... for stiffness and damping of a bearing; headings [8], static; NULL: the
+/// same words.
 void sheet_coefficients(const finder *of, whirl_sheet *sheet, const char *const *headings);
 
-/// Begins a row; then one of these for every column. Numbers that are not finite leave their cell empty; texts are
-/// static, or from find_text.
+/// Begin a row, then fill every column by one of these functions. Numbers that are not finite leave their cell empty;
+/// texts are static, or from find_text.
 void sheet_row(const finder *of, whirl_sheet *sheet);
 void cell_number(const finder *of, whirl_sheet *sheet, double number);
 void cell_numbers(const finder *of, whirl_sheet *sheet, size_t count, const double *numbers);
 void cell_text(const finder *of, whirl_sheet *sheet, const char *text);
 void cell_station(const finder *of, whirl_sheet *sheet, size_t station);
-void cell_value(const finder *of, whirl_sheet *sheet, size_t point); ///< the parameter's; nothing of a table without
+void cell_value(const finder *of, whirl_sheet *sheet,
+                size_t point); ///< value of the parameter; empty in a table without a parameter
 
 #endif

@@ -9,10 +9,10 @@
 
 enum { CELL_SIZE = 1024 };
 
-/// Appends formatted text; what does not fit is cut off.
+/// Appends formatted text, cut off at the buffer's end.
 #define APPEND(text, size, ...) snprintf((text) + strlen(text), (size)-strlen(text), __VA_ARGS__)
 
-/// A number with so many significant digits; up to ten million without a power of ten.
+/// Writes a number with `digits` significant digits; up to ten million without a power of ten.
 static void number_told(double number, int digits, char *text, size_t size) {
     const double plain = 1e7;
     snprintf(text, size, "%.*g", digits, number);
@@ -38,7 +38,7 @@ void whirl_column_heading(const whirl_column *column, char *text, size_t size) {
     snprintf(text, size, *column->unit ? "%s (%s)" : "%s", column->heading, column->unit);
 }
 
-/// A cell with as many digits as are given.
+/// Writes a cell with a given number of digits.
 static void cell_told(const whirl_column *column, const whirl_cell *cell, int digits, char *text, size_t size) {
     char shown[NUMBER_SIZE];
     *text = '\0';
@@ -84,7 +84,7 @@ bool sheet_column_empty(const whirl_sheet *sheet, size_t column) {
 
 enum { MAX_WIDTH = 118, MAX_BESIDE = 3 };
 
-/// A sheet as a grid of texts, without empty columns; the first line is the heading.
+/// A sheet as a grid of texts without empty columns; the first line is the heading.
 typedef struct text_grid {
     size_t lines, columns;
     char **texts;   ///< [lines][columns]
@@ -99,14 +99,14 @@ static void grid_free(text_grid *grid) {
     free(grid->widths);
 }
 
-/// Letters of a text in UTF-8, as terminals have them in columns.
+/// Returns the number of letters of a text in UTF-8, its columns in a terminal.
 static size_t letters_of(const char *text) {
     size_t count = 0;
     for (; *text; text++) count += ((unsigned char)*text & 0xC0u) != 0x80u;
     return count;
 }
 
-/// Measures the texts; false without memory.
+/// Measures the columns; returns false without memory.
 static bool grid_measure(text_grid *grid) {
     grid->widths = calloc(grid->columns + 1, sizeof *grid->widths);
     for (size_t i = 0; grid->widths && i < grid->lines * grid->columns; i++) {
@@ -144,7 +144,7 @@ static bool grid_make(const whirl_sheet *sheet, const size_t *rows, size_t count
     return well;
 }
 
-/// Lines become columns; false without memory, with the grid as it was.
+/// Transposes the grid; returns false without memory, with the grid unchanged.
 static bool grid_turn(text_grid *grid) {
     text_grid turned = {.lines = grid->columns,
                         .columns = grid->lines,
@@ -211,7 +211,7 @@ static void write_field(FILE *stream, const char *text) {
     fputc('"', stream);
 }
 
-/// Letters that mean something to LaTeX.
+/// Writes a text with LaTeX's special characters escaped.
 static void write_letters(FILE *stream, const char *text) {
     for (; *text; text++) {
         if (strncmp(text, "\u00b5", 2) == 0) {

@@ -30,7 +30,7 @@ asked_stability asked_stability_at(const whirl_table *table, size_t point) {
     if (at.stages)
         at.level_one = isnan(at.decrement) ? WHIRL_NOT_KNOWN
                        : at.decrement >= asked_decrement && !(at.ratio < at.factor)
-                           ? WHIRL_HOLDS // not found: far above
+                           ? WHIRL_HOLDS // limit not found: far above the requirement
                            : WHIRL_FAILS;
     at.decides = at.level_one != WHIRL_HOLDS;
     at.level_two = isnan(at.complete) ? WHIRL_NOT_KNOWN : at.complete > asked_decrement ? WHIRL_HOLDS : WHIRL_FAILS;
@@ -92,7 +92,7 @@ asked_stability_tally asked_stability_count(const whirl_table *table) {
 
 // ---------------------------------------------------------------- responses
 
-/// The peak that lacks most of its margin, or has least more than that.
+/// Finds the peak with the largest deficit of its margin or, without deficits, the least surplus.
 static void ask_margin(const finder *of) {
     const margin_tally all = margin_count(of->result, of->table);
     const margin_row *const peak = &all.worst;
@@ -132,7 +132,7 @@ static void ask_vibration(const finder *of, const scaled *by) {
     phrase_text(of, &own->found, " at %s", of->result->stations[by->station].name);
 }
 
-/// The clearance of which scaled responses take most.
+/// Finds the clearance of which scaled responses take the largest share.
 static void ask_clearance(const finder *of, const scaled *by) {
     scaled_row close;
     if (!scaled_tightest(of->result, of->table, by, &close)) return;

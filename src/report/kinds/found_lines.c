@@ -7,23 +7,24 @@
 #include "quantities.h"
 #include "shown_kinds.h"
 
-/// A line counts from this share of the largest one of its station on.
+/// Least size of a line that counts, over the largest line of its station.
 static const double least_share = 0.05;
 
 /// With more points than this, a line must be present at several neighbouring points: single lines among chaotic
 /// motions do not count.
 enum { FEW_POINTS = 8 };
 
-/// Orders that are one multiple of the speed to a reader of spectra; and how much an order drifts from point to point.
+/// Tolerance within which an order counts as a multiple of the speed; and largest drift of an order from point to
+/// point.
 static const double multiple = 0.02, drift = 0.1;
 
 /// The strongest line of a point on one side of the synchronous one.
 typedef struct line_seen {
     size_t station;
     double order, size; ///< size in m, zero to peak, along the axis where it is larger; 0: no line
-    double share;       ///< part of the clearance there; NaN without one
+    double share;       ///< share of the clearance there; NaN without one
     double direction;   ///< 1: forward, -1: backward
-    double over;        ///< its size over that of the largest line of its station
+    double over;        ///< size over the largest line of its station
 } line_seen;
 
 /// Measures a line against the walls around its station.
@@ -37,7 +38,7 @@ static line_seen line_of(const finder *of, size_t point, size_t station, const d
                        .direction = (line[3] - line[4]) / fmax(line[3] + line[4], 1e-300)};
 }
 
-/// Below the synchronous line, or above it and no multiple of it.
+/// Returns true for an order below the synchronous line, or above it and not a multiple of it (`above`).
 static line_seen strongest_line(const finder *of, size_t point, bool below) {
     line_seen best = {.size = 0.0};
     for (size_t station = 0; station < of->result->station_count; station++) {
@@ -90,7 +91,7 @@ static void track_row(const finder *of, whirl_sheet *sheet, const line_track *tr
                                                  : "to and fro");
 }
 
-/// All lines on one side: the strongest one of every point, and its tracks.
+/// Lines on one side of the synchronous one: the strongest of every point, and the tracks of these.
 typedef struct line_side {
     line_seen *seen;    ///< [points of the table]
     line_track *tracks; ///< [count]
@@ -107,7 +108,7 @@ static void side_add(const finder *of, line_side *side, const line_track *track)
     if (track->last > track->first || of->table->count <= FEW_POINTS) side->tracks[side->count++] = *track;
 }
 
-/// False without memory.
+/// Follows the lines of a side into tracks. Returns false without memory.
 static bool side_find(const finder *of, bool below, line_side *side) {
     const size_t count = of->table->count;
     line_track track = {.largest = {.size = 0.0}};
@@ -144,12 +145,12 @@ static line_track side_largest(const line_side *side) {
 
 /// One end of a track.
 typedef struct line_edge {
-    bool there;           ///< the points beyond it have no such line; false: the sweep ends there, or there is no track
-    size_t point, beyond; ///< rows: the last one with the line, and the first one without it
-    bool known, sudden;   ///< known: it could be judged; sudden: it is a jump
+    bool there;           ///< the next points have no such line; false: the sweep ends there, or there is no track
+    size_t point, beyond; ///< rows: last one with the line, first one without it
+    bool known, sudden;   ///< known: the edge could be judged; sudden: it is a jump
 } line_edge;
 
-static int by_size(const void *left, const void *right) {
+static int found_by_size(const void *left, const void *right) {
     const double a = *(const double *)left, b = *(const double *)right;
     return (a > b) - (a < b);
 }
@@ -166,7 +167,7 @@ static void edge_judge(const line_side *side, const line_track *track, bool firs
         behind[count] = side->seen[first ? track->first + 1 + count : track->last - 1 - count].size;
     edge->known = count >= MIN_KNOWN;
     if (!edge->known) return;
-    qsort(behind, count, sizeof *behind, by_size);
+    qsort(behind, count, sizeof *behind, found_by_size);
     const double usual = 0.5 * (behind[(count - 1) / 2] + behind[count / 2]);
     const line_seen *own = &side->seen[edge->point];
     edge->sudden = own->over >= least_over * least_share && own->size >= least_ratio * usual;
@@ -184,7 +185,7 @@ static bool track_rises(const whirl_table *table, const line_track *track) {
     return values_rise(table) == (table->branch[track->first] >= 0);
 }
 
-/// The end of a track at its lower or its higher values.
+/// Returns the end of a track at its lower or its higher values.
 static line_edge edge_of(const finder *of, const line_side *side, const line_track *track, bool low) {
     const whirl_table *table = of->table;
     const bool first = low == values_rise(table);
@@ -197,7 +198,8 @@ static line_edge edge_of(const finder *of, const line_side *side, const line_tra
     return edge;
 }
 
-/// The same line on the way up and on the way down: at some values both are there, with nearly one order.
+/// Returns true if two tracks are the same line on the way up and on the way down: at some values both exist, with
+/// nearly the same order.
 static bool tracks_match(const finder *of, const line_track *up, const line_track *down) {
     const double *values = of->table->values;
     const double a[] = {fmin(values[up->first], values[up->last]), fmax(values[up->first], values[up->last])};
@@ -305,7 +307,7 @@ static double track_usual_step(const line_side *side, const line_track *track, s
         if (i != at && i + LOOKED_AT >= at && i <= at + LOOKED_AT)
             around[count++] = fabs(side->seen[i + 1].size - side->seen[i].size);
     if (count < LOOKED_AT) return (double)NAN;
-    qsort(around, count, sizeof *around, by_size);
+    qsort(around, count, sizeof *around, found_by_size);
     return 0.5 * (around[(count - 1) / 2] + around[count / 2]);
 }
 
@@ -332,8 +334,8 @@ static bool jump_grows(const line_side *side, const line_jump *jump) {
     return side->seen[jump->after].size > side->seen[jump->before].size;
 }
 
-/// The jump on the way down that belongs to one on the way up: the nearest one of its order in the other sense, from
-/// large to small or from small to large; NULL without one.
+/// Returns the jump on the way down that corresponds to a jump on the way up: the nearest jump of its order in the
+/// opposite sense (from large to small, or from small to large); NULL without one.
 static line_jump *jump_partner(const finder *of, const line_side *side, const line_jump *up, line_jump *jumps,
                                size_t count) {
     const double order = side->seen[up->before].order;
@@ -365,7 +367,7 @@ static void tell_jump(const finder *of, const line_side *side, whirl_phrase *fou
     phrase_text(of, found, " on the way %s", jump->rises ? "up" : "down");
 }
 
-/// A row and a statement for a jump on the way up, one on the way down, or both with the hysteresis between them.
+/// Adds a row and a statement for a jump on the way up, for one on the way down, or for both with their hysteresis.
 static void jump_row(const finder *of, const line_side *side, whirl_sheet *sheet, const line_jump *up,
                      const line_jump *down) {
     const double order = up ? side->seen[up->before].order : down ? side->seen[down->before].order : (double)NAN;
@@ -399,7 +401,7 @@ static void find_jumps(const finder *of, const line_side *side, whirl_sheet *she
     free(jumps);
 }
 
-/// Columns of the jump of a line on one way.
+/// Adds the columns of a line's jump on one way.
 static void sheet_jump(const finder *of, whirl_sheet *sheet, const char *const keys[4]) {
     sheet_values(of, sheet, keys[0], 6);
     sheet_values(of, sheet, keys[1], 6);
@@ -409,11 +411,12 @@ static void sheet_jump(const finder *of, whirl_sheet *sheet, const char *const k
 
 // ---------------------------------------------------------------- locking
 
-/// Ratios p/q that lines lock at have a q up to this, and hold an order to `locked` at so many points in a row.
+/// Limits of locked lines: largest q of a ratio p/q, tolerance `locked` of the order, and least number of consecutive
+/// points.
 enum { MAX_LOCKED = 8, MIN_LOCKED = 3 };
 static const double locked = 1e-3;
 
-/// Denominator q of the simplest ratio p/q equal to an order; 0 if there is none.
+/// Returns the denominator q of the simplest ratio p/q equal to an order; 0 if there is none.
 static int ratio_of(double order) {
     for (int q = 2; q <= MAX_LOCKED; q++)
         if (fabs(order - round(order * q) / q) <= locked && round(order * q) > 0.0) return q;
@@ -482,7 +485,7 @@ static void find_tracks(const finder *of, const line_side *sides) {
     find_sheet_end(of);
 }
 
-/// Columns of the edge of a line on one way.
+/// Adds the columns of a line's edge on one way.
 static void sheet_edge(const finder *of, whirl_sheet *sheet, const char *const keys[4], const char *const headings[3]) {
     sheet_values(of, sheet, keys[0], 6);
     sheet_texts(of, sheet, keys[1], headings[0]);

@@ -73,7 +73,7 @@ static size_t find_peaks(const whirl_result *result, const whirl_table *table, s
 
 static void tell_way(const whirl_response_peak *peak, char text[MARGIN_TEXT]) {
     static const char *const ways[] = {"half power", "half power on one side", "phase slope"};
-    const double enough = 8.0; // the closed form's factor comes out to 1 % (test_margins.c)
+    const double enough = 8.0; // half-power points above this give the closed form's factor to 1 % (test_margins.c)
     if (peak->points < enough)
         snprintf(text, MARGIN_TEXT, "%s, of %.2g points: compute more there", ways[peak->way], peak->points);
     else

@@ -27,8 +27,8 @@ bool scaled_watches(const whirl_result *result, const whirl_table *table, size_t
 const char *const scaled_lacks =
     "points do not reach over the running speeds, or nothing moves there: compute more points";
 
-/// The largest amplitude in m that a probe sees between two speeds, at points and, along the speed, between them;
-/// `room` [3 points of the table].
+/// Returns the largest amplitude in m at a probe between two speeds: at points and, along the speed, interpolated
+/// between them; `room` [3 points of the table] is workspace.
 static double largest_seen(const whirl_result *result, const whirl_table *table, size_t station, size_t probe,
                            double low, double high, double *room) {
     double *const sizes = room + table->count;
@@ -44,8 +44,8 @@ static double largest_seen(const whirl_result *result, const whirl_table *table,
     return largest;
 }
 
-/// Least speed of a point at or above the trip speed: clearances count up to it, since points in between meet them if
-/// both neighbours do. Infinite if no trip speed is given, or no point reaches it.
+/// Returns the least speed of a point at or above the trip speed. Clearances are checked up to it, so that the trip
+/// speed itself is covered by both of its neighbours. Infinite if no trip speed is given, or no point reaches it.
 static double last_speed(const whirl_table *table) {
     double last = INFINITY;
     for (size_t i = 0; i < table->count; i++) {

@@ -10,24 +10,25 @@
 #define TWO_PI 6.283185307179586476925
 static const double pi = 0.5 * TWO_PI;
 
-/// A part of the machine that a row is of.
+/// A part of the machine, for one row.
 typedef struct machine_part {
     const finder *of;
     const whirl_model *model;
     const whirl_model_element *element;
 } machine_part;
 
-/// A column of a family: numbers of a key of its elements, or what a function makes of an element. Without a function
-/// only numbers that the case gives are shown, not defaults.
+/// A column of a family: numbers of a key of its elements, or the result of a function of an element. Without a
+/// function only numbers of the case are shown, not defaults.
 typedef struct part_column {
-    const char *name, *heading;                               ///< as whirl_column has them
-    whirl_quantity quantity;                                  ///< quantity of the numbers
-    const char *unit;                                         ///< own unit, SI; NULL: that of the quantity
-    const char *key;                                          ///< key of the elements; NULL: none
-    double factor;                                            ///< factor of the key's number; 0: 1
-    double (*number)(const machine_part *part, const char *); ///< ... of the key; NULL: the number itself
+    const char *name, *heading; ///< as in whirl_column
+    whirl_quantity quantity;    ///< quantity of the numbers
+    const char *unit;           ///< own unit, SI; NULL: that of the quantity
+    const char *key;            ///< key of the elements; NULL: none
+    double factor;              ///< factor of the key's number; 0: 1
+    double (*number)(const machine_part *part,
+                     const char *); ///< number from the part and the key; NULL: the key's number itself
     size_t (*list)(const machine_part *part, const char *key, double numbers[WHIRL_MAX_PADS]);
-    const char *between;                           ///< between numbers of a list
+    const char *between;                           ///< separator of the numbers of a list
     const char *(*text)(const machine_part *part); ///< a column of texts
 } part_column;
 
@@ -43,7 +44,7 @@ static double part_number(const machine_part *part, const char *key) {
     return value && value->count == 0 ? value->number : (double)NAN;
 }
 
-/// A number of the key, also by default, where the element's law is the first or the second of its choices.
+/// Returns the number of a key, or its default, if the element's law is the first or the second of its choices.
 static double part_of_law(const machine_part *part, const char *key, int law) {
     const whirl_model_value *own = whirl_model_value_of(part->element, "law");
     const whirl_model_value *value = whirl_model_value_of(part->element, key);
@@ -56,7 +57,7 @@ static double part_of_second_law(const machine_part *part, const char *key) {
     return part_of_law(part, key, 1);
 }
 
-/// Number of equal parts at the station, if there are several; else NaN.
+/// Returns the number of equal parts at the station if there are several; else NaN.
 static double part_equals(const machine_part *part, const char *key) {
     const whirl_model_value *value = part_given(part, key);
     return value && value->number > 1.0 ? value->number : (double)NAN;
@@ -98,13 +99,13 @@ static const char *part_kind(const machine_part *part) {
     return find_text(part->of->findings, "%s", text);
 }
 
-/// The station of an end of a part: of the first one that is not on the ground, or the other one.
+/// Returns the station of an end of a part: the first end that is not on the ground, or the other one.
 static size_t part_station(const whirl_model_element *element, bool first) {
     const bool ground = element->station[0] == WHIRL_MODEL_NONE;
     return element->station[first == ground];
 }
 
-/// The station around a part, or that it stands on; "" for the ground.
+/// Returns the station around or below a part; "" for the ground.
 static const char *part_housing(const machine_part *part) {
     const size_t other = part_station(part->element, false);
     if (other >= part->of->result->station_count) return "";
@@ -164,7 +165,7 @@ static double part_assembled(const machine_part *part, const char *key) {
     return (1.0 - part_preload(part, NULL)) * part_number(part, key);
 }
 
-/// An angle in degrees, from 0 up to 360; without what rounding leaves.
+/// Returns an angle in degrees, from 0 up to 360, without rounding residues.
 static double degrees_around(double angle) {
     const double turns = angle / (2.0 * pi), around = 360.0 * (turns - floor(turns));
     const double rounded = round(1e6 * around) / 1e6;
@@ -178,7 +179,7 @@ static size_t part_pivots(const machine_part *part, const char *key, double numb
     return pads ? pads->count : 0;
 }
 
-/// The direction of the weight across the shafts, rad; NaN without any.
+/// Returns the direction of the weight across the shafts, rad; NaN without weight.
 static double weight_direction(const whirl_model *model) {
     for (size_t i = 0; i < model->element_count; i++) {
         const whirl_model_element *own = &model->elements[i];
@@ -190,8 +191,8 @@ static double weight_direction(const whirl_model *model) {
     return NAN;
 }
 
-/// "on pad 1", "between pads 1 and 2", "12 deg from pivot 1": where the weight points, by the pivots; "" without weight
-/// or pads.
+/// Writes the direction of the weight relative to the pivots: "on pad 1", "between pads 1 and 2", "12 deg from pivot
+/// 1"; "" without weight or pads.
 static const char *part_weight(const machine_part *part) {
     static const double exact = 0.5; // degrees
     const whirl_pads *pads = part->element->pads;
@@ -223,7 +224,7 @@ static size_t part_range(const machine_part *part, const char *key, double numbe
     return value->count > 1 ? 2 : 1;
 }
 
-/// A constant coefficient; along y that along x where it is absent.
+/// Returns a constant coefficient; an absent one along y equals the one along x.
 static double part_coefficient(const machine_part *part, const char *key) {
     const whirl_model_value *value = whirl_model_value_of(part->element, key);
     const char *const same = strcmp(key, "kyy") == 0 ? "kxx" : strcmp(key, "cyy") == 0 ? "cxx" : NULL;
@@ -365,12 +366,12 @@ static const part_column support_columns[] = {
     END_OF_COLUMNS,
 };
 
-/// Parts with the same sheet: those of a role that have a key.
+/// A family: parts of some roles that have a certain key; they share a sheet.
 typedef struct part_family {
     const char *name, *title;
     const char *key; ///< key of its elements
     unsigned roles;  ///< bits of the roles that they may have
-    bool between;    ///< without links between places of shafts, which are parts of these
+    bool between;    ///< includes elements between two stations, except links between places of shafts
     const part_column *columns;
 } part_family;
 
@@ -439,7 +440,7 @@ static void family_row(const machine_part *part, whirl_sheet *sheet, const part_
     }
 }
 
-/// Parts without geometry or oil: names of their stations, and what is not known of them.
+/// Reports parts without geometry or oil: their stations, and the missing data.
 static void find_unknown(const finder *of, const whirl_model *model) {
     char given[WHIRL_MESSAGE_SIZE] = "", by_force[WHIRL_MESSAGE_SIZE] = "";
     for (size_t i = 0; i < model->element_count; i++) {

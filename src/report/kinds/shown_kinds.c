@@ -1,4 +1,4 @@
-// The registry of kinds of tables that are shown each in its own way.
+// Registry of kinds of tables with views of their own.
 #include "shown_kinds.h"
 
 static const shown_kind *const kinds[] = {&shown_branches,        &shown_tori,      &shown_modes,   &shown_unbalance,

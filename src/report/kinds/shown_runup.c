@@ -1,11 +1,11 @@
-// What is found of run-ups: how they went and ended, the largest motions of stations, contacts.
+// Findings of run-ups: course and end of a run, largest motions of stations, contacts.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "shown_kinds.h"
 
-/// How a run ended (runup/end).
+/// Words for the end of a run (runup/end).
 static const char *const ends[] = {"as planned", "the shaft stood still", "the motion left all bounds",
                                    "the solver could not go on"};
 
@@ -21,7 +21,7 @@ static const char *runup_ended(double end) {
     return end >= 0.0 && end < sizeof ends / sizeof *ends ? ends[(size_t)end] : "";
 }
 
-/// A statement for every run that did not go as planned.
+/// Adds a statement for every run that did not end as planned.
 static void runup_find_failures(const finder *of) {
     for (size_t point = 0; point < of->table->count; point++) {
         const double end = runup_number_of(of, point, WHIRL_FIELD_RUNUP_END, 0);

@@ -7,7 +7,7 @@
 
 #include "shown_kinds.h"
 
-/// Number of a station at a point, in SI if it is a length.
+/// Returns a number of a station at a point, in SI if it is a length.
 static double number(const finder *of, size_t point, const char *field, size_t station) {
     return whirl_table_number(of->table, point, field, station);
 }
@@ -79,7 +79,7 @@ static void find_axial(const finder *of, const size_t *ends, size_t count) {
     find_sheet_end(of);
 }
 
-/// Numbers of pads without a film, "2, 3", from their digits.
+/// Writes the numbers of pads without a film, "2, 3", from the digits of a field.
 static const char *pads_of(const finder *of, double unloaded) {
     char digits[32] = "", list[96] = "";
     size_t used = 0;
@@ -89,10 +89,10 @@ static const char *pads_of(const finder *of, double unloaded) {
     return find_text(of->findings, "%s", list);
 }
 
-/// Points of which the places of rest are listed: not more than a page has room for.
+/// Most points with listed equilibria, as many as fit on a page.
 enum { MAX_RESTS = 9 };
 
-/// The done point whose value is nearest to a speed; SIZE_MAX without any.
+/// Returns the computed point whose value is nearest to a speed; SIZE_MAX without any.
 static size_t rest_nearest(const finder *of, double speed) {
     size_t nearest = SIZE_MAX;
     for (size_t point = 0; point < of->table->count; point++) {
@@ -103,8 +103,8 @@ static size_t rest_nearest(const finder *of, double speed) {
     return nearest;
 }
 
-/// Fills listed [points of the table]: all of a few points; of many the first, the last, those nearest to the running
-/// speeds that any table of the result has, and some between.
+/// Fills listed [points of the table]: all points if they are few; else the first, the last, those nearest to running
+/// speeds of any table of the result, and some between.
 static void rest_choose(const finder *of, const size_t *ends, size_t count, bool *listed) {
     enum { EVEN = 5 };
     const bool few = of->table->count <= MAX_RESTS;
@@ -121,7 +121,7 @@ static void rest_choose(const finder *of, const size_t *ends, size_t count, bool
     }
 }
 
-/// Rows of one point.
+/// Adds the rows of one point.
 static void find_rest(const finder *of, whirl_sheet *sheet, size_t point) {
     for (size_t station = 0; station < of->result->station_count; station++) {
         const double film = length(of, point, WHIRL_FIELD_STATICS_FILM, station);
@@ -162,7 +162,7 @@ static void find_films(const finder *of, const size_t *ends, size_t count) {
     find_sheet_end(of);
 }
 
-/// Stiffness and damping of bearings, of all points.
+/// Reports stiffness and damping of bearings at all points.
 static void find_coefficients(const finder *of) {
     whirl_sheet *sheet = find_sheet(of, "coefficients", "Coefficients of bearings");
     sheet->about = "Stiffness and damping of bearings about where the machine rests: forces against displacements and "

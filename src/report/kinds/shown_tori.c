@@ -5,7 +5,7 @@
 #include "quantities.h"
 #include "shown_kinds.h"
 
-/// The frequency of the largest second line: rad/s with the speeds of all tori, else an order.
+/// Returns the frequency of the largest second line: rad/s with the speeds of all tori, else an order.
 static double second_frequency(const finder *of, const whirl_tori *own, size_t point, const double *clock) {
     const double line = whirl_table_field(of->table, point, WHIRL_FIELD_TORUS_FREQUENCY, own->station)[own->axis];
     return clock ? line * clock[point] : line;
@@ -26,7 +26,7 @@ static double *clocks_of(const finder *of) {
     return NULL;
 }
 
-/// "all", "none", "12 of 20".
+/// Writes a count as "all", "none" or "12 of 20".
 static const char *stable_of(const finder *of, const whirl_tori *own) {
     if (own->stable == 0 || own->stable == own->found) return own->stable ? "all" : "none";
     return find_text(of->findings, "%zu of %zu", own->stable, own->found);

@@ -6,7 +6,7 @@
 
 static const double degree = 3.14159265358979323846 / 180.0;
 
-/// Unbalances by rule, in the place of the machine's own.
+/// Reports unbalances by rule, which replace the machine's own.
 static void find_placed(const finder *of) {
     whirl_sheet *sheet = find_sheet(of, "placed", "Unbalances by rule, in the place of the machine's own");
     sheet_texts(of, sheet, "station", "station");
@@ -45,7 +45,7 @@ static void find_largest(const finder *of) {
     find_sheet_end(of);
 }
 
-/// Critical speeds as peaks of all stations, as probes there see them.
+/// Reports critical speeds: peaks of all stations, at their probes.
 static void find_peaks(const finder *of) {
     const bool running = margin_asked(of->table);
     margin_row rows[2 * MARGIN_PEAKS];

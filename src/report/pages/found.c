@@ -26,7 +26,7 @@ size_t found_each(const page *to, const char *field, each_table *act, void *cont
 
 // ---------------------------------------------------------------- machines at rest
 
-/// "fails: separation margin (unbalance), stability, Level II (stability)", of all with a judgement.
+/// Writes the failed criteria: "fails: separation margin (unbalance), stability, Level II (stability)".
 static void list_judged(const page *to, whirl_judgement judgement) {
     size_t count = 0;
     for (size_t r = 0; r < to->count; r++)
@@ -38,7 +38,7 @@ static void list_judged(const page *to, whirl_judgement judgement) {
         }
 }
 
-/// Writes how many of the acceptance criteria hold, and which fail.
+/// Writes the number of acceptance criteria that hold, and the ones that fail.
 static void write_judgements(const page *to) {
     size_t all = 0, held = 0;
     for (size_t r = 0; r < to->count; r++)

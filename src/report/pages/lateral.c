@@ -14,7 +14,7 @@
 
 // ---------------------------------------------------------------- summary
 
-/// Writes what the motions of the machine do to clearances, and whether others coexist.
+/// Writes the effect of the machine's motions on clearances, and coexisting motions.
 static void tell_motions(const page *to, size_t result, const whirl_table *table, void *context) {
     size_t *const told = context;
     char text[MOTIONS_TOLD_SIZE];
@@ -22,7 +22,7 @@ static void tell_motions(const page *to, size_t result, const whirl_table *table
     html_printf(to->stream, "%s%s: %s", (*told)++ ? " " : "", table->name, text);
 }
 
-/// Number of validity ranges that were left, in all tables.
+/// Returns the number of validity ranges that were left, in all tables.
 static size_t laws_left(const whirl_result *result) {
     size_t count = 0;
     whirl_left left;
@@ -64,7 +64,7 @@ typedef struct chapter_told {
     char *section; ///< NULL: none
 } chapter_told;
 
-/// The length of the text up to the end of its first table, or of all of it.
+/// Returns the length of the text up to the end of its first table; without a table, of the whole text.
 static size_t part_length(const char *text) {
     static const char end[] = "</table></div>\n";
     const char *at = strstr(text, end);
@@ -149,10 +149,10 @@ static void write_table(const page *to, size_t result, const whirl_table *table,
     }
 }
 
-/// A chapter: all tables that have a field, or (NULL) all motions.
+/// A chapter: all tables that have a certain field or, with NULL, all motions.
 typedef struct chapter {
     const char *title, *about, *field;
-    bool parts; ///< it begins with the parts of the machine that carry, drag and damp
+    bool parts; ///< it begins with the bearings, seals, dampers and supports
 } chapter;
 
 static const chapter chapters[] = {
@@ -180,7 +180,7 @@ static const chapter chapters[] = {
 };
 enum { CHAPTERS = sizeof chapters / sizeof *chapters, FIRST_CHAPTER = 3 };
 
-/// Bearings, seals, dampers and supports of every machine.
+/// Writes bearings, seals, dampers and supports of every machine.
 static void write_parts(const page *to) {
     for (size_t r = 0; r < to->count; r++) {
         page_statements(to, r, NULL);
@@ -212,7 +212,7 @@ static void write_heading(const page *to, const char *text, const whirl_unit *un
     fputs("</th>", to->stream);
 }
 
-/// Writes the stations of result number `r`. Masses are those besides the shaft; `model` NULL: unknown.
+/// Writes the stations of result number `r`. Masses are those without the shaft; `model` NULL: unknown.
 static void write_stations(const page *to, size_t r, const whirl_model *model) {
     const whirl_result *result = to->results[r];
     const whirl_unit *const units = to->units[r].of;

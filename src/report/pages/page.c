@@ -57,7 +57,7 @@ static void write_head(const page *to) {
     fputs("</p>\n</header>\n", to->stream);
 }
 
-/// A line of the contents.
+/// Writes a line of the contents.
 static void write_entry(FILE *stream, const char *anchor, size_t number, const char *text) {
     fprintf(stream, "<li><a href=\"#%s-%zu\">", anchor, number);
     html_text(stream, text);
@@ -156,7 +156,7 @@ static void write_contents(const page *to) {
     fputs("</ul></nav>\n", to->stream);
 }
 
-/// Bearings, seals, dampers and supports, which are looked up rather than read.
+/// Writes bearings, seals, dampers and supports in a section that is closed at first: a reference.
 static void page_parts(const page *to, size_t result) {
     bool any = false;
     for (size_t i = 0; i < to->findings[result]->sheet_count; i++) any = any || !*to->findings[result]->sheets[i].table;

@@ -41,9 +41,9 @@ typedef struct page {
     const whirl_shown_units *units;    ///< [count]
     whirl_findings *const *findings;   ///< [count]
     const whirl_case *const *machines; ///< [count] cases of the results (machine_of)
-    bool *failed;                      ///< memory was lacking for a part of the page
+    bool *failed;                      ///< a part of the page failed for lack of memory
     bool explorer;                     ///< explorer.html is next to the page
-    bool printed;                      ///< it is to be printed: all of its figures are loaded at once
+    bool printed;                      ///< for printing: all figures are loaded at once
 } page;
 
 /// Writes the whole page.
@@ -70,7 +70,7 @@ void page_points(const page *to, size_t result);     ///< the table of points
 void page_motions(const page *to, size_t result, const whirl_table *table); ///< verdicts, sizes and contacts of motions
 const char *page_diagrams_title(const whirl_result *result); ///< title of its diagrams over parameters; static text
 void page_machine(const page *to, size_t result);            ///< the machine's drawing
-void page_figures(const page *to, size_t result);            ///< all but that and the main one
+void page_figures(const page *to, size_t result); ///< all figures except the machine's drawing and the main one
 void page_figure(const page *to, const drawn_figure *what);
 const drawn_figure *page_main_figure(const page *to,
                                      size_t result); ///< parameter of its first diagram; NULL without one
@@ -78,16 +78,16 @@ const drawn_figure *page_main_figure(const page *to,
 // ---------------------------------------------------------------- page_findings
 // Statements and sheets.
 
-/// All statements of a table, or (NULL) of the machine as a whole, as items of a list; a sentence each.
+/// Writes all statements of a table, or (NULL) of the whole machine, as items of a list, a sentence each.
 void page_statements(const page *to, size_t result, const whirl_table *table);
 
-/// All sheets of a table, or (NULL) of the machine as a whole.
+/// Writes all sheets of a table, or (NULL) of the whole machine.
 void page_sheets(const page *to, size_t result, const whirl_table *table);
 
 /// Writes the acceptance criteria of all results: criterion, required, found, verdict, clause.
 void page_asked(const page *to);
 
-/// Writes a part of a page as a text, to be freed; NULL, and noted in page.failed, without memory.
+/// Writes a part of a page as a text, to be freed; NULL without memory, and then page.failed is set.
 typedef void page_part(const page *to, size_t result, const whirl_table *table);
 char *page_text(const page *to, page_part *write, size_t result, const whirl_table *table);
 
@@ -114,7 +114,7 @@ void found_table(const page *to, size_t result, const whirl_table *table);
 /// replaced by U+FFFD. Fit for element content and for attributes in double quotes.
 void html_text(FILE *stream, const char *text);
 
-/// Formats as printf and writes the outcome by html_text; longer outcomes are cut at 4095 bytes.
+/// Formats as printf and writes the text by html_text; texts are cut at 4095 bytes.
 void html_printf(FILE *stream, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 2, 3)))

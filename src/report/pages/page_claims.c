@@ -41,7 +41,7 @@ static void write_findings(FILE *stream, const claim_outcome *of) {
     fputs("</ul>", stream);
 }
 
-/// The value or the range that a claim speaks of.
+/// Writes the value or the range of a claim.
 static void write_values(const page *to, const whirl_claim *of) {
     html_printf(to->stream, "%s = %.4g", to->claims->parameter, of->from);
     if (of->from != of->to) html_printf(to->stream, " to %.4g", of->to);
@@ -104,7 +104,7 @@ static void write_counts(const page *to) {
     fputs("</tbody></table></div>\n", to->stream);
 }
 
-/// The best agreement that any result reaches.
+/// Returns the best agreement of any result.
 static whirl_agreement best(const page *to, size_t claim) {
     whirl_agreement found = WHIRL_NOT_COMPARED;
     for (size_t r = 0; r < to->count; r++) {

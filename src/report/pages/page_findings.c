@@ -6,7 +6,7 @@
 
 enum { CELL_SIZE = 1024, MAX_ROWS = 80 };
 
-/// What a table is called in findings; "" for what is found of the machine as a whole.
+/// Returns the name of a table in findings; "" for findings about the whole machine.
 static const char *name_of(const whirl_table *table) {
     return table ? table->name : "";
 }
@@ -44,7 +44,7 @@ static void write_row(FILE *stream, const whirl_sheet *sheet, size_t row) {
     fputs("</tr>\n", stream);
 }
 
-/// Writes a sheet; of many points only every n-th one.
+/// Writes a sheet; with many points only every n-th one.
 static void write_sheet(const page *to, const whirl_sheet *sheet) {
     const size_t step = sheet->of_points ? 1 + (sheet->rows - 1) / MAX_ROWS : 1;
     fputs("<h4>", to->stream);

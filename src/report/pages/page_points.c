@@ -14,7 +14,7 @@ static void write_swatch(FILE *stream, regime_class kind) {
     fprintf(stream, "<span class=\"swatch\" style=\"background:%s\"></span>", regime_class_colour(kind));
 }
 
-/// A table of a sweep in the unit in which its parameter is shown.
+/// A table of a sweep, with the unit in which its parameter is shown.
 typedef struct shown_table {
     const whirl_table *table;
     double unit; ///< in SI
@@ -275,7 +275,7 @@ static void write_place(const point_page *to, double order, double frequency) {
         html_printf(to->stream, to->units->frequency > 0.0 ? "%.4gX" : "%.4g", order);
 }
 
-/// The largest lines: orders or frequencies with their amplitudes.
+/// Writes the largest lines: orders or frequencies with their amplitudes.
 static void write_lines(const point_page *to, size_t point, size_t station) {
     const numbers lines = point_lines(to->table, point, station);
     fputs("<td class=\"wide\">", to->stream);
@@ -414,7 +414,7 @@ static void write_watched_head(const point_page *to, const whirl_field *field, s
     fputs("</th>", to->stream);
 }
 
-/// Factor from a number of the field to its shown value.
+/// Returns the factor from a number of the field to its shown value.
 static double watched_factor(const point_page *to, const whirl_field *field, size_t point) {
     if (strcmp(field->unit, "length") == 0)
         return units_length(to->units, to->table, point, whirl_field_counting(field));

@@ -100,8 +100,8 @@ static void describe_points(const whirl_shown_units *units, const whirl_table *t
                                                                  : "");
 }
 
-/// Method, steps per revolution (or the tolerance that chooses them), transient and record, as far as a part has such:
-/// at rest no motion is followed, and along branches each orbit for itself.
+/// Writes method, steps per revolution (or the tolerance), transient and record, as far as they apply: machines at rest
+/// have no motions, and branches no transient.
 static void write_way(FILE *stream, const whirl_table *table) {
     const whirl_integrate_options *how = &table->integrate;
     const whirl_kind *kind = whirl_analysis_kind(table->analyses);
@@ -263,7 +263,7 @@ void page_provenance(const page *to, size_t index) {
             write_row(to->stream, result->facts[i].name, result->facts[i].value);
         fputs("</dl>\n", to->stream);
     }
-    if (!to->printed && result->case_text && *result->case_text) { // what is printed has it in an appendix
+    if (!to->printed && result->case_text && *result->case_text) { // printed pages have the case in an appendix
         fputs("<details><summary>The case file</summary>\n<pre>", to->stream);
         html_text(to->stream, result->case_text);
         fputs("</pre></details>\n", to->stream);

@@ -1,4 +1,4 @@
-// Coexisting attractors that the starts of every point lead to.
+// Coexisting attractors: where the starts of every point lead.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 
 enum { SHOWN = 32, MAX_RANGES = 8, MAX_NAMES = 6 };
 
-/// A table of a view, in the unit in which its parameter is shown.
+/// A table of a view, with the unit in which its parameter is shown.
 typedef struct shown_view {
     FILE *stream;
     const whirl_table *table;

@@ -10,7 +10,7 @@
 
 #include "words.h"
 
-extern char **environ; // POSIX declares it nowhere
+extern char **environ; // no POSIX header declares it
 
 enum { MAX_PROCESSES = 8, COMMAND_MISSING = 127, LOG_NAME_SIZE = 512 };
 
@@ -45,7 +45,7 @@ void gnuplot_comment(FILE *script, const char *text) {
 /// Environment of all jobs. Scripts are UTF-8, which gnuplot assumes only in a UTF-8 locale.
 typedef struct launch {
     const char *program;
-    char **environment; ///< ours with a locale of UTF-8
+    char **environment; ///< environment of this process, with a UTF-8 locale
 } launch;
 
 static char **utf8_environment(void) {
@@ -103,7 +103,7 @@ static void remove_earlier(const gnuplot_job *job) {
     }
 }
 
-static pid_t start(const launch *how, const gnuplot_job *job) {
+static pid_t gnuplot_start(const launch *how, const gnuplot_job *job) {
     char log[LOG_NAME_SIZE];
     log_name(job, log);
     remove_earlier(job);
@@ -112,14 +112,14 @@ static pid_t start(const launch *how, const gnuplot_job *job) {
     return child;
 }
 
-/// The children that are running, with the job of each.
+/// Running children, each with its job.
 typedef struct crew {
     size_t count;
     pid_t child[MAX_PROCESSES];
     size_t job[MAX_PROCESSES];
 } crew;
 
-/// Waits for the oldest child; its exit status.
+/// Waits for the oldest child; returns its exit status.
 static int finish_oldest(crew *running, gnuplot_job *jobs) {
     int wait_status = 0;
     while (waitpid(running->child[0], &wait_status, 0) < 0)
@@ -147,7 +147,7 @@ static whirl_status run_all(const char *program, gnuplot_job *jobs, size_t count
     bool missing = false;
     for (size_t next = 0; next < count || running.count > 0;) {
         if (next < count && running.count < most && !missing) {
-            const pid_t child = start(&how, &jobs[next]);
+            const pid_t child = gnuplot_start(&how, &jobs[next]);
             if (child > 0) {
                 running.child[running.count] = child;
                 running.job[running.count++] = next;

@@ -46,8 +46,8 @@ static void put_text(FILE *script, const char *label) {
 
 // ---------------------------------------------------------------- numbers
 
-/// Logarithmic axes are drawn as linear ones of logarithms, with ticks of their own: gnuplot's leave the panels that
-/// follow with an axis that is linked to theirs.
+/// Logarithmic axes are drawn as linear axes of logarithms with own ticks: gnuplot's logarithmic axes stay linked to
+/// the axes of the following panels.
 static double place(const whirl_axis *axis, double value) {
     if (!axis->logarithmic) return value;
     return value > 0.0 ? log10(value) : (double)NAN;
@@ -77,7 +77,7 @@ static bool is_break(const whirl_series *series, size_t k) {
 }
 
 static void write_series(FILE *data, const whirl_panel *panel, const whirl_series *series) {
-    bool open = false; // the line goes on: an empty line breaks it, two of them would end the block
+    bool open = false; // inside a line: an empty line breaks it, two empty lines would end the block
     for (size_t k = 0; k < series->count; k++) {
         if (is_break(series, k)) {
             if (open) fputc('\n', data);
@@ -93,8 +93,8 @@ static void write_series(FILE *data, const whirl_panel *panel, const whirl_serie
     }
 }
 
-/// Returns true if a series has a data block. Texts are in the script; a series that is empty, or has nothing but
-/// breaks, has none: gnuplot would not count it.
+/// Returns true if a series has a data block. Texts are in the script. A series that is empty, or has only breaks, has
+/// no block: gnuplot would not count it.
 static bool has_block(const whirl_series *series) {
     size_t k = 0;
     while (k < series->count && is_break(series, k)) k++;
@@ -233,7 +233,7 @@ static void write_plot(FILE *script, const whirl_series *series, size_t index) {
     fputs(" notitle", script);
 }
 
-/// In a legend dots are as large as eyes need.
+/// Dots in a legend are larger than in the panel, to be visible.
 static void write_entry(FILE *script, const whirl_series *series) {
     const bool box = series->shape == WHIRL_BOXES || series->shape == WHIRL_AREA;
     fputs("keyentry ", script);
@@ -256,7 +256,7 @@ static bool is_told_before(const whirl_figure *figure, size_t p, size_t s) {
     return false;
 }
 
-/// The entries of the legend inside a panel or, past the last one, of that of the figure. How many.
+/// Counts the entries of the legend inside a panel or, past the last panel, of the figure's legend.
 static size_t write_entries(FILE *script, const whirl_figure *figure, size_t panel) {
     const bool own = panel < figure->count;
     size_t count = 0;
@@ -295,7 +295,7 @@ static bool has_lines(const whirl_figure *figure) {
     return false;
 }
 
-/// Writes the figure's legend as a plot of its own, as wide as the figure.
+/// Writes the figure's legend as a separate plot as wide as the figure.
 static void write_legend(FILE *script, const whirl_figure *figure) {
     const size_t rows = figure_legend_rows(figure);
     if (rows == 0) return;
@@ -402,7 +402,7 @@ void gnuplot_write_script(FILE *script, const whirl_figure *figure, const char *
     size_t index = 0;
     write_head(script, figure, name, data);
     write_palette(script, &figure->scale);
-    // Cairo takes a point for 1/96 inch: the scales correct the sizes of fonts, lines and points.
+    // Cairo's point is 1/96 inch: the scales correct the sizes of fonts, lines and points.
     fprintf(script,
             "do for [format in '%s'] {\n"
             "if (format eq 'png') {\n"

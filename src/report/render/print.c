@@ -28,7 +28,7 @@ whirl_status document_print(const char *program, const char *folder, const char 
     snprintf(from, sizeof from, "%.60s", page);
     snprintf(to, sizeof to, "%.60s", pdf);
     snprintf(path, sizeof path, "%.4000s/%s", folder, to);
-    unlink(path); // it would be written through a link
+    unlink(path); // otherwise a link of this name would be followed
     char *found = program_found(program);
     const pid_t child = found ? fork() : -1;
     if (child == 0) become(found, folder, from, to);

@@ -1,4 +1,4 @@
-/// Renderers of figures and documents, which are programs of others.
+/// Renderers of figures and documents: external programs.
 #ifndef REPORT_RENDER_H
 #define REPORT_RENDER_H
 
@@ -20,7 +20,7 @@ void gnuplot_string(FILE *script, const char *text);
 /// Writes text within a comment line: one line, and no backslash that would join it with the next.
 void gnuplot_comment(FILE *script, const char *text);
 
-/// A script in a folder; `drawn` is the outcome.
+/// A script in a folder; `drawn` is the result.
 typedef struct gnuplot_job {
     const char *folder; ///< borrowed
     const char *script; ///< file name in it; borrowed
@@ -35,15 +35,15 @@ whirl_status gnuplot_run(const char *program, gnuplot_job *jobs, size_t count);
 // ---------------------------------------------------------------- gnuplot_script
 // Figures for gnuplot: a script and its data.
 
-/// Writes the numbers of a figure, a block a series in the order of panels and series.
+/// Writes the numbers of a figure, one block for each series, in the order of panels and series.
 void gnuplot_write_data(FILE *data, const whirl_figure *figure);
 
 /// Writes the script that draws them from the file `data` into NAME.FORMAT for each word of `formats` ("png pdf").
 void gnuplot_write_script(FILE *script, const whirl_figure *figure, const char *name, const char *data,
                           const char *formats);
 
-/// A label in gnuplot's enhanced text: symbols in italics, and no letter that means anything to it. At most `size`
-/// bytes, never cut within an escape.
+/// Converts a label to gnuplot's enhanced text: symbols in italics, special characters escaped. At most `size` bytes,
+/// never cut within an escape.
 void gnuplot_markup(const char *label, char *markup, size_t size);
 
 // ---------------------------------------------------------------- print
@@ -56,8 +56,8 @@ whirl_status document_print(const char *program, const char *folder, const char 
 // ---------------------------------------------------------------- program
 // Programs that are run for reports, in other folders than this one.
 
-/// Returns what to execute for a program: a bare name for the PATH, or an absolute path, since a relative one would not
-/// work from another folder. NULL if the file does not exist, or without memory. Freed by the caller.
+/// Returns the name to execute for a program: a bare name for the PATH, or an absolute path, since a relative one would
+/// not work from another folder. NULL if the file does not exist, or without memory. Freed by the caller.
 char *program_found(const char *program);
 
 #endif

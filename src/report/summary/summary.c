@@ -8,7 +8,7 @@
 #include "shown_kinds.h"
 #include "whirl/engine/report.h"
 
-/// Number of starts in a table that continue neighbours' motions.
+/// Returns the number of starts in a table that continue neighbours' motions.
 static size_t count_from_neighbours(const whirl_table *table) {
     size_t count = 0;
     for (size_t i = 0; i < table->source->count; i++) count += whirl_table_from_neighbour(table->source, i);
@@ -42,7 +42,7 @@ void summarize_heading(FILE *out, const whirl_table *table) {
     fputc('\n', out);
 }
 
-/// The values of parameters at the condition of a table: "  with clearance = 90 um".
+/// Writes the parameter values of a table's condition: "  with clearance = 90 um".
 static void print_given(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     char name[2 * WHIRL_NAME_SIZE];
     snprintf(name, sizeof name, "%s with", table->name);
@@ -94,7 +94,7 @@ static whirl_status print_table(FILE *out, const whirl_findings *findings, const
     return status;
 }
 
-/// Bearings, seals, dampers and supports, where machines at rest are looked at.
+/// Writes bearings, seals, dampers and supports, for results with machines at rest.
 static whirl_status print_parts(FILE *out, const whirl_result *view, const whirl_findings *findings) {
     bool any = false;
     for (size_t t = 0; t < view->table_count; t++) {
@@ -127,7 +127,7 @@ whirl_status whirl_result_write_summary(const whirl_result *result, FILE *out) {
     whirl_status status = whirl_result_by_attractor(result, &view);
     if (status.code != WHIRL_OK) return status;
     whirl_shown_units units;
-    whirl_result_shown_units(view, NULL, &units); // what a file says that is no unit chooses nothing
+    whirl_result_shown_units(view, NULL, &units); // an invalid unit in a file is ignored
     whirl_findings *findings = NULL;
     whirl_case *machine = NULL;
     status = machine_of(view, &machine);

@@ -11,7 +11,7 @@
 
 enum { VERDICT_SIZE = 96, SUMMARY_VERDICTS = WHIRL_MAX_PERIOD + 8 };
 
-/// "s", or "" of one.
+/// Returns the plural "s", or "" for 1.
 const char *summary_plural(double count);
 
 /// Writes "2000 to 6000 rpm", or one value if both points are the same.
@@ -26,10 +26,10 @@ typedef struct verdict_count {
 } verdict_count;
 size_t summary_counts(const whirl_table *table, verdict_count counts[SUMMARY_VERDICTS]);
 
-/// Unit of lengths: the one asked for, else the one in the case.
+/// Returns the unit of lengths: the requested one, else the one of the case.
 whirl_unit summary_length_unit(const whirl_shown_units *units);
 
-/// The one point of a response, or every attractor that its starts lead to; machine: the case of the result, or NULL.
+/// Writes the single point of a response, or every attractor of its starts; machine: the case of the result, or NULL.
 /// WHIRL_NO_MEMORY.
 whirl_status summarize_response(FILE *out, const whirl_shown_units *units, const whirl_case *machine,
                                 const whirl_table *table);
@@ -37,13 +37,14 @@ whirl_status summarize_response(FILE *out, const whirl_shown_units *units, const
 /// Writes a paragraph on motions, clearances and contacts (motions_told).
 void summarize_motions(FILE *out, const whirl_shown_units *units, const whirl_case *machine, const whirl_table *table);
 
-/// Writes what refinement computed again.
+/// Writes the points that refinement computed again.
 void summarize_refinement(FILE *out, const whirl_table *table);
 
 /// "sweep of r_k: 512 points".
 void summarize_heading(FILE *out, const whirl_table *table);
 
-/// Numbers of points that rub, of failed exponents, and of verdicts by confidence; for a refined map over its grid.
+/// Writes the numbers of points that rub, of failed exponents, and of verdicts by confidence; for a refined map over
+/// its grid.
 typedef struct summary_tally {
     size_t all, rubbing, failed, sure[WHIRL_HIGH + 1];
 } summary_tally;
@@ -55,7 +56,8 @@ whirl_status summarize_notes(FILE *out, const whirl_shown_units *units, const wh
 /// Writes the summary of many points below the heading. WHIRL_NO_MEMORY.
 whirl_status summarize_points(FILE *out, const whirl_shown_units *units, const whirl_table *table);
 
-/// Writes why motions are undetermined, how many for each reason, and what would settle them; nothing if none is.
+/// Writes the reasons of undetermined motions, their numbers, and the change that would settle them; nothing if there
+/// are none.
 void summarize_doubts(FILE *out, const whirl_shown_units *units, const whirl_table *table);
 
 /// Writes the coexisting attractors of a table of a view (whirl_result_by_attractor) with their shares, and what the

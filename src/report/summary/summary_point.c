@@ -78,7 +78,7 @@ static void print_named(FILE *out, const whirl_shown_units *units, const whirl_t
     }
 }
 
-/// The same, of the machine at that point.
+/// As print_named, for the machine at that point.
 static void print_named_of(FILE *out, const whirl_shown_units *units, const whirl_case *machine,
                            const whirl_table *table, size_t point) {
     whirl_machine own;
@@ -101,7 +101,7 @@ static void print_shares(FILE *out, const whirl_result *result, const whirl_tabl
 /// "confidence: fair (one tolerance only); to settle it, let it run 2 times as long".
 static void print_confidence(FILE *out, const whirl_verdict *verdict) {
     char other[VERDICT_SIZE], advice[WHIRL_MESSAGE_SIZE];
-    // At the second tolerance only the regime is stored; a motion that rests does so at both.
+    // At the second tolerance only the regime is stored; a motion at rest is at rest at both.
     const whirl_verdict second = {
         .regime = verdict->other_regime, .period = verdict->other_period, .rests = verdict->rests};
     regime_name(&second, other, sizeof other);

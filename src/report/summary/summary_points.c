@@ -1,4 +1,4 @@
-// The summary of many motions: every one of a few, else windows or counts of verdicts.
+// The summary of several motions: each one if they are few, else windows or counts of verdicts.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -29,7 +29,7 @@ static void print_list(FILE *out, const whirl_shown_units *units, const whirl_ta
         fprintf(out, " %-5s", judged ? whirl_confidence_name(verdict.confidence) : "");
         if (isfinite(verdict.exponent.value))
             fprintf(out, " exponent %8.4f +- %-7.1g", verdict.exponent.value,
-                    fmax(verdict.exponent.error, 1e-4)); // not below what the digits show
+                    fmax(verdict.exponent.error, 1e-4)); // at least the last digit shown
         else if (verdict.exponents_failed)
             fprintf(out, " %-28s", "exponents failed");
         fputs(rubs(result, table, point) ? "  rub" : "", out);

@@ -43,7 +43,7 @@ static void print_attractors(FILE *out, const whirl_table *table) {
     if (told > MAX_ATTRACTORS) fprintf(out, "  and %zu more\n", told - MAX_ATTRACTORS);
 }
 
-/// Attractors of every place [places], to be freed; NULL without memory.
+/// Returns the attractors of every place [places], which the caller frees; NULL without memory.
 static size_t *count_beside(const whirl_table *table, size_t places) {
     size_t *beside = calloc(places + 1, sizeof *beside);
     for (size_t i = 0; beside && i < table->count; i++)
@@ -54,7 +54,7 @@ static size_t *count_beside(const whirl_table *table, size_t places) {
 static void print_range(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t first,
                         size_t last) {
     const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
-    const double *values = table->source->values; // the first start has every place in its order, but in partial files
+    const double *values = table->source->values; // the first start has all places in order, except in partial results
     double ends[2] = {NAN, NAN};
     for (size_t i = 0; i < table->source->count; i++) {
         const size_t place = whirl_table_place(table->source, i);
