@@ -44,7 +44,7 @@ static void clear_all(void) {
 }
 
 /* Errors end the call by a jump, so nothing may be held when they are raised. */
-static void check(whirl_status status) {
+static void mex_check(whirl_status status) {
     char message[WHIRL_MESSAGE_SIZE];
     if (status.code == WHIRL_OK) return;
     snprintf(message, sizeof message, "%s", status.message);
@@ -80,12 +80,12 @@ static void set_all(machine *one, int count, const mxArray *const settings[]) {
         word_of(settings[i], "a setting", word);
         const whirl_status status = whirl_case_assign(one->given, word);
         if (status.code != WHIRL_OK) clear(one);
-        check(status);
+        mex_check(status);
     }
 }
 
 /* id = whirl_mex('machine', text, name, 'r_k=0.5', ...) */
-static void make(mxArray *out[], int count, const mxArray *in[]) {
+static void mex_make(mxArray *out[], int count, const mxArray *in[]) {
     char name[WORD], problems[2000];
     machine *one = free_place();
     if (count < 2 || !mxIsChar(in[0])) mexErrMsgIdAndTxt("whirl:badInput", "the case is no text");
@@ -95,11 +95,11 @@ static void make(mxArray *out[], int count, const mxArray *in[]) {
     const whirl_status read = whirl_case_check(text, strlen(text), name, problems, sizeof problems, &one->given);
     mxFree(text);
     if (read.code == WHIRL_BAD_INPUT && problems[0]) mexErrMsgIdAndTxt("whirl:badInput", "%s", problems);
-    check(read);
+    mex_check(read);
     set_all(one, count - 2, in + 2);
     const whirl_status built = whirl_case_rotor(one->given, NULL, 0.0, &one->rotor);
     if (built.code != WHIRL_OK) clear(one);
-    check(built);
+    mex_check(built);
     one->number = next_number();
     out[0] = mxCreateDoubleScalar(one->number);
 }
@@ -133,7 +133,7 @@ static mxArray *rates(const whirl_rotor *rotor, const mxArray *t, const mxArray 
     const size_t dimension = whirl_rotor_system(rotor)->dimension;
     const double time = numbers_of(t, "t", 1)[0], *state = numbers_of(x, "x", dimension);
     mxArray *out = mxCreateDoubleMatrix(dimension, 1, mxREAL);
-    check(whirl_rotor_rates(rotor, time, state, mxGetPr(out)));
+    mex_check(whirl_rotor_rates(rotor, time, state, mxGetPr(out)));
     return out;
 }
 
@@ -148,7 +148,7 @@ static const whirl_rotor *element_of(machine *one, const char *name) {
         if (strcmp(one->names[i], name) == 0) return one->alone[i];
     if (one->elements == MAX_ELEMENTS)
         mexErrMsgIdAndTxt("whirl:failed", "a machine takes %d elements alone, no more", MAX_ELEMENTS);
-    check(whirl_case_element(one->given, name, &one->alone[one->elements]));
+    mex_check(whirl_case_element(one->given, name, &one->alone[one->elements]));
     snprintf(one->names[one->elements], WORD, "%s", name);
     return one->alone[one->elements++];
 }
@@ -173,7 +173,7 @@ void mexFunction(int out_count, mxArray *out[], int count, const mxArray *in[]) 
         mexErrMsgIdAndTxt("whirl:badInput", "this is the gateway of whirl_machine, whirl_rhs and whirl_element");
     word_of(in[0], "the first argument", word);
     if (strcmp(word, "machine") == 0)
-        make(out, count - 1, in + 1);
+        mex_make(out, count - 1, in + 1);
     else if (strcmp(word, "about") == 0)
         about(out, count - 1, in + 1);
     else if (strcmp(word, "rhs") == 0)

@@ -29,7 +29,7 @@ struct job {
     whirl_status status;         ///< the first error of `next`
 };
 
-static void release(job *j, size_t index) {
+static void job_release(job *j, size_t index) {
     whirl_machine *machine = &j->machines[index];
     if (machine->release) machine->release(machine->owner);
     *machine = (whirl_machine){0};
@@ -50,7 +50,7 @@ static bool next(void *context, whirl_task *task) {
     whirl_machine *machine = &j->machines[j->begun];
     j->status = build_next(j);
     if (j->status.code != WHIRL_OK) {
-        release(j, j->begun);
+        job_release(j, j->begun);
         return false;
     }
     j->unlike = !whirl_ensemble_alike(j->first.system, machine->system);
@@ -90,13 +90,13 @@ static whirl_status done(void *context, const whirl_task *task, whirl_record *re
     if (status.code == WHIRL_OK) status = carry(j, record);
     point->done = status.code == WHIRL_OK;
     whirl_record_free(record);
-    release(j, (size_t)(point - j->points));
+    job_release(j, (size_t)(point - j->points));
     return status;
 }
 
 static void abandon(void *context, const whirl_task *task) {
     job *j = context;
-    release(j, (size_t)((finished_point *)task->tag - j->points));
+    job_release(j, (size_t)((finished_point *)task->tag - j->points));
 }
 
 /// Starts a recorder for machines of the structure that the machine at a value has.
@@ -146,7 +146,7 @@ EXPORTED void explorer_job_free(job *j) {
     if (!j) return;
     whirl_recorder_free(j->recorder);
     if (j->first.release) j->first.release(j->first.owner);
-    if (j->unlike) release(j, j->begun);
+    if (j->unlike) job_release(j, j->begun);
     for (size_t i = 0; j->points && i < j->count; i++) free(j->points[i].numbers);
     free(j->points);
     free(j->machines);

@@ -11,7 +11,7 @@ void text_clear(text *t) {
     t->no_memory = false;
 }
 
-static bool make_room(text *t, size_t more) {
+static bool text_make_room(text *t, size_t more) {
     if (t->length + more + 1 <= t->capacity) return true;
     const size_t capacity = 2 * (t->length + more + 1);
     char *bytes = realloc(t->bytes, capacity);
@@ -27,7 +27,7 @@ void text_add(text *t, const char *format, ...) {
     va_start(arguments, format);
     va_copy(again, arguments);
     const int length = vsnprintf(NULL, 0, format, arguments);
-    if (length >= 0 && make_room(t, (size_t)length)) {
+    if (length >= 0 && text_make_room(t, (size_t)length)) {
         vsnprintf(t->bytes + t->length, (size_t)length + 1, format, again);
         t->length += (size_t)length;
     }

@@ -70,7 +70,7 @@ static ut_status see_galilean(const ut_unit *unit, double scale, const ut_unit *
     return ut_accept_visitor(underlying, &visitor, context);
 }
 
-static void add(table *to, const char *name, ut_unit *unit) {
+static void unit_table_add(table *to, const char *name, ut_unit *unit) {
     if (!unit) return;
     for (size_t i = 0; i < to->count; i++)
         if (strcmp(to->items[i].name, name) == 0) unit = NULL;
@@ -117,12 +117,12 @@ static void add_name(const ut_system *system, const char *name) {
     char text[NAME_SIZE + 8];
     for (size_t i = 0; i < sizeof endings / sizeof *endings; i++) {
         snprintf(text, sizeof text, "%s%s", name, endings[i]);
-        add(&names, text, ut_get_unit_by_name(system, text));
+        unit_table_add(&names, text, ut_get_unit_by_name(system, text));
     }
     const size_t length = strlen(name);
     if (length == 0 || name[length - 1] != 'y') return;
     snprintf(text, sizeof text, "%.*sies", (int)(length - 1), name);
-    add(&names, text, ut_get_unit_by_name(system, text));
+    unit_table_add(&names, text, ut_get_unit_by_name(system, text));
 }
 
 /// Names of two words are also known with an underscore.
@@ -184,7 +184,7 @@ int main(void) {
             snprintf(prefixes[symbol][counts[symbol]][0], NAME_SIZE, "%s", text);
             snprintf(prefixes[symbol][counts[symbol]++][1], NAME_SIZE, "%s", value);
         } else if (symbol)
-            add(&symbols, text, ut_get_unit_by_symbol(system, text));
+            unit_table_add(&symbols, text, ut_get_unit_by_symbol(system, text));
         else
             add_names(system, text);
     }

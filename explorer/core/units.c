@@ -97,7 +97,7 @@ static const unit_prefix *find_prefix(const unit_prefix *table, size_t count, co
 }
 
 /// Reads a name after any number of spelled-out prefixes and at most one prefix symbol.
-static bool read_name(const char *name, ut_unit *unit) {
+static bool units_read_name(const char *name, ut_unit *unit) {
     double factor = 1.0;
     bool symbol_seen = false;
     while (*name) {
@@ -254,7 +254,7 @@ static bool read_factor(unit_reader *r, ut_unit *unit) {
         if (length == 0 || length >= sizeof name) return false;
         memcpy(name, r->at, length);
         name[length] = '\0';
-        if (!read_name(name, unit)) return false;
+        if (!units_read_name(name, unit)) return false;
         r->at += length;
         r->after_name = true;
     }

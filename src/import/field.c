@@ -35,7 +35,7 @@ void *field_memory(import_reader *reader, size_t size) {
 }
 
 /// Finds the value of a key; NULL without one, which is a problem for a required key.
-static value *find(field_section *section, const char *key, bool required, const char *expected) {
+static value *field_find_key(field_section *section, const char *key, bool required, const char *expected) {
     value *const found = field_good(section->reader) ? value_member(section->table, key) : NULL;
     if (!found && required) field_refuse(section, key, NULL, "is missing, expected %s", expected);
     return found;
@@ -66,13 +66,13 @@ static double check_number(field_section *section, const field_kind *kind, const
 double field_number(field_section *section, const field_kind *kind, double fallback) {
     char expected[64];
     describe(kind, expected);
-    const value *const found = find(section, kind->key, isnan(fallback), expected);
+    const value *const found = field_find_key(section, kind->key, isnan(fallback), expected);
     return found ? check_number(section, kind, found) : fallback;
 }
 
 long field_whole(field_section *section, const char *key, long fallback) {
     static const char expected[] = "a whole number from 0 to 1000000";
-    const value *const found = find(section, key, fallback < -1, expected);
+    const value *const found = field_find_key(section, key, fallback < -1, expected);
     if (!found) return fallback;
     if (found->kind == VALUE_NUMBER && found->number >= 0.0 && found->number <= MAX_WHOLE &&
         found->number == floor(found->number))
@@ -82,13 +82,13 @@ long field_whole(field_section *section, const char *key, long fallback) {
 }
 
 bool field_truth(field_section *section, const char *key, bool fallback) {
-    const value *const found = find(section, key, false, "");
+    const value *const found = field_find_key(section, key, false, "");
     if (found && found->kind != VALUE_TRUTH) refuse_kind(section, key, found, "true or false");
     return found ? found->number != 0.0 : fallback;
 }
 
 const char *field_text(field_section *section, const char *key, const char *fallback) {
-    const value *const found = find(section, key, false, "");
+    const value *const found = field_find_key(section, key, false, "");
     if (found && found->kind != VALUE_TEXT) refuse_kind(section, key, found, "a text");
     return found && found->kind == VALUE_TEXT ? found->text : fallback;
 }
@@ -109,7 +109,7 @@ static size_t width_of(field_section *section, const field_kind *kind, const val
 }
 
 double *field_table(field_section *section, const field_kind *kind, size_t *rows, size_t *columns) {
-    const value *const found = find(section, kind->key, false, "");
+    const value *const found = field_find_key(section, kind->key, false, "");
     *rows = 0;
     if (!found) return NULL;
     const bool list = found->kind == VALUE_LIST;

@@ -24,7 +24,7 @@ static void copy_parts(json_copier *by, value *to, json_t *from, int depth) {
     }
 }
 
-static value_kind kind_of(const json_t *from) {
+static value_kind json_kind(const json_t *from) {
     switch (json_typeof(from)) {
     case JSON_OBJECT:
         return VALUE_TABLE;
@@ -46,7 +46,7 @@ static value_kind kind_of(const json_t *from) {
 static value *copy(json_copier *by, value *parent, const char *key, size_t key_length, json_t *from, int depth) {
     by->too_deep = by->too_deep || depth > VALUE_MAX_DEPTH;
     if (by->no_memory || by->too_deep) return NULL;
-    value *const made = value_add(by->arena, parent, kind_of(from), key, key_length, 0);
+    value *const made = value_add(by->arena, parent, json_kind(from), key, key_length, 0);
     by->no_memory = !made;
     if (!made) return NULL;
     if (made->kind == VALUE_TABLE || made->kind == VALUE_LIST) copy_parts(by, made, from, depth + 1);

@@ -150,7 +150,7 @@ static void put_materials(FILE *out, const ross_rotor *rotor, char (*names)[WHIR
 }
 
 /// Writes the modelling options of an element: for the shaft, and for a segment that differs.
-static void put_options(page_line *line, const ross_piece *own, const ross_piece *usual) {
+static void ross_put_options(page_line *line, const ross_piece *own, const ross_piece *usual) {
     char text[QUANTITY_SIZE];
     if (!usual || own->shear != usual->shear || (own->shear && own->hutchinson != usual->hutchinson))
         page_item(line, "shear: %s", !own->shear ? "none" : own->hutchinson ? "hutchinson" : "cowper");
@@ -186,7 +186,7 @@ static void put_shafts(FILE *out, const ross_rotor *rotor, const char *material)
         snprintf(head, sizeof head, "    %s: {", name);
         page_line line = page_open(out, 6, head);
         if (rotor->material_count == 1) page_item(&line, "material: %s", material);
-        put_options(&line, first_piece(rotor, i), NULL);
+        ross_put_options(&line, first_piece(rotor, i), NULL);
         page_close(&line, "}", NULL);
     }
 }
@@ -211,7 +211,7 @@ static void put_piece(FILE *out, const ross_rotor *rotor, const ross_piece *piec
     if (rotor->material_count > 1) page_item(&line, "material: %s", material);
     page_quantity(piece->axial_force, "N", text);
     if (piece->axial_force != 0.0) page_item(&line, "axial_force: %s", text);
-    put_options(&line, piece, first_piece(rotor, piece->shaft));
+    ross_put_options(&line, piece, first_piece(rotor, piece->shaft));
     snprintf(comment, sizeof comment, "%.60s, node %ld", piece->tag, piece->node);
     whirl_make_plain(comment);
     page_close(&line, "}", comment);

@@ -261,7 +261,7 @@ static bool is_element(const value *one) {
 }
 
 /// Room for as many of each as there are sections: of one file they are few.
-static bool make_room(import_reader *reader, const value *root, ross_rotor *out) {
+static bool ross_make_room(import_reader *reader, const value *root, ross_rotor *out) {
     size_t count = 1;
     for (const value *one = root->first; one; one = one->next) count += is_element(one);
     if (count > WHIRL_MAX_ELEMENTS) {
@@ -280,7 +280,7 @@ static bool make_room(import_reader *reader, const value *root, ross_rotor *out)
 
 void ross_read(import_reader *reader, value *root, ross_rotor *out) {
     *out = (ross_rotor){.version = ""};
-    if (root->kind != VALUE_TABLE || !make_room(reader, root, out)) {
+    if (root->kind != VALUE_TABLE || !ross_make_room(reader, root, out)) {
         if (field_good(reader))
             reader->status =
                 whirl_fail(WHIRL_BAD_INPUT, "%.200s: has no sections, expected a rotor saved by ROSS", reader->file);

@@ -69,7 +69,7 @@ static void collect_ends(ross_rotor *rotor, const ross_coupling *coupling) {
     }
 }
 
-static void collect(ross_rotor *rotor) {
+static void ross_collect(ross_rotor *rotor) {
     for (size_t i = 0; i < rotor->disc_count; i++) {
         const ross_disc *const disc = &rotor->discs[i];
         ross_station *const at = station_of(rotor, disc->node, disc->tag);
@@ -120,7 +120,7 @@ void ross_find_stations(import_reader *reader, ross_rotor *rotor) {
         rotor->disc_count + rotor->point_count + 2 * rotor->bearing_count + 2 * rotor->coupling_count + 2;
     rotor->stations = field_memory(reader, most * sizeof *rotor->stations);
     if (!rotor->stations) return;
-    collect(rotor);
+    ross_collect(rotor);
     if (rotor->station_count > WHIRL_MAX_STATIONS) {
         reader->status = whirl_fail(WHIRL_BAD_INPUT, "%.200s: has %zu nodes that carry something, expected at most %d",
                                     reader->file, rotor->station_count, WHIRL_MAX_STATIONS);
