@@ -1,4 +1,4 @@
-// What the reader does goes to the engine, what the engine finds goes to the views.
+// The application: passes the user's actions to the engine, and the engine's results to the views.
 import type { Run } from './data/run';
 import { needsSpectra } from './data/quantities';
 import { isTyping, releaseFields } from './dom';
@@ -37,7 +37,7 @@ export class App {
   constructor(
     runs: readonly Run[],
     engine: Engine | undefined,
-    /// What is missing, "" when nothing is.
+    /// Name of a missing part of the page, or "".
     private missing: string,
   ) {
     this.session = new Session(runs, engine, {
@@ -68,7 +68,7 @@ export class App {
     return this.page.root;
   }
 
-  /// Nothing can be computed after all.
+  /// Handles the loss of the engine: from now on nothing can be computed.
   lose(why: string): void {
     this.watches.endAll();
     this.session.lose();
@@ -89,7 +89,7 @@ export class App {
     void this.open();
   }
 
-  // ---------------------------------------------------------------- what the reader does
+  // ---------------------------------------------------------------- actions of the user
 
   private topbarListener(): TopbarListener {
     return {
@@ -185,7 +185,7 @@ export class App {
     session.sides.a.choice = session.address.a;
     if (session.address.b) session.sides.b.choice = session.address.b;
     const { machine } = session;
-    // What is stored is there at once; the engine takes a moment to wake.
+    // Show stored data at once; the engine takes a moment to start.
     const stored = session.run?.tables[0]?.parameter;
     const early =
       stored !== undefined &&
@@ -212,7 +212,7 @@ export class App {
     this.later('all');
     await this.refreshSides();
     if (!session.sight.diagram) void this.recompute(session.sight.range, true);
-    else this.refineSoon(); // the address may name a part of it
+    else this.refineSoon(); // the address may name a part of the range
   }
 
   private choose(name: string): void {
@@ -228,7 +228,7 @@ export class App {
     void this.open();
   }
 
-  /// Another part of the same result: what is looked at of it begins anew, but for station, units and probes.
+  /// Shows another part of the same result. The view is reset, except station, units and probes.
   private toPart(id: string): void {
     const { session } = this;
     if (session.part?.id === id) return;
@@ -239,7 +239,8 @@ export class App {
     void this.open();
   }
 
-  /// Goes to an address: all anew where it is of another machine or parameter, else what differs.
+  /// Restores the state of an address: everything if the machine or parameter is another one, else only the
+  /// differences.
   private restore(hash: string): void {
     const { session } = this;
     const address = readAddress(hash, session.address.units);
@@ -308,7 +309,7 @@ export class App {
     this.later(name);
   }
 
-  /// The motion at a cell of the map.
+  /// Shows the motion at a cell of the map.
   private cell([x, y]: Spot, settled: boolean): void {
     const { session } = this;
     const { map, side } = session;
@@ -323,7 +324,7 @@ export class App {
     this.later(session.active);
   }
 
-  /// The active side goes to another plane of the map.
+  /// Moves the active side to another plane of the map.
   private toPlane(index: number): void {
     const { session } = this;
     const { planes, side } = session;
@@ -334,7 +335,7 @@ export class App {
     void this.refreshSide(side, true);
   }
 
-  /// The orbit of a point of the branches takes the place of a motion.
+  /// Shows the orbit of a branch point in place of a motion.
   private orbit(name: SideName, point: number): void {
     const { session } = this;
     const side = session.sides[name];
@@ -359,16 +360,16 @@ export class App {
     if (value === undefined) releaseFields();
     if (text === undefined) assignments.delete(name);
     else assignments.set(name, text);
-    // Branches are of the machine as it stands.
+    // Branches belong to the machine without changes to its case.
     side.choice = { assignments, value: side.choice.value };
     this.watches.end(session.active);
     void this.refreshSide(side, settled);
   }
 
-  /// The value along the diagram, in a unit that only the engine knows.
+  /// Sets the value along the diagram from a text in a unit that only the engine knows.
   private async speak(name: SideName, text: string): Promise<void> {
     const value = await this.session.spokenValue(name, text);
-    // What was typed is shown in the page's own unit.
+    // Show the typed value in the page's unit.
     if (typeof value === 'number') releaseFields();
     if (typeof value === 'number') this.cursor(name, value, true);
     else if (value) this.session.sides[name].refuse(value);
@@ -403,7 +404,7 @@ export class App {
     const { session } = this;
     session.sights.stop();
     const before = session.address.parameter;
-    // In the plane of a map both values stay.
+    // In a map both values are kept.
     const held = Object.values(session.sides).map((side) =>
       session.map?.axis(before) ? session.valueOf(side, before) : NaN,
     );
@@ -456,7 +457,7 @@ export class App {
     if (!session.address.parameter || !session.engine || !session.moves) return;
     const of = assignmentTexts(session.side.choice.assignments).join('; ');
     this.report(await session.sights.compute(this.planOf(range), this.page.card.quality, of, first));
-    this.refineSoon(); // the view may have moved meanwhile
+    this.refineSoon(); // the view may have moved during the computation
   }
 
   private planOf([low, high]: Range): Plan {
@@ -472,7 +473,7 @@ export class App {
     };
   }
 
-  /// Computes finer points in the view once it has come to rest.
+  /// Computes finer points in the view after it has stopped moving.
   private refineSoon(): void {
     clearTimeout(this.refineTimer);
     this.refineTimer = window.setTimeout(async () => {
@@ -504,7 +505,7 @@ export class App {
   private key(event: KeyboardEvent): void {
     const typing = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
     if (event.key === '?' && !typing) this.page.openHelp();
-    // A field that is being typed into has an undo of its own.
+    // A field with the focus has the browser's own undo.
     const command = (event.ctrlKey || event.metaKey) && !event.altKey && !isTyping();
     const key = event.key.toLowerCase();
     if (command && (key === 'z' || key === 'y')) {

@@ -1,4 +1,5 @@
-// Elements of the page. Text goes in as text nodes and attributes alone: nothing that a case file holds is ever markup.
+// Elements of the page. Text is inserted only as text nodes and attributes, so that texts of a case file are never
+// markup.
 
 type Attributes = Readonly<Record<string, string | number | boolean>>;
 
@@ -20,8 +21,8 @@ export function el<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/// A button with a text and what it does. Its name is what is seen, so that who speaks to the page can say it; a sign
-/// alone has the label for its name.
+/// Makes a button. Its accessible name is its visible text, for speech control; a button with only a sign is named by
+/// `label`.
 export function button(
   text: string,
   label: string,
@@ -39,7 +40,7 @@ export interface Choice {
   readonly text: string;
 }
 
-/// A drop-down list; `chosen` is told the value.
+/// Makes a drop-down list; `chosen` is called with the selected value.
 export function select(
   label: string,
   choices: readonly Choice[],
@@ -57,7 +58,7 @@ export function setChoices(list: HTMLSelectElement, choices: readonly Choice[], 
   list.value = value;
 }
 
-/// A row of buttons of which one is pressed.
+/// A row of buttons, one of which is pressed.
 export class Segments {
   readonly root: HTMLElement;
   private readonly buttons: readonly HTMLButtonElement[];
@@ -84,7 +85,7 @@ export class Segments {
     this.value = value;
   }
 
-  /// Another text on a button.
+  /// Changes the text of a button.
   rename(value: string, text: string): void {
     const found = this.buttons.find((made) => made.value === value);
     if (found) found.textContent = text;
@@ -95,7 +96,7 @@ export class Segments {
   }
 }
 
-/// Hands a file to the reader.
+/// Downloads a file.
 export function download(name: string, type: string, content: BlobPart): void {
   const address = URL.createObjectURL(new Blob([content], { type }));
   const link = el('a', { href: address, download: name });
@@ -105,7 +106,7 @@ export function download(name: string, type: string, content: BlobPart): void {
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }
 
-/// Copies to the clipboard; where the browser does not allow it (a page from disk may be refused), false.
+/// Copies to the clipboard; returns false if the browser refuses (as for some pages opened from disk).
 export async function copyText(text: string): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text);
@@ -121,23 +122,23 @@ export async function copyText(text: string): Promise<boolean> {
   }
 }
 
-/// The field that the reader is at, and whether it has changed since its value was last taken.
+/// The field that the user is editing, and whether it has changed since its value was last read.
 let touched: { readonly field: EventTarget | null; typing: boolean } | undefined;
 document.addEventListener('input', ({ target }) => (touched = { field: target, typing: true }), true);
 document.addEventListener('change', ({ target }) => touched?.field === target && (touched.typing = false), true);
 document.addEventListener('focusout', () => (touched = undefined), true);
 
-/// Whether what stands in a field is the reader's: it keeps the focus since it was changed.
+/// Returns true if the user has changed a field and it still has the focus: the page must not overwrite it.
 export function isTouched(field: HTMLElement): boolean {
   return touched?.field === field;
 }
 
-/// Whether the reader is in the middle of a change of a field.
+/// Returns true while the user is changing a field.
 export function isTyping(): boolean {
   return touched?.typing ?? false;
 }
 
-/// What stands in fields is the page's again.
+/// Lets the page overwrite all fields again.
 export function releaseFields(): void {
   touched = undefined;
 }

@@ -1,18 +1,19 @@
-// The engine's parts lie in the page as inert text: the worker's program, and the C core, packed and as base64.
+// Reads the engine's parts, stored in the page as inert text: the worker's program, and the C core (compressed,
+// base64).
 import { bytesOf } from './data/run';
 import { startEngine } from './engine/engine';
 import type { Engine } from './engine/protocol';
 
 export interface Waking {
   readonly engine: Engine | undefined;
-  /// What is missing, "" when nothing is.
+  /// Name of a missing part, or "".
   readonly missing: string;
 }
 
 const NOT_BUILT = 'This page was built without the compiled core: it shows what is stored and computes nothing.';
 const TOO_OLD = 'This browser is too old for the compiled core: the page shows what is stored and computes nothing.';
 
-/// For whoever sees a page that does not compute.
+/// Returns the message of a page whose engine does not start.
 function notStarted(why: string): string {
   return (
     `The compiled core does not start (${why}): this page shows what is stored and computes nothing. If a server ` +
@@ -30,7 +31,7 @@ async function unpacked(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array> {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/// `broken` is told, at any later time, why the engine cannot compute after all.
+/// Starts the engine; `broken` is called later with the reason if the engine fails.
 export async function wakeEngine(broken: (why: string) => void): Promise<Waking> {
   const [worker, core] = [textOf('whirl-worker'), textOf('whirl-core')];
   if (!worker || !core) return { engine: undefined, missing: NOT_BUILT };

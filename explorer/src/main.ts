@@ -1,4 +1,4 @@
-// Starts the page: reads the runs, wakes the engine, hands over.
+// Starts the page: reads the runs, starts the engine and the application.
 import { App } from './app';
 import { readRuns } from './data/run';
 import { el } from './dom';

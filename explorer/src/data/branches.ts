@@ -1,16 +1,16 @@
-// Branches of periodic orbits that a run has stored: over the diagram they are lines, solid where orbits are stable,
-// dashed where not, with marks where and why they change.
+// Branches of periodic orbits stored by a run. In the diagram they are lines, solid for stable orbits and dashed for
+// unstable ones, with marks at special points.
 import { Diagram } from './diagram';
 import { float64Of, type Run, type StoredTable } from './run';
 import { OrbitOfBranch } from './orbit';
 import { FIELD } from './fields';
 
-/// Kinds of special points, by the number that results have for them.
+/// Kinds of special points, by their number in results.
 export const SPECIALS = [undefined, 'fold', 'crossing', 'doubling', 'torus', 'Hopf', 'graze'] as const;
 
 export type Special = NonNullable<(typeof SPECIALS)[number]>;
 
-/// Neighbouring points of one branch, all stable or none.
+/// Neighbouring points of one branch, all stable or all unstable.
 export interface Piece {
   readonly stable: boolean;
   readonly points: readonly number[];
@@ -21,7 +21,7 @@ export interface Change {
   readonly kind: Special;
 }
 
-/// Periods and nodes of orbits, one after the other, and where each begins; -1: it is not in the page.
+/// Periods and nodes of orbits, one after the other, and the index where each begins; -1: not in the page.
 interface Nodes {
   readonly numbers: Float64Array;
   readonly begins: Int32Array;
@@ -36,7 +36,7 @@ export class Branches {
     private readonly segments: number,
   ) {}
 
-  /// Those over a parameter; undefined where the run has none.
+  /// Returns the branches over a parameter; undefined if the run has none.
   static of(run: Run | undefined, parameter: string): Branches | undefined {
     const table = run?.tables.find(({ name }) => name === 'branch');
     if (!table || table.parameter !== parameter || !table.fields.some(({ name }) => name === FIELD.TRACE_SPECIAL))
@@ -51,19 +51,20 @@ export class Branches {
     return new Branches(diagram, piecesOf(diagram, special), changes, nodesOf(table, diagram, segments), segments);
   }
 
-  /// A motion with a time of its own is shown by the bounds of its coordinates, not by a section.
+  /// Returns true for an orbit with a period of its own (autonomous): it is shown by the bounds of its coordinates, not
+  /// by a section.
   isFree(point: number): boolean {
     return (
       this.diagram.number(point, FIELD.TRACE_REVOLUTIONS) === 0 && this.diagram.number(point, FIELD.TRACE_PERIOD) > 0
     );
   }
 
-  /// The branch that a point is of, from 1.
+  /// Returns the number of a point's branch, from 1.
   numberOf(point: number): number {
     return this.diagram.number(point, FIELD.TRACE_NUMBER);
   }
 
-  /// The orbit of a point; undefined where there is no such point, or the page does not hold its nodes.
+  /// Returns the orbit of a point; undefined without such a point, or if the page lacks its nodes.
   orbit(point: number): OrbitOfBranch | undefined {
     const at = this.nodes.begins[point] ?? -1;
     if (at < 0) return undefined;
@@ -78,8 +79,8 @@ export class Branches {
     );
   }
 
-  /// The point of a branch that is `steps` orbits further, from its end of lower values to that of higher ones, through
-  /// its folds; at an end the last one.
+  /// Returns the point of a branch `steps` orbits further, in the direction from the end at lower values to the end at
+  /// higher ones, through folds; at an end the last point.
   along(point: number, steps: number): number {
     const mine = this.held((other) => this.numberOf(other) === this.numberOf(point));
     const { values } = this.diagram;
@@ -88,7 +89,7 @@ export class Branches {
     return mine[Math.min(Math.max(to, 0), mine.length - 1)] ?? point;
   }
 
-  /// The orbits that are next to a value, one wherever a branch passes it.
+  /// Returns the orbits next to a value, one for each passage of a branch.
   at(value: number): number[] {
     const { values } = this.diagram;
     const found = new Set<number>();
@@ -101,7 +102,7 @@ export class Branches {
     return [...found];
   }
 
-  /// Of the points of the same branch whose orbits the page holds, the next one to a point; -1 where there is none.
+  /// Returns the point of the same branch nearest to a point among those whose orbits are in the page; -1 without any.
   nearestHeld(point: number): number {
     const { begins } = this.nodes;
     for (let away = 0; away < begins.length; away++)
@@ -115,7 +116,7 @@ export class Branches {
   }
 }
 
-/// Special points are on the verge: they belong to both sides.
+/// Divides branches into stable and unstable pieces. Special points belong to both sides.
 function piecesOf(diagram: Diagram, special: (point: number) => number): Piece[] {
   const pieces: { stable: boolean; points: number[] }[] = [];
   for (let point = 1; point < diagram.count; point++) {
@@ -129,7 +130,7 @@ function piecesOf(diagram: Diagram, special: (point: number) => number): Piece[]
   return pieces;
 }
 
-/// How many numbers the nodes of a point are.
+/// Returns the count of numbers of a point's nodes.
 function nodeNumbers(diagram: Diagram, point: number, segments: number): number {
   const dimension = diagram.column(FIELD.TRACE_MULTIPLIERS)?.rows ?? 0;
   const round = Math.max(1, diagram.number(point, FIELD.TRACE_REVOLUTIONS));

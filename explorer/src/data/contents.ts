@@ -1,5 +1,5 @@
-// The contents of a result: the machine as a drawing, then every table with what was found of it, as statements, sheets
-// and figures, and the tables of its live view (src/report/explorer_contents.c writes them).
+// Contents of a result: the drawing of the machine, then every table with its findings (statements, sheets and figures)
+// and the tables of its live view (src/report/explorer_contents.c writes them).
 import type { Described } from '../figure/described';
 import type { Run, StoredTable } from './run';
 
@@ -17,7 +17,7 @@ export interface Column {
   readonly heading: string;
   readonly unit: string;
   readonly size: number;
-  /// Of temperatures, taken off a number over `size`.
+  /// Offset of temperature units, subtracted from a number over `size`.
   readonly zero?: number;
   readonly digits: number;
 }
@@ -28,13 +28,13 @@ export interface Sheet {
   readonly title: string;
   readonly about?: string;
   readonly columns: readonly Column[];
-  /// Numbers in SI, of some cells several; texts; null where a cell is empty.
+  /// Numbers in SI (several in some cells) or texts; null for an empty cell.
   readonly rows: readonly (readonly (number | string | null | readonly (number | null)[])[])[];
-  /// The same as documents show them.
+  /// The cells as documents show them.
   readonly shown: readonly (readonly string[])[];
 }
 
-/// What a page holds of a result whose live views do not show all of it.
+/// Stored contents of a result whose live views do not show all of it.
 export interface StoredContents {
   readonly parts?: readonly {
     readonly table: string;
@@ -44,7 +44,7 @@ export interface StoredContents {
   }[];
   readonly statements?: readonly Statement[];
   readonly sheets?: readonly Sheet[];
-  /// Those of the machine are of the table "".
+  /// Figures of the machine have the table "".
   readonly figures?: readonly { readonly table: string; readonly figure: Described }[];
   /// Titles of figures that are too large for the page.
   readonly left_out?: readonly string[];
@@ -54,11 +54,11 @@ export interface StoredContents {
 export type LiveView = 'modes' | 'unbalance' | 'motions' | '';
 
 export interface Part {
-  /// In addresses: MACHINE, or the name of its first table.
+  /// Name in addresses: MACHINE, or the name of the part's first table.
   readonly id: string;
   readonly title: string;
   readonly view: LiveView;
-  /// The run with the tables of the live view alone.
+  /// The run with only the tables of the live view.
   readonly run: Run;
   readonly notes: readonly string[];
   readonly statements: readonly Statement[];
@@ -70,7 +70,7 @@ export const MACHINE = 'machine';
 
 const known = new WeakMap<Run, readonly Part[]>();
 
-/// The parts of a result in the order of its tables, the machine first; none where live views show all of it.
+/// Returns the parts of a result in the order of its tables, the machine first; none if live views show everything.
 export function partsOf(run: Run | undefined): readonly Part[] {
   if (!run?.parts) return [];
   const found = known.get(run) ?? readParts(run, run.parts);
@@ -93,7 +93,7 @@ function readParts(run: Run, parts: NonNullable<StoredContents['parts']>): reado
       figures: of(figures).map(({ figure }) => figure),
     };
   };
-  // One live view shows all motions.
+  // All tables of motions share one live view.
   const motions = parts.filter(({ view }) => view === 'motions').map(({ table }) => table);
   const machine = made(MACHINE, 'The machine', '', ['']);
   const left = left_out.map((title) => `${title}: this figure is too large for the page; the report has it.`);
@@ -109,16 +109,17 @@ function readParts(run: Run, parts: NonNullable<StoredContents['parts']>): reado
   ];
 }
 
-/// The part of an address; without one the machine, or what there is beside it where that is one part alone.
+/// Returns the part that an address names; without a name the machine or, if there is exactly one other part, that
+/// part.
 export function partOf(run: Run | undefined, id: string): Part | undefined {
   const parts = partsOf(run);
   return parts.find((part) => part.id === id) ?? parts[parts.length === 2 ? 1 : 0];
 }
 
-/// The heading of a column with its unit.
+/// Returns the heading of a column with its unit.
 export const headingOf = ({ heading, unit }: Column): string => (unit ? `${heading} (${unit})` : heading);
 
-/// Sentence of a statement in pieces: where, what it is of, and the rest.
+/// Returns the sentence of a statement in pieces: the place, the subject, and the rest.
 export function piecesOf({ text, what, station }: Statement): readonly [string, string, string] {
   const name = what + (station ? ` at ${station}` : '');
   const begins = text.indexOf(name);

@@ -1,4 +1,4 @@
-// A diagram: points along one parameter with what is known of each, from a stored run or from the engine.
+// A diagram: points along one parameter with their results, from a stored run or from the engine.
 import type { Field, Layout, SweepPoints, Verdict } from '../engine/protocol';
 import { regimeClass, regimeName, UNDETERMINED } from './regimes';
 import { float32Of, float64Of, type StoredMap, type StoredTable } from './run';
@@ -10,7 +10,7 @@ export interface Column {
   readonly data: Float32Array;
 }
 
-/// What is told of a field.
+/// Description of a field.
 export type FieldInfo = Omit<Field, 'offset'>;
 
 const SECTION = FIELD.POINCARE_SECTION;
@@ -21,7 +21,7 @@ function columnKey(field: string, which: number, column: number): string {
 
 const NO_VERDICT = ['', ''] as const;
 
-/// Values of the points of a map along its rows.
+/// Returns the values of a map's points along its rows.
 function valuesOfCells({ columns, x, cells }: StoredMap, count: number): Float64Array {
   const values = float64Of(x);
   return Float64Array.from({ length: count }, (_, point) => values[(cells?.[point] ?? point) % columns]!);
@@ -30,23 +30,23 @@ function valuesOfCells({ columns, x, cells }: StoredMap, count: number): Float64
 export class Diagram {
   readonly classes: Uint8Array;
   readonly done: Uint8Array;
-  /// Points that had a first look only: a longer run has the verdict.
+  /// 1 for points with a preview only: a longer run decides the verdict.
   readonly provisional: Uint8Array;
-  /// m per length scale, of the machine at each point; NaN of points that are not done.
+  /// m per length scale of the machine at each point; NaN for points that are not computed.
   readonly lengthScales: Float64Array;
-  /// Name and reason of the verdicts; empty texts where none is known.
+  /// Name and reason of the verdicts; empty texts if unknown.
   readonly verdicts: (readonly [string, string])[];
-  /// By their names.
+  /// Fields by their names.
   readonly fields = new Map<string, FieldInfo>();
   private readonly columns = new Map<string, Column>();
   private layout: Layout | undefined;
 
   private constructor(
     readonly parameter: string,
-    /// [count] in SI; the value of a point that is not done stands here too.
+    /// [count] values in SI, also of points that are not computed.
     readonly values: Float64Array,
-    /// [count] +1 carried from the first value on, -1 from the last, 0 not carried; where starts lead to several
-    /// attractors, the number of the attractor.
+    /// [count] +1: carried from the first value on, -1: from the last, 0: not carried; with several attractors the
+    /// number of the attractor.
     readonly branch: Int8Array,
   ) {
     this.classes = new Uint8Array(values.length).fill(UNDETERMINED);
@@ -60,14 +60,14 @@ export class Diagram {
     return this.values.length;
   }
 
-  /// Points that are done.
+  /// Number of computed points.
   get known(): number {
     let sum = 0;
     for (const done of this.done) sum += done;
     return sum;
   }
 
-  /// A stored table, whose lengths are in units of `lengthScale` [m] where its points have none of their own.
+  /// Makes the diagram of a stored table. Its lengths are in units of `lengthScale` [m], unless points have their own.
   static stored(table: StoredTable, lengthScale: number): Diagram {
     const values = table.map ? valuesOfCells(table.map, table.count) : float64Of(table.values ?? '');
     const made = new Diagram(table.parameter, values, Int8Array.from(table.branch ?? { length: table.count }));
@@ -76,7 +76,7 @@ export class Diagram {
     if (table.length_scales) made.lengthScales.set(float64Of(table.length_scales));
     else made.lengthScales.fill(lengthScale);
     for (const stored of table.fields) {
-      // The section of orbits along a branch is one like that of motions.
+      // The section of orbits along branches has the name of that of motions.
       const field = stored.name === FIELD.TRACE_SECTION ? { ...stored, name: SECTION } : stored;
       made.fields.set(field.name, field);
       const all = float32Of(field.data);
@@ -94,12 +94,12 @@ export class Diagram {
     return made;
   }
 
-  /// A diagram whose points are still to come.
+  /// Makes a diagram whose points are not computed yet.
   static awaited(parameter: string, values: Float64Array, branch: Int8Array): Diagram {
     return new Diagram(parameter, values, branch);
   }
 
-  /// The points that `keep` says, and behind them points that are still to come.
+  /// Returns a diagram of the points selected by `keep`, followed by points that are not computed yet.
   joined(keep: (point: number) => boolean, values: Float64Array, branch: Int8Array): Diagram {
     const old = Array.from(this.values.keys()).filter(keep);
     const all = <T extends Float64Array | Int8Array>(made: T, kept: T, added: T) => (
@@ -117,14 +117,14 @@ export class Diagram {
     return made;
   }
 
-  /// Some of the points, along another parameter.
+  /// Returns a diagram of some of the points, along another parameter.
   part(points: readonly number[], parameter: string, values: Float64Array): Diagram {
     const made = new Diagram(parameter, values, new Int8Array(values.length));
     made.adopt(this, points);
     return made;
   }
 
-  /// Takes what another diagram knows of some points for the first ones here.
+  /// Copies some points of another diagram to the first points of this one.
   private adopt(from: Diagram, points: readonly number[]): void {
     points.forEach((point, i) => {
       for (const key of ['classes', 'done', 'provisional', 'lengthScales'] as const) this[key][i] = from[key][point]!;
@@ -138,7 +138,7 @@ export class Diagram {
     }
   }
 
-  /// Makes room for the engine's points; numbers that are there stay.
+  /// Makes room for the engine's points; existing numbers stay.
   expect(layout: Layout): void {
     this.layout = layout;
     for (const field of layout.fields) {
@@ -149,7 +149,7 @@ export class Diagram {
     }
   }
 
-  /// Gives a column at least so many rows.
+  /// Widens a column to at least `rows` rows.
   private widen(key: string, rows: number): void {
     const before = this.columns.get(key);
     if (before && before.rows >= rows) return;
@@ -160,7 +160,7 @@ export class Diagram {
     this.columns.set(key, { rows, data });
   }
 
-  /// Takes points of a sweep; `place` says which point of the diagram a slot is.
+  /// Stores points of a sweep; `place` gives the point of the diagram for a slot.
   take(points: SweepPoints, place: (slot: number) => number): void {
     const layout = this.layout;
     if (!layout) return;
@@ -186,23 +186,23 @@ export class Diagram {
     });
   }
 
-  /// A column of a field for a station or contact; undefined where the run has none.
+  /// Returns a column of a field for a station or contact; undefined if the run lacks it.
   column(field: string, which = 0, column = 0): Column | undefined {
     return this.columns.get(columnKey(field, which, column));
   }
 
-  /// One number of a point, NaN where there is none.
+  /// Returns one number of a point; NaN if there is none.
   number(point: number, field: string, which = 0, column = 0): number {
     const found = this.column(field, which, column);
     return found && found.rows === 1 ? (found.data[point] ?? NaN) : NaN;
   }
 
-  /// Largest share of the time in contact, over all contacts.
+  /// Returns the largest share of the time in contact, over all contacts.
   contact(point: number): number {
     return this.largest(point, FIELD.RUB_SHARE, 0) || 0;
   }
 
-  /// A number of what there is several of, of the one that has most of it; NaN where it is known of none.
+  /// Returns the largest value of a number over all stations or contacts; NaN if none is known.
   largest(point: number, field: string, column: number): number {
     let most = NaN;
     for (let which = 0; ; which++) {
@@ -220,7 +220,7 @@ export class Diagram {
     return { value: this.number(point, from[0]!), error: this.number(point, from[1]!) };
   }
 
-  /// m per length scale where all points that are done have the same, else NaN.
+  /// m per length scale if it is the same at all computed points, else NaN.
   get lengthScale(): number {
     let common = NaN;
     for (let point = 0; point < this.count; point++) {
@@ -232,12 +232,12 @@ export class Diagram {
     return common;
   }
 
-  /// Whether points have verdicts: those of branches have none. An awaited diagram will have them.
+  /// True if points have verdicts; points of branches have none. An awaited diagram will have them.
   get judged(): boolean {
     return !this.columns.has(columnKey(FIELD.TRACE_SPECIAL, 0, 0));
   }
 
-  /// Low 0, fair 1, high 2; NaN where the run states none.
+  /// Returns the confidence: 0 low, 1 fair, 2 high; NaN if the run gives none.
   confidence(point: number): number {
     return this.number(point, FIELD.REGIME_CONFIDENCE);
   }
@@ -253,7 +253,7 @@ export class Diagram {
     return low <= high ? [low, high] : [0, 1];
   }
 
-  /// The point that is done whose value is nearest; -1 where there is none.
+  /// Returns the computed point whose value is nearest; -1 without any.
   nearest(value: number): number {
     let best = -1;
     let distance = Infinity;
@@ -267,7 +267,7 @@ export class Diagram {
     return best;
   }
 
-  /// By regimes and periods alone; the same text for all that have the same.
+  /// Names verdicts by regime and period alone; equal ones share a text.
   private nameVerdicts(): void {
     const names = new Map<number, readonly [string, string]>();
     for (let point = 0; point < this.count; point++) {

@@ -1,12 +1,12 @@
-// A grid of finer cells over a part of a map, whose points the engine computes.
+// A grid of finer cells over a part of a map; the engine computes its points.
 import type { Layout, SweepPoints } from '../engine/protocol';
 import { Diagram } from './diagram';
 import { nearestOn, type Cell, type MapAxis } from './parameter_map';
 
-/// Cells of an axis: the first one, and the one behind the last.
+/// Cells of an axis: the first, and the one after the last.
 export type Cells = readonly [number, number];
 
-/// Cells of an axis, each cut into so many of equal size: by ratios where the axis is logarithmic.
+/// Returns an axis whose cells are divided into `parts` of equal size; of equal ratio on a logarithmic axis.
 function finerAxis({ parameter, edges, logarithmic }: MapAxis, [first, end]: Cells, parts: number): MapAxis {
   const count = (end - first) * parts;
   const at = (place: number) => {
@@ -24,7 +24,7 @@ function finerAxis({ parameter, edges, logarithmic }: MapAxis, [first, end]: Cel
 }
 
 export class MapGrid {
-  /// All points, row after row, along the first parameter.
+  /// All points, row by row, along the first parameter.
   readonly diagram: Diagram;
 
   private constructor(
@@ -36,7 +36,7 @@ export class MapGrid {
     this.diagram = Diagram.awaited(x.parameter, values, new Int8Array(count));
   }
 
-  /// Cells of both axes of a map, each cut into so many columns and rows.
+  /// Makes a grid by dividing cells of both axes of a map into columns and rows.
   static over(x: MapAxis, across: Cells, columns: number, y: MapAxis, up: Cells, rows: number): MapGrid {
     return new MapGrid(finerAxis(x, across, columns), finerAxis(y, up, rows));
   }
@@ -49,12 +49,12 @@ export class MapGrid {
     return this.y.values.length;
   }
 
-  /// The point of a cell that is done, by the number of the cell; -1 where there is none.
+  /// Returns the computed point of a cell, by the number of the cell; -1 without one.
   pointAt(cell: number): number {
     return this.diagram.done[cell] ? cell : -1;
   }
 
-  /// The cell of a place that is done; undefined where there is none.
+  /// Returns the computed cell at a place; undefined without one.
   at(x: number, y: number): Cell | undefined {
     const inside = ({ edges }: MapAxis, value: number) => value >= edges[0]! && value <= edges.at(-1)!;
     if (!inside(this.x, x) || !inside(this.y, y)) return undefined;
@@ -62,12 +62,12 @@ export class MapGrid {
     return this.pointAt(row * this.columns + column) < 0 ? undefined : { column, row };
   }
 
-  /// Makes room for what a map shows: one number a point.
+  /// Makes room for the numbers that maps show, one for each point.
   expect(layout: Layout): void {
     this.diagram.expect({ ...layout, fields: layout.fields.filter(({ rows }) => rows === 1) });
   }
 
-  /// Takes points of a row.
+  /// Stores points of a row.
   take(row: number, points: SweepPoints): void {
     this.diagram.take(points, (slot) => row * this.columns + slot);
   }

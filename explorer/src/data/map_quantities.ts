@@ -1,4 +1,4 @@
-// What a map can show of its cells: the regime, the period, and every quantity of diagrams that is one number a point.
+// Quantities of a map's cells: regime, period, and every quantity of diagrams that has one number for each point.
 import type { StationInfo } from '../engine/protocol';
 import type { Units } from '../model/units';
 import type { Diagram } from './diagram';
@@ -6,21 +6,21 @@ import type { ParameterMap } from './parameter_map';
 import { quantitiesOf, quantityOf, type Quantity } from './quantities';
 import { FIELD } from './fields';
 
-/// Stronger growth and decay are all shown alike.
+/// Limit of the colour scale: stronger growth and decay have the same colours.
 const MAX_EXPONENT = 0.5;
 const PERIODIC = 1;
 
-/// Numbers of the points as colours show them.
+/// Numbers of the points, with their colour scale.
 export interface MapNumbers {
   readonly label: string;
-  /// [points], NaN where there is none.
+  /// [points], NaN for points without a number.
   readonly numbers: Float64Array;
-  /// What rises, or lies around zero.
+  /// For numbers that rise, or that lie around zero.
   readonly palette: 'rising' | 'around';
-  /// What the ends of the palette stand for.
+  /// The number at the lower end of the palette; `high` is at its upper end.
   readonly low: number;
   readonly high: number;
-  /// Equal ratios are equally far apart.
+  /// Colours change with the logarithm of the number.
   readonly logarithmic: boolean;
 }
 
@@ -28,15 +28,15 @@ export const REGIME: Quantity = { id: 'regime', text: 'Regime', perStation: fals
 export const ATTRACTOR: Quantity = { id: 'attractor', text: 'Attractor', perStation: false };
 const PERIOD: Quantity = { id: 'period', text: 'Period', perStation: false };
 
-/// As they stand in an address; fields are known by their names.
+/// Names in addresses; fields have their own names.
 export const MAP_QUANTITIES: readonly string[] = [ATTRACTOR.id, REGIME.id, PERIOD.id];
 
-/// What a map shows where nothing else is asked for.
+/// Returns the quantity that a map shows by default.
 export function firstQuantityOf(map: ParameterMap): string {
   return map.attractors.length > 0 ? ATTRACTOR.id : REGIME.id;
 }
 
-/// Those of which the points have a number.
+/// Returns the quantities for which the points have numbers.
 export function mapQuantitiesOf(map: ParameterMap): readonly Quantity[] {
   const { diagram } = map;
   const units: Units = { length: 'scale', speed: 'rad/s', frequency: 'order', amplitude: '0-p' };
@@ -49,7 +49,7 @@ export function mapQuantitiesOf(map: ParameterMap): readonly Quantity[] {
   return [...attractors, ...(judged ? [REGIME, PERIOD] : []), ...there];
 }
 
-/// Revolutions of periodic motions.
+/// Returns the period of a periodic motion in revolutions.
 function periodOf(diagram: Diagram, point: number): number {
   return diagram.number(point, FIELD.REGIME_CODE) === PERIODIC ? diagram.number(point, FIELD.REGIME_PERIOD) : NaN;
 }
@@ -77,7 +77,7 @@ function periods(diagram: Diagram): MapNumbers {
   };
 }
 
-/// undefined of regimes, and of what the points do not have.
+/// Returns the numbers of a quantity; undefined for regimes, and for quantities that the points lack.
 export function mapNumbersOf(
   diagram: Diagram,
   id: string,
@@ -103,7 +103,7 @@ export function mapNumbersOf(
   return { label, numbers, palette: 'rising', low: from, high, logarithmic: false };
 }
 
-/// Where a number lies between the ends of its palette, 0 to 1.
+/// Returns the position of a number between the ends of its palette, 0 to 1.
 export function partOf({ low, high, logarithmic }: MapNumbers, number: number): number {
   if (!(high > low)) return 0.5;
   return logarithmic ? Math.log(number / low) / Math.log(high / low) : (number - low) / (high - low);

@@ -1,4 +1,4 @@
-// One motion as the engine found it, by what the panels ask for. Lengths in length scales, as the engine gives them.
+// One motion computed by the engine, with the data that panels use. Lengths are in length scales.
 import { fieldNumbers, findField, type MotionResult, type StationInfo } from '../engine/protocol';
 import type { OrbitOfBranch } from './orbit';
 import { FIELD } from './fields';
@@ -20,13 +20,13 @@ export interface Spectrum extends Pairs {
   readonly backward: Float64Array;
 }
 
-/// Over the size of a motion: less is no pixel of a picture.
+/// Distance, over the size of a motion, below which an orbit counts as closed: less than a pixel of a picture.
 const CLOSED = 1e-3;
 
 export class Motion {
   constructor(
     readonly result: MotionResult,
-    /// That it stays on, whether or not it is stable.
+    /// The orbit of a branch that this motion follows, stable or not.
     readonly orbit: OrbitOfBranch | undefined = undefined,
   ) {}
 
@@ -66,7 +66,7 @@ export class Motion {
     return fieldNumbers(this.result.layout, this.result.block, field, which)[column] ?? NaN;
   }
 
-  /// Largest share of the time in contact, NaN where nothing can touch.
+  /// Largest share of the time in contact; NaN without contacts.
   get contact(): number {
     const field = findField(this.result.layout, FIELD.RUB_SHARE);
     if (!field || field.repeat === 0) return NaN;
@@ -75,17 +75,17 @@ export class Motion {
     return most;
   }
 
-  /// Whether the strongest line of the spectrum turns with the rotation; undefined without lines.
+  /// Returns true if the strongest line of the spectrum whirls forward; undefined without lines.
   forwardWhirl(station: number): boolean | undefined {
     const { forward, backward } = this.lines(station);
     return forward.length ? forward[0]! >= backward[0]! : undefined;
   }
 
-  /// Revolutions after which a picture of the motion repeats; 0 where it does not. A first look has pictures before it
-  /// has a verdict.
+  /// Revolutions after which a picture of the motion repeats; 0 if it does not. A preview has pictures before it has a
+  /// verdict.
   get period(): number {
     const { verdict } = this.result;
-    // That of an orbit with a time of its own is no whole number.
+    // The period of an autonomous orbit need not be a whole number of revolutions.
     if (this.orbit || !verdict) return (this.orbit?.period ?? 0) / (2 * Math.PI);
     const returns = this.number(FIELD.REGIME_RECURRENCE) < CLOSED ? this.number(FIELD.REGIME_RECURRENCE_PERIOD) : 0;
     return verdict.period || (verdict.provisional ? returns : 0);
@@ -96,7 +96,7 @@ export class Motion {
     return { order: order!, x: x!, y: y!, forward: forward!, backward: backward! };
   }
 
-  /// The columns of a field's rows, up to the first row that is missing.
+  /// Returns the columns of a field, up to the first missing row.
   private columns(name: string, which: number, wanted: number): Float64Array[] {
     const columns = findField(this.result.layout, name)?.columns ?? wanted;
     const numbers = fieldNumbers(this.result.layout, this.result.block, name, which);

@@ -1,9 +1,9 @@
-// The motion that the page opens with: it is stored, so that it is seen before the engine has computed any.
+// The motion with which the page opens: it is stored, so that it is visible before the engine has computed anything.
 import { findField, type Field, type MotionResult } from '../engine/protocol';
 import { float32Of, type Run, type StoredOpening } from './run';
 import { FIELD } from './fields';
 
-/// As the engine would give it.
+/// Returns the stored motion in the form of the engine's results.
 export function storedMotion(run: Run, opening: StoredOpening): MotionResult {
   const fields: Field[] = [];
   let size = 0;

@@ -1,4 +1,4 @@
-// The orbit of one point of a branch, stable or not, by what is stored of it.
+// The stored orbit of one point of a branch, stable or not.
 import { shown } from '../model/units';
 import type { Diagram } from './diagram';
 import { FIELD } from './fields';
@@ -6,7 +6,7 @@ import { FIELD } from './fields';
 export interface Multiplier {
   readonly real: number;
   readonly imaginary: number;
-  /// Of an orbit with a time of its own the one that is 1, for shifts along itself.
+  /// True for the multiplier 1 of an autonomous orbit, for shifts along the orbit.
   readonly own: boolean;
 }
 
@@ -14,11 +14,11 @@ export class OrbitOfBranch {
   constructor(
     private readonly diagram: Diagram,
     readonly point: number,
-    /// What happens here; undefined at most points.
+    /// Kind of special point; undefined for ordinary points.
     readonly special: string | undefined,
-    /// Radians of the rotor's clock; 0: an equilibrium.
+    /// Period in radians of the rotor's clock; 0: an equilibrium.
     readonly period: number,
-    /// The states at the beginnings of its segments.
+    /// States at the beginnings of the orbit's segments.
     readonly nodes: Float64Array,
   ) {}
 
@@ -34,7 +34,7 @@ export class OrbitOfBranch {
     return this.number('number');
   }
 
-  /// After which it closes; 0: a time of its own.
+  /// Revolutions after which the orbit closes; 0: an autonomous orbit.
   get revolutions(): number {
     return this.number('revolutions');
   }
@@ -43,7 +43,7 @@ export class OrbitOfBranch {
     return this.period === 0;
   }
 
-  /// Multipliers beyond the unit circle, or eigenvalues that grow.
+  /// Number of multipliers outside the unit circle, or of growing eigenvalues.
   get unstable(): number {
     return this.number('unstable');
   }
@@ -52,7 +52,7 @@ export class OrbitOfBranch {
     return this.unstable === 0;
   }
 
-  /// Modulus of a multiplier; of equilibria growth per radian.
+  /// Largest modulus of a multiplier; for equilibria the growth per radian.
   get largest(): number {
     return this.number('largest');
   }
@@ -90,7 +90,7 @@ export class OrbitOfBranch {
     return `branch ${this.branch}: ${this.verdict} (${this.evidence})${here}`;
   }
 
-  /// By falling modulus; of equilibria eigenvalues by falling real part.
+  /// Multipliers by falling modulus; for equilibria eigenvalues by falling real part.
   get multipliers(): readonly Multiplier[] {
     const [real, imaginary] = [0, 1].map((column) => this.diagram.column(FIELD.TRACE_MULTIPLIERS, 0, column));
     if (!real || !imaginary) return [];

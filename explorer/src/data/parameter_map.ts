@@ -1,4 +1,4 @@
-// A map: points over two parameters, a cell each, as a run has stored them. Its cells are counted along rising values.
+// A stored map: points over two parameters, one cell for each. Cells are counted along rising values.
 import { Diagram } from './diagram';
 import { OTHER_PERIODS } from './regimes';
 import { float64Of, type Attractor, type Run, type StoredMap, type StoredTable } from './run';
@@ -6,9 +6,9 @@ import { FIELD } from './fields';
 
 export interface MapAxis {
   readonly parameter: string;
-  /// Rising, in SI.
+  /// Rising values in SI.
   readonly values: Float64Array;
-  /// [values + 1] where cells meet: half-way, by ratios where the values have equal ones.
+  /// [values + 1] edges of cells: half-way between values, by ratio if the values have equal ratios.
   readonly edges: Float64Array;
   readonly logarithmic: boolean;
 }
@@ -18,7 +18,7 @@ export interface Cell {
   readonly row: number;
 }
 
-/// Columns or rows without any value stand evenly between those that have one, or beyond.
+/// Fills in values of columns or rows without points, evenly between known ones or beyond them.
 function fillGaps(values: Float64Array): void {
   const known = Array.from(values.keys()).filter((i) => Number.isFinite(values[i]));
   if (known.length < 2) {
@@ -59,7 +59,7 @@ function edgesOf(values: Float64Array, logarithmic: boolean): Float64Array {
   return edges;
 }
 
-/// The axis of values that rise or fall.
+/// Returns the axis for values that rise or fall.
 function axisOf(parameter: string, values: Float64Array): MapAxis {
   fillGaps(values);
   values.sort();
@@ -67,7 +67,7 @@ function axisOf(parameter: string, values: Float64Array): MapAxis {
   return { parameter, values, edges: edgesOf(values, logarithmic), logarithmic };
 }
 
-/// The cell of an axis that a value is nearest to.
+/// Returns the cell of an axis nearest to a value.
 export function nearestOn({ values, edges }: MapAxis, value: number): number {
   let [low, high] = [0, values.length - 1];
   while (low < high) {
@@ -78,7 +78,7 @@ export function nearestOn({ values, edges }: MapAxis, value: number): number {
   return low;
 }
 
-/// The same number for points of one regime and period; NaN of none.
+/// Returns a number that is equal for points of one regime and period; NaN without a verdict.
 export function regimeKind(diagram: Diagram, point: number): number {
   if (point < 0) return NaN;
   const kind = diagram.classes[point]!;
@@ -87,7 +87,7 @@ export function regimeKind(diagram: Diagram, point: number): number {
 
 /// A plane of a map with several.
 export interface MapPlane {
-  /// The third parameter, and its value there.
+  /// The third parameter, and its value in the plane.
   readonly parameter: string;
   readonly value: number;
 }
@@ -95,8 +95,8 @@ export interface MapPlane {
 export class ParameterMap {
   readonly x: MapAxis;
   readonly y: MapAxis;
-  /// By cell, row after row: the point of the diagram that was computed there, and the one that stands for the cell,
-  /// which differ where a map is refined; -1 where there is none.
+  /// By cell, row by row: the point computed in the cell, and the point that represents the cell (another one in
+  /// refined maps); -1 without a point.
   private readonly own: Int32Array;
   private readonly points: Int32Array;
 
@@ -104,12 +104,12 @@ export class ParameterMap {
     /// All points of all planes, along the first parameter.
     readonly diagram: Diagram,
     map: StoredMap,
-    /// Which plane of the stored map this is, from 0, and where it lies; undefined where there is one.
+    /// Number of the plane in the stored map, from 0, and its parameter value; undefined for a map with one plane.
     index: number,
     readonly plane: MapPlane | undefined,
-    /// Of a basin, those of most starts first; else none.
+    /// Attractors of a basin, those with most starts first; else none.
     readonly attractors: readonly Attractor[],
-    /// Of every point its number among them, from 1; 0: none is told.
+    /// Number of every point's attractor, from 1; 0: unknown.
     private readonly attractor: readonly number[],
   ) {
     const { columns, rows } = map;
@@ -123,7 +123,7 @@ export class ParameterMap {
       (down ? rows - 1 - row : row) * columns + (back ? columns - 1 - column : column);
     this.own = new Int32Array(columns * rows).fill(-1);
     this.points = new Int32Array(columns * rows).fill(-1);
-    // The last column and row are of the squares that end there.
+    // The last column and row belong to the squares that end there.
     const end = (first: number, width: number, count: number) => (first + width + 1 < count ? first + width : count);
     for (let point = 0; point < diagram.count; point++) {
       const cell = (map.cells?.[point] ?? point) - index * columns * rows;
@@ -142,13 +142,13 @@ export class ParameterMap {
     this.y = axisOf(map.second, y);
   }
 
-  /// The number of a point's attractor; 0: none is told.
+  /// Returns the number of a point's attractor; 0: unknown.
   attractorOf(point: number): number {
     return this.attractor[point] ?? 0;
   }
 
-  /// What boundaries lie between: the same number for points of one attractor or, where there are none, of one regime
-  /// and period.
+  /// Returns the region id of a point, used to draw borders: equal for points of one attractor or, without attractors,
+  /// of one regime and period.
   kindOf(point: number): number {
     if (point < 0) return NaN;
     if (this.attractors.length > 0) return this.attractorOf(point);
@@ -163,32 +163,32 @@ export class ParameterMap {
     return this.y.values.length;
   }
 
-  /// The axis of a parameter; undefined of all others.
+  /// Returns the axis of a parameter; undefined if the map has no such axis.
   axis(parameter: string): MapAxis | undefined {
     return [this.x, this.y].find((axis) => axis.parameter === parameter);
   }
 
-  /// The axis across that of a parameter.
+  /// Returns the other axis than that of a parameter.
   across(parameter: string): MapAxis {
     return parameter === this.y.parameter ? this.x : this.y;
   }
 
-  /// Whether the point of a cell was computed there, and does not only stand for it.
+  /// Returns true if a point was computed in the cell itself.
   isComputed({ column, row }: Cell): boolean {
     return this.own[row * this.columns + column]! >= 0;
   }
 
-  /// The points of its cells that were computed.
+  /// Points of cells that were computed.
   get computed(): readonly number[] {
     return Array.from(this.own).filter((point) => point >= 0 && this.diagram.done[point]);
   }
 
-  /// The point of a cell that is done; -1 where there is none.
+  /// Returns the computed point of a cell; -1 without one.
   point({ column, row }: Cell): number {
     return this.pointAt(row * this.columns + column);
   }
 
-  /// By the number of the cell, row after row.
+  /// Returns the point of a cell by the cell's number, counted row by row.
   pointAt(cell: number): number {
     const point = this.points[cell] ?? -1;
     return point >= 0 && this.diagram.done[point] ? point : -1;
@@ -198,7 +198,7 @@ export class ParameterMap {
     return { column: nearestOn(this.x, x), row: nearestOn(this.y, y) };
   }
 
-  /// A row along the first parameter, or a column along the second: a diagram.
+  /// Returns a row along the first parameter, or a column along the second, as a diagram.
   cut(along: string, index: number): Diagram {
     const [columns, rows] = [this.columns, this.rows];
     const isRow = along !== this.y.parameter;
@@ -227,14 +227,14 @@ export class MapPlanes {
     private readonly diagram: Diagram,
     private readonly table: StoredTable,
     private readonly map: StoredMap,
-    /// The third parameter, "" where there is none, and its values, rising.
+    /// The third parameter ("" without one), and its rising values.
     readonly parameter: string,
     readonly values: Float64Array,
-    /// Where the plane of each value stands among those that are stored.
+    /// Index of each value's plane among the stored planes.
     private readonly places: readonly number[],
   ) {}
 
-  /// The map of a run; undefined where it has none.
+  /// Returns the map of a run; undefined without one.
   static of(run: Run | undefined): MapPlanes | undefined {
     const table: StoredTable | undefined = run?.tables.find(({ map, count }) => map !== undefined && count > 0);
     if (!table?.map) return undefined;
@@ -250,7 +250,7 @@ export class MapPlanes {
     return this.values.length;
   }
 
-  /// The plane whose value is nearest.
+  /// Returns the plane with the nearest value.
   nearest(value: number): number {
     let best = 0;
     this.values.forEach((each, i) => {

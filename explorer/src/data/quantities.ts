@@ -1,18 +1,18 @@
-// What a diagram can show over the parameter.
+// Quantities that a diagram can show over the parameter.
 import type { StationInfo } from '../engine/protocol';
 import { fieldMeasure, lengthMeasure, type Units } from '../model/units';
 import type { Column, Diagram, FieldInfo } from './diagram';
 import { FIELD } from './fields';
 
 export interface Quantity {
-  /// As it stands in the address of the page.
+  /// Name in the address of the page.
   readonly id: string;
   readonly text: string;
-  /// One of these stations; or of the whole machine.
+  /// True for a quantity of one station, false for one of the whole machine.
   readonly perStation: boolean;
-  /// The field that it is of, where the list below has a better name for it.
+  /// The field of the quantity, for a better name than the field's.
   readonly field?: string;
-  /// Found in spectra, which diagrams are computed without unless it is shown.
+  /// True if the quantity needs spectra; diagrams are computed without spectra unless it is shown.
   readonly spectra?: boolean;
 }
 
@@ -30,7 +30,7 @@ export const QUANTITIES: readonly Quantity[] = [
   { id: '1ylag', text: '1X phase lag of y', perStation: true, spectra: true },
 ];
 
-/// A column of a field that no quantity of the list stands for: "orbit/min_radius", "orbit/mean:1".
+/// Name of a quantity that is a column of a field not in the list: "orbit/min_radius", "orbit/mean:1".
 export const OF_A_FIELD = /^[a-z_]{1,40}\/[a-z_0-9]{1,40}(:\d)?$/;
 
 /// "mean x", "min radius".
@@ -50,7 +50,7 @@ function quantitiesOfField(field: FieldInfo): Quantity[] {
   });
 }
 
-/// The list, and all else that a diagram has of stations and contacts, a number each.
+/// Returns the quantities of the list, and all other single numbers of stations and contacts in a diagram.
 export function quantitiesOf(diagram: Diagram | undefined): readonly Quantity[] {
   const listed = new Set(QUANTITIES.map(({ field }) => field));
   const others = Array.from(diagram?.fields.values() ?? []).filter(
@@ -70,7 +70,7 @@ export interface ShownQuantity {
   readonly label: string;
 }
 
-/// Lengths of a diagram as they are shown: each point's in the length scale of its own machine.
+/// Converts lengths of a diagram to the shown unit, each from the length scale of the point's machine.
 function shownLengths(
   diagram: Diagram,
   column: Column,
@@ -84,7 +84,7 @@ function shownLengths(
   return { column: { rows: column.rows, data }, factor };
 }
 
-/// A field of lengths of a station, all of its rows, as it is shown.
+/// Returns all rows of a field of lengths of a station, in the shown unit.
 export function lengthsOf(diagram: Diagram, field: string, station: number, column: number, units: Units) {
   const found = diagram.column(field, station, column);
   return found && shownLengths(diagram, found, units);
@@ -98,8 +98,8 @@ function largestOfContacts(diagram: Diagram, field: string, column: number, labe
   return { column: { rows: 1, data }, factor: 1, label };
 }
 
-/// The numbers of a quantity, how they are scaled and what stands at the axis; undefined where the diagram has none.
-/// `symbol` stands for the length scale.
+/// Returns the numbers of a quantity with their scale and axis label; undefined if the diagram has none. `symbol`: the
+/// length scale.
 export function quantityOf(
   diagram: Diagram,
   id: string,

@@ -11,12 +11,12 @@ export const CLASS_NAMES = [
   'diverged',
 ] as const;
 
-/// The last of the periodic ones.
+/// The last of the periodic classes.
 export const OTHER_PERIODS = 3;
 export const QUASI_PERIODIC = 4;
 export const UNDETERMINED = 6;
 
-/// From the engine's fields regime/code and regime/period.
+/// Returns the class of the engine's fields regime/code and regime/period.
 export function regimeClass(code: number, period: number): number {
   switch (code) {
     case 1:
@@ -32,7 +32,7 @@ export function regimeClass(code: number, period: number): number {
   }
 }
 
-/// "P-3", "chaotic"; "" where there is none.
+/// Returns the name of a regime, "P-3", "chaotic"; "" without one.
 export function regimeName(code: number, period: number): string {
   if (Number.isNaN(code)) return '';
   return code === 1 ? `P-${period}` : CLASS_NAMES[regimeClass(code, period)]!;

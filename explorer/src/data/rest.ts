@@ -1,5 +1,5 @@
-// Machines at rest, as a run has stored them: the modes of small motions, or the response to unbalance, over a
-// parameter. Nothing is computed here but other views of the same numbers: ellipses, and what a probe sees of them.
+// Stored results of machines at rest: modes of small motions, or the response to unbalance, over a parameter. Only
+// views of the same numbers are derived here: ellipses, and their signals at a probe.
 import type { StationInfo } from '../engine/protocol';
 import { Diagram } from './diagram';
 import { float32Of, type Run } from './run';
@@ -20,18 +20,18 @@ export interface Mode {
   readonly growth: number;
   readonly ratio: number;
   readonly decrement: number;
-  /// 1 circles with the rotation, -1 against it.
+  /// 1: circular forward whirl, -1: circular backward whirl.
   readonly direction: number;
-  /// The number of the line along which it was followed, NaN of none, and its name, "2F" or "".
+  /// Number of the line along which the mode was followed (NaN without one), and its name, "2F" or "".
   readonly line: number;
   readonly name: string;
 }
 
-/// What was located between two points.
+/// A critical speed or threshold located between two points.
 export interface Critical {
   readonly kind: 'critical' | 'onset' | 'recovery';
   readonly value: number;
-  /// Of the shaft and of the mode, rad/s.
+  /// Speed of the shaft and frequency of the mode, rad/s.
   readonly speed: number;
   readonly frequency: number;
   readonly ratio: number;
@@ -40,7 +40,7 @@ export interface Critical {
 
 export type Whirl = 'forward' | 'backward' | 'planar';
 
-/// As reports tell them apart.
+/// Returns the whirl by the limits that reports use.
 export function whirlOf(direction: number): Whirl {
   return direction > 0.05 ? 'forward' : direction < -0.05 ? 'backward' : 'planar';
 }
@@ -58,14 +58,14 @@ export const CRITICAL_TEXT: Readonly<Record<Critical['kind'], string>> = {
 };
 
 const KINDS = [undefined, 'critical', 'onset', 'recovery'] as const;
-/// What rounding leaves of no damping, over the frequency.
+/// Damping, over the frequency, that is rounding.
 export const ROUNDING = 1e-10;
-/// Modes with a larger damping ratio are on no curve (WHIRL_OVERDAMPED_RATIO).
+/// Damping ratio above which a mode is overdamped and on no curve (WHIRL_OVERDAMPED_RATIO).
 export const OVERDAMPED = 0.9;
 type Six = [number, number, number, number, number, number];
 const RADIAN = Math.PI / 180;
 
-/// The largest of many numbers, at least `least`; what is no number does not count.
+/// Returns the largest number, at least `least`; ignores NaN.
 export function largestOf(values: Iterable<number>, least = 0): number {
   let most = least;
   for (const value of values) if (value > most) most = value;
@@ -77,19 +77,19 @@ export function swayAt({ xc, xs, yc, ys }: Sway, angle: number): readonly [numbe
   return [xc * c + xs * s, yc * c + ys * s];
 }
 
-/// Sense of an ellipse: 1 a circle from x to y, -1 the other way round, 0 a line.
+/// Returns the sense of an ellipse: 1 a circle from x to y, -1 the opposite sense, 0 a line.
 export function senseOf({ xc, xs, yc, ys }: Sway): number {
   const size = xc * xc + xs * xs + yc * yc + ys * ys;
   return size > 0 ? (2 * (xc * ys - xs * yc)) / size : 0;
 }
 
-/// The largest distance from the middle.
+/// Returns the largest distance of an ellipse from its middle.
 export function reachOf({ xc, xs, yc, ys }: Sway): number {
   return (Math.hypot(xc + ys, yc - xs) + Math.hypot(xc - ys, yc + xs)) / 2;
 }
 
-/// What a probe at `angle` degrees from the x axis sees: its amplitude, and the degrees by which the peak comes after
-/// the mark.
+/// Returns the signal of a probe at `angle` degrees from the x axis: its amplitude, and the lag of its peak behind the
+/// mark in degrees.
 export function seenBy({ xc, xs, yc, ys }: Sway, angle: number): { readonly amplitude: number; readonly lag: number } {
   const [c, s] = [Math.cos(angle * RADIAN), Math.sin(angle * RADIAN)];
   const [real, late] = [xc * c + yc * s, xs * c + ys * s];
@@ -97,7 +97,7 @@ export function seenBy({ xc, xs, yc, ys }: Sway, angle: number): { readonly ampl
   return { amplitude, lag: amplitude > 0 ? (((Math.atan2(late, real) / RADIAN) % 360) + 360) % 360 : NaN };
 }
 
-/// Along which modes were followed: what they are called, and which one a mode is on, [points][modes].
+/// Lines along which modes were followed: their names, and the line of each mode, [points][modes].
 interface Lines {
   readonly names: readonly string[];
   readonly of: Float32Array;
@@ -113,7 +113,7 @@ export class AtRest {
     readonly diagram: Diagram,
     readonly stations: readonly StationInfo[],
     readonly critical: readonly Critical[],
-    /// Degrees from the x axis: the first probe of the case.
+    /// Angle of the case's first probe, degrees from the x axis.
     readonly probe: number,
     private readonly lines: Lines | undefined,
     private readonly contacts: readonly string[],
@@ -123,7 +123,7 @@ export class AtRest {
       .sort((a, b) => diagram.values[a]! - diagram.values[b]!);
   }
 
-  /// What is stored of a run; undefined where it has motions.
+  /// Returns the kind of stored results; undefined for motions.
   static kindOf(run: Run | undefined): AtRest['kind'] | undefined {
     const has = (field: string) => run?.tables[0]?.fields.some(({ name }) => name === field);
     if (has(FIELD.MODES_FREQUENCY)) return 'modes';
@@ -146,7 +146,7 @@ export class AtRest {
     return new AtRest(kind, diagram, run.stations, critical, probe, lines, run.contacts);
   }
 
-  /// The point that is `steps` further on than the one at a value.
+  /// Returns the point `steps` after the one at a value.
   beside(value: number, steps: number): number {
     const at = this.order.indexOf(this.diagram.nearest(value)) + steps;
     return this.order[Math.min(this.order.length - 1, Math.max(0, at))] ?? -1;
@@ -157,29 +157,29 @@ export class AtRest {
     return this.diagram.number(point, `${this.kind}/speed`);
   }
 
-  /// The contacts against which the machine rests.
+  /// Returns the contacts that are closed at rest.
   held(point: number): readonly string[] {
     return this.contacts.filter((_, contact) => this.diagram.number(point, FIELD.RANGES_HELD, contact) > 0);
   }
 
   // ---------------------------------------------------------------- modes
 
-  /// Largest real part of all eigenvalues, 1/s.
+  /// Returns the largest real part of all eigenvalues, 1/s.
   stability(point: number): number {
     return this.diagram.number(point, FIELD.MODES_STABILITY);
   }
 
-  /// 1: a mode grows, -1: all die out, 0: they do neither but for rounding.
+  /// Returns 1 if a mode grows, -1 if all decay, 0 if the largest growth is rounding.
   growing(point: number): number {
     return Math.sign(this.stability(point));
   }
 
-  /// Frequencies are known but for multiples of it, rad/s; NaN where they are known.
+  /// Returns the rad/s modulo which frequencies are known; NaN if they are known exactly.
   modulo(point: number): number {
     return this.diagram.number(point, FIELD.MODES_MODULO);
   }
 
-  /// By rising frequency.
+  /// Returns the modes of a point by rising frequency.
   modes(point: number): Mode[] {
     const all = (field: string) => {
       const { rows = 0, data } = this.diagram.column(`modes/${field}`) ?? {};
@@ -206,7 +206,7 @@ export class AtRest {
     }).filter(({ frequency }) => Number.isFinite(frequency));
   }
 
-  /// Shapes of a mode at all stations, the largest displacement 1.
+  /// Returns the shape of a mode at all stations, with 1 as the largest displacement.
   shape(point: number, mode: number): Sway[] {
     return this.stations.map((_, station) => {
       const number = (column: number) => {
@@ -217,7 +217,7 @@ export class AtRest {
     });
   }
 
-  /// Modes from point to point, as they were followed; those that were not stand alone.
+  /// Curves of modes followed from point to point; a mode that was not followed is a curve of its own.
   get curves(): readonly (readonly Place[])[] {
     return (this.found ??= this.findCurves());
   }
@@ -238,7 +238,7 @@ export class AtRest {
 
   // ---------------------------------------------------------------- unbalance
 
-  /// In length scales of the point's machine.
+  /// Returns the response of a station in length scales of the point's machine.
   response(point: number, station: number): Sway {
     const number = (field: string, column: number) => this.diagram.number(point, `unbalance/${field}`, station, column);
     const part = (column: number) => {

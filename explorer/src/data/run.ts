@@ -1,4 +1,4 @@
-// The runs that `whirl report` put into the page (src/report/explorer.c writes them).
+// Runs stored in the page by `whirl report` (src/report/explorer.c writes them).
 import type { StoredContents } from './contents';
 import type { Field, StationInfo, Verdict } from '../engine/protocol';
 
@@ -7,31 +7,31 @@ export interface StoredField extends Omit<Field, 'offset'> {
   readonly data: string;
 }
 
-/// What the table of a map has in place of values, whose cells lie row after row, along the parameter of the table, and
-/// plane after plane.
+/// Axes of a map, in place of a table's values. Cells are stored row by row along the table's parameter, and plane by
+/// plane.
 export interface StoredMap {
   /// The second parameter, which changes from row to row.
   readonly second: string;
-  /// The third one, which changes from plane to plane, and its values, as those below; absent where there is one plane.
+  /// The third parameter, which changes from plane to plane, and its values in the same form; absent for one plane.
   readonly third?: string;
   readonly z?: string;
   readonly columns: number;
   readonly rows: number;
-  /// The values along both axes in SI, float64, little-endian, base64; NaN where no point is.
+  /// Values along both axes in SI, float64, little-endian, base64; NaN for columns and rows without points.
   readonly x: string;
   readonly y: string;
-  /// The cell of every point, where that is not its number.
+  /// Cell of every point; absent if it equals the point's number.
   readonly cells?: readonly number[];
-  /// Of a refined map: how many cells along both axes, from its own on, every point stands for.
+  /// For a refined map: number of cells along both axes, from its own on, that each point represents.
   readonly widths?: readonly number[];
 }
 
-/// A motion that several starts of a basin came to rest on.
+/// An attractor that several starts of a basin reached.
 export interface Attractor {
-  /// Of its verdict: "P-5".
+  /// Name of its verdict: "P-5".
   readonly name: string;
   readonly starts: number;
-  /// Of the starts that are done, and its standard error were these drawn at random.
+  /// Share of the computed starts, and its standard error for random starts.
   readonly share: number;
   readonly error: number;
 }
@@ -39,50 +39,51 @@ export interface Attractor {
 export interface StoredTable {
   readonly name: string;
   readonly parameter: string;
-  /// Points of the table, and how many of them are in the page.
+  /// Number of points of the table, and of those in the page.
   readonly points: number;
   readonly count: number;
-  /// Of a table in which every attractor of a place stands once: starts of every place, and how many places there are.
+  /// For a table with one row for each attractor of a place: number of starts at each place, and number of places.
   readonly starts?: number;
   readonly places?: number;
   readonly method: string;
-  /// Whether `method: auto` took it.
+  /// True if `method: auto` chose the method.
   readonly method_chosen: boolean;
   readonly steps_per_revolution: number;
   readonly transient: number;
   readonly record: number;
-  /// float64, little-endian, base64; not of maps, as the next two but one.
+  /// Values of the points, float64, little-endian, base64; absent for maps.
   readonly values?: string;
-  /// float64 as well: metres per unit of length of every point, where the parameter changes them.
+  /// Metres per unit of length at every point, float64, if the parameter changes them.
   readonly length_scales?: string;
   readonly map?: StoredMap;
-  /// Of a basin; and of every point the number of its own, from 1, or 0 where none is told.
+  /// Attractors of a basin; and the number of each point's attractor, from 1 (0: unknown).
   readonly attractors?: readonly Attractor[];
   readonly attractor?: readonly number[];
   readonly branch?: readonly number[];
   readonly done?: readonly number[];
-  /// Name and reason of every point's verdict; not of large maps.
+  /// Name and reason of every point's verdict; absent for large maps.
   readonly verdicts?: readonly (readonly [string, string])[];
-  /// Of machines at rest, what was located between points: kind, value, speed, frequency, damping ratio, direction.
+  /// For machines at rest, critical speeds and thresholds located between points: kind, value, speed, frequency,
+  /// damping ratio, direction.
   readonly critical?: readonly (readonly (number | null)[])[];
-  /// Of modes, what the lines along which they were followed are called; and of every mode of every point the number of
-  /// its line, float32, little-endian, base64, NaN where it has none.
+  /// For modes, the names of the lines along which they were followed; and the line of every mode of every point,
+  /// float32, little-endian, base64, NaN without a line.
   readonly mode_names?: readonly string[];
   readonly mode_lines?: string;
-  /// rad, of the first probe of a response to unbalance, and the stations that have probes, "" of none or all.
+  /// Angle of the first probe of an unbalance response in rad, and the stations with probes ("": none given).
   readonly probe_angle?: number;
   readonly probes_at?: string;
   readonly fields: readonly StoredField[];
-  /// Of branches: segments of a revolution, or of an orbit with a time of its own; and of every `orbit_stride`-th point
-  /// the period and the states at the beginnings of the segments, float64, little-endian, base64.
+  /// For branches: segments of a revolution (or of an autonomous orbit); and for every `orbit_stride`-th point the
+  /// period and the states at the beginnings of the segments, float64, little-endian, base64.
   readonly trace_segments?: number;
   readonly orbit_stride?: number;
   readonly orbits?: string;
 }
 
-/// The motion that the page opens with, as its run has stored it.
+/// The stored motion with which the page opens.
 export interface StoredOpening {
-  /// "", and null, of a run of one point.
+  /// Parameter and value; "" and null for a run of one point.
   readonly parameter: string;
   readonly value: number | null;
   readonly speed: number;
@@ -96,7 +97,7 @@ export interface StoredOpening {
   readonly watch: number;
   readonly waveform_revolutions: number;
   readonly verdict: Omit<Verdict, 'provisional' | 'divergedAt'>;
-  /// Of this one point.
+  /// Fields of this point.
   readonly fields: readonly StoredField[];
 }
 
@@ -119,9 +120,9 @@ export interface Run extends StoredContents {
   readonly stations: readonly StationInfo[];
   readonly contacts: readonly string[];
   readonly facts: readonly { readonly name: string; readonly value: string }[];
-  /// That the report was asked for, "um, rpm, Hz, p-p"; they go before the fact "units", which is the case's.
+  /// Units requested for the report, "um, rpm, Hz, p-p"; they override the case's units (fact "units").
   readonly units: string;
-  /// Absent where no point may be shown first.
+  /// Absent if no point can be shown first.
   readonly opening?: StoredOpening;
   readonly tables: readonly StoredTable[];
 }
@@ -133,7 +134,7 @@ export function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
-// The arrays are little-endian, as is every machine that a browser runs on today.
+// Returns an array of float32. Stored arrays are little-endian, as are all machines with current browsers.
 export function float32Of(base64: string): Float32Array {
   return new Float32Array(bytesOf(base64).buffer);
 }
@@ -142,7 +143,7 @@ export function float64Of(base64: string): Float64Array {
   return new Float64Array(bytesOf(base64).buffer);
 }
 
-/// The runs in the page; none in a template that no report has filled.
+/// Returns the runs in the page; none in an unfilled template.
 export function readRuns(text: string): Run[] {
   try {
     const runs: unknown = JSON.parse(text);

@@ -1,5 +1,5 @@
-// Quasi-periodic motions past Neimark-Sacker points that a run has stored: over the diagram they are the bands in which
-// their sections lie.
+// Stored quasi-periodic motions past Neimark-Sacker points. In the diagram they are the bands that contain their
+// sections.
 import { Diagram } from './diagram';
 import type { Run } from './run';
 import { FIELD } from './fields';
@@ -7,15 +7,15 @@ import { FIELD } from './fields';
 /// One branch of tori.
 export interface Torus {
   readonly number: number;
-  /// Of the table, in the order in which they were followed.
+  /// Points of the table, in the order in which they were followed.
   readonly points: readonly number[];
-  /// The point of the branches of orbits at which it begins, from 0.
+  /// The branch point at which the branch of tori begins, from 0.
   readonly origin: number;
-  /// Closed curves of its section, one a revolution of its orbit.
+  /// Number of closed curves of its section, one for each revolution of its orbit.
   readonly curves: number;
 }
 
-/// Of torus/end: it shrinks to an orbit.
+/// Value of torus/end for a branch that shrinks to an orbit.
 const SHRINKS = 2;
 
 export class Tori {
@@ -24,7 +24,7 @@ export class Tori {
     readonly all: readonly Torus[],
   ) {}
 
-  /// Those over a parameter; undefined where the run has none.
+  /// Returns the tori over a parameter; undefined if the run has none.
   static of(run: Run | undefined, parameter: string): Tori | undefined {
     const table = run?.tables.find(({ name }) => name === 'tori');
     if (!table || table.parameter !== parameter || !table.fields.some(({ name }) => name === FIELD.TORUS_ROTATION))
@@ -32,7 +32,7 @@ export class Tori {
     const diagram = Diagram.stored(table, run!.length_scale);
     const found = new Map<number, number[]>();
     for (const point of diagram.values.keys()) {
-      if (Number.isNaN(diagram.number(point, FIELD.TORUS_ROTATION))) continue; // none begins there
+      if (Number.isNaN(diagram.number(point, FIELD.TORUS_ROTATION))) continue; // no torus at this point
       const number = diagram.number(point, FIELD.TORUS_NUMBER);
       found.set(number, [...(found.get(number) ?? []), point]);
     }
@@ -49,14 +49,14 @@ export class Tori {
     return this.diagram.number(point, FIELD.TORUS_UNSTABLE) === 0;
   }
 
-  /// The value of the parameter at which the radius vanishes after a point; undefined where it does not.
+  /// Returns the parameter value after a point at which the radius vanishes; undefined if it does not.
   vanishesAt(point: number): number | undefined {
     return this.diagram.number(point, FIELD.TORUS_END) === SHRINKS
       ? this.diagram.number(point, FIELD.TORUS_LIMIT)
       : undefined;
   }
 
-  /// Turns round the closed curve from one section to the next.
+  /// Returns the rotation number: turns around the closed curve from one section to the next.
   rotation(point: number): number {
     return this.diagram.number(point, FIELD.TORUS_ROTATION);
   }

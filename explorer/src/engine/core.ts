@@ -1,9 +1,9 @@
-// The C core behind types: handles, texts and numbers. See explorer/core/core.h, whose functions these are.
+// Typed interface of the C core: handles, texts and numbers. Its functions are those of explorer/core/core.h.
 import createCore, { type CoreModule } from 'whirl-core-glue';
 import type { CaseInfo, Layout, Look, Options, StationInfo, Verdict } from './protocol';
 import type { Refusal } from './wire';
 
-/// What the core refused, with its own words.
+/// Error of a request that the core rejected, with the core's message.
 export class Refused extends Error {
   constructor(readonly refusal: Refusal) {
     super(refusal.message);
@@ -13,9 +13,9 @@ export class Refused extends Error {
 export interface PlanLayout {
   readonly layout: Layout;
   readonly options: Options;
-  /// Of a point that runs to its end.
+  /// Revolutions of a whole motion.
   readonly revolutions: number;
-  /// Samples of a kept waveform a revolution.
+  /// Samples of a stored waveform in a revolution.
   readonly waveformSamples: number;
 }
 
@@ -57,7 +57,7 @@ export class Core {
     return pointer;
   }
 
-  /// Room for numbers, which the caller frees.
+  /// Allocates `count` numbers, which the caller frees.
   numbers(count: number): number {
     return this.allocate(8 * Math.max(count, 1));
   }
@@ -70,7 +70,7 @@ export class Core {
     this.module.HEAPF64.set(values, pointer / 8);
   }
 
-  /// A copy.
+  /// Returns a copy of numbers in the core's memory.
   read(pointer: number, count: number): Float64Array {
     return this.module.HEAPF64.slice(pointer / 8, pointer / 8 + count);
   }
@@ -109,7 +109,7 @@ export class Core {
     return JSON.parse(this.text(this.module._explorer_describe(object))) as CaseInfo;
   }
 
-  /// Without a value the key is taken out.
+  /// Edits a key of a case; without a value the key is removed.
   edit(source: string, path: string, value: string | undefined): string {
     return this.withTexts(value === undefined ? [source, path] : [source, path, value], (at, pathAt, valueAt) =>
       this.text(this.module._explorer_edit(at!, this.module.lengthBytesUTF8(source), pathAt!, valueAt ?? 0)),
@@ -138,7 +138,7 @@ export class Core {
     );
   }
 
-  /// What `auto` takes: `known`, or what the core chooses; the method of the plan.
+  /// Sets the method of a plan with `auto` to `known`, or lets the core choose; returns the method.
   planChoose(plan: number, known: string): string {
     return this.withTexts([known], (at) => this.text(this.module._explorer_plan_choose(plan, at!)));
   }
@@ -177,7 +177,7 @@ export class Core {
 
   // -------------------------------------------------------------- points
 
-  /// `start` may be 0. The values are copied.
+  /// Starts a job for some values, which are copied; `start` may be 0.
   jobNew(plan: number, values: number, count: number, carried: boolean, start: number): number {
     return this.good(this.module._explorer_job_new(plan, values, count, carried ? 1 : 0, start));
   }
@@ -186,14 +186,14 @@ export class Core {
     this.module._explorer_job_free(job);
   }
 
-  /// Revolutions done; 0 at the end.
+  /// Carries a job on; returns the revolutions done, 0 at the end.
   jobTurn(job: number): number {
     const turned = this.module._explorer_job_turn(job);
     if (turned < 0) throw this.refused();
     return turned;
   }
 
-  /// The index of a finished point, or -1.
+  /// Takes a finished point; returns its index, or -1.
   jobTake(job: number, block: number, end: number): number {
     return this.module._explorer_job_take(job, block, end);
   }

@@ -1,5 +1,5 @@
-// The engine: a pool of workers, each with a core of its own. The workers come from the text of their program, so that
-// the page works from disk.
+// The engine: a pool of workers, each with its own core. Workers are made from the text of their program, so that the
+// page works from disk.
 import type {
   CaseInfo,
   Edit,
@@ -24,14 +24,14 @@ import type { FromWorker, PartLayout, PartPoints, Refusal, Task, ToWorker } from
 
 const STALE = { ok: false, why: 'stale' } as const;
 const MAX_WORKERS = 16;
-/// Behind everything that somebody waits for at this moment.
+/// Priority of sweeps, below all requests with a waiting user.
 const SWEEP_PRIORITY = 10;
 
 function failed(message: string): { ok: false; why: 'failed'; message: string; problems: [] } {
   return { ok: false, why: 'failed', message, problems: [] };
 }
 
-/// A task on its way, with those who wait for news of it.
+/// A task that was sent, with its callbacks.
 interface Pending {
   readonly id: number;
   readonly task: Task;
@@ -43,10 +43,10 @@ interface Pending {
   revolutions?(count: number): void;
 }
 
-/// A worker with what it works at.
+/// A worker and its tasks.
 class Seat {
   readonly pending = new Map<number, Pending>();
-  /// Why it cannot work, "" where it can.
+  /// Reason why the worker cannot work, or "".
   broken = '';
   private readonly worker: Worker;
 
@@ -72,7 +72,7 @@ class Seat {
     if (this.pending.delete(id)) this.send({ kind: 'stop', id });
   }
 
-  /// How many tasks go before one of that priority.
+  /// Returns the number of tasks that precede a task of a priority.
   before(priority: number): number {
     let count = 0;
     for (const one of this.pending.values()) if (one.priority <= priority) count++;
@@ -91,7 +91,7 @@ class Pool implements Engine {
   private readonly broken: ((why: string) => void) | undefined;
   private nextId = 0;
   private closed = false;
-  /// Parts of sweeps that no worker has begun, in their order.
+  /// Parts of sweeps that no worker has started, in their order.
   private readonly waiting: Pending[] = [];
 
   constructor(parts: EngineParts) {
@@ -116,7 +116,7 @@ class Pool implements Engine {
   private hear(seat: Seat, message: FromWorker): void {
     const pending = seat.pending.get(message.id);
     if (message.kind === 'failed') return this.lose(seat, message.message, pending !== undefined);
-    if (!pending) return; // stale
+    if (!pending) return; // the task is stale
     if (message.kind === 'layout') return pending.layout?.(message.layout);
     if (message.kind === 'points') return pending.points?.(message.points);
     if (message.kind === 'revolutions') return pending.revolutions?.(message.count);
@@ -125,7 +125,8 @@ class Pool implements Engine {
     pending.settle(message.kind === 'done' ? { ok: true, value: message.value } : refused(message.refusal));
   }
 
-  /// A worker whose core broke at a task is replaced, and what it had under way fails; one that cannot start is not.
+  /// Handles a broken worker. If its core failed in a task it is replaced and its tasks fail; a worker that could not
+  /// start is not replaced.
   private lose(seat: Seat, message: string, started: boolean): void {
     const at = this.seats.indexOf(seat);
     if (at < 0 || this.closed) return;
@@ -146,7 +147,7 @@ class Pool implements Engine {
     best?.begin(pending);
   }
 
-  /// Parts of sweeps go to workers that have none.
+  /// Gives parts of sweeps to idle workers.
   private feed(): void {
     for (const seat of this.seats) {
       if (this.waiting.length === 0) return;
@@ -240,7 +241,7 @@ function refused(refusal: Refusal): Outcome<never> {
   return { ok: false, why: 'bad', message: refusal.message, problems: refusal.problems };
 }
 
-/// A sweep under way: its parts report here.
+/// A running sweep; its parts report to it.
 class Sweep {
   private readonly began = performance.now();
   private readonly own = new Set<Pending>();
@@ -331,7 +332,7 @@ class Sweep {
   }
 }
 
-/// Starts the workers; they can be asked at once.
+/// Starts the workers; requests may follow at once.
 export function startEngine(parts: EngineParts): Engine {
   return new Pool(parts);
 }

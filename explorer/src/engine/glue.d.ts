@@ -1,4 +1,4 @@
-// What emscripten makes of explorer/core; the build puts build/explorer/glue.cjs in its place.
+// Types of the module that emscripten makes from explorer/core; the build replaces the name by build/explorer/glue.cjs.
 declare module 'whirl-core-glue' {
   export interface CoreModule {
     readonly HEAPF64: Float64Array;

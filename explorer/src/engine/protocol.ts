@@ -1,109 +1,109 @@
-// What the page asks of the engine, and what it is told. Lengths are in the case's length scale, velocities in length
-// scales per radian of rotation, time in revolutions, forces in newtons; everything else says its unit.
+// Requests of the page to the engine, and answers. Lengths are in the case's length scale, velocities in length scales
+// per radian of rotation, time in revolutions, forces in newtons; other units are stated.
 
 // ---------------------------------------------------------------- cases
 
-/// A case with what the page has changed of it. `text` is YAML as `whirl run` reads it; `assignments` are as those of
-/// `whirl run --set`: "r_k=0.45", "omega=6000 rpm", "c== 2*0.1e-3".
+/// A case with the page's changes. `text` is YAML as for `whirl run`; `assignments` are as for `whirl run --set`:
+/// "r_k=0.45", "omega=6000 rpm", "c== 2*0.1e-3".
 export interface Setting {
   readonly text: string;
-  /// Stands for the file in messages.
+  /// Name of the file in messages.
   readonly name?: string;
   readonly assignments?: readonly string[];
   readonly options?: Partial<Options>;
-  /// Asks for a first look only.
+  /// Requests a preview only.
   readonly look?: Look;
 }
 
-/// A motion that is cut short and, by methods of fixed step, coarser; 0: as the setting says. Where that leaves
-/// anything out, its verdict is "undetermined" unless the whole motion must have the same.
+/// A preview: a shortened motion, with coarser steps for methods of fixed step; 0: as in the setting. If it leaves
+/// anything out, its verdict is "undetermined" unless the whole motion must have the same verdict.
 export interface Look {
   readonly transient: number;
   readonly record: number;
   readonly stepsPerRevolution: number;
 }
 
-/// Something wrong in a case. Lines and columns count from 1; 0 where there is no place.
+/// A problem of a case. Lines and columns count from 1; 0 without a place.
 export interface Problem {
   readonly line: number;
   readonly column: number;
-  /// "rotor.stations.disc.mass", "" where nothing of the kind is meant.
+  /// Path of the key, "rotor.stations.disc.mass"; "" if the problem is not about a key.
   readonly key: string;
   /// "is -3 kg, expected a number above 0 kg"
   readonly message: string;
 }
 
-/// Where a parameter is used, from the descriptor of the key that stands there.
+/// A use of a parameter, described by the key that uses it.
 export interface ParameterUse {
   /// "rotor.elements[2].film.clearance"
   readonly path: string;
   readonly meaning: string;
   /// SI unit of the key, "1" for a plain number.
   readonly unit: string;
-  /// The key's range; null where it has no bound. An open bound is itself excluded.
+  /// The key's range; null for no bound. An open bound is itself excluded.
   readonly low: number | null;
   readonly high: number | null;
   readonly lowOpen: boolean;
   readonly highOpen: boolean;
-  /// Nothing but the parameter stands there ("= c"), so that the range is the parameter's own.
+  /// True if the value is the parameter alone ("= c"), so that the range applies to the parameter.
   readonly alone: boolean;
 }
 
 export interface ParameterInfo {
   readonly name: string;
-  /// As written, or as assigned: "0.2 mm", "= r_k*k2".
+  /// The text as written or assigned: "0.2 mm", "= r_k*k2".
   readonly written: string;
   /// In SI.
   readonly value: number;
-  /// SI unit, "1" for a plain number, "SI" for an expression, whose unit is not known.
+  /// SI unit; "1" for a plain number, "SI" for an expression of unknown unit.
   readonly unit: string;
-  /// The value follows from other parameters.
+  /// True if the value follows from other parameters.
   readonly expression: boolean;
-  /// The comment on its line, "" where there is none.
+  /// The comment on its line, or "".
   readonly comment: string;
   readonly uses: readonly ParameterUse[];
 }
 
 export interface StationInfo {
   readonly name: string;
-  /// Clearance of the journal bearing here, 0 where there is none.
+  /// Clearance of the journal bearing at the station, 0 without one.
   readonly clearance: number;
-  /// Radius at which the station touches a stator, 0 where there is none.
+  /// Radius at which the station touches a stator, 0 without one.
   readonly gap: number;
   /// Indices of its coordinates in a state.
   readonly x: number;
   readonly y: number;
-  /// Number of the shaft of finite elements that it lies on, from 1, and its place along that, m; 0: on none.
+  /// Number of its shaft of finite elements, from 1 (0: none), and its position along the shaft, m.
   readonly shaft: number;
   readonly position: number;
-  /// The rotor turns from y to x.
+  /// True if the rotor turns from y to x.
   readonly clockwise: boolean;
 }
 
-/// How points are computed, by the names that results have: all that is in the tables of src/integrate/options.c and
-/// src/analyze/record/options.c. The page itself speaks of these.
+/// Options of the computation, by their names in results (src/integrate/options.c and src/analyze/record/options.c).
+/// The page uses the following.
 export interface Options {
-  /// A name of CaseInfo.methods.
+  /// One of CaseInfo.methods.
   readonly method: string;
-  /// Of an answer: `method: auto` took it.
+  /// In answers: true if `method: auto` chose the method.
   readonly method_chosen: boolean;
   readonly steps_per_revolution: number;
-  /// Revolutions that pass before anything is recorded.
+  /// Revolutions before the record.
   readonly transient: number;
   readonly record: number;
-  /// Revolutions before the end over which the motion is watched; 0: chosen by the engine.
+  /// Revolutions before the end in which the motion is observed; 0: chosen by the engine.
   readonly watch: number;
-  /// Last revolutions whose waveform is kept; 0: none. A point without a wish keeps at most 20.
+  /// Last revolutions whose waveform is stored; 0: none. By default a point stores at most 20.
   readonly waveform_revolutions: number;
   readonly [name: string]: string | number | boolean;
 }
 
 export type Carry = 'none' | 'forward' | 'reverse' | 'both';
 
-/// Points that the case computes alike; "sweep", "detail" or "response".
+/// Points of the case with common options: "sweep", "detail" or "response".
 export interface BatchInfo {
   readonly name: string;
-  /// What varies, in SI; "" for a single point.
+  /// The varied parameter, with values in SI; "" for a single point.
   readonly parameter: string;
   readonly values: readonly number[];
   readonly carry: Carry;
@@ -125,7 +125,7 @@ export interface CaseInfo {
   readonly contacts: readonly string[];
   /// m
   readonly lengthScale: number;
-  /// rad/s, of what revolutions are counted by
+  /// rad/s of the phase that counts revolutions
   readonly speed: number;
   readonly batches: readonly BatchInfo[];
   readonly methods: readonly MethodInfo[];
@@ -141,14 +141,14 @@ export interface Field {
   readonly name: string;
   /// "length", "force", "1", "revolution", "1/revolution", "order"
   readonly unit: string;
-  /// What it means; for columns their names, separated by ", ".
+  /// Meaning of the field; for columns their names, separated by ", ".
   readonly meaning: string;
   readonly extent: Extent;
   readonly rows: number;
   readonly columns: number;
   /// 1, or the number of stations or contacts.
   readonly repeat: number;
-  /// Of the first number in the block.
+  /// Index of the field's first number in the block.
   readonly offset: number;
 }
 
@@ -165,52 +165,52 @@ export interface Verdict {
   readonly name: string;
   /// One sentence from the evidence.
   readonly reason: string;
-  /// A first look: the whole motion has a verdict.
+  /// True for a preview: only the whole motion decides.
   readonly provisional: boolean;
   readonly period: number;
   readonly curves: number;
-  /// Revolution, 0 where the motion did not diverge.
+  /// Revolution in which the motion diverged; 0 if it did not.
   readonly divergedAt: number;
-  /// Largest Lyapunov exponent per revolution with its standard error; null where none was found.
+  /// Largest Lyapunov exponent per revolution with its standard error; null without one.
   readonly exponent: number | null;
   readonly exponentError: number | null;
   readonly confidence: 'low' | 'fair' | 'high';
-  /// What would settle it, in words; "" where nothing is advised.
+  /// Advice for settling the verdict, a sentence, or "".
   readonly advice: string;
 }
 
 export interface PointRequest {
   readonly setting: Setting;
-  /// What varies, and its value in SI; left out: as the setting says.
+  /// The varied parameter and its value in SI; absent: as in the setting.
   readonly parameter?: string;
   readonly value?: number;
-  /// The batch whose options and start hold ("sweep", "detail", "response"); left out: the case's first one.
+  /// The batch whose options and start apply ("sweep", "detail", "response"); absent: the case's first batch.
   readonly batch?: string;
-  /// Where the motion starts, [dimension]; left out: as the case says.
+  /// Initial state [dimension]; absent: the case's.
   readonly start?: Float64Array;
 }
 
-/// What is known of one motion, by the fields of analyses.
+/// Results of one motion, as fields of analyses.
 export interface MotionResult {
   readonly value: number | null;
-  /// Of orbits along branches there is none.
+  /// Absent for orbits along branches.
   readonly verdict?: Verdict;
   readonly layout: Layout;
   readonly block: Float64Array;
-  /// m and rad/s, of the machine at this value; the rate of what revolutions are counted by.
+  /// Length scale (m) and speed (rad/s) of the machine at this value; the speed of the phase that counts revolutions.
   readonly lengthScale: number;
   readonly speed: number;
-  /// The element whose phase that is, "" for the shaft.
+  /// The element with that phase, "" for the shaft.
   readonly keyphasor: string;
   readonly stations: readonly StationInfo[];
-  /// Samples of the waveform a revolution; the last one is at the once-per-revolution mark.
+  /// Samples of the waveform in a revolution; the last one is at the once-per-revolution mark.
   readonly samplesPerRevolution: number;
   readonly options: Options;
   /// Wall-clock seconds in the worker.
   readonly seconds: number;
 }
 
-/// Everything about one point: the fields of all analyses, whole spectra and a waveform among them.
+/// Full result of one point: fields of all analyses, with whole spectra and a waveform.
 export interface PointResult extends MotionResult {
   readonly verdict: Verdict;
   /// The state at the end: x, y of every station, then their velocities; NaN after a divergence.
@@ -222,11 +222,11 @@ export interface OrbitRequest {
   readonly setting: Setting;
   readonly parameter: string;
   readonly value: number;
-  /// After which it closes; 0: a time of its own.
+  /// Revolutions after which the orbit closes; 0: an autonomous orbit.
   readonly revolutions: number;
-  /// Radians of the rotor's clock; 0: an equilibrium.
+  /// Period in radians of the rotor's clock; 0: an equilibrium.
   readonly period: number;
-  /// The states at the beginnings of its segments, one after the other.
+  /// States at the beginnings of its segments, one after the other.
   readonly nodes: Float64Array;
 }
 
@@ -235,24 +235,24 @@ export interface OrbitRequest {
 export interface SweepRequest {
   readonly setting: Setting;
   readonly parameter: string;
-  /// In SI. Points that do not follow one another are computed in this order.
+  /// Values in SI. Points without carry are computed in this order.
   readonly values: Float64Array;
-  /// Left out: 'none'. Carried points follow one another and take one worker (two for 'both').
+  /// Absent: 'none'. Carried points follow one another and take one worker (two for 'both').
   readonly carry?: Carry;
-  /// As for points.
+  /// As in PointRequest.
   readonly batch?: string;
-  /// Also what is found in spectra ("spectrum/synchronous", ...), which takes a tenth to a fifth more work.
+  /// True to compute fields of spectra too ("spectrum/synchronous", ...), which takes a tenth to a fifth more work.
   readonly spectra?: boolean;
 }
 
-/// Points of a sweep that are done. Slots count the values from 0; with carry 'both' the slots values.length and up are
-/// those of the way back, in the order of the values too.
+/// Computed points of a sweep. Slots count the values from 0; with carry 'both' the slots from values.length on belong
+/// to the way back, in the order of the values too.
 export interface SweepPoints {
   readonly slots: Uint32Array;
   /// [slots.length][layout.size]
   readonly blocks: Float64Array;
   readonly verdicts: readonly Verdict[];
-  /// [slots.length] m, of the machine at each point: what varies may change it.
+  /// [slots.length] length scale in m at each point: the varied parameter may change it.
   readonly lengthScales: Float64Array;
 }
 
@@ -264,7 +264,7 @@ export interface SweepProgress {
 }
 
 export interface SweepListener {
-  /// Once, before the first points.
+  /// Called once, before the first points.
   layout?(layout: Layout, slots: number): void;
   points?(points: SweepPoints): void;
   progress?(progress: SweepProgress): void;
@@ -282,33 +282,33 @@ export interface TransientRequest {
   readonly parameter?: string;
   readonly value?: number;
   readonly batch?: string;
-  /// The state to go on from; left out: the case's start.
+  /// State to continue from; absent: the case's start.
   readonly state?: Float64Array;
   readonly revolutions: number;
   readonly samplesPerRevolution: number;
 }
 
 export interface TransientResult {
-  /// The state after the last revolution: hand it to the next request.
+  /// State after the last revolution, for the next request.
   readonly state: Float64Array;
-  /// State [dimension] at every sample, oldest first; StationInfo says where its coordinates are. Samples lie at equal
-  /// distances; the last of every revolution is at its mark.
+  /// State [dimension] at every sample, oldest first; StationInfo has the indices of coordinates. Samples are
+  /// equidistant; the last one of a revolution is at the mark.
   readonly samples: Float64Array;
   /// [samples][contacts] normal forces, 0 while open.
   readonly forces: Float64Array;
   readonly dimension: number;
   readonly contacts: number;
-  /// May be more than was asked for: the next divisor of the steps.
+  /// May exceed the request: the next divisor of the steps.
   readonly samplesPerRevolution: number;
-  /// Whole revolutions done: fewer than asked for where the motion diverged.
+  /// Whole revolutions done: fewer than requested if the motion diverged.
   readonly revolutions: number;
   readonly diverged: boolean;
 }
 
 // ---------------------------------------------------------------- cases to keep
 
-/// A value in the text of a case. `path` is a key's ("parameters.r_k", "study.sweep.from"), `text` what shall stand
-/// there; without a text the key is taken out.
+/// An edit of a case's text. `path` is the path of a key ("parameters.r_k", "study.sweep.from"), `text` its new value;
+/// without a text the key is removed.
 export interface Edit {
   readonly path: string;
   readonly text?: string;
@@ -316,8 +316,8 @@ export interface Edit {
 
 // ---------------------------------------------------------------- answers
 
-/// An error is a value: a stale request was overtaken by a later one or cancelled, a bad one names its problems, and a
-/// failure is the engine's own.
+/// Outcome of a request; errors are values. stale: overtaken by a later request or cancelled; bad: the case has the
+/// named problems; failed: a fault of the engine.
 export type Outcome<T> =
   | { readonly ok: true; readonly value: T }
   | { readonly ok: false; readonly why: 'stale' }
@@ -328,53 +328,53 @@ export type Outcome<T> =
       readonly problems: readonly Problem[];
     };
 
-/// How a request stands to others. Requests of one lane overtake each other: a new one makes all that are pending in
-/// its lane stale. Requests of lower priority number go first; sweeps take the workers that nothing else needs.
+/// Lane and priority of a request. A new request makes all pending requests of its lane stale. Requests with a lower
+/// priority number run first; sweeps take the workers that are idle.
 export interface Manner {
   readonly lane?: string;
   readonly priority?: number;
   readonly signal?: AbortSignal;
 }
 
-/// The engine: a pool of workers that hold the C core. Every method resolves, none rejects.
+/// The engine: a pool of workers with the C core. All promises resolve; none rejects.
 export interface Engine {
   readonly workers: number;
   /// Reads and checks a case.
   describe(setting: Setting, manner?: Manner): Promise<Outcome<CaseInfo>>;
   point(request: PointRequest, manner?: Manner): Promise<Outcome<PointResult>>;
-  /// The orbit with these nodes: each of its segments is followed from its own, so that an unstable one is not left.
+  /// Computes the orbit with these nodes, each segment from its own node, so that unstable orbits are not left.
   orbit(request: OrbitRequest, manner?: Manner): Promise<Outcome<MotionResult>>;
   sweep(request: SweepRequest, listener?: SweepListener, manner?: Manner): Promise<Outcome<SweepResult>>;
   transient(request: TransientRequest, manner?: Manner): Promise<Outcome<TransientResult>>;
-  /// The text of a case with values written in place, comments and layout kept; checked. A key that is missing is added
-  /// where its mapping stands. Assignments of the setting are written in their parameters' places.
+  /// Writes values into the text of a case, keeps comments and layout, and checks the result. Missing keys are added to
+  /// their mapping. Assignments of the setting replace the values of their parameters.
   rewrite(setting: Setting, edits: readonly Edit[], manner?: Manner): Promise<Outcome<string>>;
-  /// Makes all pending requests of a lane stale; of all lanes without a name.
+  /// Makes all pending requests of a lane stale; without a name, of all lanes.
   cancel(lane?: string): void;
   /// Ends the workers; pending requests become stale.
   close(): void;
 }
 
-/// What `make explorer` builds: build/explorer/worker.js as text, and build/explorer/whirl.wasm.
+/// Parts built by `make explorer`: build/explorer/worker.js as text, and build/explorer/whirl.wasm.
 export interface EngineParts {
   readonly worker: string;
   readonly core: Uint8Array;
-  /// Left out: as many as the computer has cores.
+  /// Number of workers; absent: as many as the computer has cores.
   readonly workers?: number;
-  /// Told why once no worker can start.
+  /// Called with the reason once no worker can start.
   readonly broken?: (why: string) => void;
 }
 
 /// `startEngine` of engine.ts.
 export type StartEngine = (parts: EngineParts) => Engine;
 
-/// The field of that name, or undefined.
+/// Returns the field of a name, or undefined.
 export function findField(layout: Layout, name: string): Field | undefined {
   return layout.fields.find((field) => field.name === name);
 }
 
-/// The numbers [rows][columns] of a field for one station or contact (0 for the point's own) in the block that begins
-/// at `base` of `blocks`; a view. Empty where there is no such field.
+/// Returns the numbers [rows][columns] of a field for one station or contact (0 for fields of the point) in the block
+/// at `base` of `blocks`, as a view. Empty without such a field.
 export function fieldNumbers(layout: Layout, blocks: Float64Array, name: string, which = 0, base = 0): Float64Array {
   const field = findField(layout, name);
   if (!field || which >= field.repeat) return blocks.subarray(0, 0);

@@ -1,4 +1,4 @@
-// A diagram in parts: which points go together, and in which order.
+// Division of a diagram into parts of points, and their order.
 
 /// Values of a diagram that one task computes.
 export interface Part {
@@ -7,17 +7,17 @@ export interface Part {
   readonly carried: boolean;
 }
 
-/// Points that fill the lanes of the core once.
+/// Number of points that fill the lanes of the core once.
 const PART_SIZE = 16;
 
 const range = (count: number) => Array.from({ length: count }, (_, index) => index);
 
-/// Points that follow one another are one part; the others are taken in their order.
+/// Divides the points into parts: points that follow one another are one part, others are taken in their order.
 export function partsOf(count: number, carry: 'none' | 'forward' | 'reverse' | 'both'): Part[] {
   const chain = (slots: number[]) => ({ slots: Uint32Array.from(slots), carried: true });
   if (carry === 'forward') return [chain(range(count))];
   if (carry === 'reverse') return [chain(range(count).reverse())];
-  // The way back has slots of its own behind the others, in the order of the values.
+  // The way back has its own slots after the others, in the order of the values.
   if (carry === 'both')
     return [
       chain(range(count)),

@@ -1,4 +1,4 @@
-// What a worker does for a task, in pieces: a generator yields whenever something else may go first.
+// Tasks of a worker, as generators that yield whenever another task may run first.
 import { Refused, type Core } from './core';
 import type {
   Edit,
@@ -13,7 +13,7 @@ import type {
 } from './protocol';
 import type { Answer, FromWorker, PartRequest, Task } from './wire';
 
-/// Revolutions of the waveform of a point that asks for no number of them.
+/// Default revolutions of a point's waveform.
 const USUAL_WAVEFORM = 20;
 const MAX_CASES = 4;
 const MAX_CHOICES = 32;
@@ -25,12 +25,12 @@ type Post = (message: FromWorker, transfer?: Transferable[]) => void;
 export type Steps = Generator<void, Answer, void>;
 
 export class Tasks {
-  /// Parsed cases by their text and assignments, the one used last at the end.
+  /// Parsed cases by text and assignments, the last used one at the end.
   private readonly cases = new Map<string, number>();
-  /// Cases that jobs under way rest on, with their number.
+  /// Cases in use by running jobs, with the number of these jobs.
   private readonly inUse = new Map<number, number>();
-  /// What `auto` took by setting and batch, the last ones, and by the text alone: choosing costs some revolutions, for
-  /// which parts of a diagram and first looks do not wait again.
+  /// Recent choices of `auto`, by setting and batch, and by the text alone. A choice takes some revolutions, so parts
+  /// of a diagram and previews reuse it.
   private readonly methods = new Map<string, string>();
 
   constructor(
@@ -83,7 +83,7 @@ export class Tasks {
     }
   }
 
-  /// Runs `use` with a plan of the setting; the case stays until it is over.
+  /// Runs `use` with a plan of the setting; keeps the case until it ends.
   private *withPlan<T>(
     setting: Setting,
     batch: string | undefined,
@@ -95,7 +95,7 @@ export class Tasks {
     this.inUse.set(object, (this.inUse.get(object) ?? 0) + 1);
     try {
       const options: Record<string, Options[string] | undefined> = { ...setting.options };
-      // How long a motion is watched was said for another length of it.
+      // The observed revolutions of the case were meant for another length of the motion.
       if (options['transient'] !== undefined || options['record'] !== undefined) options['watch'] ??= 0;
       for (const [option, value] of Object.entries(options))
         if (value !== undefined) this.core.planOption(plan, option, value);
@@ -142,7 +142,7 @@ export class Tasks {
     const began = performance.now();
     const core = this.core;
     const value = request.value ?? NaN;
-    // A value that is not given is the case's own: then nothing varies.
+    // Without a value the case's own value applies, and nothing is varied.
     const parameter = request.value === undefined ? '' : request.parameter;
     return yield* this.withPlan(request.setting, request.batch, parameter, function* (plan) {
       core.planEverything(plan, request.setting.options?.waveform_revolutions ?? USUAL_WAVEFORM);
@@ -221,7 +221,7 @@ export class Tasks {
 
   // -------------------------------------------------------------- orbits along branches
 
-  /// In one piece: it takes about as long as its revolutions.
+  /// Without yields: an orbit takes about as long as its few revolutions.
   private *orbit(request: OrbitRequest): Steps {
     const began = performance.now();
     const { core } = this;
@@ -301,7 +301,7 @@ export class Tasks {
   }
 }
 
-/// All points of a job that are done and were not taken yet.
+/// Returns all finished points of a job that were not taken yet.
 function takePoints(core: Core, plan: number, job: number, room: number, size: number, values: Float64Array) {
   const indices: number[] = [];
   const blocks: Float64Array[] = [];

@@ -1,4 +1,4 @@
-// What the engine and its workers send each other.
+// Messages between the engine and its workers.
 import type {
   CaseInfo,
   Edit,
@@ -20,9 +20,9 @@ export interface PartRequest {
   readonly parameter: string;
   readonly batch?: string | undefined;
   readonly values: Float64Array;
-  /// Each point starts where the one before ended.
+  /// True if each point starts from the end of the one before.
   readonly carried: boolean;
-  /// What is found in spectra, too.
+  /// True to compute fields of spectra too.
   readonly spectra: boolean;
 }
 
@@ -39,7 +39,7 @@ export type ToWorker =
   | { readonly kind: 'task'; readonly id: number; readonly priority: number; readonly task: Task }
   | { readonly kind: 'stop'; readonly id: number };
 
-/// Points of a part that are done; `indices` count the values of the part.
+/// Finished points of a part; `indices` count the values of the part.
 export interface PartPoints {
   readonly indices: Uint32Array;
   readonly blocks: Float64Array;
@@ -57,7 +57,7 @@ export interface Refusal {
   readonly problems: readonly Problem[];
 }
 
-/// What comes of a task.
+/// Result of a task.
 export type Answer = CaseInfo | MotionResult | PointResult | TransientResult | Float64Array | string | null;
 
 export type FromWorker =

@@ -1,10 +1,10 @@
-// A worker: holds the core and works at tasks a slice at a time, the most urgent first, so that it hears between slices
-// what has become stale.
+// A worker: owns a core and runs tasks in time slices, the most urgent first. Between slices it receives messages that
+// make tasks stale.
 import { Core, Refused } from './core';
 import { Tasks, type Steps } from './tasks';
 import type { FromWorker, Task, ToWorker } from './wire';
 
-/// How long, in milliseconds, the worker is deaf.
+/// Milliseconds of a slice, in which the worker receives no messages.
 const SLICE = 10;
 
 interface Scope {
@@ -25,7 +25,7 @@ const bell = new MessageChannel();
 let tasks: Tasks | null = null;
 let ringing = false;
 
-/// Comes back after the messages that are waiting.
+/// Schedules the next slice after the waiting messages.
 function ring(): void {
   if (ringing || underway.length === 0 || !tasks) return;
   ringing = true;
@@ -43,7 +43,7 @@ function remove(id: number): Underway | undefined {
   return at < 0 ? undefined : underway.splice(at, 1)[0];
 }
 
-/// The buffers of a result go to the page without a copy.
+/// Returns the buffers of a result, which are transferred to the page without a copy.
 function buffers(value: unknown): Transferable[] {
   if (value === null || typeof value !== 'object') return [];
   return Object.values(value).flatMap((part) => (part instanceof Float64Array ? [part.buffer as ArrayBuffer] : []));

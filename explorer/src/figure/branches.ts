@@ -6,7 +6,7 @@ import { font, textWidth, type Pen } from './pen';
 import { drawMark, type Mark } from './marks';
 import type { Theme } from './theme';
 
-/// One coordinate of the section, and its bounds, which motions with a time of their own are shown by.
+/// Branches as lines: one coordinate of the section, or the bounds of an autonomous motion.
 export interface BranchLines {
   readonly branches: Branches;
   readonly section: Column;
@@ -24,7 +24,7 @@ const MARKS: Readonly<Record<Special, Mark>> = {
   graze: 'ring',
 };
 
-/// The numbers that a point is drawn at: one a revolution, or both bounds.
+/// Returns the heights of a point: one for each revolution, or both bounds.
 export function heightsOf(lines: BranchLines, point: number): number[] {
   const { section, bounds, branches, factor } = lines;
   if (branches.isFree(point)) return bounds.map(({ data }) => data[point]! * factor);
@@ -51,7 +51,7 @@ function drawLines(pen: Pen, lines: BranchLines, frame: Frame, colours: Theme): 
   pen.setLineDash([]);
 }
 
-/// Marks at every line, and what happens with its value at the first, where there is room for it.
+/// Draws marks of special points on every line; the first mark has a label with kind and value, if there is room.
 function drawChanges(pen: Pen, lines: BranchLines, frame: Frame, colours: Theme): void {
   const size = 10 * frame.ratio;
   const taken: { x: number; y: number; width: number }[] = [];

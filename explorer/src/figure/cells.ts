@@ -1,27 +1,25 @@
-// Cells of a map: rectangles where they are few; where they are many a raster of our own, a cell a pixel, which takes
-// as long for a million cells as for a thousand.
+// Cells of a map: rectangles if they are few, else a raster whose cost does not depend on the number of cells.
 import type { Frame } from './chart';
 import { pixelOf } from './theme';
 import { SvgPen, type Pen } from './pen';
 
-/// As many cells are drawn as rectangles.
+/// Most cells that are drawn as rectangles.
 const MAX_RECTANGLES = 20_000;
 
 export interface Sheet {
   readonly columns: number;
   readonly rows: number;
-  /// [columns + 1], [rows + 1] where cells meet, in the pen's pixels; y falls.
+  /// [columns + 1], [rows + 1] edges of cells in the pen's pixels; y falls.
   readonly x: readonly number[];
   readonly y: readonly number[];
-  /// The colour of a cell, row after row; undefined leaves it blank.
+  /// Returns the colour of a cell, counted row by row; undefined leaves it blank.
   colour(cell: number): string | undefined;
-  /// The same number for cells between which no line is drawn, NaN of one that is nothing; undefined: there are no
-  /// lines.
+  /// Region id of a cell: no border is drawn between equal ids, or next to NaN; undefined: no borders.
   readonly kind: ((cell: number) => number) | undefined;
   readonly ink: string;
 }
 
-/// From the first cell of an axis that is seen to behind the last.
+/// Visible cells of an axis: the first, and the one after the last.
 type Seen = readonly [number, number];
 
 function seenOf(edges: readonly number[], low: number, high: number): Seen {
@@ -36,7 +34,7 @@ function seenOf(edges: readonly number[], low: number, high: number): Seen {
   return [from, to];
 }
 
-/// Draws what is seen in the frame.
+/// Draws the visible cells.
 export function drawCells(pen: Pen, sheet: Sheet, frame: Frame): void {
   const across = seenOf(sheet.x, frame.left, frame.left + frame.width);
   const up = seenOf(sheet.y, frame.top, frame.top + frame.height);
@@ -51,7 +49,8 @@ export function drawCells(pen: Pen, sheet: Sheet, frame: Frame): void {
   drawBoundaries(pen, sheet, across, up);
 }
 
-/// Neighbours of one colour in a row make one piece, which reaches a little under the next: no seam is seen.
+/// Draws rectangles. Neighbours of one colour in a row are one piece, which overlaps the next slightly to hide the
+/// seam.
 function drawRectangles(pen: Pen, sheet: Sheet, across: Seen, up: Seen, seam: number): void {
   const { x, y, columns, rows } = sheet;
   for (let row = up[0]; row < up[1]; row++)
@@ -67,12 +66,12 @@ function drawRectangles(pen: Pen, sheet: Sheet, across: Seen, up: Seen, seam: nu
     }
 }
 
-/// Where something is known on both sides.
+/// Returns true if both ids are known and differ.
 function differ(one: number, other: number): boolean {
   return one < other || one > other;
 }
 
-/// Lines where cells of two kinds meet.
+/// Draws borders between cells of different ids.
 function drawBoundaries(pen: Pen, sheet: Sheet, across: Seen, up: Seen): void {
   const { x, y, columns, rows } = sheet;
   const kindAt = (column: number, row: number) => sheet.kind!(row * columns + column);
@@ -91,7 +90,7 @@ function drawBoundaries(pen: Pen, sheet: Sheet, across: Seen, up: Seen): void {
   pen.stroke();
 }
 
-/// The cell under the middle of every pixel along an axis, -1 beyond.
+/// Returns the cell under the middle of every pixel along an axis; -1 outside.
 function cellsUnder(edges: readonly number[], first: number, pixels: number): Int32Array {
   const under = new Int32Array(pixels).fill(-1);
   const count = edges.length - 1;
@@ -103,7 +102,7 @@ function cellsUnder(edges: readonly number[], first: number, pixels: number): In
   return under;
 }
 
-/// Pictures inside an SVG are twice as fine.
+/// Draws a raster; inside an SVG it has twice the resolution.
 function drawRaster(pen: Pen, sheet: Sheet, frame: Frame): void {
   const fine = pen instanceof SvgPen ? 2 : 1;
   const [width, height] = [frame.width, frame.height].map((size) => Math.max(1, Math.round(size * fine))) as [

@@ -1,5 +1,5 @@
-// A chart with two axes: uPlot draws axes, grid and lines; layers of our own add clouds of points, bands and marks. The
-// same layers and the same ticks make the SVG.
+// A chart with two axes: uPlot draws axes, grid and lines; layers add clouds of points, bands and marks. The SVG has
+// the same layers and ticks.
 import uPlot from 'uplot';
 import { el } from '../dom';
 import { textSize, theme, watchSize, type Figure, type Picture } from './figure';
@@ -9,13 +9,13 @@ import { linearTicks, niceStep, tickText } from './ticks';
 
 export type Range = readonly [number, number];
 
-/// The plotting area: places of values, in the pen's pixels.
+/// The plotting area: positions of values in the pen's pixels.
 export interface Frame {
   readonly left: number;
   readonly top: number;
   readonly width: number;
   readonly height: number;
-  /// Pixels of the pen to one of CSS.
+  /// Pixels of the pen for each CSS pixel.
   readonly ratio: number;
   readonly xRange: Range;
   readonly yRange: Range;
@@ -35,27 +35,27 @@ export interface Line {
 export interface ChartSpec {
   readonly title: string;
   readonly lines?: readonly Line[];
-  /// Drawn below and above grid and lines.
+  /// Layers below and above grid and lines.
   readonly under?: Layer;
   readonly over?: Layer;
-  /// Drawn last and not cut at the frame: marks, whose middles are to lie inside (isInside).
+  /// Layer drawn last and not clipped: marks whose middles lie inside (isInside).
   readonly marks?: Layer;
-  /// No labels under the horizontal axis: another chart below has the same.
+  /// True to omit labels of the horizontal axis, if a chart below has the same axis.
   readonly bareX?: boolean;
-  /// Ticks of the horizontal axis as they are shown (a full spectrum counts both ways).
+  /// Texts of ticks on the horizontal axis (a full spectrum counts in both directions).
   readonly xText?: (value: number, step: number) => string;
-  /// Where ticks of the vertical axis stand, in place of round numbers, as far as two of them are seen.
+  /// Ticks of the vertical axis in place of round numbers, if at least two of them are visible.
   readonly yTicks?: readonly number[];
 }
 
-/// Whether a place is in the frame, but for rounding.
+/// Returns true if a position is in the frame, to rounding.
 export function isInside({ left, top, width, height }: Frame, x: number, y: number): boolean {
   const ROUNDING = 0.01;
   const [right, bottom] = [left + width, top + height].map((end) => end + ROUNDING) as [number, number];
   return x >= left - ROUNDING && x <= right && y >= top - ROUNDING && y <= bottom;
 }
 
-/// Draws what is cut at the frame.
+/// Draws with clipping at the frame.
 export function drawClipped(pen: Pen, { left, top, width, height }: Frame, draw: () => void): void {
   pen.save();
   pen.beginPath();
@@ -82,23 +82,23 @@ interface Ticks {
 
 const NO_TICKS: Ticks = { at: [], text: [] };
 
-/// Parts of all heights that are shown.
+/// Least part of the vertical range that can be shown.
 const MIN_PART = 1e-4;
 const MAX_PART = 0.999;
 
 export class Chart implements Figure {
   readonly root: HTMLElement;
-  /// Lies over the plotting area: cursors and handlers go there.
+  /// Element over the plotting area for cursors and handlers.
   readonly overlay = el('div', { class: 'overlay' });
   private plot: uPlot | undefined;
   private data: uPlot.AlignedData;
   private xRange: Range = [0, 1];
-  /// Of all that there is, and the part of it that is shown.
+  /// The whole vertical range, and its visible part.
   private whole: Range = [0, 1];
   private part: Range | undefined;
   private xLabel = '';
   private yLabel = '';
-  /// The axes.
+  /// Which axes are logarithmic.
   private logarithmic = { x: false, y: false };
   private ticks: { x: Ticks; y: Ticks } = { x: NO_TICKS, y: NO_TICKS };
 
@@ -108,7 +108,7 @@ export class Chart implements Figure {
     watchSize(this.root, (width, height) => this.resize(width, height));
   }
 
-  /// Labels, and whether the axes are logarithmic.
+  /// Sets labels, and which axes are logarithmic.
   setAxes(xLabel: string, yLabel: string, yLogarithmic = false, xLogarithmic = false): void {
     const { x, y } = this.logarithmic;
     if (xLabel === this.xLabel && yLabel === this.yLabel && xLogarithmic === x && yLogarithmic === y) return;
@@ -117,7 +117,7 @@ export class Chart implements Figure {
     this.rebuild();
   }
 
-  /// Lines [x, y1, y2, ...] and the ranges to show; of the vertical one no more than the part that was chosen.
+  /// Shows lines [x, y1, y2, ...] in these ranges; of the vertical range only the chosen part.
   show(xRange: Range, yRange: Range, data?: uPlot.AlignedData): void {
     [this.xRange, this.whole] = [xRange, yRange];
     if (data) this.data = data;
@@ -135,7 +135,8 @@ export class Chart implements Figure {
     return this.part ?? this.whole;
   }
 
-  /// Shows the heights between two places, in CSS pixels from the top of the plotting area; all where that is as much.
+  /// Shows the vertical range between two positions, in CSS pixels from the top of the plotting area; the whole range
+  /// if it is as large.
   enlarge(top: number, bottom: number): void {
     const [low, high] = [this.heightAt(bottom), this.heightAt(top)];
     const sizeOf = (range: Range) => (range[1] - range[0]) / (this.whole[1] - this.whole[0]);
@@ -145,7 +146,7 @@ export class Chart implements Figure {
     this.show(this.xRange, this.whole);
   }
 
-  /// Shows all heights.
+  /// Shows the whole vertical range.
   fit(): void {
     this.part = undefined;
     this.show(this.xRange, this.whole);
@@ -155,7 +156,7 @@ export class Chart implements Figure {
     this.plot?.redraw(false, true);
   }
 
-  /// The value under a place of the plotting area, in CSS pixels from its left.
+  /// Returns the value at a position of the plotting area, in CSS pixels from its left.
   valueAt(left: number): number {
     return this.plot ? this.plot.posToVal(left, 'x') : NaN;
   }
@@ -164,7 +165,7 @@ export class Chart implements Figure {
     return this.plot ? this.plot.posToVal(top, 'y') : NaN;
   }
 
-  /// The place of a value in the plotting area, in CSS pixels.
+  /// Returns the position of a value in the plotting area, in CSS pixels.
   placeOf(value: number): number {
     return this.plot ? this.plot.valToPos(value, 'x') : NaN;
   }
@@ -173,7 +174,7 @@ export class Chart implements Figure {
     return this.plot ? this.plot.valToPos(value, 'y') : NaN;
   }
 
-  /// Whether a value is in the range that is shown.
+  /// Returns true if a value is in the visible range.
   isSeen(value: number, axis: 'x' | 'y'): boolean {
     const [low, high] = axis === 'x' ? this.xRange : this.yRange;
     return value >= low && value <= high;
@@ -192,7 +193,7 @@ export class Chart implements Figure {
     return { svg: pen.text(), ...size };
   }
 
-  /// Draws all of the chart with a pen in CSS pixels, as for an SVG.
+  /// Draws the whole chart with a pen in CSS pixels, as for an SVG.
   sketch(pen: Pen, width: number, height: number): void {
     const colours = theme();
     pen.fillStyle = colours.paper;
@@ -209,7 +210,7 @@ export class Chart implements Figure {
     marks?.(pen, frame, colours);
   }
 
-  /// `divide`: pixels of the canvas to one of the pen.
+  /// Returns the frame; `divide`: pixels of the canvas for each pixel of the pen.
   private frame(divide: number): Frame {
     const plot = this.plot!;
     const box = plot.bbox;
@@ -286,7 +287,7 @@ export class Chart implements Figure {
     else this.rebuild();
   }
 
-  /// Makes uPlot anew, where labels or the kind of an axis change.
+  /// Makes a new uPlot after a change of labels or of the kind of an axis.
   private rebuild(): void {
     const { width, height } = this.root.getBoundingClientRect();
     if (width < 40 || height < 40) return;
@@ -403,7 +404,7 @@ const SUPERSCRIPT: Record<string, string> = {
   '9': '\u2079',
 };
 
-/// 1, 2 and 5 times powers of ten, where powers alone would be too few.
+/// Returns ticks at powers of ten; also at 2 and 5 times these if there would be too few.
 function within(low: number, high: number): number[] {
   const at: number[] = [];
   for (let power = Math.floor(Math.log10(low)); 10 ** power <= high; power++)
@@ -415,7 +416,7 @@ function decades(low: number, high: number, wanted: number): Ticks {
   const [first, last] = [Math.ceil(Math.log10(low) - 1e-9), Math.floor(Math.log10(high) + 1e-9)];
   if (last - first < 2 && wanted >= 3) {
     const few = within(low, high);
-    // Less than a decade is nearly even.
+    // A range below a decade is nearly linear.
     return few.length > 1
       ? { at: few, text: few.map((value) => tickText(value, 10 ** Math.floor(Math.log10(value)))) }
       : linear(low, high, wanted);

@@ -1,12 +1,12 @@
-// Clouds of points: a raster of our own, coloured by regime, denser where more points fall on a pixel. 400,000 points
-// take a few milliseconds, which no drawing of single dots does.
+// Clouds of points: a raster coloured by regime, more opaque where more points fall on a pixel. 400,000 points take a
+// few milliseconds, much less than single dots.
 import type { Diagram, Column } from '../data/diagram';
 import type { Frame } from './chart';
 import { textSize } from './figure';
 import type { Pen } from './pen';
 import { pixelOf, type Theme } from './theme';
 
-/// As many dots as an SVG holds as shapes; more of them become a picture inside it.
+/// Most dots drawn as shapes in an SVG; more dots become a picture inside it.
 const MAX_SHAPES = 20_000;
 
 const LAST_PERIODIC = 3;
@@ -15,15 +15,15 @@ const EDGE = 8;
 export interface Cloud {
   readonly diagram: Diagram;
   readonly column: Column;
-  /// From the column's numbers to those of the axis.
+  /// Factor from the column's numbers to those of the axis.
   readonly factor: number;
-  /// From the values in SI to those of the axis.
+  /// Factor from the values in SI to those of the axis.
   readonly valueFactor: number;
   /// Regime classes that are not drawn.
   readonly hidden: ReadonlySet<number>;
 }
 
-/// Calls `visit` with the place of every dot whose middle is in the frame, points in the order of the diagram.
+/// Calls `visitor` with the position of every dot whose middle is in the frame, in the order of the diagram.
 function visit(cloud: Cloud, frame: Frame, visitor: (x: number, y: number, kind: number) => void): void {
   const { diagram, column, factor, valueFactor, hidden } = cloud;
   const { rows, data } = column;
@@ -33,7 +33,7 @@ function visit(cloud: Cloud, frame: Frame, visitor: (x: number, y: number, kind:
   const [y0, y1] = [frame.y(frame.yRange[0]), frame.y(frame.yRange[1])];
   const yScale = ((y1 - y0) / (frame.yRange[1] - frame.yRange[0])) * factor;
   const yBase = y0 - ((y1 - y0) / (frame.yRange[1] - frame.yRange[0])) * frame.yRange[0];
-  // Rounding does not lose the points at the ends.
+  // A margin, so that rounding does not lose the points at the ends.
   const [left, right] = [frame.left - 0.01, frame.left + frame.width + 0.01];
   const [top, bottom] = [frame.top, frame.top + frame.height];
   for (let point = 0; point < diagram.count; point++) {
@@ -48,7 +48,7 @@ function visit(cloud: Cloud, frame: Frame, visitor: (x: number, y: number, kind:
   }
 }
 
-/// Points of the diagram in the frame.
+/// Returns the number of points in the frame.
 function pointsInside(cloud: Cloud, frame: Frame): number {
   let count = 0;
   for (const value of cloud.diagram.values) {
@@ -58,21 +58,21 @@ function pointsInside(cloud: Cloud, frame: Frame): number {
   return count;
 }
 
-/// Side of a dot in pixels: about a column of the diagram, neither dust nor blots.
+/// Returns the side of a dot in pixels: about a column of the diagram, within limits.
 function dotSize(cloud: Cloud, frame: Frame): number {
   const column = frame.width / Math.max(1, pointsInside(cloud, frame));
-  // On a large screen, where the page's text is larger, dots are too.
+  // Dots grow with the page's text on large screens.
   const unit = (frame.ratio * textSize()) / 10.5;
   const least = cloud.column.rows === 1 ? 2.4 : 1;
   return Math.max(1, Math.round(Math.min(Math.max(column, least * unit), 2.6 * unit)));
 }
 
-/// Periodic motions have few dots, one on the other: they are drawn larger than those of a cloud.
+/// Returns the side of a dot of a kind: dots of periodic motions, which are few, are larger.
 function sideOf(cloud: Cloud, kind: number, side: number): number {
   return kind <= LAST_PERIODIC && cloud.column.rows > 1 ? side + 1 : side;
 }
 
-/// A picture of the frame with EDGE pixels around it, so that dots at its edges are whole.
+/// Makes a picture of the frame with EDGE pixels around it, so that dots at its edges are complete.
 function raster(cloud: Cloud, frame: Frame, colours: Theme): HTMLCanvasElement {
   const [width, height] = [frame.width, frame.height].map((size) => Math.max(1, Math.round(size)) + 2 * EDGE);
   const side = dotSize(cloud, frame);
@@ -91,7 +91,7 @@ function raster(cloud: Cloud, frame: Frame, colours: Theme): HTMLCanvasElement {
   return painted(counts, kinds, width!, height!, colours);
 }
 
-/// One hit is seen and many are seen better: opacity 1 - 0.45 e^(-(n-1)/3).
+/// Paints pixels with an opacity that rises with the number n of hits: 1 - 0.45 e^(-(n-1)/3).
 function painted(
   counts: Uint16Array,
   kinds: Uint8Array,
@@ -128,13 +128,13 @@ function drawShapes(pen: Pen, cloud: Cloud, frame: Frame, colours: Theme): void 
   });
 }
 
-/// Draws the cloud; `shapes` asks for shapes rather than a picture where they are not too many.
+/// Draws the cloud; `shapes`: as shapes rather than a picture, unless there are too many.
 export function drawCloud(pen: Pen, cloud: Cloud, frame: Frame, colours: Theme, shapes: boolean): void {
   if (shapes && pointsInside(cloud, frame) * cloud.column.rows <= MAX_SHAPES) {
     drawShapes(pen, cloud, frame, colours);
     return;
   }
-  const fine = shapes ? 2 : 1; // a picture inside an SVG is twice as fine
+  const fine = shapes ? 2 : 1; // double resolution inside an SVG
   const finer: Frame = fine === 1 ? frame : magnified(frame, fine);
   const edge = EDGE / fine;
   const [width, height] = [frame.width + 2 * edge, frame.height + 2 * edge];

@@ -1,4 +1,4 @@
-// A bar of colours with the numbers that they stand for.
+// A bar of colours with their numbers.
 import { partOf, type MapNumbers } from '../data/map_quantities';
 import { el } from '../dom';
 import { textSize, theme, watchSize } from './figure';
@@ -50,12 +50,12 @@ export class ColourBar {
     this.sketch(pen, 0, width, theme());
   }
 
-  /// CSS pixels that it takes.
+  /// Height of the bar in CSS pixels.
   static get height(): number {
     return Math.ceil(textSize() * 4);
   }
 
-  /// Draws it with a pen in CSS pixels.
+  /// Draws the bar with a pen in CSS pixels.
   sketch(pen: Pen, top: number, width: number, colours: Theme): void {
     const { scale } = this;
     if (!scale) return;

@@ -1,4 +1,4 @@
-// Figures as the library describes them (docs/figures.md), as SVG: panels, axes and series, none known by its name.
+// Draws figures described by the library (docs/figures.md) as SVG: panels, axes and series, whatever their names.
 import { escaped, FONT } from './pen';
 import type { Picture } from './figure';
 
@@ -35,7 +35,7 @@ interface DescribedAxis {
 /// A part of a panel that shows a station.
 interface DescribedSpot {
   readonly station: string;
-  /// Left, right, bottom and top in numbers of the axes.
+  /// Left, right, bottom and top in units of the axes.
   readonly box: readonly [number, number, number, number];
 }
 
@@ -72,20 +72,20 @@ export interface Described {
   readonly scale?: DescribedScale;
 }
 
-/// Pixels of a centimetre and of a point, twice as large as on paper: screens are further away.
+/// Pixels of a centimetre and of a point, 1.6 times as large as on paper: screens are further away.
 const CM = (1.6 * 96) / 2.54;
 const PT = (1.6 * 96) / 72;
 
 const short = (value: number) => String(Math.round(value * 100) / 100);
 
-/// Where a value of an axis stands, from 0 to 1; NaN where there is none.
+/// Returns the position of a value on an axis, 0 to 1; NaN if the axis cannot show it.
 function shareOf({ low, high, log }: DescribedAxis | DescribedScale, value: number | null | undefined): number {
   if (value === null || value === undefined) return NaN;
   if (log) return value > 0 ? Math.log(value / low) / Math.log(high / low) : NaN;
   return (value - low) / (high - low);
 }
 
-/// Symbols between dollars in italics with their indices below; lines one below the other.
+/// Returns a label as SVG text: symbols between dollars in italics with subscripts, lines one below the other.
 function markedUp(label: string, size: number, x: number): string {
   const line = (text: string) =>
     text
@@ -114,7 +114,7 @@ function textAt(x: number, y: number, label: string, size: number, attributes: s
   return `<text x="${short(x)}" y="${short(y)}" font-size="${short(size)}" ${attributes}>${words}</text>`;
 }
 
-/// A panel's box on the page, and where numbers stand in it.
+/// A panel's box on the page, and positions in it.
 class Place {
   readonly left: number;
   readonly top: number;
@@ -136,7 +136,7 @@ class Place {
     return this.left + shareOf(this.panel.x, value) * this.width;
   }
 
-  /// Whether a place is within the box, but for rounding.
+  /// Returns true if a position is within the box, to rounding.
   holds(x: number, y: number): boolean {
     const [right, bottom] = [this.left + this.width, this.top + this.height];
     return x >= this.left - 0.01 && x <= right + 0.01 && y >= this.top - 0.01 && y <= bottom + 0.01;
@@ -147,7 +147,7 @@ class Place {
   }
 }
 
-/// The colour of a number: between two of the scale a mixture of both.
+/// Returns the colour of a number, interpolated between colours of the scale.
 function colourOf(scale: DescribedScale, value: number | null | undefined): string | undefined {
   const share = shareOf(scale, value);
   if (Number.isNaN(share)) return undefined;
@@ -179,7 +179,7 @@ function markAt(x: number, y: number, series: DescribedSeries, least = 0): strin
   return `<circle cx="${short(x)}" cy="${short(y)}" r="${short(r)}" ${look}/>`;
 }
 
-/// A line from point to point, broken where there is none.
+/// Returns a path from point to point, broken at missing points.
 function lineThrough(points: readonly (readonly [number, number])[]): string {
   let path = '';
   let open = false;
@@ -196,7 +196,7 @@ function rectangle(x: number, y: number, width: number, height: number, look: st
   return `<rect x="${left}" y="${top}" width="${right}" height="${up}" ${look}/>`;
 }
 
-/// How lines look, at least so many points wide, and what is filled.
+/// Returns the attributes of lines (with a least width in points) and of areas.
 function drawnAs({ colour, opacity, size, dashed }: DescribedSeries, least = 0): string {
   const dashes = dashed ? ` stroke-dasharray="${short(4 * PT)} ${short(2.5 * PT)}"` : '';
   const width = short(Math.max(least, size) * PT);
@@ -207,7 +207,7 @@ function filled({ colour, opacity }: DescribedSeries): string {
   return `fill="${colour}" fill-opacity="${opacity}"`;
 }
 
-/// Runs of points that are all there.
+/// Divides points into runs without missing points.
 function runs<T extends readonly number[]>(points: readonly T[]): T[][] {
   const found: T[][] = [[]];
   for (const point of points)
@@ -314,7 +314,7 @@ function drawAxes(place: Place, { x, y, title, letter }: DescribedPanel, font: n
   return out;
 }
 
-/// The named series, each name once.
+/// Returns the named series, each name once.
 function named(panels: readonly DescribedPanel[]): DescribedSeries[] {
   const found = new Map<string, DescribedSeries>();
   for (const panel of panels)
@@ -367,7 +367,7 @@ function drawScale(figure: Described, scale: DescribedScale, font: number): stri
   return out + textAt(x, y, scale.label, font, `text-anchor="middle" transform="rotate(-90 ${short(x)} ${short(y)})"`);
 }
 
-/// What is clicked on in a panel, or reached by the keyboard: one button a station.
+/// Draws the hot spots of a panel: one button for each station, for pointer and keyboard.
 function drawSpots(place: Place, { spots = [] }: DescribedPanel): string {
   return spots
     .map(({ station, box: [left, right, bottom, top] }) => {
@@ -385,7 +385,7 @@ function drawSpots(place: Place, { spots = [] }: DescribedPanel): string {
 
 export const hasSpots = ({ panels }: Described) => panels.some(({ spots }) => spots && spots.length > 0);
 
-/// The picture of a figure, on white as on paper; to be touched with its spots.
+/// Returns the picture of a figure on white; with `touched` its hot spots too.
 export function pictureOfDescribed(figure: Described, touched = false): Picture {
   const [width, height, font] = [figure.width_cm * CM, figure.height_cm * CM, figure.font_pt * PT];
   const clips = figure.panels.map((panel, i) => {
@@ -398,7 +398,7 @@ export function pictureOfDescribed(figure: Described, touched = false): Picture 
     const texts = panel.series.filter(({ shape }) => shape === 'texts');
     const rest = panel.series.filter(({ shape }) => shape !== 'texts');
     const clip = `clip-path="url(#${escaped(figure.name)}-${i})"`;
-    // Marks are whole, also those at the frame; all else is cut there.
+    // Marks are not clipped at the frame; everything else is.
     const drawn = (list: readonly DescribedSeries[]) =>
       list
         .map((series) => {
@@ -429,7 +429,7 @@ export function pictureOfDescribed(figure: Described, touched = false): Picture 
   return { svg, width, height };
 }
 
-/// All numbers of the figure, a line each.
+/// Returns all numbers of the figure as a table.
 export function tableOfDescribed({ panels }: Described): {
   readonly heading: readonly string[];
   readonly rows: readonly (readonly (number | string)[])[];

@@ -1,4 +1,4 @@
-// What every figure of the page can do, and the theme that all of them are drawn in.
+// Interface of all figures of the page, and their theme.
 import { DARK, LIGHT, type Theme } from './theme';
 
 export interface Picture {
@@ -23,13 +23,13 @@ export function setDark(dark: boolean): void {
   current = dark ? DARK : LIGHT;
 }
 
-/// Size of small text in CSS pixels; it grows with the page's.
+/// Returns the size of small text in CSS pixels, which grows with the page's.
 export function textSize(): number {
   return 0.74 * Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
 }
 
-/// Calls `changed` with the inner size of the element, at once and whenever it changes; not while it is smaller than
-/// `least` pixels.
+/// Calls `changed` with the inner size of an element, now and after every change, unless it is smaller than `least`
+/// pixels.
 export function watchSize(host: HTMLElement, changed: (width: number, height: number) => void, least = 40): void {
   let width = 0;
   let height = 0;

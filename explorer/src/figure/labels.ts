@@ -1,4 +1,4 @@
-// Where the labels of a spectrum's peaks stand: over their peaks, off each other and off the curves.
+// Places the labels of a spectrum's peaks: above their peaks, without overlapping each other or the curves.
 import type { Frame } from './chart';
 import { font, textWidth, type Pen } from './pen';
 import type { Theme } from './theme';
@@ -8,7 +8,7 @@ export interface Peak {
   readonly amplitude: number;
 }
 
-/// Middle, half the width and lower edge, in the pen's pixels.
+/// Place of a label: middle, half the width and lower edge, in the pen's pixels.
 interface Place {
   readonly centre: number;
   readonly half: number;
@@ -21,7 +21,7 @@ export interface Label extends Place {
 
 const MAX_LABELS = 6;
 
-/// The highest place of the curves in every column of pixels of the frame, its lower edge where there is none.
+/// Returns the highest point of the curves in every pixel column of the frame; the lower edge where there is no curve.
 export function skyline(frame: Frame, at: Float64Array, curves: readonly Float64Array[]): Float64Array {
   const floor = frame.top + frame.height;
   const top = new Float64Array(Math.max(1, Math.ceil(frame.width))).fill(floor);
@@ -37,8 +37,8 @@ export function skyline(frame: Frame, at: Float64Array, curves: readonly Float64
   return top;
 }
 
-/// Right above a peak at (x, y), to either side of it, beside its tip, or a line higher: what is free of curves and in
-/// the frame.
+/// Returns the possible places of a peak's label, free of curves and inside the frame: above it, to either side, next
+/// to its tip, or a line higher.
 function places(x: number, y: number, half: number, size: number, frame: Frame, top: Float64Array): Place[] {
   const gap = 0.3 * size;
   const roof = (centre: number) => {
@@ -53,11 +53,11 @@ function places(x: number, y: number, half: number, size: number, frame: Frame, 
     .filter((centre) => centre === inside(centre))
     .map((centre) => ({ centre, half, bottom: Math.min(roof(centre) - 0.2 * size, y + 0.6 * size) }));
   const higher = above.map((place) => ({ ...place, bottom: place.bottom - 1.15 * size }));
-  // Far from its peak a label says nothing.
+  // A label far from its peak is useless.
   return [...above, ...beside, ...higher].filter(({ bottom }) => bottom >= frame.top + size && y - bottom < 2.2 * size);
 }
 
-/// Whether two labels keep half a letter's distance.
+/// Returns true if two labels are at least half a letter apart.
 function apart(one: Place, other: Place, size: number): boolean {
   return (
     Math.abs(one.centre - other.centre) > one.half + other.half + 0.4 * size ||
@@ -65,7 +65,7 @@ function apart(one: Place, other: Place, size: number): boolean {
   );
 }
 
-/// Labels of the highest peaks, which come first, as far as they have room; `width` measures a text.
+/// Places the labels of peaks, highest first, as far as there is room; `width` measures a text.
 export function placeLabels(
   peaks: readonly Peak[],
   textOf: (peak: Peak) => string,
@@ -88,17 +88,17 @@ export function placeLabels(
   return taken;
 }
 
-/// Where labels may stand.
+/// Area for labels.
 type Room = Pick<Frame, 'left' | 'top' | 'width' | 'height'>;
 
-/// A mark at (x, y), in the pen's pixels, and what is to stand beside it.
+/// A mark at (x, y), in the pen's pixels, and its text.
 export interface Marked {
   readonly x: number;
   readonly y: number;
   readonly text: string;
 }
 
-/// Texts beside their marks, off the edges and off each other and the other marks; those without room are left out.
+/// Places texts next to their marks without overlapping edges, texts or other marks; texts without room are left out.
 function placeBeside(marks: readonly Marked[], frame: Room, size: number, width: (text: string) => number): Label[] {
   const taken: Label[] = [];
   for (const { x, y, text } of marks) {
@@ -129,7 +129,7 @@ function placeBeside(marks: readonly Marked[], frame: Room, size: number, width:
   return taken;
 }
 
-/// Draws them, on scraps of paper, so that lines do not run through them.
+/// Draws the texts on a background, so that lines do not cross them.
 export function drawLabels(pen: Pen, marks: readonly Marked[], frame: Room, size: number, colours: Theme): void {
   const face = font(size);
   pen.font = face;

@@ -3,7 +3,7 @@ import type { Pen } from './pen';
 
 export type Mark = 'up' | 'down' | 'square' | 'ring' | 'cross' | 'dot';
 
-/// A mark of about two `radius` across, in the pen's fill and stroke.
+/// Draws a mark about two `radius` wide, in the pen's fill and stroke.
 export function drawMark(pen: Pen, mark: Mark, x: number, y: number, radius: number): void {
   pen.beginPath();
   switch (mark) {

@@ -1,6 +1,6 @@
-// What figures draw with: the part of a canvas context that they use, so that the same drawing also makes an SVG.
+// Drawing interface of figures: the part of a canvas context that they use, so that the same code also makes an SVG.
 
-/// How a pen draws: what `save` keeps.
+/// Style of a pen, stored by `save`.
 const STYLE = [
   'fillStyle',
   'strokeStyle',
@@ -42,7 +42,7 @@ export function font(size: number, weight = 400): string {
 
 let ruler: CanvasRenderingContext2D | null = null;
 
-/// Width of a text in pixels.
+/// Returns the width of a text in pixels.
 export function textWidth(text: string, face: string): number {
   ruler ??= document.createElement('canvas').getContext('2d')!;
   ruler.font = face;
@@ -60,7 +60,7 @@ function short(value: number): string {
   return String(Math.round(value * 100) / 100);
 }
 
-/// A pen whose strokes become the text of an SVG.
+/// A pen that writes the text of an SVG.
 export class SvgPen implements Pen {
   fillStyle: string | CanvasGradient | CanvasPattern = '#000';
   strokeStyle: string | CanvasGradient | CanvasPattern = '#000';
@@ -72,7 +72,7 @@ export class SvgPen implements Pen {
   lineJoin: CanvasLineJoin = 'miter';
   lineCap: CanvasLineCap = 'butt';
   private dash: readonly number[] = [];
-  /// That were opened since the state was saved.
+  /// Number of groups opened since the state was saved.
   private groups = 0;
   private readonly stack: Record<string, unknown>[] = [];
   private readonly parts: string[] = [];
@@ -211,7 +211,7 @@ export class SvgPen implements Pen {
   }
 }
 
-/// An SVG as a PNG, at least twice as fine and 1200 pixels wide.
+/// Converts an SVG to a PNG of at least double resolution and 1200 pixels width.
 export async function pngOf(svg: string, width: number, height: number): Promise<Blob> {
   const address = URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
   try {

@@ -1,4 +1,4 @@
-// A plane with two axes in a drawing of its own, of one scale where both are lengths.
+// A plane with two axes, with one scale if both are lengths.
 import { textSize } from './figure';
 import { font, type Pen } from './pen';
 import type { Theme } from './theme';
@@ -9,7 +9,7 @@ export interface Extent {
   half: number;
 }
 
-/// Of values with room around them, half of it at least `least`; what is no number does not count.
+/// Returns the range of values with a margin, at least `least` to either side; ignores NaN.
 export function extent(values: Iterable<number>, least: number): Extent {
   let [low, high] = [Infinity, -Infinity];
   for (const value of values) {
@@ -34,7 +34,7 @@ export interface Plane {
   readonly y: (value: number) => number;
 }
 
-/// Draws axes, ticks and names; gives the places of values.
+/// Draws axes, ticks and names; returns the positions of values.
 export function drawPlane(
   pen: Pen,
   [width, height]: readonly [number, number],

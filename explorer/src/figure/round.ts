@@ -1,4 +1,4 @@
-// A figure with a drawing of its own on a canvas: orbits, maps and circles, whose two axes have one scale.
+// A figure drawn on a canvas without uPlot: orbits, maps and circles, with one scale on both axes.
 import { el } from '../dom';
 import { theme, watchSize, type Figure, type Picture } from './figure';
 import { SvgPen, type Pen } from './pen';
@@ -24,7 +24,7 @@ export class Round implements Figure {
     });
   }
 
-  /// What a screen reader says of the picture.
+  /// Text of the picture for screen readers.
   set description(text: string) {
     this.canvas.setAttribute('aria-label', `${this.title}: ${text}`);
   }

@@ -1,6 +1,6 @@
-// Colours of figures; the page's style sheet has the same for everything else, and takes those of regimes from here.
-// Any two regimes are at least 16 apart (CIEDE2000) in every colour vision, by lightness where hue does not tell;
-// whirl's reports have the light ones (tests/colours.test.mjs).
+// Colours of figures; the style sheet has the same for other elements, and takes the colours of regimes from here. Any
+// two regimes differ by at least 16 (CIEDE2000) in every colour vision, by lightness if not by hue; reports have the
+// light variants (tests/colours.test.mjs).
 
 export interface Theme {
   readonly dark: boolean;
@@ -9,7 +9,7 @@ export interface Theme {
   readonly muted: string;
   readonly grid: string;
   readonly frame: string;
-  /// Two coordinates, and the two settings that are compared.
+  /// Colours of two coordinates, and of the two compared settings.
   readonly x: string;
   readonly y: string;
   readonly a: string;
@@ -21,7 +21,7 @@ export interface Theme {
   readonly touch: string;
   readonly keyphasor: string;
   readonly contactShade: string;
-  /// By regime class.
+  /// Colours by regime class.
   readonly classes: readonly string[];
 }
 
@@ -69,7 +69,7 @@ export const DARK: Theme = {
 
 export const CONFIDENCE_NAMES = ['low', 'fair', 'high'] as const;
 
-/// "#rrggbb" as the pixel of an ImageData on a little-endian machine, opaque.
+/// Converts "#rrggbb" to an opaque pixel of an ImageData on a little-endian machine.
 export function pixelOf(colour: string): number {
   const number = Number.parseInt(colour.slice(1), 16);
   return (0xff000000 | ((number & 0xff) << 16) | (number & 0xff00) | (number >> 16)) >>> 0;

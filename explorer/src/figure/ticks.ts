@@ -1,6 +1,6 @@
 // Ticks of an axis.
 
-/// A step of 1, 2 or 5 times a power of ten, of which about `wanted` fit.
+/// Returns a step of 1, 2 or 5 times a power of ten, of which about `wanted` fit into a span.
 export function niceStep(span: number, wanted: number): number {
   const raw = span / Math.max(1, wanted);
   const power = 10 ** Math.floor(Math.log10(raw));
@@ -8,7 +8,7 @@ export function niceStep(span: number, wanted: number): number {
   return (part < 1.5 ? 1 : part < 3.5 ? 2 : part < 7.5 ? 5 : 10) * power;
 }
 
-/// A tick's text with as many decimals as the step needs.
+/// Returns a tick's text with as many decimals as the step needs.
 export function tickText(value: number, step: number): string {
   if (Math.abs(value) < step * 1e-9) return '0';
   const size = Math.max(Math.abs(value), step);

@@ -14,11 +14,11 @@ export interface ToriBands {
   readonly high: Column;
   readonly factor: number;
   readonly valueFactor: number;
-  /// The orbits at which they begin, where these are shown.
+  /// The orbits at which tori begin, if branches are shown.
   readonly lines: BranchLines | undefined;
 }
 
-/// A band at one value, as it is shown.
+/// A band at one value, in shown units.
 export interface BandAt {
   readonly value: number;
   readonly low: number;
@@ -26,7 +26,8 @@ export interface BandAt {
   readonly stable: boolean;
 }
 
-/// One closed curve of a torus along its branch, from the orbit at which that begins to the one to which it may shrink.
+/// Returns the band of one closed curve along a branch of tori, from the orbit at which the branch begins to the orbit
+/// to which it may shrink.
 export function bandOf(bands: ToriBands, torus: Torus, curve: number): BandAt[] {
   const { tori, low, high, factor, valueFactor, lines } = bands;
   const band = torus.points.map((point) => ({
@@ -58,7 +59,7 @@ function fill(pen: Pen, band: readonly BandAt[], frame: Frame): void {
   pen.globalAlpha = 1;
 }
 
-/// Both edges, solid along stable tori, dashed along others.
+/// Draws both edges, solid along stable tori, dashed along others.
 function outline(pen: Pen, band: readonly BandAt[], frame: Frame): void {
   pen.lineWidth = 1.2 * frame.ratio;
   for (const stable of [true, false])
@@ -76,7 +77,7 @@ function outline(pen: Pen, band: readonly BandAt[], frame: Frame): void {
   pen.setLineDash([]);
 }
 
-/// "rotation 0.39865 to 0.41552": its rotation numbers, below the middle of the band.
+/// Writes the rotation numbers below the middle of the band: "rotation 0.39865 to 0.41552".
 function label(pen: Pen, bands: ToriBands, torus: Torus, band: readonly BandAt[], frame: Frame, colours: Theme): void {
   const size = 10 * frame.ratio;
   const face = font(size);
@@ -88,7 +89,7 @@ function label(pen: Pen, bands: ToriBands, torus: Torus, band: readonly BandAt[]
   const places = band.map(({ value }) => frame.x(value));
   const [from, to] = [Math.min(...places), Math.max(...places)];
   const middle = (from + to) / 2;
-  if (to - from < width / 2) return; // narrow ones tell when they are looked at more closely
+  if (to - from < width / 2) return; // narrow bands have no room for a label until the view is enlarged
   const left = Math.max(frame.left, Math.min(middle - width / 2, frame.left + frame.width - width));
   const bottom = frame.y(Math.min(...band.map(({ low }) => low)));
   if (!(middle >= frame.left && middle <= frame.left + frame.width)) return;

@@ -1,9 +1,9 @@
-// Undo and redo: what the reader does becomes entries of the browser's history, whose addresses hold the setting. A
-// drag is one entry, and so are keys and turns of the wheel that change the same things again within a second.
+// Undo and redo: actions of the user are entries of the browser's history, whose addresses contain the setting. A drag
+// is one entry; so are keys and wheel turns that change the same things within a second.
 const PAUSE = 250; // ms without a change before the address is written
-const SAME = 1000; // ms in which a change of the same things goes on with the entry before
+const SAME = 1000; // ms in which a change of the same things belongs to the previous entry
 
-/// The keys whose values differ between two addresses.
+/// Returns the keys whose values differ between two addresses.
 function difference(one: string, other: string): string {
   const [a, b] = [one, other].map((hash) => new URLSearchParams(hash.slice(1)));
   const keys = new Set([...a!.keys(), ...b!.keys()]);
@@ -11,7 +11,7 @@ function difference(one: string, other: string): string {
   return [...keys]
     .flatMap((key) => {
       const [before, after] = [parts(a!, key), parts(b!, key)];
-      // Which parameters are set counts, not to what.
+      // For parameters the set of names counts, not their values.
       const changed = [
         ...before.filter((text) => !after.includes(text)),
         ...after.filter((text) => !before.includes(text)),
@@ -26,19 +26,19 @@ export class History {
   private step: number;
   private newest: number;
   private written = location.hash;
-  /// The reader has done something since the address was written; what the page itself fills in is no entry.
+  /// Input of the user since the address was written; changes by the page itself make no entry.
   private acted: '' | 'keys' | 'pointer' = '';
   private held = false;
   private last = { keys: '', time: -Infinity };
   private timer = 0;
 
-  /// `restore` is given an address that the reader went to.
+  /// `restore` is called with an address to which the user navigated.
   constructor(
     private readonly address: () => string,
     restore: (hash: string) => void,
   ) {
     this.step = this.newest = Number((history.state as { step?: number } | null)?.step) || 0;
-    history.replaceState({ step: this.step }, ''); // else the way back to here looks like an address that was typed in
+    history.replaceState({ step: this.step }, ''); // otherwise a return to this entry would look like a typed address
     for (const event of ['keydown', 'wheel', 'input', 'change'])
       document.addEventListener(event, () => (this.acted ||= 'keys'), { capture: true, passive: true });
     document.addEventListener('pointerdown', () => ((this.held = true), (this.acted = 'pointer')), true);
@@ -47,18 +47,18 @@ export class History {
     window.addEventListener('popstate', (event) => {
       clearTimeout(this.timer);
       const step = (event.state as { step?: number } | null)?.step;
-      this.step = step ?? this.step + 1; // an address that was typed in is a new entry
+      this.step = step ?? this.step + 1; // a typed address is a new entry
       this.newest = step === undefined ? this.step : Math.max(this.newest, this.step);
       this.acted = '';
       this.last = { keys: '', time: -Infinity };
       restore(location.hash);
-      // What the page makes of it is no deed of the reader's.
+      // Changes by the page itself are not actions of the user.
       this.written = this.address();
       history.replaceState({ step: this.step }, '', this.written);
     });
   }
 
-  /// Writes the address once nothing has changed for a moment and no button is held.
+  /// Writes the address after a moment without changes and pressed buttons.
   soon(): void {
     clearTimeout(this.timer);
     this.timer = window.setTimeout(() => (this.held ? this.soon() : this.write()), PAUSE);

@@ -1,4 +1,4 @@
-// What the reader takes away of a setting: a case file, a command line.
+// Exports of a setting: a case file, a command line.
 import type { CaseInfo, Edit } from '../engine/protocol';
 import { computationOptions, type Address, type Side } from './setting';
 
@@ -9,8 +9,8 @@ function inUnit(value: number, unit: string): string {
   return unit === '1' || unit === 'SI' || unit === '' ? number : `${number} ${unit}`;
 }
 
-/// A sweep from one end of the view to the other, in as many points as the case's own has. What else the case may say
-/// of its values goes: a list, a step, a scale of ratios where the view has none.
+/// Edits that make a sweep over the view, with as many points as the case's sweep. Other keys of values are removed: a
+/// list, a step, and a logarithmic scale if the view is linear.
 function sweepEdits(parameter: string, unit: string, sweep: CaseInfo['batches'][number], view: Range): Edit[] {
   const falling = (sweep.values[0] ?? 0) > (sweep.values.at(-1) ?? 0);
   const [from, to] = falling ? [view[1], view[0]] : view;
@@ -24,7 +24,8 @@ function sweepEdits(parameter: string, unit: string, sweep: CaseInfo['batches'][
   return edits;
 }
 
-/// The edits that make the case one of this setting: the view becomes the sweep, the cursor's value its first detail.
+/// Returns the edits that turn the case into one of this setting: the view becomes the sweep, the cursor's value its
+/// first detail.
 export function caseEdits(original: CaseInfo, address: Address, side: Side, view: Range, whole: Range): Edit[] {
   const edits: Edit[] = [];
   const { parameter, computation } = address;
@@ -35,7 +36,7 @@ export function caseEdits(original: CaseInfo, address: Address, side: Side, view
   if (sweep) {
     if (sweep.parameter !== parameter || view[0] !== whole[0] || view[1] !== whole[1])
       edits.push(...sweepEdits(parameter, unit, sweep, view));
-    // What the case looks at closely are values of the parameter that it sweeps: over another one none of them stays.
+    // Values of the case's detail belong to its swept parameter; for another parameter they are removed.
     const detail = original.batches.find(({ name }) => name === 'detail');
     if (detail && detail.parameter !== parameter)
       put('study.detail.at', `[${inUnit(Number.isFinite(side.value) ? side.value : (view[0] + view[1]) / 2, unit)}]`);
@@ -46,7 +47,7 @@ export function caseEdits(original: CaseInfo, address: Address, side: Side, view
   return edits;
 }
 
-/// A command for a shell that computes a case, the case itself included.
+/// Returns a shell command that computes a case and contains its text.
 export function commandOf(text: string, name: string): string {
   let mark = 'CASE';
   while (text.split('\n').includes(mark)) mark += '_';

@@ -1,19 +1,19 @@
-// Motions on demand: while the cursor moves, one request at a time, the newest next; when it rests, the whole
+// Motions on demand: while the cursor moves, one request at a time, the newest next; when it stops, the whole
 // computation.
 import type { Engine, MotionResult, OrbitRequest, Outcome, PointRequest } from '../engine/protocol';
 import type { Side } from './setting';
 
 export interface Wish {
   readonly request: PointRequest | OrbitRequest;
-  /// A quick look, to be followed by the whole.
+  /// True for a preview, followed by the whole computation.
   readonly preview: boolean;
-  /// What it is of.
+  /// The side's choice that is requested.
   readonly of: Side;
-  /// The value as an assignment in the unit that the reader sees, "" where nothing varies.
+  /// The value as an assignment in the shown unit; "" if nothing is varied.
   readonly spoken: string;
 }
 
-/// An orbit along a branch is as brief as a quick look, and all there is to it.
+/// Returns true for brief requests: previews, and orbits along branches, which need no further computation.
 function isBrief(wish: Wish): boolean {
   return wish.preview || 'nodes' in wish.request;
 }
@@ -32,8 +32,8 @@ export class LivePoint {
     return this.running !== undefined;
   }
 
-  /// A preview or an orbit that is under way is let finish, for else a hand that moves on would never see one; a whole
-  /// computation is overtaken.
+  /// Requests a motion. A running preview or orbit is allowed to finish, so that a moving cursor shows results; a
+  /// running whole computation is overtaken.
   want(wish: Wish): void {
     if (this.running && isBrief(this.running)) this.next = wish;
     else void this.run(wish);
@@ -51,7 +51,7 @@ export class LivePoint {
       'nodes' in wish.request
         ? await this.engine.orbit(wish.request, manner)
         : await this.engine.point(wish.request, manner);
-    if (this.running !== wish) return; // overtaken
+    if (this.running !== wish) return; // a newer request has overtaken this one
     this.running = undefined;
     const next = this.next;
     this.next = undefined;

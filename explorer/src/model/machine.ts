@@ -1,5 +1,4 @@
-// The machines that the page can show: runs that a report put into it, and the presets of the gallery, which it
-// computes.
+// Machines of the page: runs stored by a report, and presets of the gallery, which the page computes.
 import jeffcott from '../../../cases/jeffcott-rub.yaml';
 import paperDerived from '../../../cases/paper-derived.yaml';
 import paperLiteral from '../../../cases/paper-literal.yaml';
@@ -11,7 +10,7 @@ import type { Run } from '../data/run';
 import type { Scales } from './units';
 
 export interface Machine {
-  /// In addresses and file names.
+  /// Name in addresses and file names.
   readonly name: string;
   readonly title: string;
   readonly caseName: string;
@@ -24,7 +23,7 @@ const DRAG =
   'Drag across the diagram: the orbit, its spectrum and its Poincar\u00e9 map are computed on the spot for the ' +
   'value under the cursor.';
 
-/// Three sentences for a newcomer: what to try first.
+/// Introductions for new users: what to try first.
 const INTROS: Readonly<Record<string, string>> = {
   paper:
     `${DRAG} Start at r_k = 0.6, where the motion repeats itself every revolution, and go left: below 0.5 the ` +
@@ -74,7 +73,7 @@ function introOf(run: Run): string {
   return kind ? AT_REST[kind] : ((preset && INTROS[preset.name]) ?? OWN);
 }
 
-/// Of a part of a result.
+/// Returns the introduction of a part of a result.
 export function introOfPart({ id, view }: Part): string {
   if (id === MACHINE)
     return 'The machine, and what was found of it. The contents lead to all parts of the result and its live views.';
@@ -97,7 +96,7 @@ const PRESETS: readonly Preset[] = [
   { name: 'rigid-rotor', text: rigid },
 ];
 
-/// The title that a case gives itself, for a list; the engine reads the case itself.
+/// Returns the title of a case for a list; the engine reads the case later.
 function titleOf(text: string): string {
   return /^title:\s*(.*?)\s*$/m.exec(text)?.[1] ?? '';
 }
@@ -106,7 +105,7 @@ function baseName(caseName: string): string {
   return caseName.replace(/^.*\//, '').replace(/\.ya?ml$/, '');
 }
 
-/// A report shows its own results, a page without any the presets.
+/// Returns the machines: a report's own results, or without results the presets.
 export function machinesOf(runs: readonly Run[], computes: boolean): Machine[] {
   const made: Machine[] = runs.map((run) => ({
     name: run.name,
@@ -133,7 +132,7 @@ export function shortName(machine: Machine): string {
   return baseName(machine.caseName) || machine.name;
 }
 
-/// What the length scale is, from the walls of the stations.
+/// Finds the meaning of the length scale from the walls of the stations.
 export function scalesOf(
   length: number,
   speed: number,

@@ -3,41 +3,41 @@ import type { Diagram } from '../data/diagram';
 import { nearestOn, type ParameterMap } from '../data/parameter_map';
 
 export interface Cut {
-  /// Another one for every other cut.
+  /// Unique key of the cut.
   readonly key: string;
   diagram(): Diagram;
-  /// "rho = 0.08": where the map is cut, for the reader.
+  /// Place of the cut for display: "rho = 0.08".
   readonly of: string;
-  /// That its points are computed with.
+  /// Assignments with which its points are computed.
   readonly assignments: readonly string[];
 }
 
-/// What is the same number, but for the last digits of a text.
+/// Relative difference below which numbers count as equal: the last digits of a text.
 const SAME = 1e-9;
 
-/// "0.08", "650 rad/s", as assignments take it, with all digits.
+/// Returns a value as an assignment with all digits: "0.08", "650 rad/s".
 export function plainText(value: number, unit: string): string {
   return unit === '1' || unit === 'SI' ? String(value) : `${value} ${unit}`;
 }
 
-/// The value of a text that `plainText` may have written; undefined where it has another unit.
+/// Returns the value of a text in the form of `plainText`; undefined for another unit.
 export function plainValue(text: string, unit: string): number | undefined {
   const [, number = '', of = ''] = /^\s*([-+.\deE]+)\s*(.*?)\s*$/.exec(text) ?? [];
   const plain = unit === '1' || unit === 'SI' ? '' : unit;
   return number !== '' && of === plain && Number.isFinite(Number(number)) ? Number(number) : undefined;
 }
 
-/// Where a machine is in the space of a map.
+/// Position of a machine in the space of a map.
 export interface MapPlace {
-  /// Texts that are assigned; parameters without one have the value of the case.
+  /// Assigned texts; other parameters have the value of the case.
   readonly assignments: ReadonlyMap<string, string>;
-  /// The value that a parameter has, in SI.
+  /// Returns the value of a parameter in SI.
   valueOf(parameter: string): number;
-  /// Its SI unit.
+  /// Returns the SI unit of a parameter.
   unitOf(parameter: string): string;
 }
 
-/// The cut along a parameter nearest to where the machine is: all others of the map are held.
+/// Returns the cut along a parameter nearest to the machine's position; the map's other parameters are constant.
 export function cutOf(map: ParameterMap, along: string, place: MapPlace): Cut {
   const { parameter, values } = map.across(along);
   const index = nearestOn(map.across(along), place.valueOf(parameter));
@@ -49,7 +49,7 @@ export function cutOf(map: ParameterMap, along: string, place: MapPlace): Cut {
     if (!meets) texts.set(name, plainText(value, place.unitOf(name)));
     else if (text !== undefined) texts.set(name, text);
   }
-  // In the order in which the reader made them.
+  // In the order of the user's assignments.
   const order = [...place.assignments.keys(), ...texts.keys()].filter((name, i, all) => all.indexOf(name) === i);
   const assignments = order.flatMap((name) => (texts.has(name) ? [`${name}=${texts.get(name)!}`] : []));
   const of = held.map(({ parameter: name, value }) => {

@@ -1,26 +1,26 @@
-// A part of a map computed on the spot: finer cells in place of those that are seen, coarse to fine, until it is
-// stopped.
+// Refinement of the visible part of a map: finer cells, coarse to fine, until it is stopped.
 import { MapGrid, type Cells } from '../data/map_grid';
 import type { MapAxis, ParameterMap } from '../data/parameter_map';
 import type { Engine, Setting } from '../engine/protocol';
 import { plainText } from './map_cut';
 import { coarseToFine } from './recompute';
 
-/// Cells along each axis: at least of the finest grid, and at most of the part of the map.
+/// Cells along each axis: least number of the finest grid, and most of the refined part.
 export const FINE = 64;
 
-/// The cells that are seen.
+/// The visible cells.
 export interface MapPart {
   readonly across: Cells;
   readonly up: Cells;
 }
 
-/// Whether a part has few enough cells.
+/// Returns true if a part has few enough cells to be refined.
 export function canRefine({ across, up }: MapPart): boolean {
   return [across, up].every(([first, end]) => end > first && end - first <= FINE);
 }
 
-/// Into how many parts cells of an axis are cut, grid after grid; a coarser one where the other axis goes on.
+/// Returns the divisions of the cells of an axis for each grid in turn; an axis may keep its division while the other
+/// one is refined further.
 function partsOf([first, end]: Cells): number[] {
   const parts = [2];
   while ((end - first) * parts.at(-1)! < FINE) parts.push(2 * parts.at(-1)!);
@@ -33,19 +33,19 @@ export interface MapRefinementWish {
   readonly setting: Setting;
   /// SI unit of the second parameter.
   readonly unit: string;
-  /// Of every motion: before the record, and in it.
+  /// Revolutions of every motion: before the record, and in it.
   readonly revolutions: readonly [number, number];
-  /// Motions of the map have more.
+  /// True if motions of the map have more revolutions.
   readonly shorter: boolean;
-  /// What was refused, as the reader is told.
+  /// Returns a rejection of the engine in the words of the page.
   say(refused: string): string;
 }
 
 export class MapRefinement {
-  /// Coarse to fine; the last one may be under way.
+  /// Grids, coarse to fine; the last one may be incomplete.
   readonly grids: MapGrid[] = [];
   busy = true;
-  /// What went wrong, "" where nothing did.
+  /// Error message, or "".
   trouble = '';
   private readonly abort = new AbortController();
 
@@ -61,12 +61,12 @@ export class MapRefinement {
     return this.wish.map;
   }
 
-  /// Ends the computation; what is there stays.
+  /// Ends the computation; computed cells stay.
   stop(): void {
     this.abort.abort();
   }
 
-  /// What its cells are, for the reader.
+  /// Description of its cells for the user.
   get text(): string {
     const { revolutions, shorter } = this.wish;
     const grid = this.grids.at(-1);
@@ -96,7 +96,7 @@ export class MapRefinement {
     this.changed();
   }
 
-  /// As many rows at a time as there are workers, spread over all.
+  /// Computes as many rows at a time as there are workers, spread over the grid.
   private async fill(grid: MapGrid): Promise<void> {
     const rows = coarseToFine(grid.rows);
     const work = async () => {
@@ -127,7 +127,7 @@ export class MapRefinement {
   }
 }
 
-/// The cells of an axis that are seen between two values.
+/// Returns the cells of an axis between two values.
 export function cellsBetween({ edges }: MapAxis, [low, high]: readonly [number, number]): Cells {
   const slack = 1e-9 * (edges.at(-1)! - edges[0]!);
   let [first, end] = [0, edges.length - 1];

@@ -1,5 +1,4 @@
-// A diagram computed in the page: coarse to fine where points do not follow one another, along the parameter where they
-// do.
+// Computes a diagram in the page: coarse to fine or, for carried points, along the parameter.
 import { Diagram } from '../data/diagram';
 import type { BatchInfo, Carry, Engine, Look, Setting, SweepProgress } from '../engine/protocol';
 import { FIELD } from '../data/fields';
@@ -11,22 +10,22 @@ export interface Plan {
   readonly high: number;
   readonly points: number;
   readonly batch: BatchInfo | undefined;
-  /// With what is found in spectra.
+  /// True to compute fields of spectra too.
   readonly spectra: boolean;
-  /// Points of the diagram that are wanted, along the parameter as the case goes, those of a way back right behind
-  /// them; left out: all.
+  /// Requested points of the diagram, in the case's order along the parameter, followed by those of the way back;
+  /// absent: all.
   readonly places?: readonly number[];
 }
 
 /// One pass over a diagram.
 export interface Pass {
-  /// What is being done, for the reader; "" at the end.
+  /// Description of the progress for the user; "" at the end.
   readonly text: string;
-  /// Undefined: as the setting says.
+  /// Preview of the pass; undefined: as in the setting.
   readonly look?: Look;
-  /// Some points that are spread over all, each alone.
+  /// True for some points spread over the range, each computed alone.
   readonly coarse?: boolean;
-  /// Those that have no verdict yet, the most doubtful first.
+  /// True for points without a verdict, the most doubtful first.
   readonly doubtful?: boolean;
 }
 
@@ -34,12 +33,12 @@ export interface Pass {
 const COARSE = 32;
 
 export interface RecomputeListener {
-  /// Points came in.
+  /// Called after points have arrived.
   grown(): void;
   progress(progress: SweepProgress): void;
 }
 
-/// 0 .. count-1 so that the first few are spread over all: both ends, then halves, quarters, ...
+/// Returns 0 .. count-1 ordered coarse to fine: both ends, then halves, quarters, ...
 export function coarseToFine(count: number): number[] {
   const order: number[] = [];
   const taken = new Uint8Array(count);
@@ -58,10 +57,10 @@ export function coarseToFine(count: number): number[] {
   return order;
 }
 
-/// The diagram that a plan will fill, points in the order of the case's own sweep.
+/// Makes the diagram that a plan will fill, with points in the order of the case's sweep.
 export function awaitedDiagram(plan: Plan): Diagram {
   const { low, high, points } = plan;
-  // The case's own sweep has the case's own values, to the last bit.
+  // For the case's sweep use exactly the case's values.
   const swept = plan.batch?.parameter === plan.parameter ? [...plan.batch.values].sort((a, b) => a - b) : [];
   const own = swept.length === points && swept[0] === low && swept.at(-1) === high;
   const even = (i: number) => (points > 1 ? low + ((high - low) * i) / (points - 1) : low);
@@ -69,7 +68,7 @@ export function awaitedDiagram(plan: Plan): Diagram {
   return Diagram.awaited(plan.parameter, values, branch);
 }
 
-/// Rising values in the order of the case's own sweep, once for every way that it goes.
+/// Orders rising values as the case's sweep does, once for each of its directions.
 function along(plan: Plan, rising: readonly number[]): { values: Float64Array; branch: Int8Array } {
   const falling =
     plan.batch !== undefined &&
@@ -84,9 +83,9 @@ function along(plan: Plan, rising: readonly number[]): { values: Float64Array; b
   };
 }
 
-/// The diagram with what is missing of the plan's points in its range, which lie on halves, quarters, ... of the
-/// diagram's own range, so that another zoom finds them again; undefined where nothing is missing or all of it is in
-/// view.
+/// Returns the diagram with the missing points of a plan in its range. These are at halves, quarters, ... of the
+/// diagram's own range, so that other zooms find them again. Undefined if nothing is missing, or the whole range is
+/// visible.
 export function finerDiagram(
   plan: Plan,
   coarse: Diagram,
@@ -119,8 +118,8 @@ function carryOf(plan: Plan): Carry {
   return plan.batch?.parameter === plan.parameter ? plan.batch.carry : 'none';
 }
 
-/// Places of the points of the first branch that have no verdict yet: first those whose evidence is weakest, of these
-/// the least stable first.
+/// Returns the points of the first branch without a verdict: those with the weakest evidence first, among these the
+/// least stable first.
 export function doubtfulFirst(diagram: Diagram, places: readonly number[]): number[] {
   const agreement = (point: number) => diagram.number(point, FIELD.REGIME_AGREEMENT) || 0;
   const exponent = (point: number) => {
@@ -144,13 +143,13 @@ function orderOf(plan: Plan, pass: Pass, diagram: Diagram): readonly number[] {
   const chained = carryOf(plan) !== 'none';
   if (pass.coarse) return spread(places).slice(0, COARSE);
   if (!chained) return pass.doubtful ? doubtfulFirst(diagram, places) : spread(places);
-  // Points that follow one another go together.
+  // Carried points are computed together.
   const open = (point: number) => !diagram.done[point] || diagram.provisional[point] === 1;
   const back = carryOf(plan) === 'both' ? places.map((place) => place + places.length) : [];
   return !pass.doubtful || [...places, ...back].some(open) ? places : [];
 }
 
-/// Fills the diagram; the sentence of what went wrong, "" when all went well or it was stopped.
+/// Fills the diagram; returns an error message, or "" after success or a stop.
 export async function recompute(
   engine: Engine,
   plan: Plan,

@@ -1,5 +1,4 @@
-// What the page is at: the machine that is open, what the reader has set, what of it is shown, and what follows from
-// these.
+// State of the page: the open machine, the user's settings, the visible part, and everything derived from these.
 import { Branches } from '../data/branches';
 import { Tori } from '../data/tori';
 import { partOf, partsOf, type Part } from '../data/contents';
@@ -24,7 +23,7 @@ type Range = readonly [number, number];
 
 export type SideName = 'a' | 'b';
 
-/// What is to be drawn anew: all, a side, the points that the diagram has gained, or those that the map has.
+/// Part to be redrawn: everything, a side, new points of the diagram, or of the map.
 export type Change = 'all' | SideName | 'grow' | 'map';
 
 export interface SessionListener {
@@ -54,14 +53,14 @@ export class Session {
     | undefined;
   private readonly maps = new Map<Run | undefined, MapPlanes | undefined>();
   private refined: MapRefinement | undefined;
-  /// Of the cut of a map that the first sight shows.
+  /// Key of the map's cut that the first sight shows.
   private cutKey = '';
-  /// By the names of their machines.
+  /// Cases by the names of their machines.
   readonly originals = new Map<string, CaseInfo>();
   readonly sights: Sights;
-  /// Classes of regimes that are not drawn.
+  /// Classes of regimes hidden by the user.
   hidden: ReadonlySet<number> = new Set();
-  /// The units are still to be those that suit the machine.
+  /// True until units that suit the machine are chosen.
   unitsAwaited = false;
 
   constructor(
@@ -82,7 +81,7 @@ export class Session {
     });
   }
 
-  /// The engine is gone; what it has found stays.
+  /// Handles the loss of the engine; its results stay.
   lose(): void {
     this.sights.stop();
     this.refined?.stop();
@@ -99,74 +98,74 @@ export class Session {
     return this.sights.first?.diagram?.span ?? plannedRange(this.original, this.address.parameter);
   }
 
-  /// The side that the reader works at.
+  /// The active side.
   get side(): SideModel {
     return this.sides[this.active];
   }
 
-  /// The case as it is written, once the engine has read it.
+  /// The case without changes, once the engine has read it.
   get original(): CaseInfo | undefined {
     return this.originals.get(this.machine.name);
   }
 
-  /// What is stored of a machine whose motions are not followed; undefined of all others.
+  /// Stored results of a machine at rest; undefined for motions.
   get atRest(): AtRest | undefined {
     const { run } = this;
     if (!this.resting.has(run)) this.resting.set(run, AtRest.of(run));
     return this.resting.get(run);
   }
 
-  /// The parts of the machine's result; none where live views show all of it.
+  /// Parts of the machine's result; none if live views show everything.
   get parts(): readonly Part[] {
     return partsOf(this.machine.run);
   }
 
-  /// The part that is looked at.
+  /// The visible part.
   get part(): Part | undefined {
     return partOf(this.machine.run, this.address.part);
   }
 
-  /// What is stored of the machine; in a part, with the tables of its live view alone.
+  /// The stored run of the machine; within a part, only with the tables of its live view.
   get run(): Run | undefined {
     return this.part?.run ?? this.machine.run;
   }
 
-  /// Whether motions are shown, which the engine computes.
+  /// True if motions are shown, which the engine computes.
   get moves(): boolean {
     return !this.atRest && (this.part?.view ?? 'motions') === 'motions';
   }
 
-  /// What to try first.
+  /// Introduction: what to try first.
   get intro(): string {
     const { part, machine } = this;
     return part ? introOfPart(part) : machine.intro;
   }
 
-  /// The planes of the map that is stored of the machine; undefined where there is none.
+  /// Planes of the machine's stored map; undefined without one.
   get planes(): MapPlanes | undefined {
     const { run } = this;
     if (!this.maps.has(run)) this.maps.set(run, MapPlanes.of(run));
     return this.maps.get(run);
   }
 
-  /// Which of them is nearest to where the active side is.
+  /// The plane nearest to the active side.
   get plane(): number {
     const { planes, side } = this;
     return planes?.parameter ? planes.nearest(this.valueOf(side, planes.parameter)) : 0;
   }
 
-  /// The plane of the map that the active side is in; undefined where there is no map.
+  /// The map's plane of the active side; undefined without a map.
   get map(): ParameterMap | undefined {
     return this.planes?.at(this.plane);
   }
 
-  /// Finer cells of the map that were computed; undefined where there are none.
+  /// Computed finer cells of the map; undefined without any.
   get refinement(): MapRefinement | undefined {
     return this.refined?.map === this.map ? this.refined : undefined;
   }
 
-  /// Computes finer cells of a part of the map in place of other ones; without a part no more are computed. They are of
-  /// the machine as it stands, by the method of the run.
+  /// Computes finer cells of a part of the map, which replace earlier ones; without a part it stops. Cells are of the
+  /// unchanged machine, by the method of the run.
   refineMap(part: MapPart | undefined): void {
     const { map, engine, mapTable: table } = this;
     this.refined?.stop();
@@ -199,7 +198,7 @@ export class Session {
     return this.run?.tables.find((each) => each.map);
   }
 
-  /// The value that a side gives a parameter, in SI.
+  /// Returns the value of a parameter at a side, in SI.
   valueOf({ choice, info, following }: SideModel, name: string): number {
     if (name === this.address.parameter && Number.isFinite(choice.value)) return choice.value;
     const text = choice.assignments.get(name);
@@ -208,13 +207,13 @@ export class Session {
     return known?.expression ? (following.get(name) ?? known.value) : this.ownValue(name);
   }
 
-  /// The value that the case gives a parameter, in SI.
+  /// Returns the value of a parameter in the case, in SI.
   private ownValue(name: string): number {
     const has = (parameter: { readonly name: string }) => parameter.name === name;
     return this.original?.parameters.find(has)?.value ?? this.run?.parameters.find(has)?.value ?? NaN;
   }
 
-  /// Puts a side where parameters have these values: the one along the diagram there, all others by assignments.
+  /// Moves a side to parameter values: the parameter along the diagram by the cursor, all others by assignments.
   place(side: SideModel, values: readonly (readonly [string, number])[]): void {
     const assignments = new Map(side.choice.assignments);
     let { value } = side.choice;
@@ -224,7 +223,7 @@ export class Session {
     side.choice = { assignments, value };
   }
 
-  /// The cut of the map that the active side is at; undefined where the diagram runs along neither of its parameters.
+  /// The map's cut at the active side; undefined if the diagram's parameter is none of the map's.
   private get cut(): Cut | undefined {
     const { map, side } = this;
     const { parameter } = this.address;
@@ -236,7 +235,7 @@ export class Session {
     });
   }
 
-  /// Shows the cut that the active side is at in place of another.
+  /// Shows the cut at the active side, if another one is visible.
   followMap(): void {
     const { cut } = this;
     if (!cut || cut.key === this.cutKey) return;
@@ -245,7 +244,7 @@ export class Session {
     this.openParameter(this.sights.first?.diagram?.parameter === this.address.parameter ? shown?.range : undefined);
   }
 
-  /// The branches and tori that are stored of the machine as it stands, over the parameter of the diagram.
+  /// Stored branches and tori of the unchanged machine, over the parameter of the diagram.
   private get followed(): { readonly branches: Branches | undefined; readonly tori: Tori | undefined } {
     const { run } = this;
     const { parameter } = this.address;
@@ -262,13 +261,13 @@ export class Session {
     return this.followed.tori;
   }
 
-  /// The orbit that a choice is of; undefined of motions, and of orbits that there are not: branches are of the machine
-  /// as it stands.
+  /// Returns the orbit of a choice; undefined for motions, and for orbits without data: branches belong to the
+  /// unchanged machine.
   orbitOf({ orbit, assignments }: Side): OrbitOfBranch | undefined {
     return orbit === undefined || assignments.size > 0 ? undefined : this.branches?.orbit(orbit);
   }
 
-  /// What an address says of orbits, as far as there are such.
+  /// Drops orbits of an address that do not exist.
   checkOrbits(): void {
     for (const side of Object.values(this.sides)) {
       const { assignments, value } = side.choice;
@@ -277,7 +276,7 @@ export class Session {
     }
   }
 
-  /// What the engine is asked to follow an orbit with: the method that found it, and no other wish of the reader's.
+  /// Makes the request for an orbit: with the method that found it, without the user's options.
   orbitRequest(orbit: OrbitOfBranch): OrbitRequest {
     const { value, revolutions, period, nodes } = orbit;
     const { text, caseName, run } = this.machine;
@@ -299,7 +298,7 @@ export class Session {
     return scalesOf(info?.lengthScale ?? run?.length_scale ?? 1, info?.speed ?? run?.speed ?? 1, this.stations);
   }
 
-  /// Index of the station that is shown: without a choice the first one with a probe.
+  /// Index of the visible station; by default the first one with a probe.
   get station(): number {
     const { station } = this.address;
     const probed = [...(this.run?.tables ?? []), ...(this.machine.run?.tables ?? [])].flatMap(({ probes_at: names }) =>
@@ -332,7 +331,7 @@ export class Session {
       : undefined;
   }
 
-  /// Where the cursor begins.
+  /// Initial value of the cursor.
   get firstValue(): number {
     const opening = this.run?.opening;
     if (opening?.parameter && opening.parameter === this.address.parameter && !this.map) return opening.value!;
@@ -343,7 +342,7 @@ export class Session {
     return this.address.b ? ['a', 'b'] : ['a'];
   }
 
-  /// What the engine is asked to compute with.
+  /// Returns the setting of a side for the engine.
   settingOf(side: SideModel): Setting {
     return {
       text: this.machine.text,
@@ -353,8 +352,8 @@ export class Session {
     };
   }
 
-  /// A text of the parameter along the diagram in SI, as the engine reads it; the sentence that refuses it, or
-  /// undefined where something else was asked meanwhile.
+  /// Lets the engine read a text of the diagram's parameter. Returns the value in SI, the sentence of a rejection, or
+  /// undefined if a newer request has overtaken this one.
   async spokenValue(name: SideName, text: string): Promise<number | string | undefined> {
     const { parameter } = this.address;
     const setting = this.settingOf(this.sides[name]);
@@ -364,12 +363,12 @@ export class Session {
     return told.value.parameters.find((each) => each.name === parameter)?.value;
   }
 
-  /// What the engine has refused, as the reader is told.
+  /// Returns a rejection of the engine in the words of the page.
   inWords(refused: string): string {
     return inWordsOfPage(refused, this.original?.parameters ?? []);
   }
 
-  /// Puts the first cursor where it begins, unless it is somewhere.
+  /// Moves the first cursor to its initial value, unless it has one.
   chooseValue(): void {
     const { a } = this.sides;
     if (Number.isFinite(a.choice.value) || this.part?.view === '') return;
@@ -387,7 +386,7 @@ export class Session {
     this.enterPlane(a);
   }
 
-  /// Shows the motion that the run has stored of where the page opens, unless another one is asked for.
+  /// Shows the stored opening motion, unless another one is requested.
   openStored(): void {
     const { run } = this;
     if (!run?.opening || !this.moves) return;
@@ -396,7 +395,7 @@ export class Session {
     if (this.isOpening(a)) a.showStored(storedMotion(run, run.opening));
   }
 
-  /// Whether a side is where the page opens, of the machine and by the method of the run.
+  /// Returns true if a side is at the opening motion, with the machine and the method of the run.
   private isOpening({ choice }: SideModel): boolean {
     const { opening } = this.run ?? {};
     const own = choice.assignments.size === 0 && choice.orbit === undefined;
@@ -405,14 +404,14 @@ export class Session {
     return opening.parameter === this.address.parameter && choice.value === opening.value;
   }
 
-  /// Gives a side the third parameter of the plane that is shown, unless it has it.
+  /// Assigns the third parameter of the visible plane to a side, unless it has that value.
   enterPlane(side: SideModel): void {
     const plane = this.map?.plane;
     if (plane && !(Math.abs(this.valueOf(side, plane.parameter) - plane.value) <= 1e-9 * Math.abs(plane.value)))
       this.place(side, [[plane.parameter, plane.value]]);
   }
 
-  /// The first sight: the stored diagram, or an empty one over the range of the sweep.
+  /// Opens the first sight: the stored diagram, or an empty one over the range of the sweep.
   openParameter(view = this.address.range): void {
     const { run } = this;
     const swept = sweptParameter(this.original, run?.tables[0]?.parameter);
@@ -430,14 +429,14 @@ export class Session {
     this.sights.open({ diagram, range, of: assignments.join('; '), text, how: howOf({ assignments }) });
   }
 
-  /// Along which a diagram may run: without the engine those that are stored.
+  /// Possible parameters of a diagram; without the engine only those with stored diagrams.
   get parameterNames(): readonly string[] {
     const { map, original } = this;
     const stored = map ? [map.x.parameter, map.y.parameter] : [this.address.parameter];
     return original?.parameters.map(({ name }) => name) ?? stored;
   }
 
-  /// What the map of the machine is, in a sentence.
+  /// A sentence that describes the map of the machine.
   get mapText(): string {
     const { map } = this;
     const { mapTable: table } = this;
@@ -473,14 +472,14 @@ export class Session {
     );
   }
 
-  /// An address that names no units leaves them to the machine.
+  /// Reads the units of the address; without units in it they are chosen for the machine.
   readUnits(): void {
     this.unitsAwaited = false;
     if (!location.hash.includes('units=')) this.suitUnits(this.run?.length_scale);
   }
 
-  /// Units that the run asks for, else those that suit a length scale [m]; of a machine whose scale is not known they
-  /// are chosen when it is.
+  /// Chooses the units of the run, else those that suit a length scale [m]; if the scale is unknown, the choice is made
+  /// later.
   suitUnits(lengthScale: number | undefined): void {
     this.unitsAwaited = lengthScale === undefined;
     if (lengthScale === undefined) return;
@@ -489,7 +488,7 @@ export class Session {
     this.address.units = { ...unitsFor(lengthScale, this.address.units), ...unitsOfWords(words) };
   }
 
-  /// As it stands in the address of the page.
+  /// Returns the state in the form of the page's address.
   currentAddress(): Address {
     const view = this.sights.shown?.range;
     const { whole } = this;

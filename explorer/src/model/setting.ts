@@ -1,5 +1,4 @@
-// What the reader has set, as it stands in the address of the page. What an address holds is checked: it may come by
-// mail.
+// Settings of the user in the address of the page. Contents of an address are checked: it may come from anywhere.
 import { MAP_QUANTITIES } from '../data/map_quantities';
 import { OF_A_FIELD, QUANTITIES } from '../data/quantities';
 import type { Units } from './units';
@@ -9,14 +8,14 @@ export type Assignments = ReadonlyMap<string, string>;
 
 export interface Side {
   readonly assignments: Assignments;
-  /// Of the parameter along the diagram, in SI; NaN before one is chosen.
+  /// Value of the parameter along the diagram, in SI; NaN before the first choice.
   readonly value: number;
-  /// The point of the stored branches whose orbit is looked at, in place of a motion; its value is that of the side.
+  /// The branch point whose orbit is shown in place of a motion; the side has its value.
   readonly orbit?: number;
 }
 
-/// The whole numbers of how motions are computed that the reader may change: the name in an address, the option, what
-/// stands beside its field, and what it may be.
+/// Integer options of the computation that the user may change: name in an address, option, label of its field, and
+/// limits.
 export const LENGTHS_OF_RUNS = [
   { key: 'steps', option: 'steps_per_revolution', label: 'Steps per revolution', low: 8, high: 65536 },
   { key: 'transient', option: 'transient', label: 'Transient, revolutions', low: 0, high: 1_000_000 },
@@ -24,40 +23,40 @@ export const LENGTHS_OF_RUNS = [
 ] as const;
 export type LengthKey = (typeof LENGTHS_OF_RUNS)[number]['key'];
 
-/// Changes of how motions are computed; absent: as the case says.
+/// Changed options of the computation; absent: as in the case.
 export type Computation = { readonly method?: string } & { readonly [K in LengthKey]?: number };
 
-/// As options of the engine and keys of `study.integrate`.
+/// Returns the changes as options of the engine, which are also keys of `study.integrate`.
 export function computationOptions({ method, ...lengths }: Computation): Record<string, string | number> {
   const options: Record<string, string | number> = method ? { method } : {};
   for (const { key, option } of LENGTHS_OF_RUNS) if (lengths[key] !== undefined) options[option] = lengths[key];
   return options;
 }
 
-/// What is looked at of a machine at rest.
+/// Settings of the view of a machine at rest.
 export interface RestChoice {
-  /// From 0 on, by rising frequency.
+  /// Selected mode, from 0, by rising frequency.
   readonly mode: number;
-  /// Logarithmic decrements in place of damping ratios.
+  /// True for logarithmic decrements in place of damping ratios.
   readonly decrement: boolean;
-  /// All modes that there are, in place of those that the speed comes near to.
+  /// True for all modes, not only those near the range of speeds.
   readonly all: boolean;
-  /// Degrees from the x axis of the first probe; undefined: as the case says.
+  /// Angle of the first probe in degrees from the x axis; undefined: as in the case.
   readonly probe: number | undefined;
 }
 
 export interface Address {
   /// Name of the run or preset, "" for the first one.
   run: string;
-  /// The part of its contents, "" for the one that is shown by itself.
+  /// The part of its contents, "" for the default.
   part: string;
   parameter: string;
   a: Side;
   b: Side | undefined;
   quantity: string;
-  /// What a map shows; "": what it does by itself.
+  /// Quantity of the map; "": the default.
   mapQuantity: string;
-  /// Whether a map has lines where regimes meet.
+  /// True if the map shows borders between regimes.
   mapLines: boolean;
   station: string;
   range: readonly [number, number] | undefined;
@@ -103,7 +102,7 @@ function readSide(all: URLSearchParams, value: string, set: string, on: string):
   return { assignments, value: number(all.get(value)), ...(orbit === undefined ? {} : { orbit: orbit - 1 }) };
 }
 
-/// The point of the branches by its number in tables of the result, from 1.
+/// Returns the number of a branch point in tables of the result, from 1.
 function numberOf({ orbit }: Side): number | undefined {
   return orbit === undefined ? undefined : orbit + 1;
 }
@@ -118,13 +117,13 @@ function readComputation(all: URLSearchParams): Computation {
   return Object.fromEntries(parts.filter(([, part]) => part !== undefined));
 }
 
-/// One of the list, of `others`, or the name of a field.
+/// Reads the name of a quantity: one of the list, of `others`, or a field.
 function readQuantity(text: string | null, others: readonly string[], fallback: string): string {
   if (text && OF_A_FIELD.test(text)) return text;
   return oneOf(text, [...others, ...QUANTITIES.map(({ id }) => id)], fallback);
 }
 
-/// `fallback` says which units hold where the address names none.
+/// Reads an address; `fallback`: units of an address that names none.
 export function readAddress(hash: string, fallback: Units): Address {
   const all = new URLSearchParams(hash.replace(/^#/, ''));
   const [low, high] = (all.get('range') ?? '').split(',').map(number);
@@ -189,7 +188,7 @@ export function writeAddress(address: Address): string {
   return `#${all.toString()}`;
 }
 
-/// As the engine and the command take them.
+/// Returns the assignments in the form of the engine and the command.
 export function assignmentTexts(assignments: Assignments): string[] {
   return Array.from(assignments, ([name, text]) => `${name}=${text}`);
 }

@@ -1,9 +1,9 @@
-// One of the two settings that the page compares: what the reader chose, and what the engine makes of it.
+// One of the two compared settings: the user's choice, and the engine's results.
 import type { CaseInfo, Engine, MotionResult, OrbitRequest, Outcome, Setting } from '../engine/protocol';
 import { LivePoint, type Wish } from './live';
 import type { Side } from './setting';
 
-/// While the cursor moves, motions are this long at most.
+/// Limits of a motion while the cursor moves.
 const PREVIEW = { transient: 60, record: 40, stepsPerRevolution: 0 } as const;
 
 export interface SideListener {
@@ -14,19 +14,19 @@ export class SideModel {
   choice: Side = { assignments: new Map(), value: NaN };
   /// The case with the assignments in force.
   info: CaseInfo | undefined;
-  /// The values of its parameters, in SI, where some of them follow from the one along the diagram.
+  /// Values of parameters in SI, if some of them depend on the one along the diagram.
   following: ReadonlyMap<string, number> = new Map();
   result: MotionResult | undefined;
-  /// The result is of a shortened motion.
+  /// True if the result is a preview.
   preview = false;
-  /// The result is what the run has stored.
+  /// True if the result is stored in the run.
   stored = false;
-  /// What the result is of.
+  /// The choice to which the result belongs.
   resultOf: Side | undefined;
   trouble = '';
-  /// The result is not of the present setting, which cannot be computed.
+  /// True if the result belongs to an earlier setting, because the present one cannot be computed.
   outdated = false;
-  /// The case with the assignments cannot be computed.
+  /// True if the case with the assignments is invalid.
   private bad = false;
   private live: LivePoint | undefined;
 
@@ -42,7 +42,7 @@ export class SideModel {
     return this.live?.busy ?? false;
   }
 
-  /// Reads the case with the assignments; false where it is bad, or overtaken.
+  /// Reads the case with the assignments; returns false if it is invalid, or a newer request has overtaken this one.
   async describe(setting: Setting): Promise<boolean> {
     if (!this.engine) return false;
     const outcome = await this.engine.describe(setting, { lane: `describe-${this.name}`, priority: 0 });
@@ -61,7 +61,7 @@ export class SideModel {
     return false;
   }
 
-  /// Finds what follows from the value along the diagram, which is spoken as an assignment.
+  /// Finds the parameters that depend on the value along the diagram, which `spoken` gives as an assignment.
   async follow(setting: Setting, spoken: string): Promise<void> {
     const told = await this.describeAt(setting, spoken, 'follow');
     if (!told?.ok) return;
@@ -69,14 +69,14 @@ export class SideModel {
     this.listener.changed();
   }
 
-  /// Something was typed that is no setting.
+  /// Reports a typed text that is not a value.
   refuse(sentence: string): void {
     this.trouble = sentence;
     this.outdated = true;
     this.listener.changed();
   }
 
-  /// Asks for the motion at the side's value; `spoken` is that value as an assignment in the unit that the reader sees.
+  /// Requests the motion at the side's value; `spoken` is that value as an assignment in the shown unit.
   want(setting: Setting, parameter: string, settled: boolean, spoken: string): void {
     if (!this.live || this.bad) return;
     this.trouble = '';
@@ -94,7 +94,7 @@ export class SideModel {
     this.listener.changed();
   }
 
-  /// Asks for an orbit along a branch.
+  /// Requests an orbit along a branch.
   wantOrbit(request: OrbitRequest): void {
     if (!this.live || this.bad) return;
     this.trouble = '';
@@ -102,7 +102,7 @@ export class SideModel {
     this.listener.changed();
   }
 
-  /// Shows what the run has stored of the present choice.
+  /// Shows the stored result of the present choice.
   showStored(result: MotionResult): void {
     this.result = result;
     this.resultOf = this.choice;
@@ -110,7 +110,7 @@ export class SideModel {
     this.listener.changed();
   }
 
-  /// The engine is gone; what it has found stays.
+  /// Handles the loss of the engine; its results stay.
   lose(): void {
     this.engine = this.live = undefined;
     this.trouble = '';
@@ -143,7 +143,8 @@ export class SideModel {
     this.listener.changed();
   }
 
-  /// What cannot be computed was said in SI: the case says it of the value as the reader sees it.
+  /// Asks the engine again for the message of a failed request with the value in the shown unit, since the request was
+  /// in SI.
   private async speak({ request, of, spoken }: Wish): Promise<void> {
     const told = spoken ? await this.describeAt(request.setting, spoken, 'speak') : undefined;
     if (!told || told.ok || told.why === 'stale' || of !== this.choice) return;

@@ -1,4 +1,4 @@
-// The diagrams that were looked at, one behind the other, and the one that is being computed.
+// History of visible diagrams (sights), and the diagram that is being computed.
 import type { Diagram } from '../data/diagram';
 import type { Engine, Setting, SweepProgress } from '../engine/protocol';
 import { awaitedDiagram, finerDiagram, recompute, type Pass, type Plan } from './recompute';
@@ -8,23 +8,23 @@ type Range = readonly [number, number];
 export interface Sight {
   readonly diagram: Diagram | undefined;
   readonly range: Range;
-  /// The assignments that it was computed with.
+  /// The assignments with which it was computed.
   readonly of: string;
   readonly text: string;
-  /// What it was computed with, as `howOf` says.
+  /// Its setting, in the form of `howOf`.
   readonly how: string;
   /// Points before the first refinement.
   readonly coarse?: number;
-  /// On finer points, "" where there are none.
+  /// Note on finer points, or "".
   readonly note?: string;
 }
 
-/// What a diagram's points share: those of another setting do not go with them.
+/// Returns the common setting of a diagram's points; points of other settings cannot be added.
 export function howOf({ assignments, options }: Partial<Setting>): string {
   return JSON.stringify([assignments ?? [], options ?? {}]);
 }
 
-/// How well a diagram is computed.
+/// Quality of a diagram's computation.
 export type Quality = 'draft' | 'quick' | 'case';
 
 const MAX_LEFT = 16;
@@ -44,7 +44,7 @@ const QUICK: Pass = {
 };
 const WHOLE: Pass = { text: 'now at full length, the doubtful ones first', doubtful: true };
 
-/// Coarse to fine: something is seen at once, and no verdict is given that a longer run may take back.
+/// Passes of each quality, coarse to fine: points are visible soon, and verdicts are final.
 const PASSES: Readonly<Record<Quality, readonly Pass[]>> = {
   draft: [GLIMPSE, DRAFT],
   quick: [GLIMPSE, QUICK, WHOLE],
@@ -52,21 +52,21 @@ const PASSES: Readonly<Record<Quality, readonly Pass[]>> = {
 };
 
 export interface SightsListener {
-  /// Another diagram or range is shown.
+  /// Called after another diagram or range is shown.
   changed(): void;
-  /// The diagram that is shown has more points.
+  /// Called after the visible diagram has got more points.
   grown(): void;
   progress(now: SweepProgress | undefined): void;
 }
 
 export class Sights {
-  /// Of the diagram that is being computed.
+  /// Progress of the diagram that is being computed.
   progress: SweepProgress | undefined;
   private stack: Sight[] = [];
-  /// Those that were gone back from, for the way forward.
+  /// Sights left by going back, for going forward.
   private left: Sight[] = [];
   private sweeping: AbortController | undefined;
-  /// What is being computed are finer points of a diagram.
+  /// True while finer points of a diagram are being computed.
   private refining = false;
 
   constructor(
@@ -74,7 +74,7 @@ export class Sights {
     private readonly listener: SightsListener,
   ) {}
 
-  /// The one that is shown; undefined before a machine is open.
+  /// The visible sight; undefined before a machine is open.
   get shown(): Sight | undefined {
     return this.stack.at(-1);
   }
@@ -83,19 +83,19 @@ export class Sights {
     return this.stack[0];
   }
 
-  /// How many lie behind the one that is shown.
+  /// Number of sights behind the visible one.
   get behind(): number {
     return Math.max(0, this.stack.length - 1);
   }
 
-  /// Begins with `sight`, or with nothing.
+  /// Starts a new history with `sight`, or empty.
   open(sight?: Sight): void {
     this.stack = sight ? [sight] : [];
     this.left = [];
     this.listener.changed();
   }
 
-  /// Moves the view, which is never wider than three times the `whole` range.
+  /// Moves the view, which is at most three times as wide as the `whole` range.
   view(range: Range, whole: Range): void {
     const { shown } = this;
     const span = Math.min(range[1] - range[0], 3 * (whole[1] - whole[0]));
@@ -104,7 +104,7 @@ export class Sights {
     this.listener.changed();
   }
 
-  /// Shows a part of the same diagram; the view before stays behind it.
+  /// Shows a part of the same diagram; the earlier view stays in the history.
   enlarge(range: Range): void {
     if (!this.shown) return;
     this.stack.push({ ...this.shown, range });
@@ -118,12 +118,12 @@ export class Sights {
     this.listener.changed();
   }
 
-  /// Takes away all from one on.
+  /// Removes all sights from an index on.
   private leave(from: number): void {
     this.left = [...this.stack.splice(from).reverse(), ...this.left].slice(0, MAX_LEFT);
   }
 
-  /// Shows a range that was shown before: the diagram that was looked at there, else that part of the present one.
+  /// Shows an earlier range: the diagram of that sight, else that part of the present diagram.
   restore(range: Range, whole: Range): void {
     const shows = (sight: Sight) =>
       sight.range.every((end, i) => Math.abs(end - range[i]!) < 1e-6 * (range[1] - range[0]));
@@ -139,7 +139,7 @@ export class Sights {
     this.listener.changed();
   }
 
-  /// Back to the first one, all of it.
+  /// Returns to the first sight with its whole range.
   reset(whole: Range): void {
     this.stop();
     const { first } = this;
@@ -149,13 +149,13 @@ export class Sights {
     this.listener.changed();
   }
 
-  /// Ends the computation of a diagram; what there is of it stays.
+  /// Ends the computation of a diagram; computed points stay.
   stop(): void {
     this.sweeping?.abort();
   }
 
-  /// Computes a diagram; the one before stays behind it, unless this is to be the first. Gives the sentence of what
-  /// went wrong, "" when nothing did or it was overtaken.
+  /// Computes a diagram; the earlier one stays in the history, unless `first`. Returns an error message, or "" after
+  /// success or if overtaken.
   async compute(plan: Plan, quality: Quality, of: string, first: boolean): Promise<string> {
     if (!this.engine) return '';
     this.stop();
@@ -168,15 +168,15 @@ export class Sights {
     }));
   }
 
-  /// Whether a whole diagram is being computed.
+  /// True while a whole diagram is being computed.
   private get computing(): boolean {
     return this.sweeping !== undefined && !this.refining && !this.sweeping.signal.aborted;
   }
 
-  /// Adds finer points to the diagram that is shown, in its range, where that is a part of it; they stay with it.
+  /// Adds finer points to the visible diagram, in the visible range if that is a part of it.
   async refine(plan: Plan, quality: Quality): Promise<string> {
     if (!this.engine || this.computing) return '';
-    this.stop(); // finer points of another range
+    this.stop(); // a refinement of another range may be running
     const { shown } = this;
     if (!shown?.diagram || shown.how !== howOf(plan.setting)) return '';
     const finer = finerDiagram(plan, shown.diagram);
@@ -191,7 +191,7 @@ export class Sights {
     }));
   }
 
-  /// Computes the points of a plan in passes; `say` puts what is being done into the texts of its sights.
+  /// Computes the points of a plan in passes; `say` writes the progress into the texts of its sights.
   private async fill(
     plan: Plan,
     quality: Quality,

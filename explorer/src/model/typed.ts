@@ -1,7 +1,7 @@
-// Numbers as hands type them.
+// Reading of typed numbers.
 
-/// The number, or the sentence that says why it is none. A comma may part thousands or decimals: it is not guessed
-/// which.
+/// Returns the number, or a sentence why the text is not one. A comma is rejected, since it may separate thousands or
+/// decimals.
 export function typedNumber(text: string): number | string {
   const plain = text.trim().replace('\u2212', '-');
   if (plain === '') return 'expected a number';
@@ -18,13 +18,13 @@ export function typedNumber(text: string): number | string {
     : `${plain} is not a number`;
 }
 
-/// A number with the unit that stands behind it, "" where none does.
+/// A number with its unit, "" without one.
 export interface Quantity {
   readonly value: number;
   readonly unit: string;
 }
 
-/// The same for "6000 rpm", "0.2 mm" or a plain number; what the unit means is the engine's to say.
+/// Reads "6000 rpm", "0.2 mm" or a plain number; the engine interprets the unit.
 export function typedQuantity(text: string): Quantity | string {
   const [, figures = text, unit = ''] =
     /^\s*([-+\u2212]?[\d.,]+(?:e[-+]?\d+)?)\s*([^\d\s.,+-][^\r\n]*?)?\s*$/i.exec(text) ?? [];
@@ -32,14 +32,14 @@ export function typedQuantity(text: string): Quantity | string {
   return typeof value === 'string' ? value : { value, unit };
 }
 
-/// The same for a whole number from `low` to `high`.
+/// Reads a whole number from `low` to `high`.
 export function typedWhole(text: string, low: number, high: number): number | string {
   const value = typedNumber(text);
   if (typeof value === 'string' || (Number.isInteger(value) && value >= low && value <= high)) return value;
   return `${text.trim()} is not a whole number from ${low} to ${high}`;
 }
 
-/// Marks a field whose text was refused, and one that is good again.
+/// Marks a field whose text is rejected, or removes the mark.
 export function markField(field: HTMLInputElement, refused: boolean): void {
   if (refused) field.setAttribute('aria-invalid', 'true');
   else field.removeAttribute('aria-invalid');

@@ -1,4 +1,4 @@
-// How numbers are shown. The engine speaks in length scales, orders and SI; the reader chooses.
+// Units of displayed numbers. The engine uses length scales, orders and SI; the user chooses the units.
 
 export type LengthUnit = 'um' | 'mil' | 'scale';
 export type SpeedUnit = 'rpm' | 'rad/s';
@@ -15,17 +15,18 @@ export interface Units {
 
 export const RPM = 60 / (2 * Math.PI);
 
-/// What lengths and speeds are measured against.
+/// Scales of lengths and speeds.
 export interface Scales {
   /// m per length scale.
   readonly length: number;
   /// rad/s
   readonly speed: number;
-  /// What the length scale is: "c" where a bearing's clearance, "gap" where a stator's, else "L".
+  /// Symbol of the length scale: "c" for a bearing's clearance, "gap" for a stator's gap, else "L".
   readonly symbol: string;
 }
 
-/// Units that suit a machine's length scale [m]: micrometres say nothing of a dimensionless case, whose scale is 1 m.
+/// Returns units that suit a machine's length scale [m]; micrometres would be meaningless for a dimensionless case,
+/// whose scale is 1 m.
 export function unitsFor(
   length: number,
   others: Pick<Units, 'frequency' | 'amplitude'> = { frequency: 'order', amplitude: '0-p' },
@@ -36,7 +37,7 @@ export function unitsFor(
     : { length: 'um', speed: 'rpm', frequency, amplitude };
 }
 
-/// What the words of a case or a report choose ("um, rpm, Hz, p-p"); of units that the page does not have the nearest.
+/// Units by the words of a case or a report ("um, rpm, Hz, p-p"); units that the page lacks map to the nearest one.
 const WORDS: Readonly<Record<string, Partial<Units>>> = {
   scale: { length: 'scale' },
   ...Object.fromEntries(['m', 'mm', 'um'].map((word) => [word, { length: 'um' }])),
@@ -48,7 +49,7 @@ const WORDS: Readonly<Record<string, Partial<Units>>> = {
   ...Object.fromEntries(['0-p', 'p-p', 'rms'].map((word) => [word, { amplitude: word }])),
 };
 
-/// Later words go before earlier ones.
+/// Reads a list of words; later words override earlier ones.
 export function unitsOfWords(words: string): Partial<Units> {
   return Object.assign({}, ...words.split(',').map((word) => WORDS[word.trim()])) as Partial<Units>;
 }
@@ -69,15 +70,15 @@ export function lengthMeasure(units: Units, scales: Scales): Measure {
   }
 }
 
-/// Of a component's amplitude that is given zero to peak.
+/// Returns the measure of a component's amplitude given zero to peak.
 export function amplitudeMeasure(units: Units, scales: Scales): Measure {
   const length = lengthMeasure(units, scales);
   const factor = { '0-p': 1, 'p-p': 2, rms: Math.SQRT1_2 }[units.amplitude];
   return { factor: length.factor * factor, unit: `${length.unit} ${units.amplitude}` };
 }
 
-/// Of the lengths of a field: its meaning says "0-p amplitude" of sinusoids, "0-p" of other distances from the centre,
-/// which are so whatever the reader chooses.
+/// Returns the measure of a field's lengths. In its meaning "0-p amplitude" marks sinusoids; "0-p" marks distances from
+/// the centre, which do not depend on the chosen amplitude unit.
 export function fieldMeasure(meaning: string, units: Units, scales: Scales): Measure {
   if (meaning.includes('0-p amplitude')) return amplitudeMeasure(units, scales);
   const { factor, unit } = lengthMeasure(units, scales);
@@ -90,19 +91,20 @@ export function frequencyMeasure(units: Units, scales: Scales): Measure {
     : { factor: 1, unit: 'orders' };
 }
 
-/// A frequency in rad/s of a machine at rest: in Hz, or in the unit of the speed beside which it stands.
+/// Returns the measure of a frequency in rad/s of a machine at rest: Hz, or the unit of the speed.
 export function naturalMeasure(units: Units): Measure {
   return units.frequency === 'Hz' ? { factor: 1 / (2 * Math.PI), unit: 'Hz' } : parameterMeasure('rad/s', units);
 }
 
-/// A parameter's value in SI, as it is shown.
+/// Returns the measure of a parameter's value in SI.
 export function parameterMeasure(unit: string, units: Units): Measure {
   if (unit === 'rad/s' || unit === 'rad s-1' || unit === 'rad.s-1')
     return units.speed === 'rpm' ? { factor: RPM, unit: 'rpm' } : { factor: 1, unit: 'rad/s' };
   return { factor: 1, unit: unit === '1' || unit === 'SI' ? '' : unit };
 }
 
-/// At most `digits` significant digits, without trailing zeros; powers of ten where they are shorter.
+/// Returns a number with at most `digits` significant digits, without trailing zeros; with a power of ten if that is
+/// shorter.
 export function shown(value: number, digits = 4): string {
   if (!Number.isFinite(value)) return '\u2013';
   if (value === 0) return '0';
@@ -116,22 +118,22 @@ export function shown(value: number, digits = 4): string {
   return plain.replace('-', '\u2212');
 }
 
-/// The same, but with all digits before the point: speeds are read so.
+/// As `shown`, but with all digits before the point, for speeds.
 export function shownWhole(value: number, digits = 4): string {
   return shown(value, Math.max(digits, Math.min(9, Math.ceil(Math.log10(Math.abs(value) || 1)))));
 }
 
-/// A sentence of the core, which writes plain ASCII for terminals, as it is read on a page.
+/// Converts a sentence of the core (ASCII for terminals) for the page.
 export function readable(sentence: string): string {
   return sentence.replaceAll('+-', '\u00b1');
 }
 
-/// The same for a text that a program reads: a plain minus.
+/// As `shown` for texts that programs read: with an ASCII minus.
 export function written(value: number, digits = 9): string {
   return String(Number(value.toPrecision(digits)));
 }
 
-/// "name (unit)", or the name alone for a plain number.
+/// Returns "name (unit)", or only the name for a plain number.
 export function labelled(name: string, unit: string): string {
   return unit ? `${name} (${unit})` : name;
 }

@@ -1,15 +1,15 @@
-// Watching a motion settle: revolutions are computed ahead and shown at the speed that was chosen.
+// Animation of a settling motion: revolutions are computed ahead and shown at the chosen speed.
 import type { Engine, StationInfo, TransientRequest, TransientResult } from '../engine/protocol';
 import type { Trail } from '../view/orbit';
 
 const SAMPLES = 64;
-/// Revolutions of a request, and those that are kept ready.
+/// Revolutions of a request, and revolutions computed ahead.
 const CHUNK = 32;
 const AHEAD = 128;
-/// Revolutions that the trail shows.
+/// Revolutions of the trail.
 const TRAIL = 1.5;
 
-/// Samples of one station, and whether anything touched.
+/// A sample of one station, and whether a contact was closed.
 interface Sample {
   readonly x: number;
   readonly y: number;
@@ -18,7 +18,7 @@ interface Sample {
 
 export class Watch {
   private readonly samples: Sample[] = [];
-  /// Samples that were dropped at the front: the number of the first one that is kept.
+  /// Number of samples dropped at the front, the index of the first kept one.
   private dropped = 0;
   private state: Float64Array | undefined;
   private per = SAMPLES;
@@ -26,7 +26,7 @@ export class Watch {
   private fetching = false;
   private stopped = false;
   private at = 0;
-  /// The last sample that was shown.
+  /// The last shown sample.
   private shown = -1;
   private before = NaN;
   private speed: number;
@@ -34,7 +34,7 @@ export class Watch {
 
   constructor(
     private readonly engine: Engine,
-    /// With the state that it begins at, or from the case's start.
+    /// Request with the initial state; without one the case's start.
     private readonly request: Omit<TransientRequest, 'revolutions' | 'samplesPerRevolution'>,
     private readonly station: StationInfo,
     private readonly contactNames: readonly string[],
@@ -111,7 +111,7 @@ export class Watch {
     const marks: number[] = [];
     for (let i = first; i <= now; i++) if ((i + this.dropped + 1) % this.per === 0) marks.push(i - first);
     const revolution = Math.floor(this.at / this.per);
-    // A touch between two frames is seen too.
+    // Contacts between two frames are shown too.
     const fresh = this.samples.slice(Math.max(first, Math.min(now, this.shown + 1 - this.dropped)), now + 1);
     this.shown = Math.floor(this.at);
     return {

@@ -1,4 +1,4 @@
-// The motions that the reader watches as they settle, at most one a side.
+// Running animations of settling motions, at most one for each side.
 import type { Trail } from '../view/orbit';
 import type { Session, SideName } from './session';
 import { Watch } from './watch';
@@ -17,7 +17,7 @@ export class Watches {
     private readonly listener: WatchesListener,
   ) {}
 
-  /// Starts or ends watching a side; where it runs, only the speed changes.
+  /// Starts or ends the animation of a side; for a running one only the speed changes.
   set(name: SideName, on: boolean, speed: number): void {
     const running = this.running[name];
     if (running && on) {
@@ -31,7 +31,7 @@ export class Watches {
     const side = this.session.sides[name];
     const { parameter } = this.session.address;
     const { value } = side.choice;
-    // An orbit is watched from its beginning: a motion leaves it where it is unstable.
+    // The animation of an orbit begins on the orbit; a motion leaves it if it is unstable.
     const nodes = this.session.orbitOf(side.choice)?.nodes;
     this.listener.playing(name, true);
     this.running[name] = new Watch(

@@ -1,17 +1,17 @@
-// What the engine refuses, in the words of the page: it speaks of places and keys of a file, the page has controls.
+// Rejections of the engine in the words of the page: the engine names places and keys of a file, the page has controls.
 import type { ParameterInfo } from '../engine/protocol';
 import { LENGTHS_OF_RUNS } from './setting';
 
-/// "FILE:LINE:COLUMN: KEY: SENTENCE"; a problem with all of the file has no key.
+/// Message of the form "FILE:LINE:COLUMN: KEY: SENTENCE"; a problem of the whole file has no key.
 const OF_FILE = /^(?:.*?:)?\d+:\d+: (?:([\w.[\]-]+): )?(.*)$/s;
 
-/// What the page calls keys that are no parameter's.
+/// Names of keys that are not parameters on the page.
 const CONTROLS: ReadonlyMap<string, string> = new Map([
   ...LENGTHS_OF_RUNS.map(({ option, label }) => [`study.integrate.${option}`, label] as const),
   ['study.integrate.method', 'Method'],
 ]);
 
-/// The control that a key of the case follows from, and what is said of it there.
+/// Returns the control on which a key of the case depends, with the sentence for it.
 function ofControl(key: string, sentence: string, parameters: readonly ParameterInfo[]): string | undefined {
   const named = CONTROLS.get(key) ?? /^parameters\.(\w+)$/.exec(key)?.[1];
   if (named) return `${named}: ${sentence}`;
@@ -23,7 +23,7 @@ function ofControl(key: string, sentence: string, parameters: readonly Parameter
   return first && `${found.map(({ name }) => name).join(', ')}: ${first.meaning} ${sentence}`;
 }
 
-/// Sentences that name no place of a file stay as they are.
+/// Converts a sentence; sentences without a place in a file are unchanged.
 export function inWordsOfPage(sentence: string, parameters: readonly ParameterInfo[]): string {
   const [, key = '', what] = OF_FILE.exec(sentence) ?? [];
   if (what === undefined) return sentence;

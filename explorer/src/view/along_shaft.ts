@@ -1,5 +1,5 @@
-// The machine as it sways in one harmonic motion: the orbits of its stations along the shaft, and both displacements
-// over the place. Stations of shafts of finite elements stand where they lie; all others follow one by one.
+// The machine in one harmonic motion: orbits of its stations along the shaft, and both displacements over the position.
+// Stations of shafts of finite elements are at their positions; the others follow with even spacing.
 import { largestOf, reachOf, senseOf, swayAt, whirlOf, WHIRL_TEXT, type Sway } from '../data/rest';
 import type { StationInfo } from '../engine/protocol';
 import { Chart, type Frame, type Range } from '../figure/chart';
@@ -13,10 +13,10 @@ import { Panel, type Table } from './panel';
 import { whirlColour, type RestSubject } from './rest_subject';
 import { key } from './waveform';
 
-/// A motion of all stations, the largest displacement of which is drawn at full size.
+/// A motion of all stations, drawn with the largest displacement at full size.
 export interface Motion {
   readonly sways: readonly Sway[];
-  /// Sizes as they are shown: "1" of a shape, micrometres of a response.
+  /// Factor to shown sizes: "1" for a shape, micrometres for a response.
   readonly factor: number;
   readonly unit: string;
   readonly text: string;
@@ -26,14 +26,14 @@ export interface SwaySubject extends RestSubject {
   readonly motion: Motion;
 }
 
-/// Where stations stand along the drawing.
+/// Positions of stations along the drawing.
 interface Layout {
-  /// [station] m, or a number where there is no shaft.
+  /// [station] m, or a count without shafts.
   readonly at: readonly number[];
-  /// Stations of one shaft, along it.
+  /// Stations of each shaft, along it.
   readonly lines: readonly (readonly number[])[];
   readonly range: Range;
-  /// m; stations beyond it lie on no shaft.
+  /// m; stations beyond it are on no shaft.
   readonly end: number;
 }
 
@@ -59,10 +59,10 @@ function reachOfAll(sways: readonly Sway[]): number {
 }
 
 const STEPS = 72;
-/// The trace ends so much before it would close, so that blank to bright is the way of the whirl.
+/// Share of the orbit that is drawn: the gap and the bright end show the direction of whirl.
 const GAP = 0.9;
 
-/// Orbits of all stations, drawn aslant.
+/// Orbits of all stations in oblique projection.
 export class ShapePanel extends Panel<SwaySubject> {
   readonly figure: Round;
 
@@ -149,7 +149,7 @@ function drawOrbit(
   pen.fill();
 }
 
-/// Names under their stations, as far as they have room.
+/// Draws names below their stations, as far as there is room.
 function drawNames(
   pen: Pen,
   stations: readonly StationInfo[],
@@ -208,7 +208,7 @@ function tableOf({ rest, motion }: SwaySubject): Table {
   };
 }
 
-/// Both displacements over the place, at the instant at which the largest one peaks and a quarter of a period later.
+/// Both displacements over the position, at the peak of the largest one and a quarter of a period later.
 export class DisplacementsPanel extends Panel<SwaySubject> {
   readonly figure: Chart;
   private stations: readonly StationInfo[] = [];
@@ -280,7 +280,7 @@ export class DisplacementsPanel extends Panel<SwaySubject> {
       }
   }
 
-  /// What lies on no shaft stands apart, by its name.
+  /// Draws stations without a shaft separately, with their names.
   private drawAside(
     pen: Pen,
     frame: Frame,
@@ -323,7 +323,7 @@ function drawDot(pen: Pen, [x, y]: readonly [number, number], radius: number, op
   pen.fillStyle = ink;
 }
 
-/// "forward, 104.2 Hz" and the like go before; this says how large the largest displacement is.
+/// Returns the text of the largest displacement, which follows a text such as "forward, 104.2 Hz".
 export function sizeText({ sways, factor, unit }: Omit<Motion, 'text'>): string {
   return `largest ${shown(reachOfAll(sways) * factor, 4)} ${unit}`.trim();
 }

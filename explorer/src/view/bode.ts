@@ -1,4 +1,4 @@
-// Bode's diagram: amplitude and lag of the response to unbalance over a parameter, as two probes see one station.
+// Bode's diagram: amplitude and lag of the response to unbalance over a parameter, at two probes of one station.
 import { largestOf, reachOf, seenBy } from '../data/rest';
 import { select, setChoices } from '../dom';
 import { Chart, isInside, type Frame } from '../figure/chart';
@@ -18,7 +18,7 @@ export interface BodeListener extends CampbellListener {
   station(index: number): void;
 }
 
-/// Amplitudes and lags of every point, in the order of the values, in the units shown.
+/// Amplitudes and lags of every point, in the order of the values, in shown units.
 export interface Response {
   readonly values: readonly number[];
   readonly points: readonly number[];
@@ -45,7 +45,7 @@ export function responseOf(subject: RestSubject): Response {
   };
 }
 
-/// Where amplitudes are larger than at both neighbours, and than a twentieth of the largest.
+/// Returns the points whose amplitude exceeds both neighbours and a twentieth of the largest.
 function peaksOf(amplitudes: readonly number[]): number[] {
   const most = largestOf(amplitudes);
   return amplitudes.flatMap((each, i) =>
@@ -184,7 +184,7 @@ export class BodeView implements RestChart {
   }
 }
 
-/// A line that breaks where it would jump by more than `most`.
+/// Draws a line that breaks at jumps of more than `most`.
 function strokeLine(
   pen: Pen,
   frame: Frame,

@@ -31,9 +31,9 @@ import {
 } from './rest_subject';
 import { Stack, type StackListener } from './stack';
 
-/// Up to how many times the highest speed frequencies are shown, unless all are.
+/// Largest frequency shown over the highest speed, unless all modes are shown.
 const ORDERS = 2;
-/// A mode of more damping answers no unbalance with a peak (amplification below 2.5, API 617): it is off the axis.
+/// Largest damping ratio on the axis: above it an unbalance response has no peak (amplification below 2.5, API 617).
 const MAX_RATIO = 0.25;
 /// CSS pixels between marks on a curve.
 const APART = 16;
@@ -174,7 +174,7 @@ export class CampbellView implements RestChart {
     const seen = rest.curves
       .flatMap((curve) => curve.map(({ mode }) => mode))
       .filter(({ frequency }) => frequency <= top);
-    // Where all modes are damped more than that, they are shown.
+    // If all modes are damped more, they are shown.
     const most = Math.max(
       MAX_RATIO,
       -1.5 *
@@ -199,7 +199,7 @@ export class CampbellView implements RestChart {
     return parameterMeasure(this.subject!.unit, this.subject!.units).factor;
   }
 
-  /// Shades where a mode grows, from threshold to threshold.
+  /// Shades ranges with a growing mode, from threshold to threshold.
   private drawUnstable(pen: Pen, frame: Frame, colours: Theme): void {
     if (!this.subject) return;
     const { rest } = this.subject;
@@ -264,7 +264,7 @@ export class CampbellView implements RestChart {
     pen.setLineDash([]);
   }
 
-  /// Gives where a mode of a point lies in the frame.
+  /// Returns a function for the position of a point's mode in the frame.
   private placer(frame: Frame, heightOf: (mode: Mode) => number): (place: Place) => readonly [number, number] {
     const { values } = this.subject!.rest.diagram;
     return ({ point, mode }) => [frame.x(values[point]! * this.valueFactor()), frame.y(heightOf(mode))];
@@ -280,7 +280,7 @@ export class CampbellView implements RestChart {
   private drawPoints(pen: Pen, frame: Frame, colours: Theme, heightOf: (mode: Mode) => number): void {
     const { rest } = this.subject!;
     const place = this.placer(frame, heightOf);
-    // Of modes that were not followed, those of one number keep their distance.
+    // Marks of modes that were not followed keep a distance, by the number of the mode.
     const lasts = new Map<number, number>();
     for (const curve of rest.curves) {
       let last = -Infinity;
@@ -297,7 +297,7 @@ export class CampbellView implements RestChart {
     }
   }
 
-  /// In pieces of one colour each.
+  /// Draws a curve in pieces of one colour.
   private drawCurve(
     pen: Pen,
     places: readonly (readonly [number, number])[],
@@ -343,8 +343,8 @@ export class CampbellView implements RestChart {
     drawLabels(pen, [...marks.reverse(), ...this.lineEnds(frame, heightOf)], frame, size, colours);
   }
 
-  /// Names of lines where they leave the frame on the right, from above: of two that end together the upper one has
-  /// its name above.
+  /// Returns the ends of lines at the right edge, from above; of two lines that end together the upper one has its name
+  /// above.
   private lineEnds(frame: Frame, heightOf: (mode: Pick<Mode, 'frequency'>) => number): Marked[] {
     const { rest } = this.subject!;
     const place = this.placer(frame, heightOf);
@@ -363,7 +363,8 @@ export class CampbellView implements RestChart {
   }
 }
 
-/// The highest frequency that is shown, rad/s: what the speed meets and what lies below twice its largest value.
+/// Returns the highest frequency shown, rad/s: above all critical speeds and all frequencies below twice the largest
+/// speed.
 export function topOf({ rest, choice }: RestSubject): number {
   const fastest = largestOf(rest.order.map((point) => Math.abs(rest.speed(point))));
   let [highest, lowest, near] = [0, Infinity, 0];
@@ -381,12 +382,12 @@ function dampingOf({ ratio, decrement }: Mode, choice: RestChoice): number {
   return choice.decrement ? decrement : ratio;
 }
 
-/// A damping ratio or decrement as it is said.
+/// Returns the text of a damping ratio or decrement.
 export function dampingText(value: number): string {
   return Math.abs(value) <= ROUNDING ? '0' : shown(value, 3);
 }
 
-/// "critical speed", with the whirl of the mode that meets it.
+/// Returns "critical speed" with the whirl of its mode.
 export function criticalText({ kind, direction }: Critical): string {
   return kind === 'critical' ? `${CRITICAL_TEXT[kind]}, ${WHIRL_TEXT[whirlOf(direction)]}` : CRITICAL_TEXT[kind];
 }

@@ -1,5 +1,4 @@
-// The shaft centreline: where the station hangs in its clearance circle on average, and the way it takes along the
-// sweep.
+// The shaft centreline: mean position of a station in its clearance circle, and its path along the sweep.
 import type { Diagram } from '../data/diagram';
 import { font, type Pen } from '../figure/pen';
 import { textSize } from '../figure/figure';
@@ -14,7 +13,7 @@ export function attitude(x: number, y: number, clockwise: boolean): number {
   return (Math.atan2(clockwise ? -x : x, -y) * 180) / Math.PI;
 }
 
-/// The clearance of a point's own machine in its length scales, NaN where there is no bearing.
+/// Returns the clearance of a point's machine in its length scales; NaN without a bearing.
 function clearanceOf(diagram: Diagram, point: number, station: number): number {
   return (
     diagram.number(point, FIELD.ORBIT_MAX_RADIUS, station) / diagram.number(point, FIELD.ORBIT_ECCENTRICITY, station)
@@ -51,7 +50,7 @@ export class CentrelinePanel extends Panel {
       ],
       rows: Array.from(diagram?.values ?? [], (value, i) => {
         const [mx, my] = [x?.data[i] ?? NaN, y?.data[i] ?? NaN];
-        // Each point's in the length scale of its own machine.
+        // Numbers of each point are in the length scale of its own machine.
         const { factor } = lengthMeasure(units, { ...scales, length: diagram!.lengthScales[i]! });
         return [
           value,
@@ -119,7 +118,7 @@ export class CentrelinePanel extends Panel {
     diagram.values.forEach((_, point) => {
       const [mx, my] = [x.data[point]!, y.data[point]!];
       if (!diagram.done[point] || !Number.isFinite(mx)) return;
-      // In length units at its true size in this machine's clearance; in length scales beside those of its own.
+      // In length units a point has its true size; in length scales it is relative to its own machine.
       const size = units.length === 'scale' ? 1 : diagram.lengthScales[point]! / scales.length;
       const [px, py] = place(mx * size, my * size);
       pen.fillStyle = colours.classes[diagram.classes[point]!]!;

@@ -1,4 +1,4 @@
-// Statements, sheets and figures of a part of a result, none of them known by its name, and the list of contents.
+// Statements, sheets and figures of a part of a result, whatever their names, and the list of contents.
 import { headingOf, piecesOf, type Part, type Sheet, type Statement } from '../data/contents';
 import { button, download, el } from '../dom';
 import { hasSpots, pictureOfDescribed, tableOfDescribed, type Described } from '../figure/described';
@@ -7,16 +7,16 @@ import { csvOf, fileName, saveMenu } from './panel';
 
 export interface DocumentListener {
   part(id: string): void;
-  /// A station was chosen in a drawing.
+  /// Called after a station was chosen in a drawing.
   station(name: string): void;
 }
 
-/// The station of a drawing's part that an event is at.
+/// Returns the station of the drawing's part at an event.
 function stationAt({ target }: Event): string | undefined {
   return target instanceof Element ? target.closest<SVGElement>('[data-station]')?.dataset['station'] : undefined;
 }
 
-/// Parts of a drawing that show stations are buttons.
+/// Makes parts of a drawing that show stations act as buttons.
 function listen(frame: HTMLElement, chosen: (station: string) => void): void {
   frame.addEventListener('click', (event) => {
     const station = stationAt(event);
@@ -31,7 +31,7 @@ function listen(frame: HTMLElement, chosen: (station: string) => void): void {
   });
 }
 
-/// A card with the picture, its caption, and what can be taken away.
+/// Makes a card with a picture, its caption, and menus to save it.
 function figureCard(figure: Described, chosen: (station: string) => void): HTMLElement {
   const picture = pictureOfDescribed(figure);
   const seen = hasSpots(figure) ? pictureOfDescribed(figure, true) : picture;
@@ -69,7 +69,7 @@ function card(
   );
 }
 
-/// The numbers of a sheet in the units of its columns, with all their digits.
+/// Returns the numbers of a sheet as CSV, in the units of its columns with all digits.
 function csvOfSheet({ columns, rows }: Sheet): string {
   const plain = (cell: Sheet['rows'][number][number], c: number): string =>
     typeof cell === 'number'
@@ -80,7 +80,7 @@ function csvOfSheet({ columns, rows }: Sheet): string {
   return csvOf({ heading: columns.map(headingOf), rows: rows.map((row) => row.map(plain)) });
 }
 
-/// Columns without a cell are left out.
+/// Makes the card of a sheet; empty columns are left out.
 function sheetCard(sheet: Sheet): HTMLElement {
   const { table, name, title, about, columns, shown } = sheet;
   const kept = columns.map((_, c) => c).filter((c) => shown.some((row) => row[c] !== ''));
@@ -126,7 +126,7 @@ export class DocumentView {
 
   constructor(private readonly listener: DocumentListener) {}
 
-  /// Shows a part; without one there is nothing.
+  /// Shows a part, or nothing.
   show(parts: readonly Part[], part: Part | undefined): void {
     this.root.hidden = this.contents.hidden = part === undefined;
     if (!part || part === this.shown) return;
@@ -139,7 +139,7 @@ export class DocumentView {
     ]);
     const told = found.length > 0 ? [card(FOUND, [], statements)] : [];
     const figures = part.figures.map((figure) => figureCard(figure, (station) => this.listener.station(station)));
-    // A drawing comes before what was found of it.
+    // Drawings precede the findings.
     const sheets = part.sheets.map(sheetCard);
     const cards = machine ? [...figures, ...told, ...sheets] : [...told, ...sheets, ...figures];
     this.root.classList.toggle('of-machine', machine);
@@ -161,11 +161,11 @@ export class DocumentView {
       ),
       list(part.title, cards.length > 1 || part.view ? goals : []),
     );
-    // The list is made anew under the finger that chose a part.
+    // Rebuilding the list removes the focused entry: focus the current one again.
     if (had) this.contents.querySelector<HTMLElement>('[aria-current]')?.focus({ preventScroll: true });
   }
 
-  /// Marks the station that is looked at in drawings.
+  /// Marks the selected station in drawings.
   mark(station: string): void {
     for (const spot of this.root.querySelectorAll<SVGElement>('[data-station]'))
       spot.setAttribute('aria-pressed', String(spot.dataset['station'] === station));

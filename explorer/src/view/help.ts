@@ -108,7 +108,7 @@ export class Help {
     });
   }
 
-  /// `facts`: how the run that is shown was made; none where it is computed here.
+  /// Opens the help; `facts`: origin of the shown run, none if it is computed here.
   open(facts: Facts): void {
     const rows = (entries: readonly (readonly [string, string])[]) =>
       entries.flatMap(([term, text]) => [el('dt', {}, term), el('dd', {}, text)]);

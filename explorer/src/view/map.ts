@@ -1,4 +1,4 @@
-// The diagram: a quantity over the parameter, the exponent below on the same axis, and the cursors that ask for
+// The diagram: a quantity over the parameter, the exponent below on the same axis, and the cursors that request
 // motions.
 import type { Branches } from '../data/branches';
 import type { Diagram } from '../data/diagram';
@@ -22,7 +22,7 @@ import { FIELD } from '../data/fields';
 
 export interface MapSubject extends Along {
   readonly diagram: Diagram | undefined;
-  /// Of the same machine and parameter, or undefined.
+  /// Branches of the same machine and parameter, or undefined.
   readonly branches: Branches | undefined;
   readonly tori: Tori | undefined;
   readonly quantity: string;
@@ -33,11 +33,11 @@ export interface MapSubject extends Along {
 }
 
 export interface MapListener extends StackListener {
-  /// The orbit of a point of the branches was chosen.
+  /// Called after the orbit of a branch point was chosen.
   orbit(point: number): void;
 }
 
-/// The part of the height that the ribbons at the bottom take.
+/// Share of the height for the ribbons at the bottom.
 const RIBBON = 0.07;
 
 export class MapView {
@@ -52,7 +52,7 @@ export class MapView {
   private readonly empty = el('p', { class: 'empty' });
   private order: readonly number[] = [];
   private readonly marks: OrbitMarks;
-  /// The value at which branches are gone through by a key, and the point of the active setting.
+  /// The value at which a key cycles through branches, and the point of the active setting.
   private cycled = NaN;
   private chosen: number | undefined;
 
@@ -90,14 +90,13 @@ export class MapView {
     this.refresh();
   }
 
-  /// The points of the branches whose orbits settings A and B look at, and that of the setting that is active; whether
-  /// that may choose others.
+  /// Sets the branch points of settings A and B, the point of the active setting, and whether it may choose others.
   setOrbits(both: readonly (number | undefined)[], active: number | undefined, free: boolean): void {
     this.chosen = active;
     this.marks.choose(both, free);
   }
 
-  /// What is shown of the diagram: an awaited one has its columns, and their scale, once the first points come in.
+  /// Shows the quantity of the diagram; an awaited diagram gets its columns and their scale with its first points.
   private showQuantity(subject: MapSubject): void {
     const { diagram } = subject;
     this.quantity =
@@ -110,7 +109,7 @@ export class MapView {
     this.empty.textContent = this.quantity || !diagram?.known ? '' : 'The run does not have this quantity.';
   }
 
-  /// After points have come in, or colours have changed.
+  /// Redraws after new points, or a change of colours.
   refresh(): void {
     const subject = this.subject;
     if (!subject) return;
@@ -176,7 +175,7 @@ export class MapView {
 
   // ---------------------------------------------------------------- orbits of branches
 
-  /// A branch that the pointer is near is meant, and not the motion at its value.
+  /// Handles the cursor: near a branch it selects an orbit, elsewhere the motion at its value.
   private cursor(value: number, settled: boolean, spot: Spot | undefined): void {
     const point = spot ? this.marks.at(spot) : -1;
     if (point >= 0) this.listener.orbit(point);
@@ -184,8 +183,8 @@ export class MapView {
     this.marks.hover(undefined);
   }
 
-  /// Arrows walk along the branch whose orbit is looked at; "o" goes through all that pass the cursor's value, and back
-  /// to the motion there.
+  /// Handles keys: arrows move along the branch of the selected orbit; "o" cycles through the orbits at the cursor's
+  /// value and back to the motion.
   private key(key: string, many: number): boolean {
     const { branches } = this.marks;
     const { chosen } = this;
@@ -248,7 +247,7 @@ export class MapView {
     return [low - RIBBON * 1.2 * (high - low), high];
   }
 
-  /// The strongest decays are left out: they would press everything else against zero.
+  /// Returns the range of exponents without the strongest decays, which would flatten the curve.
   private exponentRange(subject: MapSubject): Range {
     const values: number[] = [];
     this.visible(subject, (point) => {
@@ -278,7 +277,7 @@ export class MapView {
     });
   }
 
-  /// The coordinate that is shown once a revolution, along the branches.
+  /// Returns the shown coordinate of the section along the branches.
   private branchLines(): BranchLines | undefined {
     const { subject } = this;
     const { branches } = subject ?? {};
@@ -300,7 +299,7 @@ export class MapView {
     );
   }
 
-  /// The same coordinate of the sections of tori.
+  /// Returns the shown coordinate of the sections of tori.
   private toriBands(): ToriBands | undefined {
     const { subject } = this;
     const { tori } = subject ?? {};
@@ -316,7 +315,7 @@ export class MapView {
     );
   }
 
-  /// The bands of tori within the range.
+  /// Returns the bands of tori within the range.
   private bandsInView(): BandAt[] {
     const bands = this.toriBands();
     if (!bands) return [];
@@ -358,7 +357,7 @@ export class MapView {
     );
   }
 
-  /// Standard errors, where they are wide enough to be seen.
+  /// Draws standard errors that are wide enough to be visible.
   private drawErrors(pen: Pen, frame: Frame, subject: MapSubject, colours: Theme): void {
     const factor = parameterMeasure(subject.unit, subject.units).factor;
     const diagram = subject.diagram!;
@@ -375,13 +374,13 @@ export class MapView {
     pen.stroke();
   }
 
-  /// Calls `visit` for every point in view with the pixels that it stands for, half-way to its neighbours.
+  /// Calls `visitor` for every visible point with its pixel range, half-way to its neighbours.
   private cells(frame: Frame, visitor: (point: number, left: number, right: number) => void): void {
     const { subject, order } = this;
     const { diagram } = subject ?? {};
     if (!subject || !diagram) return;
     const factor = parameterMeasure(subject.unit, subject.units).factor;
-    // The attractor of most starts comes last, and stands over the others.
+    // The attractor with most starts is drawn last, over the others.
     for (const branch of [...new Set(diagram.branch)].sort((a, b) => b - a)) {
       const mine = order.filter((point) => diagram.branch[point] === branch && diagram.done[point]);
       const place = (i: number) => frame.x(diagram.values[mine[i]!]! * factor);
@@ -407,7 +406,7 @@ export class MapView {
     pen.fill();
   }
 
-  /// Regimes in a ribbon along the bottom, and confidence above it where the run states one.
+  /// Draws regimes as a ribbon along the bottom, and confidence above it if the run has it.
   private drawRibbon(pen: Pen, frame: Frame, colours: Theme): void {
     const diagram = this.subject!.diagram!;
     if (!diagram.judged) return;

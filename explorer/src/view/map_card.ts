@@ -1,4 +1,4 @@
-// The card of the diagram: what it shows, how it is touched, and computing it anew.
+// The card of the diagram: choice of quantities, mode of dragging, and recomputation.
 import { QUANTITIES, quantitiesOf } from '../data/quantities';
 import { CLASS_NAMES } from '../data/regimes';
 import { button, el, Segments, select, setChoices, type Choice } from '../dom';
@@ -21,12 +21,12 @@ export interface MapCardListener extends MapListener {
 
 export interface MapCardSubject extends MapSubject {
   readonly parameters: readonly string[];
-  /// Diagrams to go back to.
+  /// Number of diagrams to go back to.
   readonly depth: number;
   readonly computes: boolean;
-  /// What the diagram is of, in a sentence.
+  /// A sentence that describes the diagram.
   readonly status: string;
-  /// The diagram is not of the present parameters.
+  /// True if the diagram belongs to other parameters than the present ones.
   readonly stale: boolean;
 }
 
@@ -177,13 +177,13 @@ export class MapCard {
     this.showLegend();
   }
 
-  /// undefined: nothing is being computed.
+  /// Shows the progress; undefined: nothing is being computed.
   progress(now: SweepProgress | undefined): void {
     this.bar.hidden = this.cancel.hidden = now === undefined;
     if (now) this.bar.value = now.revolutionsTotal > 0 ? now.revolutionsDone / now.revolutionsTotal : 0;
   }
 
-  /// What the diagram has to show, which is known once its first points are.
+  /// Lists the quantities of the diagram, which are known with its first points.
   private showQuantities(): void {
     const choices = quantitiesOf(this.subject?.diagram).map(({ id, text }) => ({ value: id, text }));
     const now = this.subject?.quantity ?? 'x';
@@ -203,7 +203,7 @@ export class MapCard {
       entries.push(el('span', { class: 'legend-note key-confidence' }, 'confidence (faint: low)'));
     if (this.subject?.branches) entries.push(el('span', { class: 'legend-note' }, 'orbits: solid stable, dashed not'));
     if (this.subject?.tori) entries.push(el('span', { class: 'legend-note' }, 'tori: bands, edges likewise'));
-    // Rebuilt only when something changed, so that focus stays where it is.
+    // Rebuild only after a change, so that the focus stays.
     const text = entries.map((entry) => entry.textContent).join();
     if (this.legend.dataset['text'] === text) return;
     this.legend.dataset['text'] = text;

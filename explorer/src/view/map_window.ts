@@ -1,8 +1,8 @@
-// The part of a map that is seen: by the wheel, keys and a brush, and with the cell of the cursor in it.
+// The visible part of a map, changed by wheel, keys and brush; it contains the cursor's cell.
 import type { MapAxis } from '../data/parameter_map';
 import type { Range } from '../figure/chart';
 
-/// Cells that are seen at least, along each axis.
+/// Least number of visible cells along each axis.
 const MIN_CELLS = 4;
 
 /// One axis of the window, in SI.
@@ -27,20 +27,20 @@ export class MapSpan {
     this.range = undefined;
   }
 
-  /// Larger by a factor about a value, which stays where it is; never less than some cells, never more than all.
+  /// Zooms by a factor about a value, which keeps its position; at least MIN_CELLS cells and at most all stay visible.
   zoom(by: number, about: number): void {
     const [low, high] = this.shown.map(this.to) as [number, number];
     const at = this.to(about);
     this.set(at - (at - low) * by, at + (high - at) * by);
   }
 
-  /// From one value to another.
+  /// Shows the range from one value to another.
   brush(from: number, to: number): void {
     const [a, b] = [this.to(Math.min(from, to)), this.to(Math.max(from, to))];
     this.set(a, b);
   }
 
-  /// Moves so that a cell is in it.
+  /// Moves the range so that it contains a cell.
   follow(cell: number): void {
     if (!this.range) return;
     const [low, high] = this.shown.map(this.to) as [number, number];
@@ -49,7 +49,7 @@ export class MapSpan {
     if (shift !== 0) this.set(low + shift, high + shift);
   }
 
-  /// In a measure in which the axis is even.
+  /// Converts a value to a measure in which the axis is linear.
   private readonly to = (value: number): number => (this.axis.logarithmic ? Math.log(value) : value);
   private readonly from = (value: number): number => (this.axis.logarithmic ? Math.exp(value) : value);
 
@@ -66,7 +66,7 @@ export class MapSpan {
   }
 }
 
-/// Both axes.
+/// The windows of both axes.
 export class MapWindow {
   readonly x: MapSpan;
   readonly y: MapSpan;

@@ -1,4 +1,4 @@
-// The Floquet multipliers of an orbit with the unit circle; of an equilibrium its eigenvalues with the imaginary axis.
+// The Floquet multipliers of an orbit with the unit circle; for an equilibrium its eigenvalues with the imaginary axis.
 import { el } from '../dom';
 import type { Multiplier, OrbitOfBranch } from '../data/orbit';
 import { textSize } from '../figure/figure';
@@ -12,9 +12,9 @@ import { shown } from '../model/units';
 import { numbersTable } from './numbers';
 import { Panel, type Table } from './panel';
 
-/// Multipliers beyond this stand at the rim: the unit circle stays large enough to be read.
+/// Modulus beyond which multipliers are drawn at the rim, so that the unit circle stays large.
 const RIM = 2;
-/// Rows of the table on the page; all are in the data.
+/// Most rows of the table on the page; saved data have all.
 const MAX_ROWS = 8;
 
 function modulus({ real, imaginary }: Multiplier): number {
@@ -55,7 +55,7 @@ export class MultipliersPanel extends Panel {
       ? 'eigenvalues per radian: unstable to the right of the axis'
       : `Floquet multipliers: unstable outside the circle${left > 0 ? `; ${left} smaller ones are in the data` : ''}`;
     this.figure.description = `${this.note.textContent}; ${orbit.label}`;
-    // Of pairs the first one stands for both.
+    // The first of a complex pair represents both.
     const rows = all.slice(0, MAX_ROWS).filter(({ imaginary }) => !(imaginary < 0));
     this.rows.replaceChildren(
       numbersTable(
@@ -100,7 +100,7 @@ export class MultipliersPanel extends Panel {
     this.drawPoints(pen, plane, orbit, this.subject!.accent(colours), colours);
   }
 
-  /// The unit circle, or the imaginary axis.
+  /// Draws the unit circle, or the imaginary axis.
   private drawBound(pen: Pen, { x, y, area }: Plane, radius: number, colours: Theme): void {
     pen.strokeStyle = colours.ink;
     pen.lineWidth = 1.4;
@@ -115,7 +115,7 @@ export class MultipliersPanel extends Panel {
     pen.stroke();
   }
 
-  /// Those that make the orbit unstable are marked by form and colour, and named.
+  /// Draws the multipliers; those that make the orbit unstable have their own form, colour and label.
   private drawPoints(pen: Pen, { x, y, area }: Plane, orbit: OrbitOfBranch, accent: string, colours: Theme): void {
     const labels: Marked[] = [];
     for (const each of orbit.multipliers) {

@@ -3,7 +3,7 @@ import { el } from '../dom';
 
 export type Cell = string | HTMLElement;
 
-/// The first cell of a row is its name; `marked` is the row that is looked at.
+/// Makes a table; the first cell of a row is its name, `marked` the selected row.
 export function numbersTable(
   caption: string,
   heading: readonly string[],

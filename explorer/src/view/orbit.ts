@@ -1,5 +1,5 @@
-// The orbit, as vibration analysts draw it: seen along the shaft, with the once-per-revolution mark, the probes'
-// places, the directions of rotation and whirl, and the circles that the station cannot leave without touching.
+// The orbit, viewed along the shaft, with the once-per-revolution mark, the probes, the directions of rotation and
+// whirl, and the circles of clearance and gap.
 import { button } from '../dom';
 import type { OrbitOfBranch } from '../data/orbit';
 import { font, type Pen } from '../figure/pen';
@@ -11,14 +11,14 @@ import { Panel, type Subject, type Table } from './panel';
 import { textSize } from '../figure/figure';
 import { FIELD } from '../data/fields';
 
-/// From lengths to the pen's pixels, y upwards.
+/// Conversion from lengths to the pen's pixels, y upwards.
 interface Place {
   readonly x: (value: number) => number;
   readonly y: (value: number) => number;
   readonly scale: number;
 }
 
-/// A motion that is being watched: the last samples, oldest first, in length scales.
+/// The trail of an animated motion: its last samples, oldest first, in length scales.
 export interface Trail {
   readonly x: ArrayLike<number>;
   readonly y: ArrayLike<number>;
@@ -50,7 +50,7 @@ export class OrbitPanel extends Panel {
     this.assemble(...tools, zoom);
   }
 
-  /// Shows a moving point in place of the settled orbit; undefined ends that.
+  /// Shows a moving point with its trail in place of the settled orbit; undefined ends it.
   watch(trail: Trail | undefined): void {
     this.trail = trail;
     this.figure.redraw();
@@ -114,7 +114,7 @@ export class OrbitPanel extends Panel {
     if (orbit) drawName(pen, orbit, width, colours, size);
   }
 
-  /// Centre and half-width of what is shown, in length scales.
+  /// Returns centre and half-width of the view, in length scales.
   private view(subject: Subject): { x: number; y: number; half: number } {
     const { motion, station, info } = subject;
     const walls = Math.max(info.gap, info.clearance);
@@ -133,7 +133,7 @@ export class OrbitPanel extends Panel {
   }
 }
 
-/// Which orbit it is, where there is no verdict on a motion.
+/// Draws the name of a branch orbit, which has no verdict.
 function drawName(pen: Pen, orbit: OrbitOfBranch, width: number, colours: Theme, size: number): void {
   const most = shown(orbit.largest, 3);
   const lines = [
@@ -200,7 +200,7 @@ function drawGrid(
   );
 }
 
-/// A text on a scrap of paper, so that lines do not run through it.
+/// Draws a text on a background, so that lines do not cross it.
 function label(
   pen: Pen,
   text: string,
@@ -278,7 +278,7 @@ function drawCircles(pen: Pen, place: Place, subject: Subject, touching: boolean
   }
 }
 
-/// Revolutions that are drawn: a few of those of a periodic motion, as many as there are of others.
+/// Returns the revolutions drawn: a few periods of a periodic motion, all available ones of others.
 function revolutionsShown(period: number, available: number): number {
   return Math.min(available, period > 0 ? period : MAX_REVOLUTIONS);
 }
@@ -290,9 +290,9 @@ function drawOrbit(pen: Pen, place: Place, subject: Subject, colours: Theme): vo
   const available = Math.floor(x.length / per);
   const revolutions = motion.orbit?.rests ? Math.min(1, available) : revolutionsShown(motion.period, available);
   if (revolutions === 0) return;
-  // Of an orbit with a time of its own a little more than once round.
+  // An autonomous orbit is drawn slightly more than once around.
   const first = Math.max(1, x.length - Math.ceil(revolutions * per));
-  // Blank, then bright: the trace pauses before the mark, which tells the direction.
+  // The trace has a gap before the mark, which shows the direction.
   const blank = revolutions <= 8 ? Math.max(1, Math.round(per / 28)) : 0;
   const accent = subject.accent(colours);
   pen.strokeStyle = accent;
@@ -300,7 +300,7 @@ function drawOrbit(pen: Pen, place: Place, subject: Subject, colours: Theme): vo
   pen.lineWidth = revolutions > 8 ? 0.9 : 1.6;
   pen.lineJoin = 'round';
   pen.beginPath();
-  // The sample before the first is at the mark: the trace begins there.
+  // The sample before the first one is at the mark, where the trace begins.
   let down = false;
   for (let i = Math.max(0, first - 1); i < x.length; i++) {
     const toMark = (x.length - 1 - i) % per;
@@ -327,7 +327,7 @@ function dot(pen: Pen, x: number, y: number, radius: number, ink: string, rim: s
   pen.stroke();
 }
 
-/// Heads of arrows along the first revolution that is drawn.
+/// Draws arrow heads along the first drawn revolution.
 function drawHeads(
   pen: Pen,
   place: Place,
@@ -395,7 +395,7 @@ function drawTrail(
   label(pen, trail.text, width / 2, 0.4 * size, 'center', 'top', colours.ink, colours, size);
 }
 
-/// Rotation, whirl, and the places of the probes.
+/// Draws the directions of rotation and whirl, and the probes.
 function drawDirections(
   pen: Pen,
   subject: Subject,
@@ -432,7 +432,7 @@ function drawDirections(
   if (!watching) drawProbe(pen, width / 2, 2, Math.PI / 2, 'Y', colours, size);
 }
 
-/// A probe's tip at the edge, looking inwards.
+/// Draws a probe at the edge, pointing inwards.
 function drawProbe(pen: Pen, x: number, y: number, angle: number, name: string, colours: Theme, size: number): void {
   pen.fillStyle = colours.muted;
   head(pen, x + 5 * Math.cos(angle), y + 5 * Math.sin(angle), angle, 7);

@@ -1,14 +1,14 @@
-// Where the pointer finds orbits of branches on the diagram, and rings at those that are looked at.
+// Selection of branch orbits on the diagram by the pointer, and rings at the selected ones.
 import type { Branches } from '../data/branches';
 import { el } from '../dom';
 import { heightsOf, type BranchLines } from '../figure/branches';
 import type { Chart } from '../figure/chart';
 import type { Spot } from './stack';
 
-/// CSS pixels from a line within which the pointer means it.
+/// Distance in CSS pixels within which the pointer selects a line.
 const NEAR = 7;
 
-/// The squared distance of a spot from the line between two places, and how far along it that is, 0 to 1.
+/// Returns the squared distance of a spot from the segment between two positions, and the position along it, 0 to 1.
 function distance({ left, top }: Spot, a: Spot, b: Spot): readonly [number, number] {
   const [dx, dy] = [b.left - a.left, b.top - a.top];
   const along = ((left - a.left) * dx + (top - a.top) * dy) / (dx * dx + dy * dy || 1);
@@ -17,7 +17,7 @@ function distance({ left, top }: Spot, a: Spot, b: Spot): readonly [number, numb
 }
 
 export class OrbitMarks {
-  /// Over the plotting area of the chart.
+  /// Element over the plotting area of the chart.
   readonly root = el('div', { class: 'orbit-marks', 'aria-hidden': 'true' });
   private readonly hint = el('div', { class: 'orbit-hint', hidden: true });
   private readonly rings = el('div');
@@ -33,26 +33,26 @@ export class OrbitMarks {
     new ResizeObserver(() => this.place()).observe(chart.overlay);
   }
 
-  /// The lines that there are; undefined: none are drawn.
+  /// Sets the lines of branches; undefined: none are drawn.
   show(lines: BranchLines | undefined): void {
     if (lines?.branches !== this.lines?.branches) this.hover(undefined);
     this.lines = lines;
     this.place();
   }
 
-  /// The points whose orbits settings A and B look at, and whether others can be chosen.
+  /// Sets the points of settings A and B, and whether others can be chosen.
   choose(chosen: readonly (number | undefined)[], free: boolean): void {
     this.chosen = chosen;
     this.free = free;
     this.place();
   }
 
-  /// Those whose orbits can be chosen.
+  /// Branches whose orbits can be chosen.
   get branches(): Branches | undefined {
     return this.free ? this.lines?.branches : undefined;
   }
 
-  /// The point whose orbit is meant at a spot: the nearer end of the piece of line there; -1 where there is none.
+  /// Returns the point selected at a spot, the nearer end of the segment there; -1 without one.
   at(spot: Spot): number {
     const { lines } = this;
     if (!lines || !this.free) return -1;
@@ -75,7 +75,7 @@ export class OrbitMarks {
     return found;
   }
 
-  /// Says which orbit a click would take.
+  /// Shows the orbit that a click would select.
   hover(spot: Spot | undefined): void {
     this.hovered = spot ? this.at(spot) : -1;
     const orbit = this.lines?.branches.orbit(this.hovered);
@@ -89,7 +89,7 @@ export class OrbitMarks {
     this.place();
   }
 
-  /// Where the lines pass a point.
+  /// Returns the positions of a point on its lines.
   private spotsOf(point: number): Spot[] {
     const { lines, chart } = this;
     if (!lines) return [];
@@ -108,7 +108,7 @@ export class OrbitMarks {
         .filter(({ left }) => left > -1 && left < width + 1)
         .map(({ left, top }) => ({ kind, transform: `translate(${left}px, ${top}px)` })),
     );
-    // Rebuilt only when something changed: diagrams grow many times a second.
+    // Rebuild only after a change: diagrams grow many times a second.
     const text = JSON.stringify(places);
     if (text === this.placed) return;
     this.placed = text;

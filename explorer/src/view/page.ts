@@ -1,4 +1,4 @@
-// The page: its parts, and what each of them shows of the session.
+// The page: its parts, and the data of the session that each shows.
 import { el } from '../dom';
 import type { OrbitOfBranch } from '../data/orbit';
 import { setDark, theme } from '../figure/figure';
@@ -70,7 +70,7 @@ export class Page {
     );
   }
 
-  /// What is missing, "" when nothing is.
+  /// Shows the name of a missing part of the page; "" hides the message.
   sayMissing(missing: string): void {
     this.banner.textContent = missing;
     this.footer.textContent = missing
@@ -94,7 +94,7 @@ export class Page {
 
   show(changes: ReadonlySet<Change>): void {
     const { atRest, moves, parts, part } = this.session;
-    this.motions.hidden = this.footer.hidden = !moves; // nothing is computed elsewhere
+    this.motions.hidden = this.footer.hidden = !moves; // other views compute nothing
     this.rest.root.hidden = atRest === undefined;
     this.document.show(parts, part);
     this.document.mark(this.session.stations[this.session.station]?.name ?? '');
@@ -122,12 +122,12 @@ export class Page {
     map.setOrbits(
       [orbits[0]?.point, comparing ? orbits[1]?.point : undefined],
       session.orbitOf(session.side.choice)?.point,
-      // Branches are of the machine as it stands.
+      // Branches belong to the unchanged machine.
       session.side.choice.assignments.size === 0,
     );
   }
 
-  /// Where the sides are in the plane of the map.
+  /// Shows the positions of the sides in the map.
   private showCells(): void {
     const { session } = this;
     const { map, sides } = session;
@@ -171,7 +171,7 @@ export class Page {
     });
   }
 
-  /// What the diagram and the panes are given alike.
+  /// Returns the data that the diagram and the panes share.
   private common() {
     const { sight, address, unit, station, stations, scales } = this.session;
     return {
@@ -220,7 +220,7 @@ export class Page {
     this.showMap();
   }
 
-  /// How what is shown was computed.
+  /// Returns a sentence on the computation of the shown result.
   private howOf(side: SideModel, orbit: OrbitOfBranch | undefined): string {
     const { result, preview, choice } = side;
     if (!result) return orbit ? '' : this.storedVerdict(choice.value);
@@ -238,7 +238,7 @@ export class Page {
   private showPane(name: SideName): void {
     const side = this.session.sides[name];
     const { result } = side;
-    // Of the result, whose setting may have moved on; without an engine there is none.
+    // The choice of the result, which may be older than the side's present choice; without an engine the present one.
     const of = this.session.engine ? side.resultOf : side.choice;
     const orbit = of && !result?.verdict ? this.session.orbitOf(of) : undefined;
     this.panes[name].show({
@@ -254,7 +254,7 @@ export class Page {
     this.panes[name].root.classList.toggle('busy', side.busy);
   }
 
-  /// What is still shown of a setting that cannot be computed.
+  /// Returns the label of an outdated result that is still shown.
   private outdatedText(side: SideModel): string {
     const { parameter, units } = this.session.address;
     if (!side.outdated || !side.result || !side.resultOf) return '';
@@ -267,7 +267,7 @@ export class Page {
     return `Below: the last setting that could be computed${parts.length ? `, ${parts.join('; ')}` : ''}.`;
   }
 
-  /// What the diagram knows of the nearest point, where nothing can be computed.
+  /// Returns the stored verdict of the nearest point, if nothing can be computed.
   private storedVerdict(value: number): string {
     const { diagram } = this.session.sight;
     const point = diagram?.nearest(value) ?? -1;

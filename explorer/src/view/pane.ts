@@ -29,7 +29,7 @@ import { FIELD } from '../data/fields';
 
 export interface PaneSubject {
   readonly result: MotionResult | undefined;
-  /// That the result is of, where it is no motion's.
+  /// The orbit of the result, if it is not a motion.
   readonly orbit: OrbitOfBranch | undefined;
   readonly parameter: string;
   readonly unit: string;
@@ -39,31 +39,31 @@ export interface PaneSubject {
   readonly units: Units;
   readonly scales: Scales;
   readonly diagram: Diagram | undefined;
-  /// What is being done, "" when nothing is.
+  /// Description of a running computation, or "".
   readonly busy: string;
-  /// What went wrong, "" when nothing did.
+  /// Error message, or "".
   readonly trouble: string;
-  /// A sentence on how the motion was computed.
+  /// A sentence on the computation of the motion.
   readonly how: string;
-  /// What the result is of, where it is not of the present setting; else "".
+  /// Label of the result's setting if it is not the present one; else "".
   readonly outdated: string;
 }
 
 export interface PaneListener {
   value(side: SideName, value: number): void;
-  /// The same in a unit that only the engine knows: "50 Hz".
+  /// Called with a text in a unit that only the engine knows: "50 Hz".
   spoken(side: SideName, text: string): void;
-  /// A text that is no value was typed.
+  /// Called after a text was typed that is not a value.
   refused(side: SideName, sentence: string): void;
   activated(side: SideName): void;
-  /// Starts or ends watching how the motion settles.
+  /// Starts or ends the animation of the settling motion.
   watch(side: SideName, on: boolean, revolutionsPerSecond: number): void;
   close(side: SideName): void;
 }
 
 const SPEEDS = [0.25, 1, 4, 16, 64].map((speed) => ({ value: String(speed), text: `${speed} rev/s` }));
 
-/// "6207 rpm, 1X is 103.5 Hz", and "force at disc: 1860 rpm, 1X is 31 Hz" where sections are not the shaft's.
+/// Returns "6207 rpm, 1X is 103.5 Hz"; with another keyphasor than the shaft "force at disc: 1860 rpm, 1X is 31 Hz".
 function speedText({ speed, keyphasor }: MotionResult, units: Units): string {
   const measure = parameterMeasure('rad/s', units);
   const of = keyphasor && `${keyphasor}: `;
@@ -196,7 +196,7 @@ export class Pane {
     const seen: Subject = {
       motion: subject.result && new Motion(subject.result, subject.orbit),
       station: subject.station,
-      // The gap and the clearance of this very machine: a parameter may have changed them.
+      // Gap and clearance of the result's machine: a parameter may have changed them.
       info: subject.result?.stations[subject.station] ?? info,
       units: subject.units,
       scales: subject.result
@@ -204,7 +204,7 @@ export class Pane {
         : subject.scales,
       accent: (colours) => colours[this.side],
       diagram: subject.diagram,
-      // Of the result: the setting may have moved on.
+      // Label of the result, which may be older than the setting.
       label: `${subject.parameter} ${shown((subject.result?.value ?? subject.value) * measure.factor, 6)}`,
     };
     for (const panel of this.panels) panel.update(seen);
@@ -219,7 +219,7 @@ export class Pane {
     this.orbit.watch(trail);
   }
 
-  /// Ends the animation from outside; a click also tells the listener.
+  /// Sets the state of the button; `tell`: calls the listener, as a click does.
   setPlaying(on: boolean, tell = false): void {
     this.playing = on;
     this.play.textContent = on ? '\u25a0' : '\u25b6';
@@ -236,7 +236,7 @@ export class Pane {
     this.reason.textContent = orbit.label;
   }
 
-  /// The orbit as a row of a table.
+  /// Shows the orbit as a row of a table.
   private showNumbers(subject: PaneSubject, orbit: OrbitOfBranch, motion: Motion): void {
     const value = parameterMeasure(subject.unit, subject.units);
     const length = lengthMeasure(subject.units, { ...subject.scales, length: motion.result.lengthScale });

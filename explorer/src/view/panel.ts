@@ -1,4 +1,4 @@
-// A panel: one picture of a motion in a card, with what can be taken away from it.
+// A panel: one picture of a motion in a card, with a menu to save picture and data.
 import type { Diagram } from '../data/diagram';
 import type { Motion } from '../data/motion';
 import { button, download, el } from '../dom';
@@ -8,9 +8,9 @@ import { pngOf } from '../figure/pen';
 import type { Theme } from '../figure/theme';
 import type { Scales, Units } from '../model/units';
 
-/// What a panel shows.
+/// Data shown by a panel.
 export interface Subject {
-  /// undefined while nothing is computed yet.
+  /// undefined before the first result.
   readonly motion: Motion | undefined;
   readonly station: number;
   readonly info: StationInfo;
@@ -18,9 +18,9 @@ export interface Subject {
   readonly scales: Scales;
   /// Colour of the setting (A or B).
   readonly accent: (colours: Theme) => string;
-  /// Of the same run, for the path of the centreline.
+  /// Diagram of the same run, for the path of the centreline.
   readonly diagram: Diagram | undefined;
-  /// "r_k = 0.45", for files and titles.
+  /// Label for files and titles: "r_k = 0.45".
   readonly label: string;
 }
 
@@ -29,7 +29,7 @@ export interface Table {
   readonly rows: Iterable<readonly (number | string)[]>;
 }
 
-/// Plain CSV after RFC 4180; numbers with all their digits.
+/// Returns a table as CSV (RFC 4180), numbers with all digits.
 export function csvOf(table: Table): string {
   const cell = (value: number | string) => {
     const text = String(value);
@@ -39,7 +39,7 @@ export function csvOf(table: Table): string {
   return lines.join('\r\n') + '\r\n';
 }
 
-/// A file name of letters, digits and a few signs.
+/// Returns a file name of letters, digits and a few signs.
 export function fileName(...parts: readonly string[]): string {
   return parts
     .map((part) => part.replace(/[^A-Za-z0-9._+-]+/g, '-').replace(/^[-.]+|-+$/g, ''))
@@ -47,7 +47,7 @@ export function fileName(...parts: readonly string[]): string {
     .join('-');
 }
 
-/// A menu that saves a figure as PNG or SVG and its data as CSV.
+/// Makes a menu that saves a figure as PNG or SVG and its data as CSV.
 export function saveMenu(title: string, name: () => string, figure: () => Figure, table: () => Table): HTMLElement {
   const menu = el(
     'details',
@@ -85,7 +85,7 @@ export function saveMenu(title: string, name: () => string, figure: () => Figure
   return menu;
 }
 
-/// What every panel needs of its subject: words for files.
+/// Data that every panel needs: words for file names.
 interface Named {
   readonly info: { readonly name: string };
   readonly label: string;
@@ -108,7 +108,7 @@ export abstract class Panel<S extends Named = Subject> {
     );
   }
 
-  /// To be called by constructors, when the figure is there.
+  /// Builds the card; constructors call it after making the figure.
   protected assemble(...tools: readonly HTMLElement[]): void {
     const name = () => fileName('whirl', this.name, this.subject?.info.name ?? '', this.subject?.label ?? '');
     this.tools.append(

@@ -1,5 +1,5 @@
 // A map over two parameters: its cells in the colours of regimes or of a quantity, the cells of settings A and B, and
-// what hands and keys do on them.
+// the handling of pointer and keys.
 import { ATTRACTOR, mapNumbersOf, partOf, REGIME, type MapNumbers } from '../data/map_quantities';
 import type { MapGrid } from '../data/map_grid';
 import { regimeKind, type Cell, type MapAxis, type MapPlanes, type ParameterMap } from '../data/parameter_map';
@@ -22,10 +22,10 @@ import type { Table } from './panel';
 
 export interface ParameterMapSubject {
   readonly map: ParameterMap;
-  /// All its planes, with the same axes.
+  /// All planes of the map, with the same axes.
   readonly planes: MapPlanes;
   readonly quantity: string;
-  /// Lines where regimes, or attractors, meet.
+  /// True to draw borders between regimes, or attractors.
   readonly lines: boolean;
   readonly station: number;
   readonly stations: readonly StationInfo[];
@@ -33,59 +33,59 @@ export interface ParameterMapSubject {
   readonly scales: Scales;
   /// SI units of the two parameters.
   readonly unitsOfAxes: readonly [string, string];
-  /// Finer cells that were computed on the spot, coarse to fine.
+  /// Finer cells computed in the page, coarse to fine.
   readonly live: readonly MapGrid[];
 }
 
-/// What the legend of a map names.
+/// An entry of a map's legend.
 export interface MapEntry {
   readonly text: string;
-  /// How many points, or which share of them.
+  /// Number or share of its points.
   readonly count: string;
   colour(colours: Theme): string;
 }
 
 export interface ParameterMapListener {
-  /// A cell was chosen, whose values these are; `settled` when the pointer let go.
+  /// Called after a cell with these values was chosen; `settled` after the pointer was released.
   cell(spot: Spot, settled: boolean): void;
-  /// The pointer is over a cell and presses nothing, or has left the map.
+  /// Called while the pointer hovers over a cell; undefined after it has left the map.
   hover(spot: Spot | undefined): void;
-  /// The cut is to run along the other parameter.
+  /// Called to turn the cut to the other parameter.
   turn(): void;
-  /// All of the map is seen, or a part of it.
+  /// Called after zooming; `part`: only a part of the map is visible.
   zoomed(part: boolean): void;
 }
 
-/// Cells that lie over others: those of the run, or finer ones.
+/// A layer of cells: those of the run, or finer ones.
 type Grid = ParameterMap | MapGrid;
 
-/// A cell where it is drawn.
+/// A cell in its layer.
 interface Found {
   readonly grid: Grid;
   readonly cell: Cell;
   readonly live: boolean;
 }
 
-/// Of the size of a cell: what differs less is the same value, but for the last digits of a text.
+/// Difference, over the size of a cell, below which values are equal: the last digits of a text.
 const SAME = 1e-6;
 
-/// Whether a place has the values of the cell, which finer cells may have at a corner.
+/// Returns true if a spot has the values of the cell's own point, which finer cells may have at a corner.
 function isOwn({ grid, cell }: Found, [x, y]: Spot): boolean {
   const meets = ({ values, edges }: MapAxis, i: number, value: number) =>
     Math.abs(value - values[i]!) <= SAME * (edges[i + 1]! - edges[i]!);
   return meets(grid.x, cell.column, x) && meets(grid.y, cell.row, y);
 }
 
-/// A place in the plane of the two parameters, in SI.
+/// A point in the plane of the two parameters, in SI.
 export type Spot = readonly [number, number];
 
-/// How much of a regime's colour is left, by confidence: low, fair, high.
+/// Strength of a regime's colour by confidence: low, fair, high.
 const STRENGTH = [0.4, 0.8, 1];
 
-/// Colours of numbers.
+/// Number of colours for numbers.
 const SHADES = 256;
 
-/// By which a key zooms.
+/// Factor of zooming by a key.
 const ZOOM = 1.5;
 
 export class ParameterMapView {
@@ -96,7 +96,7 @@ export class ParameterMapView {
   private subject: ParameterMapSubject | undefined;
   private numbers: MapNumbers | undefined;
   private drawn = '';
-  /// Points of the finer cells that are drawn.
+  /// Number of points in the finer cells that are drawn.
   private liveDrawn = 0;
   private window: MapWindow | undefined;
   private readonly brush = el('div', { class: 'map-brush', hidden: true });
@@ -132,7 +132,7 @@ export class ParameterMapView {
     } else if (grown) this.chart.redraw();
   }
 
-  /// After colours have changed.
+  /// Redraws after a change of colours.
   refresh(): void {
     const { subject } = this;
     if (!subject) return;
@@ -149,7 +149,7 @@ export class ParameterMapView {
     this.look();
   }
 
-  /// After the window has changed.
+  /// Redraws after a change of the window.
   private look(): void {
     const [x, y] = this.measures();
     const range = ([low, high]: Range, { factor }: Measure): Range => [low * factor, high * factor];
@@ -159,13 +159,13 @@ export class ParameterMapView {
     this.listener.zoomed(this.window!.zoomed);
   }
 
-  /// Shows all of the map again.
+  /// Shows the whole map again.
   unzoom(): void {
     this.window?.reset();
     if (this.subject) this.look();
   }
 
-  /// Where settings A and B are, and along which parameter the cut of the active one runs ("": along none).
+  /// Sets the positions of settings A and B, and the parameter of the active one's cut ("": none).
   setCursors(a: Spot, b: Spot | undefined, active: 'a' | 'b', along: string): void {
     this.spot = active === 'b' && b ? b : a;
     this.marks.a.set(a, active === 'a' ? along : '');
@@ -173,13 +173,13 @@ export class ParameterMapView {
     this.placeMarks();
   }
 
-  /// The cells of the map that are seen.
+  /// The visible cells of the map.
   get part(): MapPart {
     const { x, y } = this.subject!.map;
     return { across: cellsBetween(x, this.window!.x.shown), up: cellsBetween(y, this.window!.y.shown) };
   }
 
-  /// Where the active setting is; undefined before there is one.
+  /// Position of the active setting; undefined before there is one.
   get cursor(): Spot | undefined {
     return this.subject && Number.isFinite(this.spot[0] + this.spot[1]) ? this.spot : undefined;
   }
@@ -190,13 +190,13 @@ export class ParameterMapView {
     return this.subject && Number.isFinite(x + y) ? this.subject.map.nearest(x, y) : undefined;
   }
 
-  /// Finer cells that are drawn: of what they are told one by one.
+  /// Finer cells that are drawn, for quantities that they have.
   private get live(): readonly MapGrid[] {
     const { live, quantity } = this.subject!;
     return quantity === ATTRACTOR.id ? [] : live;
   }
 
-  /// The cell whose own values a place has, else the finest one that is drawn there.
+  /// Returns the cell whose own values a spot has, else the finest cell drawn there.
   private find([x, y]: Spot): Found {
     const { map } = this.subject!;
     const all: Found[] = [{ grid: map, cell: map.nearest(x, y), live: false }];
@@ -207,13 +207,13 @@ export class ParameterMapView {
     return all.find((found) => isOwn(found, [x, y])) ?? all.at(-1)!;
   }
 
-  /// The values of the finest cell at a place.
+  /// Returns the values of the finest cell at a spot.
   private middleOf(spot: Spot): Spot {
     const { grid, cell } = this.find(spot);
     return [grid.x.values[cell.column]!, grid.y.values[cell.row]!];
   }
 
-  /// "r_k 0.6, rho 0.08".
+  /// Returns the text of a spot: "r_k 0.6, rho 0.08".
   placeText(spot: Spot): string {
     const { map } = this.subject!;
     const [x, y] = this.measures();
@@ -223,7 +223,7 @@ export class ParameterMapView {
     return `${text(map.x.parameter, atX, x)}, ${text(map.y.parameter, atY, y)}`;
   }
 
-  /// Name and confidence of the verdict of the cell at a place, the reason, and numbers.
+  /// Returns name and confidence of the verdict of the cell at a spot, the reason, and numbers.
   told(spot: Spot): { readonly verdict: string; readonly kind: number; readonly rest: string } {
     const { map } = this.subject!;
     const { grid, cell, live } = this.find(spot);
@@ -254,7 +254,7 @@ export class ParameterMapView {
     this.chart.overlay.focus();
   }
 
-  /// The map, and below it the colours' legend: a bar, or the names of regimes.
+  /// Returns the picture: the map, and below it a colour bar or the names of regimes.
   picture(): Picture {
     const box = this.chart.root.getBoundingClientRect();
     const [width, upper] = [Math.floor(box.width), Math.floor(box.height)];
@@ -312,14 +312,14 @@ export class ParameterMapView {
     return [parameterMeasure(unitsOfAxes[0], units), parameterMeasure(unitsOfAxes[1], units)];
   }
 
-  /// The numbers of points that the map shows; undefined of regimes and attractors.
+  /// Returns the numbers that the map shows; undefined for regimes and attractors.
   private numbersOf(diagram: Diagram): MapNumbers | undefined {
     const { quantity, station, stations, units, scales } = this.subject!;
     return mapNumbersOf(diagram, quantity, station, stations, units, scales.symbol);
   }
 
-  /// Gives the colour of a point; undefined leaves its cell blank. Numbers have one of so many colours, those of finer
-  /// cells by the bar of the map.
+  /// Returns a function for the colour of a point; undefined leaves its cell blank. Numbers have one of SHADES colours;
+  /// finer cells use the colour scale of the map.
   private colouring(grid: Grid, colours: Theme): (point: number) => string | undefined {
     const { map, quantity } = this.subject!;
     const { diagram } = grid;
@@ -329,7 +329,7 @@ export class ParameterMapView {
       const palette = Array.from({ length: SHADES }, (_, i) => colourAt(bar.palette, i / (SHADES - 1), colours));
       return (point) => {
         const part = Math.min(1, Math.max(0, partOf(bar, numbers?.[point] ?? NaN)));
-        return palette[Math.round(part * (SHADES - 1))]; // NaN has none
+        return palette[Math.round(part * (SHADES - 1))]; // undefined for NaN
       };
     }
     if (quantity === ATTRACTOR.id) return (point) => attractorColour(map.attractorOf(point), colours);
@@ -352,7 +352,7 @@ export class ParameterMapView {
     const { map, lines } = this.subject!;
     const [mx, my] = this.measures();
     const colourOf = this.colouring(grid, colours);
-    // Nothing of the cells below is seen through finer ones.
+    // Blank finer cells hide the cells below them.
     const blank = grid === map ? undefined : colours.paper;
     const kindOf = (point: number) => (grid === map ? map.kindOf(point) : regimeKind(grid.diagram, point));
     const sheet: Sheet = {
@@ -370,7 +370,7 @@ export class ParameterMapView {
     drawCells(pen, sheet, frame);
   }
 
-  /// Dashes around the cells that no result holds, as far as they are seen.
+  /// Draws a dashed outline around the visible finer cells, which are not stored in the result.
   private outlineLive({ x, y }: MapGrid, pen: Pen, frame: Frame, colours: Theme): void {
     const [mx, my] = this.measures();
     const seen = (value: number, first: number, size: number) =>
@@ -393,7 +393,7 @@ export class ParameterMapView {
     pen.restore();
   }
 
-  /// How many points of the plane have a regime.
+  /// Returns the number of the plane's points for each class of regimes.
   counts(): readonly number[] {
     const counts = CLASS_NAMES.map(() => 0);
     const { map } = this.subject!;
@@ -401,7 +401,7 @@ export class ParameterMapView {
     return counts;
   }
 
-  /// Names of what there is, with how many points it has, and their colours: attractors, or regimes.
+  /// Returns the entries of the legend: attractors or regimes with their points and colours.
   entries(): readonly MapEntry[] {
     const { map, quantity } = this.subject!;
     const finer = new Set(this.live.flatMap(({ diagram }) => [...diagram.classes.filter((_, i) => diagram.done[i])]));
@@ -456,9 +456,9 @@ export class ParameterMapView {
     );
   }
 
-  // ---------------------------------------------------------------- hands and keys
+  // ---------------------------------------------------------------- pointer and keys
 
-  /// Both values under the pointer.
+  /// Returns both values under the pointer.
   private spotAt(event: MouseEvent): Spot {
     const box = this.chart.overlay.getBoundingClientRect();
     const [x, y] = this.measures();
@@ -468,7 +468,7 @@ export class ParameterMapView {
     ];
   }
 
-  /// The values of the cell under the pointer.
+  /// Returns the values of the cell under the pointer.
   private cellAt(event: MouseEvent): Spot {
     return this.middleOf(this.spotAt(event));
   }
@@ -533,13 +533,13 @@ export class ParameterMapView {
   }
 
   private wheel(event: WheelEvent): void {
-    // The page scrolls until the map is in use.
+    // The wheel scrolls the page unless the map has the focus.
     if (!this.subject || document.activeElement !== this.chart.overlay) return;
     event.preventDefault();
     this.zoom(Math.exp(Math.max(-80, Math.min(80, event.deltaY)) / 300), this.spotAt(event));
   }
 
-  /// Keys may come faster than frames: the next one goes on from here.
+  /// Moves the cursor at once: keys may come faster than frames, and the next key continues from here.
   private go(spot: Spot, settled: boolean): void {
     this.spot = spot;
     if (this.window!.zoomed) {
@@ -581,7 +581,7 @@ export class ParameterMapView {
   }
 }
 
-/// The frame around the cell of a setting, and the line that its cut runs along.
+/// The frame around the cell of a setting, and the line of its cut.
 class CellMark {
   private readonly frame: HTMLElement;
   private readonly line: HTMLElement;
@@ -622,7 +622,7 @@ class CellMark {
       Math.max(0, low),
       Math.min(size, high),
     ];
-    outline(this.frame, within(across, width), within(up, height)); // a cell at the border is seen in part
+    outline(this.frame, within(across, width), within(up, height)); // a cell at the edge may be partly visible
     if (axis) outline(this.line, axis === map.x ? [0, width] : across, axis === map.x ? up : [0, height]);
   }
 }

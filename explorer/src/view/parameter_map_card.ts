@@ -1,4 +1,4 @@
-// The card of a map: what it shows, what is under the cursor, and along which parameter it is cut.
+// The card of a map: its quantity, the cell under the cursor, and the parameter of its cut.
 import { ATTRACTOR, mapQuantitiesOf, REGIME } from '../data/map_quantities';
 import { theme } from '../figure/figure';
 import { button, el, Segments, select, setChoices } from '../dom';
@@ -8,30 +8,30 @@ import { parameterMeasure } from '../model/units';
 import { ParameterMapView, type ParameterMapSubject, type Spot } from './parameter_map';
 
 export interface ParameterMapCardListener {
-  /// A cell was chosen, whose values these are; `settled` when the pointer let go.
+  /// Called after a cell with these values was chosen; `settled` after the pointer was released.
   cell(spot: Spot, settled: boolean): void;
   mapQuantity(id: string): void;
   mapLines(shown: boolean): void;
-  /// Another plane is to be shown, by its number among those of rising values.
+  /// Called to show another plane, by its number among rising values.
   plane(index: number): void;
-  /// Finer cells are to be computed of a part; undefined: no more of them.
+  /// Called to compute finer cells of a part; undefined: stop.
   refine(part: MapPart | undefined): void;
   station(index: number): void;
-  /// The cut is to run along this parameter.
+  /// Called to cut the map along a parameter.
   parameter(name: string): void;
 }
 
 export interface ParameterMapCardSubject extends ParameterMapSubject {
-  /// Along which the cut runs; neither of the two where it is another parameter.
+  /// Parameter of the cut; it may be none of the map's.
   readonly along: string;
-  /// Which of its planes is shown, and the SI unit of the third parameter.
+  /// Number of the shown plane, and the SI unit of the third parameter.
   readonly plane: number;
   readonly unitOfPlanes: string;
-  /// What the map is of, in a sentence.
+  /// A sentence that describes the map.
   readonly status: string;
-  /// Finer cells are being computed; undefined where none can be.
+  /// True while finer cells are being computed; undefined if they cannot be.
   readonly refining: boolean | undefined;
-  /// The map is not of the present parameters.
+  /// True if the map belongs to other parameters than the present ones.
   readonly stale: boolean;
   readonly name: string;
 }
@@ -122,7 +122,7 @@ export class ParameterMapCard {
     );
   }
 
-  /// undefined: there is no map.
+  /// Shows the card; undefined hides it.
   show(subject: ParameterMapCardSubject | undefined): void {
     this.root.hidden = subject === undefined;
     const fresh = subject?.planes !== this.subject?.planes;
@@ -174,7 +174,7 @@ export class ParameterMapCard {
     this.slider.setAttribute('aria-valuetext', value);
   }
 
-  /// Finer cells are computed of few, and of what is told of each alone.
+  /// Enables refinement if few cells are visible, and the quantity exists for single points.
   private allowFiner(): void {
     const { refining, quantity } = this.subject!;
     this.finer.hidden = refining === undefined;
@@ -190,7 +190,7 @@ export class ParameterMapCard {
     this.finer.disabled = !refining && (quantity === ATTRACTOR.id || !canRefine(this.map.part));
   }
 
-  /// What is known of the cell under the pointer, else of that of the setting.
+  /// Shows the data of the cell under the pointer, else of the setting's cell.
   private tell(): void {
     const spot = this.subject && (this.hovered ?? this.map.cursor);
     if (!spot) return;

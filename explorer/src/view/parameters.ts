@@ -1,5 +1,4 @@
-// The parameters of a case: a slider and a number for each, with unit, range and meaning as the engine's descriptors
-// say.
+// The parameters of a case: a slider and a number for each, with unit, range and meaning from the engine's descriptors.
 import { button, el, isTouched } from '../dom';
 import type { CaseInfo, ParameterInfo } from '../engine/protocol';
 import { markField, typedQuantity } from '../model/typed';
@@ -7,32 +6,32 @@ import { labelled, parameterMeasure, shown, written, type Units } from '../model
 import type { Assignments } from '../model/setting';
 
 export interface ParametersSubject {
-  /// Of the case as it stands in its file.
+  /// The case without changes.
   readonly original: CaseInfo;
-  /// With the assignments in force.
+  /// The case with the assignments.
   readonly current: CaseInfo;
   readonly assignments: Assignments;
   /// The parameter along the diagram: its value is the cursor's.
   readonly swept: string;
   readonly units: Units;
-  /// What is wrong with the setting, "" when nothing is.
+  /// Problem of the setting, or "".
   readonly trouble: string;
 }
 
 export interface ParametersListener {
-  /// A parameter's new value, as `whirl run --set` takes it; undefined: as in the case. `settled` when the hand let go.
-  /// `value` is the same in SI, undefined where a unit was typed that only the engine knows.
+  /// Called with a parameter's new value as for `whirl run --set`; undefined: the value of the case. `settled` after
+  /// the pointer was released. `value` is the same in SI; undefined for a typed unit that only the engine knows.
   assigned(name: string, text: string | undefined, settled: boolean, value: number | undefined): void;
-  /// A text that is no value was typed.
+  /// Called after a text was typed that is not a value.
   refused(sentence: string): void;
 }
 
 const STEPS = 1000;
 
-/// How a parameter is shown and written: a number in a unit, and that unit's size in SI.
+/// Notation of a parameter: its unit, and the unit's size in SI.
 interface Notation {
   readonly unit: string;
-  /// Shown numbers per SI.
+  /// Factor from SI to shown numbers.
   readonly factor: number;
 }
 
@@ -51,7 +50,8 @@ interface Bounds {
   readonly high: number;
 }
 
-/// Where the slider ends, in SI: the sweep's range, else from nothing to twice the value, within what the keys allow.
+/// Returns the range of the slider in SI: the sweep's range, else from 0 to twice the value, within the range of the
+/// keys.
 function sliderBounds(parameter: ParameterInfo, info: CaseInfo): Bounds {
   const swept = info.batches.find((batch) => batch.parameter === parameter.name && batch.values.length > 1);
   let [low, high] =
@@ -71,7 +71,7 @@ function meaningOf(parameter: ParameterInfo): string {
   return parameter.comment || use?.meaning || '';
 }
 
-/// "above 0 rpm", as the descriptors say, in the unit that is shown; "" where anything goes.
+/// Returns the allowed range in the shown unit, "above 0 rpm"; "" without limits.
 function rangeOf(parameter: ParameterInfo, notation: Notation): string {
   const use = parameter.uses.find(({ alone }) => alone);
   if (!use) return '';
@@ -98,9 +98,9 @@ class Row {
   private readonly reset: HTMLButtonElement;
   private readonly unlock: HTMLButtonElement;
   private notation: Notation = { unit: '', factor: 1 };
-  /// In SI.
+  /// Value in SI.
   private value = NaN;
-  /// The field holds a text that was refused.
+  /// True while the field contains a rejected text.
   private refused = false;
 
   constructor(
@@ -153,7 +153,7 @@ class Row {
   show(now: ParameterInfo, changed: boolean, units: Units, swept: boolean, trouble: string): void {
     this.notation = notationOf(now, units);
     this.value = now.value;
-    // What follows from other parameters stays so until one asks to set it.
+    // A value that follows from other parameters is locked until the user unlocks it.
     this.lock(now.expression && !swept ? now.written : '');
     this.refused &&= trouble !== '';
     markField(this.field, this.refused);
@@ -170,7 +170,7 @@ class Row {
     this.root.classList.toggle('swept', swept);
   }
 
-  /// `expression`: what the value follows from; "" frees it.
+  /// Locks the value; `expression`: its formula; "" unlocks it.
   private lock(expression: string): void {
     this.expression.textContent = expression;
     this.field.readOnly = this.slider.hidden = this.reset.hidden = expression !== '';

@@ -1,4 +1,4 @@
-// Pictures of the response of one station to unbalance: polar diagram, orbit at the cursor, and where the shaft rests.
+// Pictures of the response of one station to unbalance: polar diagram, orbit at the cursor, and rest positions.
 import { largestOf, senseOf, swayAt, whirlOf, WHIRL_TEXT, reachOf, seenBy } from '../data/rest';
 import { drawMark } from '../figure/marks';
 import type { Pen } from '../figure/pen';
@@ -35,7 +35,8 @@ function stroke(pen: Pen, { x, y }: Plane, path: Path, colour: string, dash: rea
   pen.setLineDash([]);
 }
 
-/// Amplitude and lag as a vector, whose lag grows against the rotation, clockwise; the first probe's axis to the right.
+/// Polar diagram: amplitude and lag as a vector. Lag is counted against the rotation, clockwise; the first probe's axis
+/// points to the right.
 export class PolarPanel extends Panel<SwaySubject> {
   readonly figure = new Round('Polar diagram', (pen, width, height, colours) => this.draw(pen, width, height, colours));
 
@@ -116,7 +117,7 @@ export class PolarPanel extends Panel<SwaySubject> {
   }
 }
 
-/// The orbit of one station at the cursor, once a revolution.
+/// The synchronous orbit of one station at the cursor.
 export class SynchronousOrbitPanel extends Panel<SwaySubject> {
   readonly figure = new Round('1X orbit', (pen, width, height, colours) => this.draw(pen, width, height, colours));
 
@@ -183,7 +184,7 @@ export class SynchronousOrbitPanel extends Panel<SwaySubject> {
     );
     clipped(pen, plane, () => {
       const sway = subject.rest.response(subject.point, subject.station);
-      // Blank to bright is the way of the whirl, as of orbits of motions.
+      // The gap and the bright end show the direction of whirl, as in orbits of motions.
       stroke(pen, plane, path.slice(0, -6), whirlColour(whirlOf(senseOf(sway)), colours));
       pen.fillStyle = colours.keyphasor;
       drawMark(pen, 'dot', plane.x(path[0]![0]), plane.y(path[0]![1]), 4.5);
@@ -204,7 +205,7 @@ export class SynchronousOrbitPanel extends Panel<SwaySubject> {
   }
 }
 
-/// Where the station rests, over the parameter.
+/// Rest positions of the station over the parameter.
 export class RestPanel extends Panel<SwaySubject> {
   readonly figure = new Round('Shaft centreline', (pen, width, height, colours) =>
     this.draw(pen, width, height, colours),
@@ -219,7 +220,7 @@ export class RestPanel extends Panel<SwaySubject> {
     const { rest, point, info, units, scales, station } = this.subject!;
     const [x, y] = rest.rest(point, station);
     const { factor, unit } = lengthMeasure(units, scales);
-    // What rounding leaves of nothing is nothing.
+    // Rounding residues are shown as 0.
     const part = (value: number) => shown(Math.abs(value) > 1e-12 * Math.hypot(x, y) ? value * factor : 0, 4);
     const ratio = info.clearance > 0 ? `eccentricity ratio ${shown(Math.hypot(x, y) / info.clearance, 3)}, ` : '';
     this.note.textContent = Number.isFinite(x) ? `${ratio}at rest (${part(x)}, ${part(y)}) ${unit}` : '';
@@ -260,7 +261,7 @@ export class RestPanel extends Panel<SwaySubject> {
             [wall, wall],
           ]
         : path;
-    // What hardly moves is seen to stand still.
+    // A path much smaller than its distance from the centre is drawn as a point.
     const size = largestOf(path.map(([x, y]) => Math.hypot(x, y)));
     const least = size > 0 ? 0.02 * size : 1;
     const plane = drawPlane(
@@ -297,7 +298,7 @@ export class RestPanel extends Panel<SwaySubject> {
   }
 }
 
-/// Amplitudes and lags of a station, as they are said in a table.
+/// Returns the texts of amplitudes and lags of a station for a table.
 export function seenTexts(subject: RestSubject, station: number): string[] {
   const { rest, point, units, scales } = subject;
   const sway = rest.response(point, station);

@@ -28,7 +28,7 @@ function whirlSign(direction: number): HTMLElement {
   return el('span', {}, el('span', { class: `sign sign-${whirl}`, 'aria-hidden': 'true' }, sign), WHIRL_TEXT[whirl]);
 }
 
-/// By which way its modes go.
+/// Words for the stability of the machine.
 const STATES: ReadonlyMap<number, string> = new Map([
   [1, 'unstable'],
   [0, 'undamped'],
@@ -114,7 +114,7 @@ export class RestView {
     this.title.textContent = this.showNumbers(subject);
     this.numbers.setAttribute('aria-label', this.title.textContent);
     const motion = motionOf(subject);
-    // Files are of a station, or of a mode.
+    // File names contain the station, or the mode.
     const info = rest.kind === 'modes' ? { ...subject.info, name: `mode-${modeOf(subject) + 1}` } : subject.info;
     for (const panel of panels) panel.update({ ...subject, info, motion });
   }
@@ -156,7 +156,7 @@ export class RestView {
     this.how.textContent = `${parts.join('; ')}.`;
   }
 
-  /// Fills the table; gives its title.
+  /// Fills the table; returns its title.
   private showNumbers(subject: RestSubject): string {
     const { rest, label } = subject;
     const title = rest.kind === 'modes' ? `Modes at ${label}` : `Response at ${label}`;
@@ -166,7 +166,7 @@ export class RestView {
     this.left.textContent = left > 0 ? `${left} more above the diagram's frequencies: "all" shows them.` : '';
     const focus = this.numbers.contains(document.activeElement) ? modeOf(subject) : -1;
     this.numbers.replaceChildren(table);
-    // The table is made anew under the finger that chose a mode.
+    // Rebuilding the table removes the focused button: focus it again.
     if (focus >= 0) this.numbers.querySelectorAll('button')[focus]?.focus({ preventScroll: true });
     return title;
   }
@@ -197,7 +197,7 @@ export class RestView {
       'log. decrement',
       'growth (1/s)',
     ];
-    // What the diagram leaves out, the table does.
+    // The table omits the same modes as the diagram.
     const top = topOf(subject);
     const rows = modes.map(row).filter((_, i) => modes[i]!.frequency <= top || i <= chosen);
     return numbersTable(title, heading, rows, chosen);
@@ -218,7 +218,7 @@ function stationsTable(subject: RestSubject, title: string): HTMLElement {
   return numbersTable(title, heading, rows, station);
 }
 
-/// The mode that is shown: the chosen one, as far as there is one.
+/// Returns the shown mode: the chosen one, within the existing modes.
 function modeOf({ rest, point, choice }: RestSubject): number {
   return Math.min(choice.mode, Math.max(0, rest.modes(point).length - 1));
 }

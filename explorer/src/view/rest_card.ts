@@ -1,4 +1,4 @@
-// The card of a pair of charts of a machine at rest: what it shows, how it is touched, what was located.
+// The card of a pair of charts of a machine at rest: choice of quantities, mode of dragging, located points.
 import type { AtRest } from '../data/rest';
 import { button, el, Segments } from '../dom';
 import { naturalMeasure, parameterMeasure, shownWhole, written } from '../model/units';
@@ -83,14 +83,14 @@ export class RestCard {
     this.name = subject.name;
     this.back.disabled = depth === 0;
     this.status.textContent = subject.status;
-    // One point is no diagram.
+    // A single point has no diagram.
     const drawn = subject.parameter !== '' && range[1] > range[0];
     this.chart.stack.root.hidden = this.legend.hidden = this.tools.hidden = !drawn;
     if (drawn) this.draw(subject);
     this.critical.hidden = rest.kind !== 'modes' || !drawn;
   }
 
-  /// The cursor moves over a picture that stays.
+  /// Redraws only if the picture changes; the cursor moves over it.
   private draw(subject: RestSubject): void {
     const { rest, range, parameter, units, station, choice } = subject;
     const text = JSON.stringify([range, parameter, units, station, { ...choice, mode: 0 }]);

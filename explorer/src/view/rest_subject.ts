@@ -1,4 +1,4 @@
-// What the views of a machine at rest are given.
+// Data of the views of a machine at rest.
 import type { AtRest, Whirl } from '../data/rest';
 import { el } from '../dom';
 import type { StationInfo } from '../engine/protocol';
@@ -14,17 +14,17 @@ import type { Along, Stack } from './stack';
 
 export interface RestSubject extends Along {
   readonly rest: AtRest;
-  /// The point that is shown, -1 where none is done.
+  /// The shown point; -1 if none is computed.
   readonly point: number;
   readonly station: number;
   readonly info: StationInfo;
   readonly scales: Scales;
   readonly choice: RestChoice;
-  /// "omega 3000 rpm", for files and titles.
+  /// Label for files and titles: "omega 3000 rpm".
   readonly label: string;
 }
 
-/// Degrees of the first probe.
+/// Returns the angle of the first probe in degrees.
 export function probeOf({ choice, rest }: RestSubject): number {
   return choice.probe ?? rest.probe;
 }
@@ -40,7 +40,7 @@ export interface RestChart {
   table(): Table;
 }
 
-/// An entry of a legend: its sign on the page, and how a pen draws it.
+/// An entry of a legend: its sign on the page, and a function that draws it.
 export interface Key {
   readonly sign: string;
   readonly kind: string;
@@ -93,7 +93,7 @@ export function keyElements(keys: readonly Key[]): HTMLElement[] {
   );
 }
 
-/// A legend under a picture: where its entries stand, in as many lines as they need.
+/// Places the entries of a legend under a picture, in as many lines as needed.
 export function placeKeys(keys: readonly Key[], width: number): { readonly x: number; readonly line: number }[] {
   const size = textSize();
   const face = font(size);
@@ -107,7 +107,7 @@ export function placeKeys(keys: readonly Key[], width: number): { readonly x: nu
   });
 }
 
-/// The charts of a stack with their legend.
+/// Returns the picture of a stack's charts with their legend.
 export function pictureOf(title: string, stack: Stack, keys: readonly Key[]): Picture {
   const linesOf = (width: number) => 1 + (placeKeys(keys, width).at(-1)?.line ?? 0);
   return stack.picture(

@@ -1,4 +1,4 @@
-// The card of the setting: parameters, how motions are computed, and what can be taken away.
+// The card of the setting: parameters, options of the computation, and exports.
 import { button, el, isTouched, select, setChoices } from '../dom';
 import type { CaseInfo } from '../engine/protocol';
 import { LENGTHS_OF_RUNS, type Computation, type LengthKey } from '../model/setting';

@@ -12,7 +12,7 @@ import type { Spectrum } from '../data/motion';
 import { Panel, type Table } from './panel';
 import { key } from './waveform';
 
-/// Decades below the largest amplitude that a logarithmic axis shows.
+/// Decades of a logarithmic axis below the largest amplitude.
 const DECADES = 5;
 
 interface Curve {
@@ -93,7 +93,7 @@ abstract class SpectralPanel extends Panel {
   }
 }
 
-/// Peaks worth a label: above a thirtieth of the largest.
+/// Returns the peaks to be labelled: above a thirtieth of the largest.
 function worthy(peaks: readonly Peak[]): Peak[] {
   const most = Math.max(0, ...peaks.map((peak) => peak.amplitude));
   return peaks.filter((peak) => peak.amplitude > 0.03 * most).sort((a, b) => b.amplitude - a.amplitude);
@@ -166,7 +166,7 @@ export class FullSpectrumPanel extends SpectralPanel {
     );
   }
 
-  /// Backward frequencies are negative, the highest first, so that the axis runs through.
+  /// Returns the curve; backward frequencies are negative, the highest first, so that the axis is continuous.
   protected curveOf(spectrum: Spectrum, frequency: number, amplitude: number): Curve {
     const count = spectrum.order.length;
     const at = Float64Array.from(

@@ -1,4 +1,4 @@
-// Two charts, one over the other, along one parameter: cursors through both, and what hands and keys do on them.
+// Two charts, one above the other, along one parameter: cursors through both, and the handling of pointer and keys.
 import { el } from '../dom';
 import type { Chart, Range } from '../figure/chart';
 import { textSize, type Picture } from '../figure/figure';
@@ -7,15 +7,15 @@ import { parameterMeasure, shown, type Units } from '../model/units';
 
 export type Mode = 'point' | 'range' | 'pan';
 
-/// Along what the charts run.
+/// The common axis of the charts.
 export interface Along {
-  /// Of the machine.
+  /// Name of the machine.
   readonly name: string;
   readonly parameter: string;
   /// SI unit of the parameter.
   readonly unit: string;
   readonly units: Units;
-  /// In SI.
+  /// Range in SI.
   readonly range: Range;
 }
 
@@ -25,36 +25,37 @@ export interface Spot {
   readonly top: number;
 }
 
-/// The same, and the value there, in SI.
+/// A spot with its value in SI.
 interface Place extends Spot {
   readonly value: number;
 }
 
 export interface StackListener {
-  /// A value was chosen, in SI; `settled` when the pointer let go. `spot`: where on the upper chart the pointer is.
+  /// Called after a value (SI) was chosen; `settled` after the pointer was released. `spot`: position of the pointer on
+  /// the upper chart.
   cursor(value: number, settled: boolean, spot?: Spot): void;
-  /// The pointer is over the upper chart and presses nothing, or has left it.
+  /// Called while the pointer hovers over the upper chart; undefined after it has left.
   hover?(spot: Spot | undefined): void;
-  /// A key was pressed, with Shift for ten times as far; whether it was meant for the listener.
+  /// Called after a key press, `many` is 10 with Shift; returns true if the listener handled the key.
   key?(key: string, many: number): boolean;
-  /// A range was brushed, in SI.
+  /// Called after a range (SI) was brushed.
   brushed(range: Range): void;
-  /// The view was zoomed or moved, in SI.
+  /// Called after the view was zoomed or moved (SI).
   viewed(range: Range): void;
-  /// Other heights of a chart are shown.
+  /// Called after a change of a chart's vertical range.
   enlarged?(): void;
   back(): void;
 }
 
 const KEYBOARD_STEPS = 200;
-/// By which keys zoom.
+/// Factor of zooming by keys.
 const ZOOM = 0.7;
-/// CSS pixels that a drag goes up or down before it means heights, too.
+/// CSS pixels of vertical movement from which a drag selects a vertical range too.
 const UPRIGHT = 24;
-/// Fingers that are nearer are taken to be so far apart.
+/// Least distance of two fingers that is used for zooming.
 const APART = 20;
 
-/// What a drag encloses, from side to side and from top to bottom; undefined: all.
+/// Returns the horizontal and vertical range of a drag; undefined: all.
 function enclosed(from: Spot, to: Spot): { readonly across: Range | undefined; readonly up: Range | undefined } {
   const sorted = (a: number, b: number): Range => [Math.min(a, b), Math.max(a, b)];
   const upright = Math.abs(to.top - from.top) >= UPRIGHT;
@@ -65,19 +66,19 @@ function enclosed(from: Spot, to: Spot): { readonly across: Range | undefined; r
   };
 }
 
-/// Where two fingers take what was at a place, so that what is under them stays there.
+/// Returns the mapping of positions by two fingers, which keeps the points under the fingers.
 function pinched(before: readonly [number, number], now: readonly [number, number]): (at: number) => number {
   const apart = ([a, b]: readonly [number, number]) => Math.max(APART, Math.abs(a - b));
   const by = apart(before) / apart(now);
   return (at) => (before[0] + before[1]) / 2 + (at - (now[0] + now[1]) / 2) * by;
 }
 
-/// What a turn of the wheel zooms by.
+/// Returns the zoom factor of a turn of the wheel.
 function turned(delta: number): number {
   return Math.exp(Math.max(-80, Math.min(80, delta)) / 300);
 }
 
-/// Even steps over the range.
+/// Moves a value by even steps over the range.
 export function evenly(value: number, steps: number, [low, high]: Range): number {
   return value + ((high - low) / KEYBOARD_STEPS) * steps;
 }
@@ -86,7 +87,7 @@ export class Stack {
   readonly root: HTMLElement;
   private dragging: Mode = 'point';
   private along: Along | undefined;
-  /// What the heights are of.
+  /// Key of the present vertical range.
   private heightsOf = '';
   private value = NaN;
   private words = '';
@@ -97,7 +98,7 @@ export class Stack {
     private readonly main: Chart,
     private readonly lower: Chart,
     private readonly listener: StackListener,
-    /// Where `steps` of the keys lead from a value.
+    /// Returns the value `steps` key presses from a value.
     private readonly walk: (value: number, steps: number, range: Range) => number = evenly,
   ) {
     this.cursors = [new CursorLine('a'), new CursorLine('b')];
@@ -107,7 +108,7 @@ export class Stack {
     }
     main.root.classList.add('map-main');
     lower.root.classList.add('map-exponent');
-    // They hold a slider, which a picture would hide from assistive programs.
+    // The charts contain a slider, which the role of a picture would hide from assistive programs.
     for (const chart of [main, lower]) chart.root.setAttribute('role', 'group');
     this.root = el('div', { class: 'map' }, main.root, lower.root);
     for (const chart of [main, lower]) {
@@ -115,19 +116,20 @@ export class Stack {
       chart.root.addEventListener('wheel', (event) => this.wheel(chart, event), { passive: false });
       chart.root.addEventListener('dblclick', () => this.fit(chart));
     }
-    // Cursors stand where their values are, however wide the charts become.
+    // Cursors follow changes of the charts' width.
     new ResizeObserver(() => this.placeCursors()).observe(main.overlay);
     main.overlay.tabIndex = 0;
     main.overlay.setAttribute('role', 'slider');
     main.overlay.addEventListener('keydown', (event) => this.key(event));
   }
 
-  /// What dragging does.
+  /// Sets the effect of dragging.
   set mode(mode: Mode) {
     this.dragging = this.root.dataset['mode'] = mode;
   }
 
-  /// `what` the heights say: of something else all of them are shown again.
+  /// Shows the charts; `what` identifies the vertical quantities: after a change the whole vertical range is shown
+  /// again.
   show(along: Along, ...what: readonly (string | number | boolean)[]): void {
     const of = JSON.stringify([along.name, along.parameter, along.units, what]);
     if (of !== this.heightsOf) this.fit();
@@ -135,7 +137,7 @@ export class Stack {
     this.along = along;
   }
 
-  /// Shows all heights of a chart, or of both.
+  /// Shows the whole vertical range of some charts, or of both.
   fit(...charts: readonly Chart[]): void {
     for (const chart of charts.length > 0 ? charts : [this.main, this.lower]) chart.fit();
     this.listener.enlarged?.();
@@ -146,12 +148,12 @@ export class Stack {
     this.listener.back();
   }
 
-  /// In SI.
+  /// The chosen value in SI.
   get chosenValue(): number {
     return this.value;
   }
 
-  /// In the unit that is shown.
+  /// The range in shown units.
   get range(): Range {
     const { range, unit, units } = this.along!;
     const { factor } = parameterMeasure(unit, units);
@@ -164,8 +166,8 @@ export class Stack {
     this.placeCursors();
   }
 
-  /// The values of settings A and B in SI; NaN hides a cursor.
-  /// `words`: what the slider says besides its value.
+  /// Sets the values of settings A and B in SI; NaN hides a cursor. `words`: text of the slider in addition to its
+  /// value.
   setCursors(a: number, b: number, words = ''): void {
     this.value = a;
     this.words = words;
@@ -174,7 +176,7 @@ export class Stack {
     this.placeCursors();
   }
 
-  /// Both charts, and below them a legend of so many lines in the height that it is given.
+  /// Returns the picture of both charts with a legend below.
   picture(
     title: string,
     legend: (pen: Pen, width: number, top: number, height: number) => void,
@@ -286,7 +288,7 @@ export class Stack {
     overlay.addEventListener('pointerleave', () => this.listener.hover?.(undefined));
   }
 
-  /// Two fingers zoom along the line between them, both ways where it is aslant.
+  /// Zooms by two fingers along the line between them, on both axes if it is oblique.
   private pinch(chart: Chart, fingers: Map<number, Spot>, id: number, place: Spot): void {
     const [a, b] = [...fingers.values()] as [Spot, Spot];
     fingers.set(id, place);
@@ -302,21 +304,21 @@ export class Stack {
   }
 
   private wheel(chart: Chart, event: WheelEvent): void {
-    // The page scrolls until the diagram is in use.
+    // The wheel scrolls the page unless the diagram has the focus.
     if (!this.along || document.activeElement !== this.main.overlay) return;
     const onAxis = event.clientX < chart.overlay.getBoundingClientRect().left;
     if (!onAxis && !chart.overlay.contains(event.target as Node)) return;
     event.preventDefault();
     const { top, value } = this.placeAt(chart, event);
     if (event.shiftKey || onAxis) {
-      const by = turned(event.deltaY || event.deltaX); // with Shift browsers turn sideways
+      const by = turned(event.deltaY || event.deltaX); // with Shift browsers report deltaX
       this.enlarge(chart, (edge) => top + (edge - top) * by);
     } else if (Math.abs(event.deltaX) > Math.abs(event.deltaY))
       this.pan(((this.along.range[1] - this.along.range[0]) * event.deltaX) / 800);
     else this.zoom(turned(event.deltaY), value);
   }
 
-  /// Shows the heights at other places of the plotting area: where its top and bottom are to go.
+  /// Changes the vertical range by new positions of the plotting area's top and bottom.
   private enlarge(chart: Chart, to: (top: number) => number): void {
     chart.enlarge(to(0), to(chart.area.height));
     this.listener.enlarged?.();
@@ -366,7 +368,7 @@ export class Stack {
     }
     const step = (steps: number) => go(this.walk(now, steps * many, along.range));
     const now = Number.isFinite(this.value) ? this.value : (low + high) / 2;
-    // Keys may come faster than frames: the next one goes on from here.
+    // Move the cursor at once: keys may come faster than frames, and the next key continues from here.
     const go = (value: number) => {
       this.value = Math.min(high, Math.max(low, value));
       this.listener.cursor(this.value, true);

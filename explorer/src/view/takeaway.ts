@@ -1,4 +1,4 @@
-// What the reader takes away of the session: a case file, a command line, the address.
+// Exports of the session: a case file, a command line, the address.
 import { copyText, download } from '../dom';
 import { caseEdits, commandOf } from '../model/keep';
 import { shortName } from '../model/machine';
@@ -7,9 +7,9 @@ import { assignmentTexts } from '../model/setting';
 import { fileName } from './panel';
 
 export interface TakeawayListener {
-  /// What has become of it.
+  /// Shows a message about the export.
   say(text: string): void;
-  /// The address is to be what is shown.
+  /// Updates the address to the present state.
   settle(): void;
 }
 
@@ -19,7 +19,7 @@ export class Takeaway {
     private readonly listener: TakeawayListener,
   ) {}
 
-  /// The case of the active setting; undefined where the engine does not give it.
+  /// Returns the case of the active setting; undefined if the engine rejects it.
   private async rewritten(): Promise<string | undefined> {
     const { session } = this;
     const { engine, original, side } = session;

@@ -1,4 +1,4 @@
-// The head of the page: which machine, in which units, side by side or alone, light or dark.
+// The head of the page: machine, units, comparison of two settings, theme.
 import { button, el, Segments, select, setChoices } from '../dom';
 import type { Machine } from '../model/machine';
 import type { AmplitudeUnit, FrequencyUnit, LengthUnit, SpeedUnit, Units } from '../model/units';
@@ -107,7 +107,7 @@ export class Topbar {
     this.amplitude.value = units.amplitude;
     this.compare.setAttribute('aria-pressed', String(comparing));
     this.compare.hidden = atRest;
-    // There, frequencies stand beside the speed, and not over it.
+    // For machines at rest frequencies have the unit of the speed, not orders of it.
     this.frequency.rename('order', atRest ? units.speed : 'X');
   }
 

@@ -5,7 +5,7 @@ import type { Theme } from '../figure/theme';
 import { lengthMeasure } from '../model/units';
 import { Panel, type Subject, type Table } from './panel';
 
-/// Revolutions shown: two periods and at least 4, of motions without a period 12.
+/// Returns the revolutions shown: two periods and at least 4; 12 for motions without a period.
 function revolutionsShown(period: number, available: number): number {
   return Math.min(available, period > 0 ? Math.max(4, 2 * period) : 12);
 }
@@ -34,7 +34,7 @@ export class WaveformPanel extends Panel {
     const wave = motion?.waveform(station) ?? { x: new Float64Array(0), y: new Float64Array(0) };
     const per = motion?.samplesPerRevolution ?? 1;
     const revolutions = revolutionsShown(motion?.period ?? 0, Math.floor(wave.x.length / per));
-    // One sample before the first revolution: the mark at which it begins.
+    // One sample more: the mark at which the first revolution begins.
     const first = Math.max(0, wave.x.length - revolutions * per - 1);
     const unit = this.timeUnit(subject);
     this.time = Float64Array.from(
@@ -91,7 +91,7 @@ export class WaveformPanel extends Panel {
   }
 }
 
-/// An entry of a legend: a swatch and a text.
+/// Makes an entry of a legend: a swatch and a text.
 export function key(text: string, kind: string): HTMLElement {
   const entry = document.createElement('span');
   entry.className = `key ${kind}`;
