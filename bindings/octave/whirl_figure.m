@@ -2,13 +2,13 @@ function drawn = whirl_figure(file, varargin)
 % WHIRL_FIGURE  Draws a figure of a result as reports show it: its panels, units, colours, ticks and legend.
 %   WHIRL_FIGURE(FILE) draws the first figure of the result FILE (.h5), or of what WHIRL_READ gave, that is not the
 %   machine, into the current figure window, which is cleared.
-%   WHIRL_FIGURE(FILE, NAME) draws that figure; WHIRL_FIGURE(FILE, 'list') prints what there is, and
-%   NAMES = WHIRL_FIGURE(FILE, 'list') gives the names.
+%   WHIRL_FIGURE(FILE, NAME) draws that figure; WHIRL_FIGURE(FILE, 'list') prints all names, and
+%   NAMES = WHIRL_FIGURE(FILE, 'list') returns them.
 %   WHIRL_FIGURE(..., 'panels', 'x,exponent') draws these panels alone, 'units', 'um, rpm' in these units, 'log', 'xy'
 %   over logarithmic axes.
 %
-%   DRAWN = WHIRL_FIGURE(...) is a struct: figure and axes (handles, a line a panel), legend and scale (handles of what
-%   stands beside the panels, empty where nothing does), and data, the description of docs/figures.md.
+%   DRAWN = WHIRL_FIGURE(...) is a struct: figure and axes (handles, one for each panel), legend and scale (handles of
+%   their axes, empty without them), and data, the description of docs/figures.md.
 %
 %   Errors: whirl:badInput for a file that is no result, a name or an option that is wrong; whirl:noCommand.
 %
@@ -41,7 +41,7 @@ drawn = draw_description(jsondecode(answer([arguments ' -o -' given(options)])))
 end
 
 function words = given(options)
-% The options as the command takes them.
+% Returns the options for the command.
 words = '';
 names = fieldnames(options);
 for i = 1:numel(names)

@@ -31,7 +31,7 @@ handle = draw_panel_of(result, [name '/' figure_of], panel);
 end
 
 function [table, name] = map_of(result, wanted)
-% The table of that name, or the first, that has two parameters.
+% Returns the table of a name, or the first table with two parameters.
 FIELD = field_names();
 name = text_of(wanted);
 if isempty(wanted)

@@ -5,13 +5,13 @@ function result = whirl_read(file)
 %
 %     result.sweep.values                           the parameter, in SI
 %     result.sweep.orbit.max_radius                 [points][stations]
-%     result.sweep.orbit.about.max_radius.unit      'length': in length scales
-%     result.sweep.orbit.about.max_radius.SI_factor what makes metres of it
+%     result.sweep.orbit.about.max_radius.unit      'length' (in length scales)
+%     result.sweep.orbit.about.max_radius.SI_factor factor to metres
 %     result.sweep.verdict.name                     verdicts in words
-%     result.sweep.regime.confidence                and how sure they are
-%     result.sweep.attributes.parameter             what varies
+%     result.sweep.regime.confidence                and their confidence
+%     result.sweep.attributes.parameter             the varied parameter
 %     result.stations.name, result.parameters.name, .value, .unit
-%     result.attributes.file                        from which figures are drawn
+%     result.attributes.file                        file from which figures are drawn
 %
 %   Errors: whirl:badInput for a file that is no result, whirl:noCommand where the command is not found.
 %

@@ -5,11 +5,11 @@ function result = whirl_run(given_case, varargin)
 %   RESULT = WHIRL_RUN(CASE, NAME, VALUE, ...) sets parameters or keys of the case first, as the command's --set:
 %   a number or a text, WHIRL_RUN('rig.yaml', 'kappa', 12, 'omega', '600 rpm'). These names are options:
 %
-%     'output'    name of the result file to keep; one that is there is an error. Without it there is one for figures,
-%                 until eight more runs are done or the session ends
-%     'overwrite' true or false: an 'output' that is there is replaced (default: false)
+%     'output'    name of the result file to keep; an existing file is an error. Without it a file for figures is kept
+%                 until eight more runs have finished or the session ends
+%     'overwrite' true or false: an existing 'output' is replaced (default: false)
 %     'threads'   number of threads (default: all cores)
-%     'progress'  true or false: what the command says is shown (default: true)
+%     'progress'  true or false: the command's output is shown (default: true)
 %
 %   Errors: whirl:badInput with the sentences of the command, whirl:failed, whirl:noCommand. A run that was stopped
 %   gives a partial result and the warning whirl:unfinished.

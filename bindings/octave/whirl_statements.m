@@ -1,19 +1,19 @@
 function statements = whirl_statements(file, varargin)
-% WHIRL_STATEMENTS  What was found of machines at rest, of branches, tori and spectra, in sentences.
+% WHIRL_STATEMENTS  Findings of machines at rest, of branches, tori and spectra, as sentences.
 %   STATEMENTS = WHIRL_STATEMENTS(FILE) takes the name of a result file (.h5), or what WHIRL_READ gave. It is a struct
 %   array [statements x 1] whose fields are texts:
-%     table    the table of the result that it is of
+%     table    the table of the result
 %     what     'separation margin'
 %     station  or ''
-%     at       the value of the table's parameter that it is of; '' of the whole table
+%     at       the value of the table's parameter; '' for the whole table
 %     verdict  'none asked for', 'holds', 'not known' or 'fails'
-%     clause   of the standard that asks for it, or ''
-%     asked    what is asked for, or ''
-%     found    what was found
+%     clause   of the standard with the requirement, or ''
+%     asked    the requirement, or ''
+%     found    the value found
 %     told     the verdict with its reason, or ''
-%     text     all of it as one sentence
+%     text     the statement as one sentence
 %   and values, a struct with the numbers of at, asked, found and told in SI, a column each.
-%   WHIRL_STATEMENTS(FILE, 'units', 'um, rpm, p-p') tells numbers in these units in the place of those of the case.
+%   WHIRL_STATEMENTS(FILE, 'units', 'um, rpm, p-p') writes numbers in these units, not those of the case.
 %
 %   Errors: whirl:badInput for a file that is no result, or units that are none; whirl:noCommand.
 %

@@ -1,17 +1,17 @@
 function sheet = whirl_table(file, name, varargin)
-% WHIRL_TABLE  A table of what was found, as documents show it.
+% WHIRL_TABLE  A sheet of findings, as documents show it.
 %   SHEET = WHIRL_TABLE(FILE, NAME) takes the name of a result file (.h5), or what WHIRL_READ gave, and the name of a
-%   sheet, such as 'peaks', or 'TABLE/peaks' where several tables have one. WHIRL_TABLE(FILE, 'list') prints what there
-%   is, and NAMES = WHIRL_TABLE(FILE, 'list') gives the names. SHEET is a struct:
+%   sheet, such as 'peaks', or 'TABLE/peaks' if several tables have one. WHIRL_TABLE(FILE, 'list') prints all
+%   names, and NAMES = WHIRL_TABLE(FILE, 'list') returns them. SHEET is a struct:
 %     name, table, title, about   texts
 %     keys      {1 x columns} short names of the columns: 'speed'
-%     headings  {1 x columns} as they are printed, without units: 'peak at'
-%     units     {1 x columns} of the numbers, '' of none: 'rpm'
+%     headings  {1 x columns} printed headings without units: 'peak at'
+%     units     {1 x columns} of the numbers, '' without a unit: 'rpm'
 %     sizes     [1 x columns] of these units in SI
 %     cells     {rows x columns} numbers in these units, texts, or columns of several numbers; [] where nothing is
 %     texts     {rows x columns} the cells as documents write them
 %     matrix    [rows x columns] the cells that are one number; NaN for all others
-%   WHIRL_TABLE(FILE, NAME, 'units', 'um, rpm, p-p') takes these units in the place of those of the case.
+%   WHIRL_TABLE(FILE, NAME, 'units', 'um, rpm, p-p') uses these units, not those of the case.
 %
 %   Errors: whirl:badInput for a file that is no result, a sheet that is not there, or units that are none;
 %   whirl:noCommand.
@@ -64,7 +64,7 @@ sheet.matrix(single_numbers) = [sheet.cells{single_numbers}];
 end
 
 function cells = cells_of(rows, columns)
-% jsondecode makes one array of rows that hold nothing but numbers, and lists of others.
+% jsondecode makes one array of rows that have only numbers, and a list of other rows.
 cells = cell(size(rows, 1), columns);
 for i = 1:size(rows, 1)
     row = rows(i, :, :);

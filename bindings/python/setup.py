@@ -1,4 +1,4 @@
-"""Puts libwhirl into the package: built by CMake from the sources around, or the one that WHIRL_BUILT names."""
+"""Puts libwhirl into the package: built by CMake from the surrounding sources, or taken from the path WHIRL_BUILT."""
 
 import os
 import shutil
@@ -11,7 +11,7 @@ from setuptools import setup
 from setuptools.command.build_py import build_py
 from setuptools.dist import Distribution
 
-try:  # setuptools has it of its own since 70.1, and the package wheel no longer in its latest versions
+try:  # part of setuptools since 70.1, and no longer of the latest versions of the package wheel
     from setuptools.command.bdist_wheel import bdist_wheel
 except ImportError:
     try:
@@ -28,7 +28,7 @@ ROOT = HERE.parents[1]
 
 
 def built_library():
-    """The path of a built library."""
+    """Returns the path of the built library."""
     given = os.environ.get("WHIRL_BUILT")
     if given:
         return Path(given)
@@ -46,7 +46,7 @@ def built_library():
 
 
 class BuildWithLibrary(build_py):
-    """The package's modules, and its declarations, the library and the explorer's template beside them."""
+    """The package's modules, and its declarations, the library and the explorer's template next to them."""
 
     def run(self):
         super().run()

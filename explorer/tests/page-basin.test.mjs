@@ -60,9 +60,9 @@ test('attractors have the shares that the command tells', { timeout: 300_000 }, 
       const name = regime === 'periodic' ? `P-${period}` : regime;
       return `${name} ${percent(share)} \u00b1 ${percent(error)}`;
     }),
-    ...(told < labels.length ? [`not told ${labels.length - told}`] : []),
+    ...(told < labels.length ? [`unknown ${labels.length - told}`] : []),
   ]);
-  assert.match(await page.textContent('.map-rest'), /^attractor (\d|not told) of \d/);
+  assert.match(await page.textContent('.map-rest'), /^attractor (\d|unknown) of \d/);
   assert.deepEqual(complaints, []);
   await close();
 });

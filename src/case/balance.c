@@ -475,7 +475,7 @@ static void check_runs(case_reader *reader, const setting_list *file, const whir
         size_t i = 0;
         while (i < of->vibration_count && of->vibrations[i].run != of->trials[t].run) i++;
         if (i == of->vibration_count && of->vibration_count > 0)
-            problem_at(reader->problems, at, "is of run %d, in which nothing was read", of->trials[t].run);
+            problem_at(reader->problems, at, "refers to run %d, which has no readings", of->trials[t].run);
     }
 }
 

@@ -42,8 +42,7 @@ static void report_unknown(case_reader *reader, const file_node *member, const w
     char advice[WHY_SIZE], shown[SHOWN_SIZE];
     if (isdigit((unsigned char)*member->key) && node_is_null(member)) { // {gap: 0,9 mm, ...}
         problem_at_key(reader->problems, member,
-                       "stands behind a comma, which begins another key, expected a point "
-                       "before decimals");
+                       "follows a comma, which begins another key, expected a point before decimals");
         return;
     }
     describe_names(member->key, names, key_names(group, names), advice);

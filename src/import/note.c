@@ -46,9 +46,8 @@ static const char *const sentences[NOTE_KINDS] = {
     [NOTE_MAGNETIC_TABLE] = "Controllers other than PID are not in the file: of these magnetic bearings the "
                             "coefficients are taken over, over "
                             "the frequency of whirl: %s.",
-    [NOTE_MAGNETIC_FILTER] = "Derivatives of controllers without a filter have the one here that ROSS 2.1 has where "
-                             "nothing is said, of 10 000 "
-                             "rad/s: %s.",
+    [NOTE_MAGNETIC_FILTER] = "Derivatives of controllers without a filter get the default filter of ROSS 2.1, "
+                             "10 000 rad/s: %s.",
 };
 
 static void add_text(note_list *to, char *text) {

@@ -95,16 +95,17 @@ whirl_status periodic_find(const mean_system *m, double *x, bool closed, double 
     const size_t d = system->dimension, n = m->count, revolutions = system->turns ? system->repeats : 1;
     whirl_integrator *integrator = NULL;
     if (revolutions == 0)
-        return whirl_fail(WHIRL_BAD_INPUT, "coefficients turn with the shaft beside a phase that fits no number of "
-                                           "revolutions, expected one of the two for modes");
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "coefficients turn with the shaft, and a phase does not repeat after a number "
+                          "of revolutions, expected only one of the two for modes");
     double *work = calloc(d + n * d + 2 * n * n + n + 1, sizeof *work);
     if (!work) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a periodic motion of %zu coordinates", d);
     whirl_status status = periodic_start(m, &integrator);
     *period = system->period * (double)revolutions;
     if (status.code == WHIRL_OK && !close_orbit(m, integrator, revolutions, x, closed, monodromy, work))
         status = whirl_fail(WHIRL_NUMERICAL_FAILURE,
-                            "no periodic motion was found whose small perturbations could be looked at "
-                            "(coefficients turn with the shaft, so it stands for the equilibrium)");
+                            "no periodic motion was found, which replaces the equilibrium because coefficients "
+                            "turn with the shaft");
     whirl_integrator_free(integrator);
     free(work);
     return status;

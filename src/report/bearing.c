@@ -43,7 +43,7 @@ static void phrase_flow(const finder *of, const whirl_bearing *bearing, const wh
     if (remark == WHIRL_FILM_NOT_LAMINAR)
         phrase_text(of, phrase,
                     "the film is not laminar: Taylor's number is %.3g, above %.3g (Reynolds number %.4g); these "
-                    "results are of a laminar one: add turbulence: ng-pan",
+                    "results are for a laminar film: add turbulence: ng-pan",
                     taylor, first, point->reynolds);
     else if (remark == WHIRL_FILM_LAMINAR)
         phrase_text(of, phrase,

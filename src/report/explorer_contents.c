@@ -56,18 +56,18 @@ static bool put_value(FILE *stream, const char *key, bool well, json_t *value) {
 
 /// Notes of a report on a table: motions in words, parameter ranges outside validity limits, contacts at rest.
 static json_t *notes_of(bool *well, const contents *of, const whirl_table *table) {
-    char motions[MOTIONS_TOLD_SIZE], text[RANGES_TOLD_SIZE];
+    char motions[MOTIONS_TEXT_SIZE], text[RANGE_TEXT_SIZE];
     json_t *notes = json_array();
     if (motions_beside(table)) {
-        motions_told(&of->units, of->view, of->machine, table, motions);
+        motions_text(&of->units, of->view, of->machine, table, motions);
         document_append(well, notes, document_text(motions));
     }
     for (size_t i = 0; *whirl_result_law_range(of->view, i); i++)
-        if (ranges_told(&of->units, table, i, text)) document_append(well, notes, document_text(text));
-    if (unfound_told(&of->units, table, text)) document_append(well, notes, document_text(text));
-    if (elsewhere_told(&of->units, table, text)) document_append(well, notes, document_text(text));
+        if (law_range_text(&of->units, table, i, text)) document_append(well, notes, document_text(text));
+    if (no_equilibrium_text(&of->units, table, text)) document_append(well, notes, document_text(text));
+    if (other_equilibrium_text(&of->units, table, text)) document_append(well, notes, document_text(text));
     for (size_t i = 0; i < of->view->contact_count; i++)
-        if (held_told(&of->units, table, i, text)) document_append(well, notes, document_text(text));
+        if (closed_contact_text(&of->units, table, i, text)) document_append(well, notes, document_text(text));
     return notes;
 }
 

@@ -152,18 +152,18 @@ void machine_wall_at(const whirl_case *machine, const whirl_table *table, size_t
 /// Returns the radius in a direction (rad), interpolated linearly.
 double machine_wall_radius(const machine_wall *wall, double angle);
 
-// ---------------------------------------------------------------- motions_told
+// ---------------------------------------------------------------- motions_text
 // Nonlinear motions of a lateral analysis in one paragraph: their kinds, their share of clearances, contacts and
 // forces, and coexisting motions.
 
 /// Returns true if a table has motions next to studies at rest (study: motions).
 bool motions_beside(const whirl_table *table);
 
-enum { MOTIONS_TOLD_SIZE = 4096 };
+enum { MOTIONS_TEXT_SIZE = 4096 };
 
 /// Describes a table of motions in a view (whirl_result_by_attractor) of the result; machine: its case, or NULL.
-void motions_told(const whirl_shown_units *units, const whirl_result *view, const whirl_case *machine,
-                  const whirl_table *table, char text[MOTIONS_TOLD_SIZE]);
+void motions_text(const whirl_shown_units *units, const whirl_result *view, const whirl_case *machine,
+                  const whirl_table *table, char text[MOTIONS_TEXT_SIZE]);
 
 // ---------------------------------------------------------------- named_lines
 // Lines of spectra by the names that the machine has for their orders.
@@ -176,26 +176,27 @@ enum { LINE_NAME_SIZE = 48 };
 bool named_line(const whirl_system *system, double order, size_t station, char name[LINE_NAME_SIZE],
                 whirl_named_order *of);
 
-// ---------------------------------------------------------------- ranges_told
+// ---------------------------------------------------------------- law_range_text
 // Points outside the validity range of an element's law.
 
-enum { RANGES_TOLD_SIZE = 1024 };
+enum { RANGE_TEXT_SIZE = 1024 };
 
 /// Describes validity range `index` of a table: "film at journal: eccentricity ratio up to 0.95, to which its
 /// coefficients were found; reached 0.97 (37 of 256 points, first at 6400 rpm)". Returns false if no point has left it.
-bool ranges_told(const whirl_shown_units *units, const whirl_table *table, size_t index, char text[RANGES_TOLD_SIZE]);
+bool law_range_text(const whirl_shown_units *units, const whirl_table *table, size_t index, char text[RANGE_TEXT_SIZE]);
 
 /// Describes points without an answer in studies at rest: "3 of 53 points, first at 1000 rpm: it could be followed up
 /// to 74.3 % of the static load, ...". Returns false if all points have one.
-bool unfound_told(const whirl_shown_units *units, const whirl_table *table, char text[RANGES_TOLD_SIZE]);
+bool no_equilibrium_text(const whirl_shown_units *units, const whirl_table *table, char text[RANGE_TEXT_SIZE]);
 
 /// Describes points at rest with another equilibrium: "there is another one, up to 0.12 mm away, to which that of the
 /// value before or after leads, stable (2 of 53 points, first at 8 MN/m)". Returns false if there are none.
-bool elsewhere_told(const whirl_shown_units *units, const whirl_table *table, char text[RANGES_TOLD_SIZE]);
+bool other_equilibrium_text(const whirl_shown_units *units, const whirl_table *table, char text[RANGE_TEXT_SIZE]);
 
 /// Describes a contact (index) that is closed at rest: "rub at disc with up to 120 N (14 of 171 points, first at 500
 /// rpm), which small motions leave as it is there". Returns false if it is open everywhere.
-bool held_told(const whirl_shown_units *units, const whirl_table *table, size_t contact, char text[RANGES_TOLD_SIZE]);
+bool closed_contact_text(const whirl_shown_units *units, const whirl_table *table, size_t contact,
+                         char text[RANGE_TEXT_SIZE]);
 
 // ---------------------------------------------------------------- regimes
 // Regimes as figures and pages show them: classes with colours, and intervals along a sweep.

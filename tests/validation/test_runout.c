@@ -240,7 +240,7 @@ static void refusals(void **unused) {
         {"runout: {at: disc}", "has neither amplitude nor profile, expected one of them"},
         {"runout: {at: disc, profile: [1e-6, 2e-6]}", "has a profile of 2 heights, expected 3 to 128"},
         {"runout: {at: disc, profile: [1e-6, 2e-6, 0], order: 2}",
-         "has order beside a profile, which says it, expected none"},
+         "has order and a profile, which replaces it, expected one of them"},
         {"unbalance_grade: {planes: [disc, disc], grade: 1, service_speed: 1}",
          "has both planes at one station, expected two stations"},
         {"unbalance_grade: {planes: [disc, ring], grade: 1, service_speed: 1, mass: 1 kg}",

@@ -2,8 +2,8 @@
 %
 %   m x'' = Fx + m rho w^2 cos(w t),   m y'' = Fy - m g + m rho w^2 sin(w t)
 %
-% The same motion by whirl's own equations is beside it. The case is cases/rigid-rotor.yaml (all in SI, numbers of
-% order 1), whose station has 1 kg and turns at 1 rad/s.
+% The same motion by whirl's own equations is drawn for comparison. The case is cases/rigid-rotor.yaml (all in SI,
+% numbers of order 1), whose station has 1 kg and turns at 1 rad/s.
 if ~exist('given_case', 'var')
     given_case = 'rigid-rotor.yaml';
 end

@@ -1,5 +1,5 @@
 function text = answer(arguments)
-% ANSWER  What the command prints to arguments (text, quoted already).
+% ANSWER  Returns the output of the command for arguments (text, already quoted).
 kept = [tempname() '.txt'];
 try
     call([arguments ' >' quoted(kept)], false);

@@ -1,6 +1,6 @@
 function [places, options] = arguments_of(arguments, places, options)
 % ARGUMENTS_OF  Arguments by their places, then options: pairs of a name and a value.
-%   PLACES and OPTIONS have what stands for those that are not given. A text that is the name of an option ends the
+%   PLACES and OPTIONS have the default values. A text that is the name of an option ends the
 %   places; [] in a place is not given.
 names = fieldnames(options);
 arguments = cellfun(@text_of, arguments, 'UniformOutput', false);

@@ -1,5 +1,5 @@
 function name = command()
-% COMMAND  The whirl command, quoted: that of the environment variable WHIRL, or 'whirl' on the PATH.
+% COMMAND  Returns the whirl command, quoted: the environment variable WHIRL, or 'whirl' on the PATH.
 name = getenv('WHIRL');
 if isempty(name)
     name = 'whirl';

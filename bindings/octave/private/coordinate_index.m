@@ -1,5 +1,5 @@
 function index = coordinate_index(coordinate, names)
-% COORDINATE_INDEX  The number of a coordinate: by its name ('x', 'y', ...) or its number.
+% COORDINATE_INDEX  Returns the number of a coordinate, given by its name ('x', 'y', ...) or its number.
 index = coordinate;
 if ischar(coordinate)
     index = find(strcmp(names, coordinate));

@@ -1,7 +1,7 @@
 function found = document_of(name, file, what, folder, options)
-% DOCUMENT_OF  What the command NAME prints of a file as JSON, decoded.
+% DOCUMENT_OF  Returns the JSON document that the command NAME prints for a file, decoded.
 %   FILE is a file's name, or a struct of what it would say, which is written into FOLDER for that while, with its
-%   version under the key NAME. WHAT says in messages what a file it is; OPTIONS go behind it.
+%   version under the key NAME. WHAT names the kind of file in messages; OPTIONS follow it in the command.
 if ~isstruct(file) && ~is_text(text_of(file))
     error('whirl:badInput', 'whirl_%s takes the name of %s, or a struct of what it would say', name, what);
 end

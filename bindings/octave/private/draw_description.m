@@ -1,8 +1,8 @@
 function drawn = draw_description(data, axes_handle, titled)
-% DRAW_DESCRIPTION  A figure of docs/figures.md in the current figure window, by a rule for every shape of series.
-%   DATA is the decoded document. Colours that shine through are mixed with white: gnuplot's lines know no opacity.
-%   DRAW_DESCRIPTION(DATA, AXES, TITLED) draws its only panel into axes that are there, with the figure's title if
-%   TITLED, and gives the handles of its series.
+% DRAW_DESCRIPTION  Draws a figure of docs/figures.md in the current figure window, by a rule for every shape of series.
+%   DATA is the decoded document. Transparent colours are mixed with white: gnuplot's lines have no opacity.
+%   DRAW_DESCRIPTION(DATA, AXES, TITLED) draws its only panel into existing axes, with the figure's title if
+%   TITLED, and returns the handles of its series.
 scale = [];
 if isfield(data, 'scale')
     scale = data.scale;
@@ -38,7 +38,7 @@ end
 end
 
 function handles = draw_alone(axes_handle, panel, scale, data, titled)
-% Letters of 9 pt, marks and lines as much larger; with a legend and a scale of their own.
+% Draws all panels with letters of 9 pt, marks and lines enlarged likewise, a legend and a colour scale.
 held = ishold(axes_handle);
 font = 9;
 before = {};
@@ -80,7 +80,7 @@ end
 end
 
 function keep_in_view(axes_handle, which, before)
-% What was there before is seen as well.
+% Earlier contents stay visible.
 limits = get(axes_handle, [which 'Lim']);
 both = [min(limits(1), before(1)), max(limits(2), before(2))];
 if ~isequal(both, limits)
@@ -89,7 +89,7 @@ end
 end
 
 function clear_scale(axes_handle)
-% A scale that stood beside the axes had narrowed them.
+% An earlier colour scale has narrowed the axes.
 if isappdata(axes_handle, 'whirl_place')
     set(axes_handle, 'Position', getappdata(axes_handle, 'whirl_place'));
     scale = getappdata(axes_handle, 'whirl_scale');
@@ -101,7 +101,7 @@ end
 end
 
 function name_series(axes_handle, list, series)
-% A legend in a corner where few points are.
+% Places a legend in a corner with few points.
 hold(axes_handle, 'on');
 marks = [];
 for i = 1:numel(list)
@@ -130,7 +130,7 @@ hold(axes_handle, 'off');
 end
 
 function list = named(list)
-% Series that stand in a legend, each name once.
+% Returns the series of a legend, each name once.
 names = cellfun(@(series) series.name, list, 'UniformOutput', false);
 [~, first] = unique(names, 'first');
 first = sort(first);
@@ -145,13 +145,13 @@ axes_handle = axes('Position', [left, bottom, panel.box(2) - left, panel.box(4) 
     'Layer', 'top', 'FontSize', 0.9 * font, 'LineWidth', 0.5, 'TickDir', 'in');
 fill_panel(axes_handle, panel, scale, font);
 if panel.y.shown && (panel.box(4) - panel.box(3)) * data.height_cm < 0.7
-    % Beside so low a panel an upright label finds no room.
+    % A low panel has no room for an upright label.
     set(get(axes_handle, 'YLabel'), 'Rotation', 0, 'HorizontalAlignment', 'right', 'VerticalAlignment', 'middle');
 end
 end
 
 function handles = fill_panel(axes_handle, panel, scale, font)
-% Axes, series and title; gives the handles of the series.
+% Draws axes, series and title; returns the handles of the series.
 handles = [];
 hold(axes_handle, 'on');
 set_axis(axes_handle, panel.x, 'X', font);
@@ -196,7 +196,7 @@ end
 end
 
 function text = marked_up(label)
-% Symbols between dollars in italics, the rest as it is.
+% Converts a label: symbols between dollars become italic, the rest is unchanged.
 parts = regexp(label, '\$', 'split');
 for i = 1:numel(parts)
     if mod(i, 2) == 1
@@ -219,7 +219,7 @@ rgb = 1 - series.opacity * (1 - colour(series.colour));
 end
 
 function handles = draw_series(axes_handle, series, scale, font)
-% Texts have no handle among those.
+% Texts add no handle.
 handles = [];
 x = series.x(:);
 y = series.y(:);
@@ -257,7 +257,7 @@ handle = plot(axes_handle, x, y, style, 'Color', colour_of(series), 'LineWidth',
 end
 
 function handles = draw_area(axes_handle, series, x, y)
-% Every run between gaps is a polygon: along y, and back along y_to.
+% Draws an area: every run between gaps is a polygon along y, and back along y_to.
 to = series.y_to(:);
 there = ~isnan(x) & ~isnan(y) & ~isnan(to);
 starts = find(diff([false; there]) == 1);
@@ -286,7 +286,7 @@ handle = patch('Parent', axes_handle, 'Vertices', [x(:), y(:)], 'Faces', faces, 
 end
 
 function rgb = colours_of(values, scale)
-% Between the colours of a scale lie those of their mixture; beyond its ends are its ends.
+% Returns the colours of numbers: interpolated between the colours of the scale, constant beyond its ends.
 share = place_on(values, scale);
 colours = colour(scale.colours);
 rgb = interp1(linspace(0, 1, size(colours, 1)), colours, min(max(share, 0), 1));
@@ -315,7 +315,7 @@ end
 end
 
 function names_inside(panel_axes, panel, data)
-% A legend in the upper right corner of a panel.
+% Draws a legend in the upper right corner of a panel.
 list = named(list_of(panel.series));
 if ~isempty(list)
     place = get(panel_axes, 'Position');
@@ -326,7 +326,8 @@ end
 end
 
 function axes_handle = draw_legend(place, list, columns, font)
-% Rows of marks and names in axes of their own: legends of the two languages lie elsewhere, and know no columns.
+% Draws the figure's legend, rows of marks and names in their own axes: Octave's and MATLAB's legends differ in place
+% and have no columns.
 columns = min(columns, numel(list));
 rows = ceil(numel(list) / columns);
 axes_handle = axes('Position', place, 'Visible', 'off', 'XLim', [0, columns], 'YLim', [0, rows]);
@@ -358,11 +359,11 @@ end
 end
 
 function axes_handle = draw_scale(place, scale, font)
-% The colours of numbers in a bar.
+% Draws the colour scale as a bar.
 axes_handle = axes('Position', place, 'Box', 'on', 'Layer', 'top', 'FontSize', 0.9 * font, 'XTick', [], ...
     'XLim', [0, 1], 'YAxisLocation', 'right');
 hold(axes_handle, 'on');
-% From 0 to 1: gnuplot draws patches beside a logarithmic axis on the right as if it were linear.
+% The axis goes from 0 to 1: gnuplot draws patches at a logarithmic axis on the right as if it were linear.
 count = 128;
 edges = linspace(0, 1, count + 1)';
 middles = (edges(1:end - 1) + edges(2:end)) / 2;

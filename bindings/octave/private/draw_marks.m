@@ -1,11 +1,11 @@
 function handle = draw_marks(axes_handle, x, y, marker, points, rgb, filled)
-% DRAW_MARKS  Marks of a size in points without a line, of one colour, filled unless FILLED is false.
+% DRAW_MARKS  Draws marks without a line, of a size in points and one colour, filled unless FILLED is false.
 inside = rgb;
 if nargin > 6 && ~filled
     inside = 'none';
 end
 if isempty(x)
-    % There is an object also where nothing is to be seen.
+    % An invisible object also without points.
     x = NaN;
     y = NaN;
 end

@@ -1,7 +1,7 @@
 function handle = draw_panel_of(result, name, panel, titled)
 % DRAW_PANEL_OF  Draws a panel of a figure of a result into the current axes, '' the first one; TITLED with the figure's
 %   title.
-%   Gives the handles of what is drawn, one a series of docs/figures.md.
+%   Returns one handle for each series of docs/figures.md.
 chosen = '';
 if ~isempty(panel)
     chosen = [' --panels=' quoted(panel)];

@@ -1,6 +1,6 @@
 function handle = draw_point(result, places, options, field, analysis, panel)
 % DRAW_POINT  Draws a panel of the figure of a point: PLACES are a point and a station, and OPTIONS 'at' and 'table', as
-%   of WHIRL_PLOT_ORBIT. The first table that has a FIELD is taken, which an ANALYSIS gives.
+%   of WHIRL_PLOT_ORBIT. It takes the first table with a FIELD; ANALYSIS, which computes it, is for the message.
 result = result_of(result);
 [table, name] = table_with(result, field, analysis, options.table, ~strcmp(panel, 'section'));
 point = point_index(table, places{1}, options.at);

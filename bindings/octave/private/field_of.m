@@ -3,7 +3,7 @@ function [numbers, about] = field_of(table, field)
 %   result says of them: unit, meaning, extent, ...
 parts = regexp(field, '/', 'split');
 group = table.(parts{1});
-% A quantity whose name is a word of the language has a mark at its end.
+% A quantity whose name is a keyword has a suffix.
 name = parts{2};
 if ~isfield(group, name)
     name = [name '_'];

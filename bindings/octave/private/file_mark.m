@@ -1,5 +1,5 @@
 function mark = file_mark(file)
-% FILE_MARK  What tells whether a file is still the one that was read: its date and size, [] of none.
+% FILE_MARK  Returns date and size of a file, to detect changes; [] without a file.
 found = dir(file);
 mark = [];
 if numel(found) == 1

@@ -1,5 +1,5 @@
 function found = findings_of(name, file, sheet, arguments)
-% FINDINGS_OF  What `whirl table` prints of a result as JSON, decoded.
+% FINDINGS_OF  Returns the JSON of `whirl table` for a result, decoded.
 %   NAME is the function that asks, FILE the name of a result or what whirl_read gave, SHEET the name of a sheet or '',
 %   ARGUMENTS what follows: 'units' and a text.
 if isstruct(file)

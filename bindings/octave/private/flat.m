@@ -1,5 +1,5 @@
 function list = flat(table, values)
-% FLAT  What a table has for every point, with the points in one list as they are numbered, also of a whole map.
+% FLAT  Returns numbers of every point as one list in the order of the points, also for a whole map.
 %   A whole map has its points as [rows][columns] or [planes][rows][columns] and is numbered row by row.
 points = 1;
 if isfield(table, 'x') && isfield(table, 'y')

@@ -1,4 +1,4 @@
 function yes = has_field(table, field)
-% HAS_FIELD  Whether a table has the field 'ANALYSIS/QUANTITY'.
+% HAS_FIELD  Returns true if a table has the field 'ANALYSIS/QUANTITY'.
 yes = any(strcmp(field, table.attributes.fields));
 end

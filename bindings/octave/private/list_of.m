@@ -1,5 +1,5 @@
 function items = list_of(decoded)
-% LIST_OF  Objects of an array of JSON: jsondecode makes one struct of those with the same keys, and a list of others.
+% LIST_OF  Returns the objects of a JSON array as a list: jsondecode makes a struct array of objects with the same keys.
 if iscell(decoded)
     items = decoded(:);
 else

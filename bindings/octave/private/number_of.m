@@ -1,5 +1,5 @@
 function number = number_of(machine)
-% NUMBER_OF  By which the gateway knows a machine.
+% NUMBER_OF  Returns the number of a machine in the gateway.
 if ~isstruct(machine) || ~isfield(machine, 'number')
     error('whirl:badInput', 'expected a machine of whirl_machine');
 end

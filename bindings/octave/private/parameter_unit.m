@@ -1,5 +1,5 @@
 function [size_in_si, unit] = parameter_unit(result, name)
-% PARAMETER_UNIT  The unit in which figures show a parameter: its size in SI and its name, '' of plain numbers.
+% PARAMETER_UNIT  Returns the unit of a parameter in figures: its size in SI and its name, '' for plain numbers.
 size_in_si = 1;
 unit = '';
 at = find(strcmp(result.parameters.name, name), 1);

@@ -1,4 +1,4 @@
 function text = quoted(word)
-% QUOTED  A word as the shell takes it, whatever is in it.
+% QUOTED  Quotes a word for the shell.
 text = ['''' strrep(word, '''', '''\''''') ''''];
 end

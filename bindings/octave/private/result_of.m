@@ -1,5 +1,5 @@
 function result = result_of(result)
-% RESULT_OF  A result whose figures can be drawn: what whirl_read gave, or the name of its file.
+% RESULT_OF  Returns a result whose figures can be drawn, from the struct of whirl_read or the name of its file.
 result = text_of(result);
 if ischar(result)
     result = whirl_read(result);

@@ -1,5 +1,5 @@
 function text = setting(name, value)
-% SETTING  'NAME=VALUE' for the command; numbers to the bit, texts ('0.45', '600 rpm') as they are.
+% SETTING  Returns 'NAME=VALUE' for the command; numbers with all digits, texts ('0.45', '600 rpm') unchanged.
 name = text_of(name);
 value = text_of(value);
 if ~ischar(name) || isempty(name)

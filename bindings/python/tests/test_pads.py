@@ -248,7 +248,7 @@ def test_what_is_wrong():
         ("shape: elliptical, pivots: [90 deg]", "has both shape and pivots"),
         ("preload: 0.5", "has neither shape nor pivots"),
         ("pivots: [90 deg, 270 deg]", "has pivots without arc"),
-        ("shape: elliptical, arc: 100 deg", "has arc beside shape"),
+        ("shape: elliptical, arc: 100 deg", "has arc and shape"),
         ("shape: two-groove, turbulence: ng-pan", "expected the oil's density"),
     ):
         with pytest.raises(whirl.Error, match=wrong):

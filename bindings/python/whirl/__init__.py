@@ -11,7 +11,7 @@ from importlib import import_module
 
 from . import _interpreter  # noqa: F401
 
-TYPE_CHECKING = False  # that of typing, without its import; checkers of types know the name
+TYPE_CHECKING = False  # replaces typing.TYPE_CHECKING without an import; type checkers know the name
 if TYPE_CHECKING:
     from . import plot, signals, systems
     from .balancing import Balance, balance, readings
@@ -61,7 +61,7 @@ __version__ = "0.2.0"
 
 
 def __getattr__(name: str) -> object:
-    """Modules are imported when they are first asked for, so that ``import whirl`` takes no time."""
+    """Imports modules at their first use, so that ``import whirl`` is fast."""
     if name in _HOMES:
         value = getattr(import_module("." + _HOMES[name], __name__), name)
     elif name in _MODULES:

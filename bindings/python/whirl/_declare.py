@@ -13,14 +13,14 @@ typedef struct whirl_status { whirl_code code; const char *message; } whirl_stat
 
 
 def declared():
-    """The FFI that knows the functions of _library.h."""
+    """Returns the FFI with the functions of _library.h."""
     ffi = FFI()
     ffi.cdef(_BASICS + (Path(__file__).parent / "_library.h").read_text())
     return ffi
 
 
 def write(path):
-    """Writes a Python module whose `ffi` is the same and is there at once."""
+    """Writes a Python module with the same `ffi`, which loads faster."""
     ffi = declared()
     ffi.set_source("_declarations", None)
     ffi.emit_python_code(str(path))

@@ -1,4 +1,4 @@
-"""A result in a file, of which nothing is read before it is asked for."""
+"""A result in a file, whose parts are read when they are used."""
 
 import functools
 import os
@@ -29,7 +29,7 @@ _FAILURES = (LookupError, TypeError, ValueError, AttributeError, ArithmeticError
 
 
 def _guarded(own):
-    """A class whose methods say in a sentence that the file is not what it should be, whatever h5py stumbles over."""
+    """Decorates a class: its methods turn any error of h5py into a sentence that the file is not as expected."""
 
     def guard(method):
         @functools.wraps(method)
@@ -39,7 +39,7 @@ def _guarded(own):
             except errors.Error:
                 raise
             except _FAILURES as failure:
-                if not (self.file if hasattr(self, "file") else self.group):  # h5py's handles are false once closed
+                if not (self.file if hasattr(self, "file") else self.group):  # closed handles of h5py are false
                     raise errors.BadInput(f"the result '{self.path}' was closed: open it again") from None
                 raise errors.FileFailure(
                     f"the result '{self.path}' is damaged or was changed ({failure}): whirl.read() says what is wrong"
@@ -122,18 +122,18 @@ class FileSource:
         return MemorySource.outline(self.path)
 
     def show_in(self, units):
-        """Chooses units for the outline and refuses words that are no units; the file stays as it is."""
+        """Chooses units for the outline and rejects words that are not units; the file does not change."""
         self._outline.show_in(units)
 
     def outline_result(self):
-        """The handle of a result without the numbers of its points, for what the library knows of the case."""
+        """Returns the handle of a result without the numbers of its points, for functions about its case."""
         return self._outline.handle
 
     def tables(self):
         return {name: FileTable(self.path, self.file[name], name) for name in map(_word, self.file.attrs["tables"])}
 
     def write(self, path):
-        """Copies the file, to another name first."""
+        """Copies the file, under a temporary name first."""
         path = os.fspath(path)
         if os.path.exists(path) and os.path.samefile(self.path, path):
             return
@@ -156,11 +156,11 @@ class FileSource:
         self.file.close()
 
     def bytes(self):
-        """How large the file is."""
+        """Returns the size of the file."""
         return os.path.getsize(self.path)
 
     def library_result(self):
-        """The handle of the library, which reads and checks all of the file for it."""
+        """Returns a handle of the library, which reads and checks the whole file."""
         from ._memory import MemorySource
 
         return MemorySource.read(self.path).handle
@@ -206,7 +206,7 @@ class FileTable:
         return self.group["length_scale"][()]
 
     def clock(self, table, fixed):
-        """Of every point, from that of the case or the values of a parameter."""
+        """rad/s at every point, from the case's speed or the values of a parameter."""
         of, factor = int(self.group.attrs["clock_of"]), float(self.group.attrs["clock_factor"])
         if of == 0:
             return np.full(self.shape, fixed)
@@ -237,7 +237,7 @@ class FileTable:
         )
 
     def dataset(self, field):
-        """The field where it lies; slices of it are read from the file."""
+        """Returns the dataset of a field; slices of it are read from the file."""
         return self.group[field.name]
 
     def verdict_dataset(self):

@@ -24,12 +24,12 @@ _CTYPES = {
 
 
 def prototype_of(form, name):
-    """The declaration in C of a function of that name."""
+    """Returns the declaration of a function in C."""
     return f"int {name}({FORMS[form]})"
 
 
 def callback_type(form):
-    """The type of a function for cffi."""
+    """Returns the type of a function for cffi."""
     return f"int({FORMS[form]})"
 
 
@@ -40,12 +40,12 @@ def words_of(form):
 
 
 def ctypes_prototype(form):
-    """The type of a function for ctypes."""
+    """Returns the type of a function for ctypes."""
     return ctypes.CFUNCTYPE(ctypes.c_int, *(_CTYPES[word] for word in words_of(form)))
 
 
 def _ctypes_word(kind):
-    """A type of ctypes, or an array of NumPy as an argument, in C's words."""
+    """Returns a type of ctypes, or an array of NumPy as an argument, in C's words."""
     if kind is None:
         return "void"
     if kind is ctypes.c_void_p:
@@ -62,7 +62,7 @@ def _ctypes_word(kind):
 
 
 def _cffi_word(kind):
-    """A type of cffi in C's words."""
+    """Returns a type of cffi in C's words."""
     if kind.kind == "pointer":
         inner = _cffi_word(kind.item)
         return inner + ("*" if inner.endswith("*") else " *")
@@ -74,7 +74,7 @@ def _cffi_word(kind):
 
 
 def _compare(what, form, result, arguments):
-    """Refuses a function that gives ``result`` for ``arguments``; any pointer will do as the context."""
+    """Rejects a function whose result or arguments differ from the form; the context may be any pointer."""
     expected = words_of(form)
     fits = len(arguments) == len(expected) and arguments[-1].endswith("*")
     if result != "int" or not fits or arguments[:-1] != expected[:-1]:
@@ -96,14 +96,14 @@ def address_of(what, form, function):
 
     BadInput for a function of another form, and for one whose form nobody knows.
     """
-    if isinstance(getattr(function, "form", None), str):  # what compile_c gives
+    if isinstance(getattr(function, "form", None), str):  # the result of compile_c
         if function.form != form:
             raise errors.BadInput(
                 f"{what} is a function '{prototype_of(function.form, what)}', expected '{prototype_of(form, what)}'"
             )
         return function.address
     own = getattr(function, "ctypes", None)
-    compiled = own if isinstance(own, ctypes._CFuncPtr) else function  # a cfunc of Numba
+    compiled = own if isinstance(own, ctypes._CFuncPtr) else function  # a Numba cfunc
     if isinstance(compiled, ctypes._CFuncPtr):
         address = ctypes.cast(compiled, ctypes.c_void_p).value
         if not address:

@@ -30,11 +30,11 @@ _DESCRIPTORS = (types.MemberDescriptorType, types.GetSetDescriptorType, types.Wr
 
 
 class Unknown(Exception):
-    """Something has no checksum: its text says what."""
+    """Raised for something without a checksum; its text names the thing."""
 
 
 def checksum(*objects) -> str:
-    """Of functions and other objects, in their order."""
+    """Returns the checksum of functions and other objects, in their order."""
     digest = _Digest()
     try:
         for one in objects:
@@ -71,7 +71,7 @@ def _edition(module):
 
 
 def _is_of(module, thing, name):
-    """Whether a module has that very thing under its name."""
+    """Returns whether a module has this object under the object's name."""
     try:
         return attrgetter(name)(module) is thing
     except AttributeError:
@@ -79,7 +79,7 @@ def _is_of(module, thing, name):
 
 
 def _codes(code):
-    """A code object and those within it."""
+    """Yields a code object and the code objects nested in it."""
     yield code
     for constant in code.co_consts:
         if isinstance(constant, types.CodeType):
@@ -95,15 +95,15 @@ class _Digest:
         self.sum.update(f"{kind} {len(data)} ".encode() + data)
 
     def add(self, thing):
-        """Adds anything, but once: what is met again is told by its number, so that rings end."""
+        """Adds any object once; an object that appears again is added by its number, so that cycles end."""
         kind = type(thing)
         if kind in _PLAIN:
             return self.put(kind.__name__, thing if kind in (str, bytes) else repr(thing))
-        if kind in (tuple, frozenset):  # whether equal ones are one is up to the compiler
+        if kind in (tuple, frozenset):  # compilers may merge equal constants or not
             return self.add_new(thing)
         if id(thing) in self.seen:
             return self.put("again", str(self.seen[id(thing)][0]))
-        self.seen[id(thing)] = len(self.seen), thing  # which is kept, so that nothing else gets its id
+        self.seen[id(thing)] = len(self.seen), thing  # a reference, so that no other object gets its id
         self.add_new(thing)
 
     def add_all(self, kind, parts):
@@ -141,7 +141,7 @@ class _Digest:
         return bool(edition)
 
     def add_module(self, module, attributes):
-        """A module; of one of the user's own what may be taken from it."""
+        """Adds a module; for a user's own module the objects that may be used from it."""
         edition = _edition(module)
         self.put("module", f"{module.__name__} {edition or ''}")
         if edition:
@@ -204,9 +204,9 @@ class _Digest:
             self.add_all("partial", [thing.func, thing.args, thing.keywords])
         elif isinstance(thing, _DESCRIPTORS):
             self.put("descriptor", thing.__name__)
-        elif hasattr(thing, "py_func"):  # what Numba compiles when it is called
+        elif hasattr(thing, "py_func"):  # a Numba function that is compiled at its first call
             self.add_all("jit", [type(thing), thing.py_func, repr(getattr(thing, "targetoptions", ""))])
-        elif hasattr(thing, "__wrapped__"):  # a cfunc of Numba, what remembers earlier calls, a method of a class
+        elif hasattr(thing, "__wrapped__"):  # a Numba cfunc, a caching wrapper, or a method of a class
             self.add_all("wrapped", [type(thing), thing.__wrapped__, repr(getattr(thing, "_sig", ""))])
         elif hasattr(thing, "__func__"):
             self.add_all("of a class", [type(thing), thing.__func__])
@@ -214,7 +214,7 @@ class _Digest:
             self.add_reduced(thing)
 
     def add_reduced(self, thing):
-        """Anything else as pickle takes it apart."""
+        """Adds any other object by its pickle reduction."""
         if isinstance(thing, ctypes.CDLL):
             raise Unknown(f"it calls the library {thing._name}, whose code is not known")
         try:
@@ -223,7 +223,7 @@ class _Digest:
         except Exception:
             raise Unknown(f"it uses {thing!r:.80}, a {type(thing).__name__}, whose content is not known") from None
         if isinstance(parts, str):
-            of_type = type(thing).__module__.partition(".")[0]  # NumPy's functions do not say where they are
+            of_type = type(thing).__module__.partition(".")[0]  # NumPy's functions do not name their module
             if not any(self.add_named(thing, module, parts) for module in (of_type, pickle.whichmodule(thing, parts))):
                 raise Unknown(f"it uses {parts}, whose code is not known")
             return

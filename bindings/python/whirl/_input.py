@@ -6,8 +6,7 @@ import stat
 
 
 def open_input(path: str | os.PathLike) -> int:
-    """A descriptor of a plain file. OSError for anything else: a folder, a pipe or a device, which would wait or never
-    end."""
+    """Opens a plain file. OSError for folders, pipes and devices, whose reading might not end."""
     descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0))
     kind = os.fstat(descriptor).st_mode
     if stat.S_ISREG(kind):
@@ -20,6 +19,6 @@ def open_input(path: str | os.PathLike) -> int:
 
 
 def read_input(path: str | os.PathLike, most: int) -> bytes:
-    """The first bytes of a plain file, at most ``most``. OSError as open_input."""
+    """Reads at most ``most`` bytes of a plain file. OSError as for open_input."""
     with open(open_input(path), "rb") as file:
         return file.read(most)

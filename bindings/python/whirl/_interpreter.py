@@ -2,8 +2,8 @@
 
 
 def is_main():
-    """Whether this is the interpreter that the program began with."""
-    for name in ("_interpreters", "_xxsubinterpreters"):  # of Python 3.13, and before
+    """Returns whether this is the program's main interpreter."""
+    for name in ("_interpreters", "_xxsubinterpreters"):  # names in Python 3.13, and before
         try:
             module = __import__(name)
             own, main = module.get_current(), module.get_main()

@@ -7,13 +7,13 @@ from pathlib import Path
 from . import errors
 
 try:
-    from ._declarations import ffi  # made when the package was built: a tenth of a second less
+    from ._declarations import ffi  # written when the package was built; saves a tenth of a second
 except ImportError:
     from ._declare import declared
 
     ffi = declared()
 
-# Values of enumerations of the stable interface, which stay.
+# Values of enumerations of the stable interface, which do not change.
 PARAMETERS, STATIONS, CONTACTS, FACTS, TABLES = range(5)
 OK, BAD_INPUT, NO_MEMORY, IO_ERROR, NUMERICAL_FAILURE, STOPPED, MISSING_PROGRAM = range(7)
 
@@ -57,18 +57,18 @@ _forbidden: list[str] = []
 
 
 def forbid(why):
-    """Lets nobody make or run anything with the library in this process any more, and says why."""
+    """Forbids further use of the library in this process; later calls raise the reason."""
     _forbidden.append(why)
 
 
 def ensure_allowed():
-    """Raises what forbids the library."""
+    """Raises an error if the library is forbidden."""
     if _forbidden:
         raise errors.Error(_forbidden[0])
 
 
 def text(pointer):
-    """The text at a ``const char *``, None for NULL."""
+    """Returns the text at a ``const char *``; None for NULL."""
     return None if pointer == ffi.NULL else ffi.string(pointer).decode("utf-8", "replace")
 
 
@@ -81,7 +81,7 @@ def taken(pointer):
 
 
 def check(status):
-    """Raises what a status says, if it is no success."""
+    """Raises the exception of a status, unless it is a success."""
     if status.code != OK:
         raise _EXCEPTIONS.get(status.code, errors.Error)(text(status.message))
 
@@ -100,7 +100,7 @@ def word_bytes(word):
 
 
 def path_bytes(path):
-    """The name of a file, likewise."""
+    """Returns the name of a file for the library; a NUL in it is an error."""
     data = os.fsencode(os.fspath(path))
     if b"\0" in data:
         raise errors.BadInput(f"the name of a file has a NUL in it: {path!r}")
@@ -108,13 +108,13 @@ def path_bytes(path):
 
 
 def keep_file(path, overwrite):
-    """Refuses to replace a file, unless that is asked for."""
+    """Raises an error for an existing file, unless it may be replaced."""
     if not overwrite and os.path.lexists(path) and not os.path.isdir(path):
         raise errors.ExistingFile(f"'{os.fspath(path)}' is there already and is kept: overwrite=True replaces it")
 
 
 def require_file(path, what):
-    """Refuses the name of a file that is not there, in the words of the system."""
+    """Raises the system's error for a missing file."""
     if not os.path.lexists(path):
         raise errors.MissingFile(f"cannot read {what} '{os.fspath(path)}': {os.strerror(errno.ENOENT)}")
 

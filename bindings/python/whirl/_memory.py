@@ -1,4 +1,4 @@
-"""A result in the memory of the library, seen without copies."""
+"""A result in the memory of the library, accessed without copies."""
 
 import numpy as np
 
@@ -38,7 +38,7 @@ class _Owner:
 
 
 def _lend(handle, pointer, shape, strides=None, kind="<f8"):
-    """A read-only array of the library's memory."""
+    """Returns a read-only array of the library's memory."""
     if 0 in shape:
         return np.zeros(shape, kind)
     return np.asarray(_Owner(handle, pointer, shape, strides, kind))
@@ -53,7 +53,7 @@ class MemorySource:
 
     @classmethod
     def read(cls, path):
-        """All of a file, checked by the library before a number of it is believed."""
+        """Reads a whole file, which the library checks."""
         ensure_allowed()
         out, name = ffi.new("whirl_result **"), path_bytes(path)
         require_file(path, "the result")
@@ -62,7 +62,7 @@ class MemorySource:
 
     @classmethod
     def outline(cls, path):
-        """All of a file but the numbers of its points."""
+        """Reads a file without the numbers of its points."""
         out = ffi.new("whirl_result **")
         check(lib.whirl_result_read_outline(path_bytes(path), out))
         return cls(out[0], computed=False)
@@ -126,28 +126,28 @@ class MemorySource:
         check(lib.whirl_result_verify(self.handle, path_bytes(path)))
 
     def bytes(self):
-        """How large the numbers are."""
+        """Returns the size of the numbers."""
         tables = (lib.whirl_result_table(self.handle, name.encode()) for name in self._names(TABLES))
         return sum(8 * lib.whirl_table_points(table) * _block_size(table) for table in tables)
 
     def outline_result(self):
-        """The handle of a result that may have no numbers of points."""
+        """Returns the handle of a result, which may lack the numbers of points."""
         return self.handle
 
     def library_result(self):
-        """The handle of the library, for what it does with whole results."""
+        """Returns the library's handle, for functions of whole results."""
         return self.handle
 
 
 def _block_size(table):
-    """Numbers of a point."""
+    """Returns the count of a point's numbers."""
     shape, stride = ffi.new("size_t[3]"), ffi.new("size_t *")
     lib.whirl_table_column(table, 0, shape, stride)
     return stride[0]
 
 
 class MemoryTable:
-    """A whirl_table of a result in memory; points that are not done are left out, as files leave them out."""
+    """A whirl_table of a result in memory. Points that are not computed are left out, as in files."""
 
     def __init__(self, source, name):
         self.result, self.computed = source.handle, source.computed
@@ -170,7 +170,7 @@ class MemoryTable:
             self.shape = (count if self._chosen is None else len(self._chosen),)
 
     def _pick(self, lent):
-        """Those of the points that are done, in the shape of the table."""
+        """Selects the numbers of computed points, in the shape of the table."""
         picked = lent if self._chosen is None else lent[self._chosen]
         return picked if len(self.shape) == 1 else picked.reshape(self.shape + lent.shape[1:])
 
@@ -269,7 +269,7 @@ class MemoryTable:
 
 
 def _plain(word):
-    """A number or a truth where a text is one."""
+    """Converts a text to a number or a bool if it is one."""
     if word in ("true", "false"):
         return int(word == "true")
     for kind in (int, float):

@@ -1,10 +1,10 @@
-"""Dictionaries that are copies of what the library has, and so are not to be written to."""
+"""Read-only dictionaries: copies of the library's data."""
 
 from . import errors
 
 
 class ReadOnly(dict):
-    """A dict that refuses to be changed, and says what changes the original. Copies of it are plain dicts."""
+    """A dict that cannot be changed; the error names the function that changes the original. Copies are plain dicts."""
 
     def __init__(self, items, advice):
         super().__init__(items)

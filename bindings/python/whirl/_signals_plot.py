@@ -70,7 +70,7 @@ class Plots:
     def orbit(
         self, revolutions: int = 4, x: str | int = 0, y: str | int = 1, ax: Axes | None = None, **style: Any
     ) -> Axes:
-        """The path of the last revolutions, with a mark at every pulse."""
+        """Draws the path of the last revolutions, with a mark at every pulse."""
         record, ax = self._record, new_axes(ax)
         path = record.displacements(x, y)
         inside = (record.time >= record.pulses[-1 - min(revolutions, len(record.speed))]) & (
@@ -83,7 +83,7 @@ class Plots:
         return ax
 
     def _marks(self, x, y, phase=0.0):
-        """The section of two probes along x and y."""
+        """Returns the section of two probes along x and y."""
         record = self._record
         section = np.ascontiguousarray(record.section(phase)[:, [record.channel(x), record.channel(y)]].T)
         return (section if record.angles is None else record._turned(section, x, y)).T
@@ -91,7 +91,7 @@ class Plots:
     def section(
         self, phase: float = 0.0, x: str | int = 0, y: str | int = 1, ax: Axes | None = None, **style: Any
     ) -> Axes:
-        """The section of two probes: where the shaft is once a revolution."""
+        """Draws the section of two probes: the shaft's positions once a revolution."""
         ax = new_axes(ax)
         ax.plot(*self._marks(x, y, phase).T, **{"marker": ".", "ls": "none", "c": "k", **style})
         ax.set(xlabel=self._label("x"), ylabel=self._label("y"), aspect="equal")
@@ -100,7 +100,7 @@ class Plots:
     def spectrum(
         self, channel: str | int = 0, highest_order: float = 10.0, ax: Axes | None = None, **style: Any
     ) -> Axes:
-        """The order spectrum of a channel."""
+        """Draws the order spectrum of a channel."""
         record, ax = self._record, new_axes(ax)
         index = record.channel(channel)
         spectrum = record.spectrum(highest_order)

@@ -37,7 +37,7 @@ class Vector(NamedTuple):
     """A size with an angle, or an amplitude with its phase."""
 
     size: float  #: kg m, m, or m a kg m
-    angle: float  #: rad, 0 to 2 pi, as the file tells angles or phases
+    angle: float  #: rad, 0 to 2 pi, in the file's sense of angles or phases
 
     @property
     def number(self) -> complex:
@@ -47,12 +47,12 @@ class Vector(NamedTuple):
 
 @dataclass(frozen=True)
 class Weight:
-    """What goes into a plane."""
+    """The weight of a plane."""
 
     moment: float  #: kg m
-    angle: float  #: rad on the rotor, as the file tells angles
-    mass: Optional[float]  #: kg at the radius of the plane; None where that is not said
-    holes: dict[int, float]  #: kg m in each of the holes beside the angle; empty where the plane has none
+    angle: float  #: rad on the rotor, in the file's sense of angles
+    mass: Optional[float]  #: kg at the radius of the plane; None if the file gives no radius
+    holes: dict[int, float]  #: kg m in each of the two holes next to the angle; empty if the plane has no holes
 
     @property
     def number(self) -> complex:
@@ -67,13 +67,15 @@ class Row:
     probe: str  #: its name
     speed: float  #: rad/s
     before: Vector  #: vibration without weights
-    after: Optional[Vector]  #: with the correction, by the coefficients; None without one
+    after: Optional[Vector]  #: vibration with the correction, by the coefficients; None without a correction
     worst: Optional[
         float
-    ]  #: amplitude after, were the model's critical speeds wrong; None but for ``influence: model``
-    influence: dict[str, Vector]  #: of a kg m in each plane; empty without a correction, or where sets were tried
-    influence_of_sets: list[Optional[Vector]]  #: ... of each set, None of those that were not tried
-    model: dict[str, Vector]  #: of a kg m in each plane, by the model; empty without one
+    ]  #: amplitude after if the model's critical speeds are wrong; None unless ``influence: model``
+    influence: dict[
+        str, Vector
+    ]  #: vibration for one kg m in each plane; empty without a correction, or if sets were tried
+    influence_of_sets: list[Optional[Vector]]  #: vibration for one kg m of each set; None for sets that were not tried
+    model: dict[str, Vector]  #: vibration for one kg m in each plane, by the model; empty without a model
 
 
 @dataclass(frozen=True)
@@ -82,63 +84,63 @@ class Set:
 
     speed: float  #: rad/s, near which it is balanced
     natural: Optional[float]  #: rad/s of the model's mode there
-    weights: dict[str, Vector]  #: in the planes; the largest is 1
-    amount: Optional[Vector]  #: kg m of it in the correction; None where it has none
+    weights: dict[str, Vector]  #: relative weights in the planes; the largest is 1
+    amount: Optional[Vector]  #: kg m of the set in the correction; None if it has no share in it
 
 
 @dataclass(frozen=True)
 class Proposal:
     """A trial weight, or set of them, that the model proposes."""
 
-    plane: Optional[str]  #: of a weight
-    set: Optional[int]  #: of a set, from 1
+    plane: Optional[str]  #: the plane of a weight
+    set: Optional[int]  #: the number of a set, from 1
     moment: float  #: kg m
     angle: float  #: rad
     weights: dict[str, Vector]  #: kg m in the planes
-    reason: str  #: what decides its size: "force", "least", "most", "limit", "nothing"
-    sentence: str  #: the same in words
-    change: Optional[float]  #: of the vibration that changes most, over what it is
+    reason: str  #: reason for its size: "force", "least", "most", "limit", "nothing"
+    sentence: str  #: the reason in words
+    change: Optional[float]  #: largest relative change of a vibration
 
 
 @dataclass(frozen=True)
 class Without:
     """The correction without a plane or set that acts nearly as the others do."""
 
-    name: str  #: of the plane, or "set 2"
+    name: str  #: name of the plane, or "set 2"
     correction: dict[str, Vector]  #: kg m in the planes
-    left: float  #: m, as that of :class:`Balance`
+    left: float  #: m, as ``left`` of :class:`Balance`
 
 
 @dataclass(frozen=True)
 class Balance:
     """What balancing found."""
 
-    title: str  #: of the rotor
+    title: str  #: sense of the rotation
     angles: str  #: "with" or "against" the rotation
     phases: str  #: "lag" or "lead"
-    correction: dict[str, Weight]  #: by planes; empty where nothing was tried
+    correction: dict[str, Weight]  #: weights by planes; empty without trial runs
     rows: list[Row]  #: probes at speeds
     sets: list[Set]  #: of modes
-    proposals: list[Proposal]  #: trial weights, where nothing was tried and there is a model
+    proposals: list[Proposal]  #: trial weights, if there is a model and no trial run
     unbalance: Optional[float]  #: kg m in all planes together, as the rotor was
-    grade: Optional[float]  #: mm/s, the grade G of that by ISO 21940-11
+    grade: Optional[float]  #: mm/s, balance quality grade G of that unbalance (ISO 21940-11)
     allowed: Optional[float]  #: kg m, the residual unbalance that the file's grade allows
-    static: Optional[Vector]  #: kg m, of two planes: the sum of both weights
+    static: Optional[Vector]  #: kg m, for two planes: the sum of both weights
     couple: Optional[
         Vector
-    ]  #: kg m, of two planes: half of their difference, in the first, and against it in the second
-    least: Optional[str]  #: what the weights make the least: "squares", or "max", the largest vibration
-    left: Optional[float]  #: m, root of the weighted mean square of what remains by the coefficients, or the largest
-    condition: Optional[float]  #: of the influence matrix: largest over smallest singular value
+    ]  #: kg m, for two planes: half of their difference, in the first plane; its opposite in the second
+    least: Optional[str]  #: the criterion that the weights minimise: "squares", or "max", the largest vibration
+    left: Optional[float]  #: m, root of the weighted mean square of the predicted vibrations, or the largest one
+    condition: Optional[float]  #: condition number of the influence matrix: largest over smallest singular value
     significance: dict[
         str, Optional[float]
-    ]  #: of planes or sets: the share of its effect that the others lack (Darlow)
-    without: Optional[Without]  #: the correction without the plane that is least needed; None where all are needed
-    difference: Optional[float]  #: of the model's coefficients from those of runs, over the largest
-    warnings: list[str]  #: what speaks against the proposals
-    statements: Statements = field(repr=False)  #: what was found, in sentences, in the units of the file
+    ]  #: significance of planes or sets: the share of the effect that the others cannot replace (Darlow)
+    without: Optional[Without]  #: the correction without the least significant plane; None if all are needed
+    difference: Optional[float]  #: difference of the model's coefficients from those of runs, over the largest
+    warnings: list[str]  #: warnings about the results
+    statements: Statements = field(repr=False)  #: findings as sentences, in the units of the file
     sheets: dict[str, Sheet] = field(repr=False)  #: tables: correction, vibration, influence, ... in these units
-    document: dict = field(repr=False)  #: all of it as ``whirl balance --json`` prints it
+    document: dict = field(repr=False)  #: the whole result as ``whirl balance --json`` prints it
 
 
 def _vector(of, size):
@@ -247,7 +249,7 @@ def balance(source: str | os.PathLike | Mapping, *, name: str | None = None, uni
 
 
 def _parts(table):
-    """Complex vectors once a revolution along x and y, A exp(-i lag) in m: [points][stations][2]."""
+    """Returns complex vectors once a revolution along x and y, A exp(-i lag) in m: [points][stations][2]."""
     for size, lag in (
         (FIELD.SPECTRUM_SYNCHRONOUS, FIELD.SPECTRUM_SYNCHRONOUS_LAG),
         (FIELD.UNBALANCE_AMPLITUDE, FIELD.UNBALANCE_LAG),

@@ -30,41 +30,41 @@ __all__ = ["Bearing", "bearing"]
 
 @dataclass(frozen=True)
 class Bearing:
-    """What was computed of a bearing: arrays over the points, NaN where there is no answer."""
+    """Results of a bearing: arrays over the points, NaN for points without a solution."""
 
-    title: str  #: in one line
-    kind: str  #: "two-groove", ...; "pads" of pads of its own
-    tilting: bool  #: pads tilt
-    clearance: float  #: m, radial, of the bearing
-    pad_clearance: float  #: m, radial, of the pads
-    viscosity: float  #: Pa s, at the temperature that the oil has or comes in with
-    whirl_ratios: np.ndarray  #: at which coefficients are reduced
+    title: str  #: description in one line
+    kind: str  #: "two-groove", ...; "pads" for user-defined pads
+    tilting: bool  #: True if pads tilt
+    clearance: float  #: m, radial clearance of the bearing
+    pad_clearance: float  #: m, radial clearance of the pads
+    viscosity: float  #: Pa s, at the temperature of the oil or of its supply
+    whirl_ratios: np.ndarray  #: whirl ratios of the reduced coefficients
     speed: np.ndarray  #: rad/s
     load: np.ndarray  #: N
     found: np.ndarray  #: bool
     sommerfeld: np.ndarray  #: mu N D L (R/c)^2/W, c of the pads
     place: np.ndarray  #: m, [points][2]
-    eccentricity_ratio: np.ndarray  #: over the clearance of the pads
+    eccentricity_ratio: np.ndarray  #: eccentricity over the clearance of the pads
     attitude: np.ndarray  #: rad from the load to the journal, with the rotation
-    film: np.ndarray  #: m, the least
-    pressure: np.ndarray  #: Pa, the highest
-    flow: np.ndarray  #: m3/s that leave at both ends
+    film: np.ndarray  #: m, least film thickness
+    pressure: np.ndarray  #: Pa, highest pressure
+    flow: np.ndarray  #: m3/s, flow out of both ends
     power: np.ndarray  #: W
     film_viscosity: np.ndarray  #: Pa s
-    temperature: np.ndarray  #: K of the film, NaN where its viscosity alone is known
-    outlet: np.ndarray  #: K at which oil leaves, where that follows from the heat
+    temperature: np.ndarray  #: K, temperature of the film; NaN if only its viscosity is known
+    outlet: np.ndarray  #: K, temperature of the leaving oil, if it follows from the heat
     stiffness: np.ndarray  #: N/m, [points][2][2], at the first whirl ratio
     damping: np.ndarray  #: N s/m, [points][2][2], at the first whirl ratio
-    critical_mass: np.ndarray  #: kg, of a rigid rotor; NaN of tilting pads and where there is none
-    error: np.ndarray  #: [points][3]: m of the place, shares of stiffness and damping, against a mesh half as fine
-    warnings: list[str]  #: of the bearing and of its points, in the units of the statements
-    statements: Statements = field(repr=False)  #: what was found, in sentences, in the units of the file
+    critical_mass: np.ndarray  #: kg, of a rigid rotor; NaN for tilting pads, and if any mass is stable
+    error: np.ndarray  #: [points][3] differences from a mesh half as fine: m, and shares of stiffness and damping
+    warnings: list[str]  #: warnings about the bearing and its points, in the units of the statements
+    statements: Statements = field(repr=False)  #: findings as sentences, in the units of the file
     sheets: dict[str, Sheet] = field(repr=False)  #: tables: pads, rest, coefficients, in these units
-    document: dict = field(repr=False)  #: all of it as ``whirl bearing --json`` prints it
+    document: dict = field(repr=False)  #: the whole result as ``whirl bearing --json`` prints it
     figures: dict = field(repr=False)  #: documents of docs/figures.md by the names curves, sommerfeld, locus
 
     def reduced(self, number: int = 0) -> tuple[np.ndarray, np.ndarray]:
-        """Stiffness and damping, [points][2][2], at a whirl ratio by its number in ``whirl_ratios``."""
+        """Returns stiffness and damping, [points][2][2], at a whirl ratio by its index in ``whirl_ratios``."""
         if not self.tilting:
             return self.stiffness, self.damping
         rows = [p["reduced"][number] if p["found"] else None for p in self.document["points"]]
@@ -90,7 +90,7 @@ def _array(points, *keys):
 
 
 def _warnings(of: Statements) -> list[str]:
-    """Warnings with the points that they are of, in the units of the findings."""
+    """Returns warnings with their points, in the units of the findings."""
     return [f"at {own.at}: {own.found}" if own.at else own.found for own in of if own.what == "warning"]
 
 
@@ -153,5 +153,5 @@ def bearing(
 
 
 def _plain(value):
-    """Arrays as lists."""
+    """Converts arrays to lists."""
     return value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value

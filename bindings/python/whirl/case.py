@@ -20,28 +20,30 @@ if TYPE_CHECKING:
 __all__ = ["Case"]
 
 _PROBLEMS = 1 << 16
-_LONGEST = (1 << 20) + 4  # bytes: more than a case may have with a byte order mark, so that a longer one is refused
+_LONGEST = (
+    1 << 20
+) + 4  # bytes: one more than a case may have with a byte order mark, so that longer texts are rejected
 _PLAIN = re.compile(r"[A-Za-z0-9_=][A-Za-z0-9_ .+*/()^=-]*\Z")
 
 
 def _scalar(value):
-    """A YAML scalar: plain where that is safe, else in the quotes of JSON, which YAML reads too."""
+    """Returns a YAML scalar: plain if that is safe, else in JSON quotes, which YAML reads too."""
     if isinstance(value, str):
         plain = _PLAIN.match(value) and value == value.strip()
         return value if plain else json.dumps(value, ensure_ascii=False)
-    if hasattr(value, "item"):  # a number or a truth of NumPy
+    if hasattr(value, "item"):  # a number or a bool of NumPy
         value = value.item()
     if value is None:
         return "null"
     if isinstance(value, bool):
         return "yes" if value else "no"
-    if isinstance(value, (int, float, np.floating)):  # long doubles of NumPy stay such
+    if isinstance(value, (int, float, np.floating)):  # long doubles of NumPy do not change
         return repr(value if isinstance(value, int) else float(value))
     raise TypeError(f"{value!r} cannot stand in a case: expected a text, a number, a list or a dict")
 
 
 def _flow(value):
-    """A value on one line."""
+    """Returns a value on one line."""
     if isinstance(value, dict):
         return "{" + ", ".join(f"{_scalar(str(key))}: {_flow(item)}" for key, item in value.items()) + "}"
     if isinstance(value, (list, tuple, range)) or getattr(value, "ndim", 0) == 1:  # a list, an array, a Series
@@ -50,7 +52,7 @@ def _flow(value):
 
 
 def _block(mapping, indent=0):
-    """A mapping over several lines, down to where mappings fit on one."""
+    """Returns a mapping over several lines; short mappings are on one line."""
     lines = []
     for key, value in mapping.items():
         head = " " * indent + _scalar(str(key)) + ":"
@@ -97,7 +99,7 @@ def _document(source, key, name):
 
 
 def _accept(status, problems):
-    """Raises what a reader of the library complains of, with all its problems."""
+    """Raises the error of a reader of the library, with all problems."""
     if status.code == BAD_INPUT:
         found = text(problems).splitlines()
         raise errors.BadInput(text(status.message) if len(found) < 2 else "\n".join(found), found)
@@ -158,7 +160,7 @@ class Case:
         if not isinstance(text, (str, bytes, bytearray)):
             raise TypeError(f"the text of a case is {text!r}, expected a str")
         self._handle = self._check(_encoded(text), name or "case.yaml")
-        self.name = name or "case.yaml"  #: stands for the file in messages
+        self.name = name or "case.yaml"  #: name of the file in messages
 
     @staticmethod
     def _check(data, name):
@@ -170,24 +172,24 @@ class Case:
 
     @property
     def text(self) -> str:
-        """The text of the case as it is now, as :meth:`set` changed it."""
+        """The text of the case, with changes by :meth:`set`."""
         length = ffi.new("size_t *")
         found = lib.whirl_case_text(self._handle, length)
         return ffi.buffer(found, length[0])[:].decode("utf-8", "replace")
 
     @property
     def title(self) -> str:
-        """The title that the case gives itself, "" where it has none."""
+        """The title of the case, or ""."""
         return text(lib.whirl_case_title(self._handle))
 
     @property
     def parameters(self) -> dict[str, Parameter]:
-        """The parameters by their names, with the values that a run would use: a copy, :meth:`set` changes them."""
+        """A copy of the parameters by name, with the values of a run; :meth:`set` changes them."""
         return self.outline().parameters
 
     @property
     def warnings(self) -> list[str]:
-        """What ``whirl check`` warns of: values that a law is not for or that no machine has."""
+        """Warnings of ``whirl check``: values outside the range of a law, or unlike real machines."""
         return self.outline().warnings
 
     def set(self, name: str, value: str | float) -> Case:
@@ -228,7 +230,7 @@ class Case:
         return Result(MemorySource(out[0], computed=False))
 
     def copy(self) -> Case:
-        """Another case of the same text."""
+        """Returns another case with the same text."""
         return Case(text=self.text, name=self.name)
 
     __copy__ = copy

@@ -1,4 +1,4 @@
-"""What the library refuses, as exceptions: each carries the library's own sentence."""
+"""Errors of the library as exceptions, each with the library's sentence."""
 
 from __future__ import annotations
 
@@ -51,13 +51,13 @@ class _OfFile:
 
 
 class MissingFile(_OfFile, BadInput, FileNotFoundError):
-    """A case, a result or another file that was to be read is not there."""
+    """A case, a result or another file to be read does not exist."""
 
     _errno = errno.ENOENT
 
 
 class ReadOnlyCopy(Error, TypeError):
-    """A dict that is a copy (``case.parameters``, ``result.facts``) was to be changed, which would change nothing."""
+    """A change of a dict that is a copy (``case.parameters``, ``result.facts``) would have no effect."""
 
 
 class OutOfMemory(Error, MemoryError):
@@ -69,7 +69,7 @@ class FileFailure(Error, OSError):
 
 
 class ExistingFile(_OfFile, FileFailure, FileExistsError):
-    """A file that is there would be replaced; it is kept."""
+    """An existing file would be replaced; it is kept."""
 
     _errno = errno.EEXIST
 

@@ -1,4 +1,4 @@
-"""Figures as the library describes them (docs/figures.md), in Matplotlib: panels, axes and series, none by name."""
+"""Draws figures described by the library (docs/figures.md) in Matplotlib by panels, axes and series."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _MARKS = {
 }
 _CM = 1.0 / 2.54
 _DASHES = (0, (4, 2.5))
-_LOW_PANEL = 0.7  # cm; beside lower ones labels of vertical axes do not stand
+_LOW_PANEL = 0.7  # cm; labels of vertical axes do not fit next to lower panels
 
 
 def _word(value):
@@ -34,14 +34,14 @@ def _word(value):
 
 
 def names_of(handle) -> dict[str, str]:
-    """Names and titles of the figures of a result."""
+    """Returns names and titles of the figures of a result."""
     out = ffi.new("char **")
     check(lib.whirl_result_figures(handle, ffi.NULL, out))
     return dict(line.split("\t", 1) for line in taken(out).splitlines())
 
 
 def describe(handle, name, units, panels, log) -> dict[str, Any]:
-    """The document of a figure."""
+    """Returns the document of a figure."""
     out = ffi.new("char **")
     chosen = ",".join(panels) if isinstance(panels, (list, tuple)) else panels
     check(lib.whirl_result_figure(handle, _word(name), _word(units), _word(chosen), _word(log), out))
@@ -120,7 +120,7 @@ def _scale(scale):
 
 
 def _entry(series):
-    """What stands for a series in a legend: dots as large as eyes need."""
+    """Returns the legend entry of a series, with enlarged dots."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
@@ -137,7 +137,7 @@ def _entry(series):
 
 
 def entries(panels):
-    """The named series of panels, each name once."""
+    """Returns the named series of panels, each name once."""
     found: dict[str, dict] = {}
     for panel in panels:
         for series in panel["series"]:
@@ -164,7 +164,7 @@ def _set_axis(ax, axis, which, font):
 
 
 def _shared(ax):
-    """Whether others have the same x axis, and the same y axis."""
+    """Returns whether other axes share the x axis, and the y axis."""
     return [len(axes.get_siblings(ax)) > 1 for axes in (ax.get_shared_x_axes(), ax.get_shared_y_axes())]
 
 
@@ -179,7 +179,7 @@ def _set_style(artists, style):
 
 
 def _limits_before(ax):
-    """The limits of axes in which something is drawn, or in others that have the same ones; None of free ones."""
+    """Returns the limits of axes with contents (also those of axes that share them); None for empty axes."""
     groups = {"x": ax.get_shared_x_axes(), "y": ax.get_shared_y_axes()}
     return {
         which: getattr(ax, f"get_{which}lim")() if any(each.has_data() for each in group.get_siblings(ax)) else None
@@ -188,22 +188,22 @@ def _limits_before(ax):
 
 
 def _widen(ax, which, axis, before):
-    """Limits of an axis that show what is new, and with ticks of Matplotlib's what was there before."""
+    """Sets limits that show the new contents, and with Matplotlib's ticks the earlier contents too."""
     low, high = axis["low"], axis["high"]
     if before is not None and (min(before) < low or max(before) > high):
         low, high = min(low, *before), max(high, *before)
-        getattr(ax, f"set_{which}scale")("log" if axis["log"] else "linear")  # which sets the ticks, too
+        getattr(ax, f"set_{which}scale")("log" if axis["log"] else "linear")  # sets the ticks too
     getattr(ax, f"set_{which}lim")(low, high)
 
 
 def draw_panel(ax: Axes, panel: dict[str, Any], document: dict[str, Any], style: dict[str, Any] | None = None) -> Axes:
-    """A panel into axes; where it has a title, or a legend in it, these too."""
+    """Draws a panel into axes, with its title and its own legend."""
     font, before = document["font_pt"], _limits_before(ax)
     for axis in "xy":
         _set_axis(ax, panel[axis], axis, font)
     drawn = [_draw(ax, series, document.get("scale"), font) for series in panel["series"]]
     _set_style([artist for artists in drawn for artist in artists], style or {})
-    for axis in "xy":  # what was drawn widens nothing
+    for axis in "xy":  # earlier contents do not widen the limits
         _widen(ax, axis, panel[axis], before[axis])
     low = (panel["box"][3] - panel["box"][2]) * document["height_cm"] < _LOW_PANEL
     if low and panel["y"]["shown"]:
@@ -221,7 +221,7 @@ def draw_panel(ax: Axes, panel: dict[str, Any], document: dict[str, Any], style:
 
 
 def new_axes(ax: Axes | None) -> Axes:
-    """Those that were given, or those of a new figure."""
+    """Returns the given axes, or those of a new figure."""
     if ax is not None:
         if not hasattr(ax, "get_shared_x_axes"):
             raise errors.BadInput(f"ax is {ax!r}, expected axes of Matplotlib")
@@ -239,22 +239,22 @@ def close(ax: Axes) -> None:
 
 
 def _draw_into(ax, document, style):
-    """The only panel into axes that are given, and beside or in these what else stands above or beside panels."""
+    """Draws a single panel into given axes, with the title, legend and colour scale of its figure."""
     if len(document["panels"]) != 1:
         names = ", ".join(panel["name"] for panel in document["panels"])
         raise errors.BadInput(f"the figure has the panels {names}, expected one of them for the axes: panels=...")
     from matplotlib import rcParams
 
     panel, font = document["panels"][0], rcParams["font.size"]
-    for series in panel["series"]:  # marks and lines as letters
+    for series in panel["series"]:  # marks and lines scaled as letters
         series["size"] *= font / document["font_pt"]
     draw_panel(ax, panel, {**document, "font_pt": font}, style)
     place, (x, y) = ax.get_subplotspec(), _shared(ax)
     if x and place and not place.is_last_row():
-        ax.set_xlabel("")  # those below have it
+        ax.set_xlabel("")  # the panels below have the label
     if y and place and not place.is_first_col():
         ax.set_ylabel("")
-    own = bool({"color", "label"} & set(style or {}))  # the names are of other colours
+    own = bool({"color", "label"} & set(style or {}))  # the names have other colours
     if not panel["legend_inside"] and entries([panel]) and not own:
         boxes = any(series["shape"] == "boxes" and series["name"] for series in panel["series"])
         place = {"loc": "center left", "bbox_to_anchor": (1.01, 0.5)} if boxes else {"loc": "best"}
@@ -264,7 +264,7 @@ def _draw_into(ax, document, style):
 
 
 def draw(document: dict[str, Any], ax: Axes | None = None, style: dict[str, Any] | None = None) -> Figure:
-    """A figure, or its only panel into axes that are given; ``style`` for all that is drawn."""
+    """Draws a figure, or its only panel into given axes; ``style`` applies to all series."""
     import matplotlib.pyplot as plt
 
     if ax is not None:
@@ -290,7 +290,7 @@ def draw(document: dict[str, Any], ax: Axes | None = None, style: dict[str, Any]
 
 
 def _fill_scale(document, **place):
-    """The colours of numbers, into axes of their own (``cax``) or beside others (``ax``)."""
+    """Draws the colour scale into its own axes (``cax``) or next to others (``ax``)."""
     from matplotlib.cm import ScalarMappable
 
     colours, norm = _scale(document["scale"])

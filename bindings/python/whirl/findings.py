@@ -1,4 +1,4 @@
-"""What was found of machines at rest, of branches, tori and spectra, as the library tells it: statements and sheets."""
+"""Findings of machines at rest, branches, tori and spectra: statements and sheets of the library."""
 
 from __future__ import annotations
 
@@ -25,17 +25,17 @@ Cell = Union[None, str, float, "tuple[float, ...]"]
 class Statement:
     """One finding. ``str`` of it is the sentence that summaries print."""
 
-    table: str  #: of the result that it is of
+    table: str  #: name of the table
     what: str  #: "separation margin"
     station: str  #: or ""
-    at: str  #: the value of the table's parameter that it is of; "" of the whole table
+    at: str  #: value of the table's parameter; "" for the whole table
     verdict: str  #: "none asked for", "holds", "not known" or "fails"
-    clause: str  #: of the standard that asks for it, or ""
-    asked: str  #: what is asked for, or ""
-    found: str  #: what was found
+    clause: str  #: clause of the standard, or ""
+    asked: str  #: the requirement, or ""
+    found: str  #: the value found
     told: str  #: the verdict with its reason, or ""
-    text: str = field(repr=False)  #: all of it as one sentence
-    values: dict[str, tuple[float, ...]]  #: the numbers of ``at``, ``asked``, ``found``, ``told``, in SI
+    text: str = field(repr=False)  #: the statement as one sentence
+    values: dict[str, tuple[float, ...]]  #: numbers of ``at``, ``asked``, ``found``, ``told``, in SI
 
     def __str__(self) -> str:
         return self.text
@@ -45,7 +45,7 @@ class Statements(list):
     """A list of :class:`Statement`, which notebooks show as a table."""
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A DataFrame with a line a statement."""
+        """Returns a DataFrame with a line for each statement."""
         names = ("table", "at", "what", "station", "asked", "found", "verdict", "told", "clause")
         return _pandas().DataFrame([[getattr(own, name) for name in names] for own in self], columns=list(names))
 
@@ -59,12 +59,12 @@ class Column:
     """A column of a sheet."""
 
     key: str  #: "amplification"
-    heading: str  #: without its unit
-    unit: str  #: in which its numbers are shown, "" of none
-    size: float  #: of that unit, in SI: a number over it, less ``zero``, is shown
-    digits: int  #: significant ones that documents show; 0 of a column of texts
-    zero: float = 0.0  #: of temperatures: 273.15 of degC, 459.67 of degF
-    between: str | None = None  #: what stands between several numbers of a cell; None where each has one
+    heading: str  #: heading without its unit
+    unit: str  #: unit of the shown numbers, or ""
+    size: float  #: size of that unit in SI: the shown number is the SI number over it, less ``zero``
+    digits: int  #: significant digits in documents; 0 for a column of texts
+    zero: float = 0.0  #: offset of temperature units: 273.15 for degC, 459.67 for degF
+    between: str | None = None  #: separator of several numbers in a cell; None for single numbers
 
     @property
     def title(self) -> str:
@@ -72,7 +72,7 @@ class Column:
         return f"{self.heading} ({self.unit})" if self.unit else self.heading
 
     def shown(self, number: Cell) -> Cell:
-        """A cell in SI in the unit shown."""
+        """Converts a cell from SI to the shown unit."""
         if isinstance(number, (str, type(None))):
             return number
         if isinstance(number, tuple):
@@ -85,13 +85,13 @@ class Sheet:
     """A table as documents show it: numbers in the units shown, and in SI."""
 
     name: str  #: "peaks"
-    table: str  #: of the result that it is of
+    table: str  #: name of the table
     title: str
     about: str  #: sentences that explain it, or ""
     columns: tuple[Column, ...]
-    rows: tuple[tuple[Cell, ...], ...] = field(repr=False)  #: cells in the units shown; None where nothing is
-    si: tuple[tuple[Cell, ...], ...] = field(repr=False)  #: the same in SI
-    texts: tuple[tuple[str, ...], ...] = field(repr=False)  #: the same as documents write them
+    rows: tuple[tuple[Cell, ...], ...] = field(repr=False)  #: cells in the shown units; None for empty cells
+    si: tuple[tuple[Cell, ...], ...] = field(repr=False)  #: cells in SI
+    texts: tuple[tuple[str, ...], ...] = field(repr=False)  #: cells as documents write them
 
     @property
     def keys(self) -> tuple[str, ...]:
@@ -156,7 +156,7 @@ def _html_table(headings: Sequence[str], rows: Any, title: str = "") -> str:
 
 
 def text_of(handle, sheet: str | None, units: str | None, form: str) -> str:
-    """What the library writes of a sheet, or of all findings."""
+    """Returns the library's text of a sheet, or of all findings."""
     out = ffi.new("char **")
     words = (ffi.NULL if word is None else word_bytes(word) for word in (sheet, units))
     check(lib.whirl_result_findings(handle, *words, word_bytes(form), out))
@@ -164,7 +164,7 @@ def text_of(handle, sheet: str | None, units: str | None, form: str) -> str:
 
 
 def _finite(numbers):
-    """NaN in the place of what JSON has no number for."""
+    """Returns NaN for a null of JSON."""
     return tuple(np.nan if number is None else number for number in numbers)
 
 
@@ -194,12 +194,12 @@ def _sheet(of: dict[str, Any]) -> Sheet:
 
 
 def statements_of(handle, units: str | None) -> Statements:
-    """All statements of a result."""
+    """Returns all statements of a result."""
     return statements_in(json.loads(text_of(handle, None, units, "json")))
 
 
 def sheet_of(handle, name: str, units: str | None) -> Sheet:
-    """A sheet of a result."""
+    """Returns a sheet of a result."""
     return _sheet(json.loads(text_of(handle, name, units, "json")))
 
 
@@ -209,7 +209,7 @@ def sheets_of(handle, units: str | None) -> dict[str, Sheet]:
 
 
 def statements_in(document: dict[str, Any]) -> Statements:
-    """The statements of a document."""
+    """Returns the statements of a document."""
     return Statements(_statement(own) for own in document["statements"])
 
 

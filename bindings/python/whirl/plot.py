@@ -13,7 +13,7 @@ import numpy as np
 
 from .errors import BadInput
 from .fields import FIELD
-from .result import value_told
+from .result import value_text
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 __all__ = ["ATTRACTORS", "REGIMES", "Plots", "attractor_colour", "classes"]
 
-# Of the report and the explorer: told apart by readers of any colour vision.
+# Colours of the report and the explorer, distinguishable with any colour vision.
 REGIMES = {
     "P-1": "#366EFB",
     "P-2": "#1FBADD",
@@ -34,7 +34,7 @@ REGIMES = {
     "undetermined": "#9A9F95",
     "diverged": "#FB8D41",
 }
-# Of attractors, over and over: Okabe and Ito's colours, in an order in which neighbours differ in lightness, too.
+# Colours of attractors, repeated: Okabe and Ito's, in an order in which neighbours also differ in lightness.
 ATTRACTORS = ("#0072B2", "#E69F00", "#56B4E9", "#009E73", "#CC79A7", "#D55E00", "#F0E442", "#000000")
 _NO_ATTRACTOR = "#9A9F95"
 _UNDETERMINED, _PERIODIC, _QUASI_PERIODIC, _CHAOTIC, _DIVERGED = range(5)
@@ -46,11 +46,11 @@ _FIELDS = {
     "campbell": FIELD.MODES_FREQUENCY,
     "unbalance": FIELD.UNBALANCE_AMPLITUDE,
 }
-_MOST_PLANES = 12  # of a map over three parameters that its figure shows (figure_map.c)
+_MOST_PLANES = 12  # most planes in the figure of a map over three parameters (figure_map.c)
 
 
 def classes(table: Table) -> np.ndarray:
-    """The class of every point's verdict, as an index into :data:`REGIMES`."""
+    """Returns the class of every point's verdict, as an index into :data:`REGIMES`."""
     code, period = (np.nan_to_num(table[name]).astype(int) for name in (FIELD.REGIME_CODE, FIELD.REGIME_PERIOD))
     found = np.full(code.shape, 6)
     found[code == _QUASI_PERIODIC], found[code == _CHAOTIC], found[code == _DIVERGED] = 4, 5, 7
@@ -62,7 +62,7 @@ def classes(table: Table) -> np.ndarray:
 
 
 def attractor_colour(number: int) -> str:
-    """The colour of an attractor by its number, from 1; 0 is none."""
+    """Returns the colour of an attractor by its number, from 1; 0: no attractor."""
     return ATTRACTORS[(number - 1) % len(ATTRACTORS)] if number > 0 else _NO_ATTRACTOR
 
 
@@ -83,13 +83,13 @@ class Plots:
         return name if table is None else f"{table}/{name}"
 
     def _named(self, table):
-        """The name of a table that there is, or None."""
+        """Returns the name of an existing table, or None."""
         if table is not None and table not in self._result:
             raise BadInput(f"the result has no table '{table}', expected one of: {', '.join(self._result)}")
         return table
 
     def _first(self, field, every):
-        """The first table that has a field, or None; details with ``every``."""
+        """Returns the first table that has a field, or None; ``every`` includes details."""
         for table in self._result.values():
             if field in table and (every or table.name != "detail"):
                 return table
@@ -99,7 +99,7 @@ class Plots:
         return _chosen(which, [station.name for station in self._result.stations], "station")
 
     def _table(self, table, needs, every=False):
-        """The table of that name, or the first that has a field."""
+        """Returns the table of a name, or the first table that has a field."""
         advice = f"add {needs.split('/')[0]} to what the case analyses"
         if needs == FIELD.SPECTRUM_AMPLITUDE:
             advice = "'study: {detail: {at: ...}}' in a case keeps whole spectra"
@@ -127,12 +127,12 @@ class Plots:
         return document
 
     def _draw(self, name, panel, ax, style, titled=False):
-        """A panel of a figure, with the figure's title where that says what is drawn."""
+        """Draws a panel of a figure, with the figure's title if that names the contents."""
         return self._put(self._document(name, panel, style, titled), ax, style)
 
     @staticmethod
     def _put(document, ax, style):
-        """Such a figure into axes, or a figure of its own."""
+        """Draws a document into axes, or as a new figure."""
         from .figure import close, draw, new_axes
 
         scales = {axis: style.pop(f"{axis}scale") for axis in "xy" if f"{axis}scale" in style}
@@ -376,7 +376,7 @@ def _axis(coordinate):
 
 
 def _chosen(which, names, what):
-    """A name that there is, told by itself or by its index."""
+    """Returns an existing name, given by itself or by its index."""
     if isinstance(which, str) and which in names:
         return which
     if isinstance(which, (int, np.integer)) and 0 <= which < len(names):
@@ -391,7 +391,7 @@ def _point(table, point, at):
     if (point is None) == (at is None):
         raise BadInput("a point is told by its index, or by a value of the parameter, at='6000 rpm': one of both")
     if at is not None:
-        return value_told(at)
+        return value_text(at)
     count = int(np.prod(table.shape))
     if isinstance(point, (float, np.floating)):
         raise BadInput(f"the point is {point!r}, expected an index; a value of the parameter is at={float(point)!r}")

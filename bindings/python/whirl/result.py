@@ -1,4 +1,4 @@
-"""Results: what a study found, in memory or in a file, in one way."""
+"""Results of a study, in memory or in a file, with one interface."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Parameter:
     name: str
     value: float  #: in SI
     unit: str  #: of SI, "1" for a plain number
-    text: str  #: as the case wrote it
+    text: str  #: text in the case
 
     def __float__(self) -> float:
         return self.value
@@ -49,20 +49,20 @@ class Station:
     """A place of the machine whose motion is observed."""
 
     name: str
-    clearance: float  #: of the bearing there, in length scales; 0 where there is none
-    gap: float  #: radius at which it touches a stator, in length scales; 0 where there is none
-    x: int  #: index of the coordinate in the state
+    clearance: float  #: clearance of the bearing, in length scales; 0 without a bearing
+    gap: float  #: radius at which the station touches a stator, in length scales; 0 without a stator
+    x: int  #: index of the coordinate along x in the state
     y: int  #: likewise
     vx: int  #: index of the velocity along x
     vy: int  #: likewise along y
-    shaft: int = 0  #: number of the shaft of finite elements it lies on, from 1; 0 for none
-    position: float = 0.0  #: along that shaft, m
-    along_y: int = 0  #: 1 where the station moves along y alone, whose coordinate `x` is, too
-    clockwise: int = 0  #: 1 where the rotor turns clockwise, from y to x
+    shaft: int = 0  #: number of its shaft of finite elements, from 1; 0 for none
+    position: float = 0.0  #: position along that shaft, m
+    along_y: int = 0  #: 1 if the station moves along y only; then `x` is the index of that coordinate too
+    clockwise: int = 0  #: 1 if the rotor turns clockwise, from y to x
 
 
-def value_told(value: float | str) -> str:
-    """A value of a parameter as the library reads it: a number in SI, or a text with a unit."""
+def value_text(value: float | str) -> str:
+    """Returns a parameter value as a text for the library, from a number in SI or a text with a unit."""
     if isinstance(value, str):
         return value
     try:
@@ -100,7 +100,7 @@ class _About:
 
     @property
     def clock(self) -> float:
-        """rad/s, of the case as it stands."""
+        """rad/s of the phase that counts revolutions, of the case without parameter changes."""
         try:
             rate = float(self.facts.get("keyphasor rate", "").split(" ")[0])
         except ValueError:
@@ -122,7 +122,7 @@ class _About:
                 word_bytes(parameter),
                 ffi.cast("double *", values.ctypes.data),
                 len(values),
-                word_bytes(value_told(told)),
+                word_bytes(value_text(told)),
                 index,
             )
         )
@@ -130,11 +130,11 @@ class _About:
 
 
 class Result:
-    """What a run found, with the case it came from and how it was computed."""
+    """Results of a run, with its case and its options."""
 
     def __init__(self, source: Any) -> None:
         self._source, self._about = source, _About(source)
-        self._units = None  # of figures: those of the case
+        self._units = None  # units of figures: "" for those of the case
         self._whole = None  # of a result in a file, where figures have been drawn
 
     @property
@@ -154,7 +154,7 @@ class Result:
 
     @property
     def speed(self) -> float:
-        """Of the shaft, rad/s, of the case as it stands."""
+        """Speed of the shaft in rad/s, of the case without parameter changes."""
         return self._source.speed
 
     @property
@@ -169,7 +169,7 @@ class Result:
 
     @property
     def partial(self) -> bool:
-        """Whether the run was stopped before its end."""
+        """True if the run was stopped before its end."""
         return self._source.partial
 
     def _rows_of(self, field):
@@ -256,18 +256,18 @@ class Result:
 
     @property
     def facts(self) -> dict[str, str]:
-        """How, where and with what it was computed."""
+        """Facts about the computation: method, machine, versions."""
         return self._about.facts
 
     @cached_property
     def tables(self) -> dict[str, Table]:
-        """The tables by their names, such as "sweep", "map", "branch"."""
+        """Tables by name, such as "sweep", "map", "branch"."""
         tables = {name: Table(self._about, table) for name, table in self._source.tables().items()}
         return ReadOnly(tables, "tables are those of the result")
 
     @property
     def case(self) -> Case:
-        """The case, ready to be run again or changed."""
+        """The case, to be run again or changed."""
         from .case import Case
 
         return Case(text=self.case_text, name=self.case_name)
@@ -294,11 +294,11 @@ class Result:
             if source:
                 source.show_in(units)
         self._units = units
-        self._about.__dict__.pop("facts", None)  # which say the units of a result in memory
+        self._about.__dict__.pop("facts", None)  # facts contain the units of a result in memory
         return self
 
     def parameter_unit(self, name: str) -> str:
-        """The SI unit of a parameter, "1" for what is none."""
+        """Returns the SI unit of a parameter; "1" for other names."""
         return self._about.parameter_unit(name)
 
     def __getitem__(self, name: str) -> Table:
@@ -319,7 +319,7 @@ class Result:
         return True
 
     def keys(self) -> KeysView[str]:
-        """The names of the tables."""
+        """Returns the names of the tables."""
         return self.tables.keys()
 
     def values(self) -> ValuesView[Table]:
@@ -327,11 +327,11 @@ class Result:
         return self.tables.values()
 
     def items(self) -> ItemsView[str, Table]:
-        """Both: ``for name, table in result.items(): ...``"""
+        """Returns names and tables: ``for name, table in result.items(): ...``"""
         return self.tables.items()
 
     def get(self, name: str, default: Table | None = None) -> Table | None:
-        """A table, or ``default`` where the result has none of the name."""
+        """Returns a table, or ``default`` if the result has no table of the name."""
         return self.tables.get(name, default)
 
     @property
@@ -421,7 +421,7 @@ class Result:
         return text_of(self._figured(), name, units, format)
 
     def _figured(self):
-        """The result as the library has it: of one that lies in a file, all of it is read."""
+        """Returns the library's result; a result in a file is read completely."""
         from ._memory import MemorySource
 
         source = self._source
@@ -453,7 +453,7 @@ class Result:
         raise TypeError("a result cannot be pickled: save() writes it to a file, and whirl.open() reads that")
 
     def close(self) -> None:
-        """Closes the file of a result that was opened; nothing more can be read then."""
+        """Closes the file of an opened result; afterwards nothing can be read."""
         getattr(self._source, "close", lambda: None)()
 
     def __enter__(self) -> Result:
@@ -580,7 +580,7 @@ def open(path: str | os.PathLike) -> Result:  # noqa: A001 (whirl.open reads as 
 
 
 def read(path: str | os.PathLike) -> Result:
-    """Reads all of a result file into memory, checked by the library before a number of it is believed."""
+    """Reads a whole result file into memory; the library checks it first."""
     from ._memory import MemorySource
 
     return Result(MemorySource.read(path))

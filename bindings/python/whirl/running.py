@@ -1,4 +1,4 @@
-"""Runs: from a case to its result, with progress, stopped by Ctrl-C without losing what is done."""
+"""Runs: from a case to its result, with progress. Ctrl-C stops a run and keeps its finished points."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ from .result import Result
 
 __all__ = ["run"]
 
-_MOST_THREADS = 1024  # as whirl_job_threads has it
+_MOST_THREADS = 1024  # limit of whirl_job_threads
 
 
 _underway: set[_Work] = set()
-_leaving = threading.Event()  # Python does: no run begins any more
+_leaving = threading.Event()  # Python is exiting: no new run may begin
 
 
 def _after_fork() -> None:
-    """A child has none of the threads of a run, and the library's locks as they happened to be."""
+    """Forbids the library in a forked child, which lacks the run's threads and has the locks in an arbitrary state."""
     if _underway:
         _underway.clear()
         forbid(
@@ -45,7 +45,7 @@ if hasattr(os, "register_at_fork"):
 
 @atexit.register
 def _stop_all() -> None:
-    """Runs of threads that do not outlive Python (daemons) end before it does: it would take the library from them."""
+    """Stops the runs of daemon threads before Python exits and unloads the library."""
     _leaving.set()
     left = list(_underway)
     for work in left:
@@ -143,10 +143,12 @@ class _Work:
         """Has the work done, and gives what came of it."""
         try:
             with _stopped_by_ctrl_c(self.job, self.outcome):
-                _thread.start_new_thread(self._begin, ())  # threads without handlers: no start is cut short
+                _thread.start_new_thread(
+                    self._begin, ()
+                )  # threads without signal handlers, so that none interrupts a start
                 while not self.over:
                     self.gate.acquire(timeout=0.2)
-        except BaseException:  # of a handler of another signal
+        except BaseException:  # an exception of another signal's handler
             lib.whirl_job_stop(self.job)
             self.outlast()
             raise
@@ -155,7 +157,7 @@ class _Work:
         return self.outcome.pop("result")
 
     def outlast(self):
-        """Waits for the end, whatever handlers of signals raise meanwhile."""
+        """Waits for the end even if signal handlers raise exceptions."""
         while not self.over:
             try:
                 self.gate.acquire(timeout=0.2)
@@ -216,7 +218,7 @@ def _now():
 
 
 def _teller(tell, job, outcome):
-    """A callable for the library. What it raises stops the run and is raised at its end."""
+    """Makes a callback for the library. An exception in it stops the run and is raised at the run's end."""
 
     def keep(kind, value, trace):
         outcome.setdefault("raised", value)
@@ -307,7 +309,7 @@ def compute(
     try:
         result = work.wait()
     finally:
-        lib.whirl_job_stop(job)  # where a handler raises before this was said
+        lib.whirl_job_stop(job)  # a signal handler may raise before this line
         if bar:
             bar.close()
     for words in result.warnings:
@@ -318,7 +320,7 @@ def compute(
 
 
 def _finish(source, outcome, started, threads):
-    """The result of a job that has ended, or the exception."""
+    """Returns the result of a finished job, or raises its exception."""
     if source is None:
         if outcome.get("interrupted") and outcome["code"] == STOPPED:
             raise KeyboardInterrupt

@@ -45,9 +45,9 @@ class Spectrum(NamedTuple):
 
     orders: np.ndarray  #: [orders] multiples of the speed, 1/revolutions apart
     amplitude: np.ndarray  #: [channels][orders]
-    lines: tuple  #: arrays [lines][2], one a channel, of the order and amplitude of sinusoids, largest first
+    lines: tuple  #: for each channel an array [lines][2] of order and amplitude of sinusoids, largest first
     synchronous: np.ndarray  #: [channels] amplitude once a revolution
-    lag: np.ndarray  #: [channels] degrees by which its peak comes after the pulse, NaN where there is none
+    lag: np.ndarray  #: [channels] lag of its peak behind the pulse in degrees; NaN without a synchronous part
 
 
 class FullSpectrum(NamedTuple):
@@ -64,23 +64,23 @@ class FullSpectrum(NamedTuple):
 
 
 class Recurrence(NamedTuple):
-    """How points come back."""
+    """Recurrence of points."""
 
     #: the smallest number of steps, up to 64 (128 where there are three times as many points), after which all points
     #: return within the tolerance; else that of the nearest return
     period: int
-    distance: float  #: largest distance of a point from that so many steps later, over the size of the motion
+    distance: float  #: largest distance of a point from the one that many steps later, over the size of the motion
     rate: float  #: share of the pairs of points that are within the radius
     determinism: float  #: share of these pairs in diagonal lines; NaN without any
     laminarity: float  #: share of the near points in vertical lines
-    longest: int  #: points of the longest diagonal line, the main diagonal apart
+    longest: int  #: points of the longest diagonal line other than the main diagonal
 
 
 # ---------------------------------------------------------------- arrays
 
 
 def _numbers(values: ArrayLike, what: str, dimensions: int = 1) -> np.ndarray:
-    """Doubles side by side in memory; what is masked is a gap."""
+    """Converts to contiguous doubles; masked values become gaps (NaN)."""
     kind = getattr(getattr(values, "dtype", None), "kind", None) or np.asarray(values, dtype=object).dtype.kind
     if kind in "mMc" or np.iscomplexobj(values):
         found = "complex numbers" if kind == "c" or np.iscomplexobj(values) else "dates or spans of time"
@@ -95,12 +95,12 @@ def _numbers(values: ArrayLike, what: str, dimensions: int = 1) -> np.ndarray:
 
 
 def _at(numbers: np.ndarray):
-    """The library's pointer to an array, which has to live on."""
+    """Returns a pointer to an array, which the caller must keep alive."""
     return ffi.cast("double *", numbers.ctypes.data)
 
 
 def _whole(value, what: str) -> int:
-    """A number that the library can be told as an int or a size."""
+    """Converts a number to an int or a size for the library."""
     try:
         whole = int(value)
     except (TypeError, ValueError, OverflowError):
@@ -225,7 +225,7 @@ def _doubt_teeth(time: np.ndarray, channels: np.ndarray, pulses: np.ndarray) -> 
     turned, samples = np.empty((len(channels), first - 1, 8)), 8
     arrays = _at(time), _at(channels), time.size, len(channels), _at(pulses), first
     if first < 64 or lib.whirl_signals_resample(*arrays, samples, 3, _at(turned)).code != 0:
-        return  # too few to tell; what is wrong is said where it is asked for
+        return  # too few pulses to decide; the analyses report their requirement
     lines = np.vstack([_spectrum(channel.ravel(), None, samples, 2.0)[1][:, :2] for channel in turned])
     order, most = lines[np.argmax(lines[:, 1])] if len(lines) > 0 else (1.0, 0.0)
     teeth = round(1.0 / order) if order > 0 else 0
@@ -248,7 +248,7 @@ def _spectrum(x: np.ndarray, y: Optional[np.ndarray], samples: int, highest_orde
     return orders, lines[: found[0]], synchronous
 
 
-# ---------------------------------------------------------------- what pulses tell
+# ---------------------------------------------------------------- checks of pulses
 
 _WINDOW, _UNLIKE, _STEADY = 3, 1.5, 0.1
 
@@ -357,7 +357,7 @@ class Record:
             check_pulses(pulses)
         if per_revolution == 1:
             _doubt_teeth(self.time, self.channels, pulses)
-        #: [pulses] instants at which the shaft has turned once more
+        #: [pulses] instants of the pulses, one for each revolution
         self.pulses = pulses[:: int(per_revolution)].copy()
         #: [pulses - 1] mean between them, rad per unit of time
         self.speed = every if per_revolution == 1 else self._speed_between(self.pulses)
@@ -399,7 +399,7 @@ class Record:
         return speed
 
     def _sampled(self):
-        """What the library wants to know first."""
+        """Returns the arguments that all calls of the library begin with."""
         count = self.channels.shape[1]
         return _at(self.time), _at(self.channels), count, len(self.names), _at(self.pulses), len(self.pulses)
 
@@ -439,7 +439,7 @@ class Record:
             check(lib.whirl_signals_samples(time, count, pulses, pulse_count, enough))
             samples = enough[0]
         samples = _whole(samples, "samples")
-        if channels * len(self.speed) * samples > 1_000_000_000:  # as the library has it, before memory is asked for
+        if channels * len(self.speed) * samples > 1_000_000_000:  # the library's limit, before memory is allocated
             raise BadInput(f"{samples} samples of {len(self.speed)} revolutions are too many")
         turned = np.empty((channels, len(self.speed), samples))
         check(lib.whirl_signals_resample(*self._sampled(), samples, _whole(order, "the order"), _at(turned)))
@@ -506,7 +506,7 @@ class Record:
     def recurrence(
         self, radius: float = 0.1, tolerance: float = 0.05, shortest: int = 2, phase: float = 0.0, order: int = 7
     ) -> Recurrence:
-        """How the section comes back (:func:`recurrence`): period in revolutions, and recurrence quantified."""
+        """Recurrence of the section (:func:`recurrence`): period in revolutions, and recurrence quantification."""
         return recurrence(self.section(phase, order), self.size, radius, tolerance, shortest)
 
 

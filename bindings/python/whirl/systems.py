@@ -80,13 +80,13 @@ class CFunction:
     def __init__(
         self, library: ctypes.CDLL, name: str, form: str, folder: tempfile.TemporaryDirectory, identity: str
     ) -> None:
-        self._library, self._folder = library, folder  # both live as long as the function
-        #: what it computes: "rates", "lanes" or "tangent"
+        self._library, self._folder = library, folder  # both must live as long as the function
+        #: its result: "rates", "lanes" or "tangent"
         self.form = form
-        #: a checksum of its text, of what that includes, of the compiler and its flags
+        #: checksum of its text, of included files, of the compiler and its flags
         self.identity = identity
         try:
-            #: where it lies in memory
+            #: address in memory
             self.address = ctypes.cast(getattr(library, name), ctypes.c_void_p).value
         except AttributeError:
             raise errors.BadInput(f"the C text defines no function '{name}'") from None
@@ -160,7 +160,7 @@ def compile_c(source: str, name: str = "rates", flags: Sequence[str] = ("-O3", "
     return CFunction(ctypes.CDLL(str(library)), name, form, folder, identity)
 
 
-# Options of branches, which the library knows with this before them, as results have them.
+# Options of branches; the library has this prefix before their names, as in results.
 _TRACE = "trace_"
 _OF_BRANCHES = (
     *("rest", "revolutions", "longest", "switches", "segments", "points", "step", "rtol"),
@@ -185,7 +185,7 @@ def _row(values, what):
 
 
 def _number(value, what):
-    """A number in SI; texts with units are none."""
+    """Converts a number in SI; texts with units are rejected."""
     try:
         if not isinstance(value, str):
             return float(value)
@@ -221,7 +221,7 @@ def _pair(name, pair):
 
 
 def _identity_of(what, function):
-    """A checksum of a function, or what a user has to say in its place."""
+    """Returns the checksum of a function, or the identity that the user gives instead."""
     try:
         if isinstance(function, (int, ctypes._CFuncPtr, ffi.CData)):
             raise _identity.Unknown("it is an address")
@@ -234,7 +234,7 @@ def _identity_of(what, function):
 
 
 def _followed(result):
-    """A result some motions of which have numbers; what could not be followed is said."""
+    """Checks that some motions of a result have numbers, and reports the ones that failed."""
     for table in result.tables.values():
         if FIELD.REGIME_DIVERGED_AT in table:
             lost = (table[FIELD.REGIME_CODE] == 0) & (table[FIELD.REGIME_DIVERGED_AT] > 0)
@@ -256,7 +256,7 @@ def _followed(result):
 
 
 def _numbers(values, name):
-    """An array of numbers of a parameter, and where it lies."""
+    """Returns an array of parameter values, and its pointer."""
     try:
         values = np.ascontiguousarray(values, dtype=float).ravel()
     except (TypeError, ValueError):
@@ -265,7 +265,7 @@ def _numbers(values, name):
 
 
 class _Study:
-    """What is to be found out about a system."""
+    """A study of a system, before it is passed to the library."""
 
     def __init__(self, vary=None, analyze=(), options=None, branch=None, curves=None):
         self.vary, self.options = vary or {}, options or {}
@@ -273,7 +273,7 @@ class _Study:
         self.branch, self.curves = branch, curves
 
     def put(self, handle):
-        """Tells the library."""
+        """Passes the study to the library."""
         for name, values in self.vary.items():
             values, pointer = _numbers(values, name)
             check(lib.whirl_user_system_vary(handle, word_bytes(name), pointer, len(values)))
@@ -393,7 +393,7 @@ class System:
         for name in self.parameters if self._rates_at is None else ():
             if iskeyword(name) or name.startswith("_") or not name.isidentifier():
                 raise errors.BadInput(f"a parameter is called '{name}', which p cannot have as an attribute in Python")
-        self._build(_Study())  # what is wrong is said here
+        self._build(_Study())  # errors are raised here
 
     # ---------------------------------------------------------------- functions
 
@@ -403,7 +403,7 @@ class System:
         return values if count is None else values.reshape(rows, count)
 
     def _copied(self, pointer, rows, count=None):
-        """Numbers that a function may keep: the library's own are gone when it is done."""
+        """Returns copies of numbers that a function may keep: the library's arrays are valid only during the call."""
         return self._state(pointer, rows, count).copy()
 
     def _python_rates(self, raised):
@@ -460,7 +460,7 @@ class System:
         return tangent
 
     def _put_functions(self, handle, raised):
-        """Hands over the functions; gives what must live as long as they are called."""
+        """Passes the functions to the library; returns the objects that must live as long as they are called."""
         address = self._rates_at
         rates = self._python_rates(raised) if address is None else ffi.cast("void *", address)
         if self.lanes:
@@ -475,7 +475,7 @@ class System:
         return rates, tangent
 
     def _known(self):
-        """What a journal knows the functions by."""
+        """Returns the identities of the functions for a journal."""
         if self.identity is not None:
             return self.identity
         functions = {"rates": self.rates} | ({} if self.tangent is None else {"tangent": self.tangent})
@@ -604,7 +604,7 @@ class System:
         study = _Study(options=named, branch=(parameter, from_, to, at), curves=curves)
         try:
             return self._run(study, threads, progress, journal, resume)
-        except errors.BadInput as refusal:  # the library knows options of branches by longer names
+        except errors.BadInput as refusal:  # the library's options of branches have longer names
             for name in named:
                 if str(refusal) == f"there is no option {name}" and _did_you_mean(name, _OF_BRANCHES):
                     raise errors.BadInput(f"{refusal}{_did_you_mean(name, _OF_BRANCHES)}") from None

@@ -1,4 +1,4 @@
-"""A table of a result: the points of one part of a study, with every number of each."""
+"""A table of a result: the points of one part of a study, with all their numbers."""
 
 from __future__ import annotations
 
@@ -23,25 +23,25 @@ _TAKEN = {"point", "branch", "verdict", "attractor", "share", "station", "contac
 
 
 def _apart(name):
-    """The name of a parameter among columns and dimensions, which have names of their own."""
+    """Returns the name of a parameter that does not collide with columns and dimensions."""
     return f"parameter {name}" if name in _TAKEN else name
 
 
 @dataclass(frozen=True)
 class Field:
-    """What an analysis says of every point of a table."""
+    """A field: numbers of an analysis for every point of a table."""
 
     name: str  #: "orbit/max_radius"
     unit: str  #: "length" and "force" (in the scales of the result), "1", "revolution", "order", ...
-    meaning: str  #: in words
-    extent: str  #: what it stands once for, a "point", "station" or "contact"
-    repeat: int  #: how many of these there are
-    rows: int  #: of each; 1 for plain numbers
-    columns: int  #: of each row
-    has_rows: bool  #: whether rows are a dimension, as those of a section are, also where one revolution leaves one
-    si_factor: float  #: times a number gives SI; NaN for lengths where the parameter changes the scale
-    si_unit: str  #: the name of that unit
-    column_names: list[str]  #: "x", "y", ...; empty where columns have no names
+    meaning: str  #: meaning in words
+    extent: str  #: one block for each "point", "station" or "contact"
+    repeat: int  #: number of these blocks
+    rows: int  #: rows of each block; 1 for single numbers
+    columns: int  #: columns of each row
+    has_rows: bool  #: True if rows are a dimension (as in a section), even if there is only one row
+    si_factor: float  #: factor to SI; NaN for lengths if the parameter changes the scale
+    si_unit: str  #: name of the SI unit
+    column_names: list[str]  #: "x", "y", ...; empty for columns without names
 
     @property
     def dimensions(self) -> tuple[str, ...]:
@@ -50,7 +50,7 @@ class Field:
         return tuple(name for name, there in sizes if there)
 
     def _shaped(self, numbers: np.ndarray, points: int) -> np.ndarray:
-        """Numbers as files have them, behind so many dimensions of points: there a single row is left out."""
+        """Returns numbers in the shape of files, after the dimensions of points: a single row is no dimension there."""
         if not self.has_rows or self.rows != 1:
             return numbers
         before = points + (self.extent != "point")
@@ -58,7 +58,7 @@ class Field:
 
 
 def _fixed(numbers):
-    """An array that is kept, and so is not to be written to."""
+    """Returns a read-only array that is kept."""
     if numbers is not None:
         numbers.flags.writeable = False
     return numbers
@@ -76,12 +76,12 @@ class Table(Mapping):
     def __init__(self, about: Any, source: Any) -> None:
         self._about, self._source = about, source
         self.name = source.name  #: "sweep", "map", "branch", ...
-        self.parameter = source.parameter  #: what varies, "" for a single point
-        self.second = source.second  #: what varies besides, in a map or curves, else ""
-        self.third = source.third  #: what varies from plane to plane of a map, else ""
-        self.shape = source.shape  #: (points,), or ([planes,] rows, columns) of a whole map
-        self.grid = source.grid  #: (rows, columns) of a map, also where points are missing or it is refined; else None
-        self.planes = source.planes  #: of a map, 1 where it has no third parameter; 0 of other tables
+        self.parameter = source.parameter  #: the varied parameter, "" for a single point
+        self.second = source.second  #: the second parameter of a map or of curves, else ""
+        self.third = source.third  #: the third parameter, from plane to plane of a map, else ""
+        self.shape = source.shape  #: (points,), or ([planes,] rows, columns) for a whole map
+        self.grid = source.grid  #: (rows, columns) of a map, also with missing points or refinement; else None
+        self.planes = source.planes  #: planes of a map, 1 without a third parameter; 0 for other tables
 
     @cached_property
     def fields(self) -> dict[str, Field]:
@@ -91,7 +91,7 @@ class Table(Mapping):
 
     @cached_property
     def values(self) -> np.ndarray:
-        """The parameter at every point, in SI; NaN where nothing varies."""
+        """The parameter at every point, in SI; NaN without a parameter."""
         return _fixed(self._source.values())
 
     @cached_property
@@ -142,7 +142,7 @@ class Table(Mapping):
 
     @property
     def reasons(self) -> np.ndarray:
-        """Why, in a sentence from the evidence."""
+        """The reason of every verdict, a sentence."""
         return self._words[1]
 
     @cached_property
@@ -151,7 +151,7 @@ class Table(Mapping):
 
     @property
     def has_attractors(self) -> bool:
-        """Whether the points are different starts of one machine, as those of a basin or of several starts a place."""
+        """True if points are different starts of one machine, as in a basin or with several starts at a place."""
         return self.name == "basin" or FIELD.STARTS_NUMBER in self.fields
 
     @property
@@ -168,12 +168,12 @@ class Table(Mapping):
 
     @property
     def share_errors(self) -> np.ndarray | None:
-        """The standard errors of :attr:`shares`, were the starts drawn at random."""
+        """The standard errors of :attr:`shares` for random starts."""
         return self._attractors[2]
 
     @cached_property
     def options(self) -> dict:
-        """Method, tolerances, revolutions and all else that says how the points were computed."""
+        """Options of the computation: method, tolerances, revolutions, ..."""
         return ReadOnly(self._source.options(), "case.set('integrate.rtol', ...) sets an option of a case")
 
     def _field(self, name):
@@ -202,11 +202,11 @@ class Table(Mapping):
         return name in self.fields
 
     def keys(self) -> KeysView[str]:
-        """The names of the fields."""
+        """Returns the names of the fields."""
         return self.fields.keys()
 
     def unit(self, name: str) -> str:
-        """The unit of a field's numbers as they stand: "length", "force", "1", "order", ..."""
+        """Returns the unit of a field's numbers: "length", "force", "1", "order", ..."""
         return self._field(name).unit
 
     def si(self, name: str) -> tuple[np.ndarray, str]:
@@ -223,7 +223,7 @@ class Table(Mapping):
         return numbers * factor, field.si_unit
 
     def _si_factors(self, unit):
-        """Of every point, where these differ."""
+        """Returns the factors to SI of every point, if they differ."""
         if unit == "length":
             return self.length_scale
         return 2.0 * np.pi / self.clock if unit == "revolution" else self.clock / (2.0 * np.pi)
@@ -234,7 +234,7 @@ class Table(Mapping):
         return self._about.nearest(self.parameter, self.values.ravel(), value)
 
     def station(self, name: str | int) -> int:
-        """Index of a station by its name, or by its index."""
+        """Returns the index of a station, given by its name or its index."""
         names = [station.name for station in self._about.stations]
         if isinstance(name, (int, np.integer)) and 0 <= name < len(names):
             return int(name)
@@ -277,7 +277,7 @@ class Table(Mapping):
         return frame
 
     def _columns(self, name, field):
-        """One-dimensional columns of a field of one row."""
+        """Yields the columns of a field with one row, one-dimensional."""
         numbers = self[name].reshape(int(np.prod(self.shape)), field.repeat, field.columns)
         owners = {"station": [s.name for s in self._about.stations], "contact": self._about.contacts, "point": [""]}
         parts = (

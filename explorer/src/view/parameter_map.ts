@@ -224,7 +224,7 @@ export class ParameterMapView {
   }
 
   /// Returns name and confidence of the verdict of the cell at a spot, the reason, and numbers.
-  told(spot: Spot): { readonly verdict: string; readonly kind: number; readonly rest: string } {
+  describe(spot: Spot): { readonly verdict: string; readonly kind: number; readonly rest: string } {
     const { map } = this.subject!;
     const { grid, cell, live } = this.find(spot);
     const { diagram } = grid;
@@ -241,7 +241,7 @@ export class ParameterMapView {
     const { attractors } = map;
     const parts = [
       live && 'computed in this page',
-      !live && attractors.length > 0 && `attractor ${map.attractorOf(point) || 'not told'} of ${attractors.length}`,
+      !live && attractors.length > 0 && `attractor ${map.attractorOf(point) || 'unknown'} of ${attractors.length}`,
       confidence && `confidence ${confidence}`,
       readable(reason),
       Number.isFinite(exponent) ? `exponent ${shown(exponent, 7)} per revolution` : '',
@@ -412,8 +412,8 @@ export class ParameterMapView {
           : [{ text: CLASS_NAMES[kind]!, count: String(count), colour: (colours: Theme) => colours.classes[kind]! }],
       );
     const percent = (share: number) => `${(100 * share).toFixed(1)} %`;
-    const told = map.attractors.reduce((sum, { starts }) => sum + starts, 0);
-    const others = map.diagram.known - told;
+    const counted = map.attractors.reduce((sum, { starts }) => sum + starts, 0);
+    const others = map.diagram.known - counted;
     return [
       ...map.attractors.map(({ name, share, error }, i) => ({
         text: name,
@@ -421,7 +421,7 @@ export class ParameterMapView {
         colour: (colours: Theme) => attractorColour(i + 1, colours),
       })),
       ...(others > 0
-        ? [{ text: 'not told', count: String(others), colour: (colours: Theme) => attractorColour(0, colours) }]
+        ? [{ text: 'unknown', count: String(others), colour: (colours: Theme) => attractorColour(0, colours) }]
         : []),
     ];
   }
@@ -452,7 +452,7 @@ export class ParameterMapView {
     slider.setAttribute('aria-valuenow', String(cell ? cell.row * map.columns + cell.column + 1 : 1));
     slider.setAttribute(
       'aria-valuetext',
-      this.cursor ? `${this.placeText(this.cursor)}: ${this.told(this.cursor).verdict}` : '',
+      this.cursor ? `${this.placeText(this.cursor)}: ${this.describe(this.cursor).verdict}` : '',
     );
   }
 

@@ -182,7 +182,7 @@ export class ParameterMapCard {
     const why = refining
       ? 'Computes no more cells'
       : quantity === ATTRACTOR.id
-        ? 'Attractors are told by all starts of the run; another quantity has finer cells'
+        ? 'Attractors need all starts of the run; another quantity has finer cells'
         : canRefine(this.map.part)
           ? 'Computes finer cells of what is seen, in this page'
           : `Zoom in: finer cells are computed of at most ${FINE} by ${FINE}`;
@@ -194,7 +194,7 @@ export class ParameterMapCard {
   private tell(): void {
     const spot = this.subject && (this.hovered ?? this.map.cursor);
     if (!spot) return;
-    const { verdict, kind, rest } = this.map.told(spot);
+    const { verdict, kind, rest } = this.map.describe(spot);
     this.place.textContent = `${this.map.placeText(spot)}:`;
     this.verdict.textContent = verdict;
     this.verdict.className = kind < 0 ? 'verdict' : `verdict class-${kind}`;

@@ -112,7 +112,7 @@ export class RestCard {
           'p',
           { class: 'panel-note' },
           rest.order.some((point) => rest.modulo(point) > 0)
-            ? 'Coefficients turn with the shaft: critical speeds are not told. No threshold of stability was found.'
+            ? 'Coefficients turn with the shaft: critical speeds are not defined. No threshold of stability was found.'
             : 'No critical speed and no threshold of stability was found.',
         ),
       );

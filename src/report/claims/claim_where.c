@@ -83,7 +83,7 @@ static void where_met(const claim_view *view, const char *parameter, double valu
             best = i;
     }
     if (compared == 0)
-        snprintf(text, size, "the sweep does not tell where it would hold");
+        snprintf(text, size, "no point of the sweep can be compared with it");
     else if (best == SIZE_MAX)
         snprintf(text, size, "holds at none of the %zu points of the sweep", compared);
     else
@@ -108,5 +108,5 @@ void claim_whereabouts(const whirl_claims *claims, const whirl_claim *claim, con
     else if (sweep)
         where_met(&view, claims->parameter, claim->from, text, size);
     else
-        snprintf(text, size, "no sweep tells where it would hold");
+        snprintf(text, size, "there is no sweep to find where it would hold");
 }

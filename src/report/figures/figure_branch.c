@@ -270,10 +270,11 @@ static void describe_curves(const drawing *of, const figure_place *place, whirl_
         add_curves(figure, panel, &v, kind, up, false);
         add_curves(figure, panel, &v, kind, up, true);
     }
-    snprintf(figure->caption, sizeof figure->caption,
-             "Curves over %s and %.60s along which motions change; between them motions are of one kind.%s",
-             table->parameter, second,
-             has_kind(table, WHIRL_HOPF) ? " Dashed: the whirl that begins there is unstable (subcritical)." : "");
+    snprintf(
+        figure->caption, sizeof figure->caption,
+        "Curves over %s and %.60s along which motions change; between the curves the kind of motion stays the same.%s",
+        table->parameter, second,
+        has_kind(table, WHIRL_HOPF) ? " Dashed: the whirl that begins there is unstable (subcritical)." : "");
 }
 
 const figure_kind curves_figure = {

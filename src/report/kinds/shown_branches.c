@@ -23,7 +23,7 @@ static const char *special_name(const finder *of, const whirl_trace *at) {
 }
 
 /// Cause of the change; for grazing with "; contacts in a period: 2 to 1".
-static const char *special_told(const finder *of, const whirl_trace *at, size_t before, size_t after) {
+static const char *special_cause(const finder *of, const whirl_trace *at, size_t before, size_t after) {
     char text[WHIRL_MESSAGE_SIZE];
     const double *first = whirl_table_field(of->table, before, WHIRL_FIELD_TRACE_TOUCHES, 0);
     const double *then = whirl_table_field(of->table, after, WHIRL_FIELD_TRACE_TOUCHES, 0);
@@ -64,7 +64,7 @@ static void find_changes(const finder *of) {
         cell_text(of, sheet,
                   find_text(of->findings, "%.0f to %.0f", point_number(of->table, before, WHIRL_FIELD_TRACE_UNSTABLE),
                             point_number(of->table, after, WHIRL_FIELD_TRACE_UNSTABLE)));
-        cell_text(of, sheet, special_told(of, &at, before, after));
+        cell_text(of, sheet, special_cause(of, &at, before, after));
         whirl_orbit_free(at.point.orbit);
     }
     if (sheet->rows == 0)

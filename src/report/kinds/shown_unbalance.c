@@ -153,6 +153,6 @@ const shown_kind shown_unbalance = {
     .name = "Peaks of the response",
     .about = "Critical speeds as peaks of all stations, as probes there see them, with the amplification "
              "factor, speed over the width at half power, and, where the running "
-             "speeds are said, the separation margin after API 617 (which edition "
+             "speeds are given, the separation margin after API 617 (which edition "
              "counts is for the user to check).",
     .find = unbalance_find};

@@ -16,10 +16,10 @@
 
 /// Writes the effect of the machine's motions on clearances, and coexisting motions.
 static void tell_motions(const page *to, size_t result, const whirl_table *table, void *context) {
-    size_t *const told = context;
-    char text[MOTIONS_TOLD_SIZE];
-    motions_told(&to->units[result], to->results[result], to->machines[result], table, text);
-    html_printf(to->stream, "%s%s: %s", (*told)++ ? " " : "", table->name, text);
+    size_t *const written = context;
+    char text[MOTIONS_TEXT_SIZE];
+    motions_text(&to->units[result], to->results[result], to->machines[result], table, text);
+    html_printf(to->stream, "%s%s: %s", (*written)++ ? " " : "", table->name, text);
 }
 
 /// Returns the number of validity ranges that were left, in all tables.
@@ -33,12 +33,12 @@ static size_t laws_left(const whirl_result *result) {
 }
 
 static void write_found(const page *to) {
-    size_t told = 0;
+    size_t written = 0;
     fputs("<section id=\"found\">\n<h2>1. What was found</h2>\n<ol>\n", to->stream);
     found_at_rest(to);
     fputs("<li><strong>Nonlinear motions.</strong> ", to->stream);
-    found_each(to, NULL, tell_motions, &told);
-    if (!told) fputs("Not computed (study: motions).", to->stream);
+    found_each(to, NULL, tell_motions, &written);
+    if (!written) fputs("Not computed (study: motions).", to->stream);
     size_t beyond = 0;
     for (size_t r = 0; r < to->count; r++) beyond += laws_left(to->results[r]);
     if (beyond > 0)
@@ -58,11 +58,11 @@ static void write_findings(const page *to, size_t result, const whirl_table *tab
 }
 
 /// State of a chapter: kind of the last table, and the section of the first one.
-typedef struct chapter_told {
+typedef struct chapter_state {
     const shown_kind *kind;
     const whirl_table *first;
     char *section; ///< NULL: none
-} chapter_told;
+} chapter_state;
 
 /// Returns the length of the text up to the end of its first table; without a table, of the whole text.
 static size_t part_length(const char *text) {
@@ -72,8 +72,8 @@ static size_t part_length(const char *text) {
 }
 
 /// Writes a section; parts that repeat those of the chapter's first table are replaced by a reference.
-static void write_section(const page *to, const whirl_table *table, const char *section, const chapter_told *told) {
-    const char *before = told->section && told->first != table ? told->section : "";
+static void write_section(const page *to, const whirl_table *table, const char *section, const chapter_state *state) {
+    const char *before = state->section && state->first != table ? state->section : "";
     bool same = false;
     while (*section) {
         const size_t length = part_length(section), other = part_length(before);
@@ -81,7 +81,7 @@ static void write_section(const page *to, const whirl_table *table, const char *
         if (!equal) fwrite(section, 1, length, to->stream);
         if (equal && !same) {
             fputs("<p>", to->stream);
-            html_printf(to->stream, "As %s.", told->first->name);
+            html_printf(to->stream, "As %s.", state->first->name);
             fputs("</p>\n", to->stream);
         }
         same = equal;
@@ -92,8 +92,8 @@ static void write_section(const page *to, const whirl_table *table, const char *
 
 /// Writes motions in time: a paragraph on all of them, then each one.
 static void write_motions(const page *to, size_t result, const whirl_table *table) {
-    char text[MOTIONS_TOLD_SIZE];
-    motions_told(&to->units[result], to->results[result], to->machines[result], table, text);
+    char text[MOTIONS_TEXT_SIZE];
+    motions_text(&to->units[result], to->results[result], to->machines[result], table, text);
     fputs("<p>", to->stream);
     html_text(to->stream, text);
     fputs("</p>\n", to->stream);
@@ -123,7 +123,7 @@ static void write_figures(const page *to, size_t result, const whirl_table *tabl
 
 static void write_table(const page *to, size_t result, const whirl_table *table, void *context) {
     const shown_kind *kind = shown_kind_of(table);
-    chapter_told *told = context;
+    chapter_state *state = context;
     char fact[2 * WHIRL_NAME_SIZE];
     snprintf(fact, sizeof fact, "%s with", table->name);
     const char *with = whirl_result_fact(to->results[result], fact);
@@ -133,19 +133,19 @@ static void write_table(const page *to, size_t result, const whirl_table *table,
     write_figures(to, result, table);
     if (!kind) write_motions(to, result, table);
     if (!kind) return;
-    if (kind != told->kind && kind->about) {
+    if (kind != state->kind && kind->about) {
         fputs("<p>", to->stream);
         html_text(to->stream, kind->about);
         fputs("</p>\n", to->stream);
     }
-    told->kind = kind;
+    state->kind = kind;
     char *section = page_text(to, write_findings, result, table);
-    if (section) write_section(to, table, section, told);
-    if (told->section) {
+    if (section) write_section(to, table, section, state);
+    if (state->section) {
         free(section);
     } else {
-        told->first = table;
-        told->section = section;
+        state->first = table;
+        state->section = section;
     }
 }
 
@@ -190,16 +190,16 @@ static void write_parts(const page *to) {
 
 static void write_chapter(const page *to, size_t index) {
     const chapter *own = &chapters[index];
-    chapter_told told = {.kind = NULL};
+    chapter_state state = {.kind = NULL};
     fprintf(to->stream, "<section id=\"chapter-%zu\">\n<h2>%zu. %s</h2>\n<p>%s</p>\n", index, index + FIRST_CHAPTER,
             own->title, own->about);
     if (own->parts) write_parts(to);
     if (found_each(to, own->field, NULL, NULL) > 0)
-        found_each(to, own->field, write_table, &told);
+        found_each(to, own->field, write_table, &state);
     else
         fprintf(to->stream, "<p>%s</p>\n",
                 own->parts ? "Weight and places of rest: not asked for (study: statics)." : "Not asked for.");
-    free(told.section);
+    free(state.section);
     fputs("</section>\n", to->stream);
 }
 
@@ -220,7 +220,7 @@ static void write_stations(const page *to, size_t r, const whirl_model *model) {
     html_table(to->stream, "Stations", "");
     fputs("<thead><tr><th>station</th>", to->stream);
     write_heading(to, "position along its shaft", &units[WHIRL_QUANTITY_POSITION]);
-    write_heading(to, "mass besides the shaft", mass);
+    write_heading(to, "mass without the shaft", mass);
     write_heading(to, "polar inertia", inertia);
     write_heading(to, "diametral inertia", inertia);
     fputs("</tr></thead>\n<tbody>\n", to->stream);

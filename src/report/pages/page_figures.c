@@ -66,8 +66,8 @@ void page_figures(const page *to, size_t index) {
             if (!points)
                 fprintf(to->stream,
                         "<h3 id=\"motions-%zu\">Motion at single points</h3>\n<p>One figure a station; its caption "
-                        "says what "
-                        "the letters of the panels stand for.</p>\n<div class=\"pair\">\n",
+                        "explains "
+                        "the letters of the panels.</p>\n<div class=\"pair\">\n",
                         index + 1);
             points = true;
         }

@@ -8,7 +8,7 @@
 #include "shown_kinds.h"
 
 /// Returns true if sentences cover a table; detail points are covered by the sweep.
-static bool is_told(const whirl_result *result, const whirl_table *table) {
+static bool is_covered(const whirl_result *result, const whirl_table *table) {
     if (table->count == 0) return false;
     return table->role != WHIRL_ROLE_DETAIL || result->table_count == 1;
 }
@@ -17,7 +17,7 @@ static void write_tables(const page *to, size_t index, bool at_rest) {
     const whirl_result *result = to->results[index];
     for (const whirl_table *table = result->tables; table < result->tables + result->table_count; table++) {
         const whirl_kind *kind = whirl_analysis_kind(table->analyses);
-        if (is_told(result, table) && at_rest == !(kind->moves || kind->found)) found_table(to, index, table);
+        if (is_covered(result, table) && at_rest == !(kind->moves || kind->found)) found_table(to, index, table);
     }
 }
 
@@ -105,9 +105,9 @@ void page_jumps(const page *to, size_t index) {
     fprintf(
         to->stream,
         "<p>Between %zu pair%s of neighbouring points the regime stays, but the motion changes far more than around "
-        "%s. Two motions may exist side by side there, of which the start decides; or one changes suddenly. These "
-        "numbers do not tell which: a sweep with <code>start: carry</code> and <code>direction: both</code>, or other "
-        "initial states, may.</p>\n",
+        "%s. Two motions may coexist there, and the start decides between them; or one motion changes suddenly. A "
+        "sweep with <code>start: carry</code> and <code>direction: both</code>, or other "
+        "initial states, may decide.</p>\n",
         count, count == 1 ? "" : "s", count == 1 ? "it" : "them");
     html_table(to->stream, "Jumps within a regime", "");
     fputs("<thead><tr><th>", to->stream);

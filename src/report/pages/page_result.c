@@ -183,15 +183,18 @@ static void write_doubt(FILE *stream, const char *what, const whirl_table *table
 
 void page_ranges(const page *to, size_t index) {
     const whirl_result *result = to->results[index];
-    char text[RANGES_TOLD_SIZE];
+    char text[RANGE_TEXT_SIZE];
     for (size_t t = 0; t < result->table_count; t++) {
         const whirl_table *table = &result->tables[t];
         for (size_t i = 0; *whirl_result_law_range(result, i); i++)
-            if (ranges_told(&to->units[index], table, i, text)) write_doubt(to->stream, "Beyond its law", table, text);
-        if (unfound_told(&to->units[index], table, text)) write_doubt(to->stream, "Place of rest", table, text);
-        if (elsewhere_told(&to->units[index], table, text)) write_doubt(to->stream, "Place of rest", table, text);
+            if (law_range_text(&to->units[index], table, i, text))
+                write_doubt(to->stream, "Beyond its law", table, text);
+        if (no_equilibrium_text(&to->units[index], table, text)) write_doubt(to->stream, "Place of rest", table, text);
+        if (other_equilibrium_text(&to->units[index], table, text))
+            write_doubt(to->stream, "Place of rest", table, text);
         for (size_t i = 0; i < result->contact_count; i++)
-            if (held_told(&to->units[index], table, i, text)) write_doubt(to->stream, "Rests against", table, text);
+            if (closed_contact_text(&to->units[index], table, i, text))
+                write_doubt(to->stream, "Rests against", table, text);
     }
 }
 

@@ -126,10 +126,10 @@ static void write_sentences(const shown_view *to) {
             "<p>Every point was started from %zu states: the initial state and %zu that fill their ranges. ",
             source->starts, source->starts - 1);
     if (source->neighbours > 0)
-        fputs(
-            "Where a neighbouring point had an attractor that none of these led to, it was started from the end of the "
-            "motion there besides: what was found so alone has a share of 0. ",
-            to->stream);
+        fputs("If a neighbouring point had an attractor that none of these starts reached, the point was also started "
+              "from "
+              "the end of that motion: an attractor found only so has a share of 0. ",
+              to->stream);
     write_side_by_side(to, whirl_table_places(source));
     if (untold > 0) fprintf(to->stream, "%zu of %zu starts have no verdict. ", untold, done);
     fprintf(to->stream,

@@ -50,19 +50,19 @@ static void print_given(FILE *out, const whirl_shown_units *units, const whirl_t
 }
 
 void summarize_motions(FILE *out, const whirl_shown_units *units, const whirl_case *machine, const whirl_table *table) {
-    char text[MOTIONS_TOLD_SIZE];
-    motions_told(units, units->result, machine, table, text);
+    char text[MOTIONS_TEXT_SIZE];
+    motions_text(units, units->result, machine, table, text);
     fprintf(out, "  %s\n", text);
 }
 
 static void print_ranges(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
-    char text[RANGES_TOLD_SIZE];
+    char text[RANGE_TEXT_SIZE];
     for (size_t i = 0; *whirl_result_law_range(units->result, i); i++)
-        if (ranges_told(units, table, i, text)) fprintf(out, "  beyond its law: %s\n", text);
-    if (unfound_told(units, table, text)) fprintf(out, "  place of rest: %s\n", text);
-    if (elsewhere_told(units, table, text)) fprintf(out, "  place of rest: %s\n", text);
+        if (law_range_text(units, table, i, text)) fprintf(out, "  beyond its law: %s\n", text);
+    if (no_equilibrium_text(units, table, text)) fprintf(out, "  place of rest: %s\n", text);
+    if (other_equilibrium_text(units, table, text)) fprintf(out, "  place of rest: %s\n", text);
     for (size_t i = 0; i < units->result->contact_count; i++)
-        if (held_told(units, table, i, text)) fprintf(out, "  rests against: %s\n", text);
+        if (closed_contact_text(units, table, i, text)) fprintf(out, "  rests against: %s\n", text);
 }
 
 enum { MAX_POINTS = 2, MAX_ROWS = 24 };

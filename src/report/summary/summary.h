@@ -34,7 +34,7 @@ whirl_unit summary_length_unit(const whirl_shown_units *units);
 whirl_status summarize_response(FILE *out, const whirl_shown_units *units, const whirl_case *machine,
                                 const whirl_table *table);
 
-/// Writes a paragraph on motions, clearances and contacts (motions_told).
+/// Writes a paragraph on motions, clearances and contacts (motions_text).
 void summarize_motions(FILE *out, const whirl_shown_units *units, const whirl_case *machine, const whirl_table *table);
 
 /// Writes the points that refinement computed again.

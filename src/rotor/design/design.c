@@ -262,7 +262,8 @@ static whirl_status check_name(const part_list *in, const char *name) {
             return whirl_fail(WHIRL_BAD_INPUT, "%s '%s' is no name, expected letters, digits, '_' and '-'", in->kind,
                               name);
     if (strcmp(name, "ground") == 0)
-        return whirl_fail(WHIRL_BAD_INPUT, "a %s is called 'ground', which stands for the ground itself", in->kind);
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "a %s is called 'ground', expected another name: elements call the ground so", in->kind);
     if (find_part(in, name, length, &index))
         return whirl_fail(WHIRL_BAD_INPUT, "%s '%s' is there twice", in->kind, name);
     if (*in->count == in->most) return whirl_fail(WHIRL_BAD_INPUT, "there are more than %zu %ss", in->most, in->kind);

@@ -39,7 +39,7 @@ static whirl_status read_pads(const key_value *values, bool tilting, whirl_pads 
                           pivots->given ? "both shape and pivots" : "neither shape nor pivots");
     if (values[PADS_SHAPE].given) {
         if (values[PADS_ARC].given || values[PADS_OFFSET].given)
-            return whirl_fail(WHIRL_BAD_INPUT, "has %s beside shape, expected pivots with it",
+            return whirl_fail(WHIRL_BAD_INPUT, "has %s and shape, expected pivots with it",
                               values[PADS_ARC].given ? "arc" : "offset");
         whirl_pads_named(shape_name(tilting, values[PADS_SHAPE].choice), preload, out);
         if (values[PADS_PRELOAD].given && preload != 0.0 && out->pads[0].preload == 0.0)

@@ -347,8 +347,8 @@ static whirl_status find_supports(const beam *of, size_t *support, size_t *count
     }
     if (aside)
         return whirl_fail(WHIRL_BAD_INPUT,
-                          "shaft '%s' shares a bearing with another shaft: how its weight is carried "
-                          "is not told",
+                          "shaft '%s' shares a bearing with another shaft: the loads of its bearings are "
+                          "unknown",
                           name);
     if (*count >= 2) return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT, "shaft '%s' lies on %zu bearing%s, expected two at least for its weight", name,

@@ -259,7 +259,7 @@ static void names(void **state) {
     expect_problem("kappa: 10", "sqrt: 2\n  kappa: 10",
                    "t:5:3: parameters.sqrt: sqrt is a function or constant of expressions, expected another name");
     expect_problem("journal: {mass: 2 kg}", "journal: {mass: 2 kg}\n    ground: {mass: 1}",
-                   "t:13:5: rotor.stations.ground: stands for the ground itself, expected another name");
+                   "t:13:5: rotor.stations.ground: is the name of the ground, expected another name");
 }
 
 static void expressions(void **state) {

@@ -59,7 +59,7 @@ static whirl_status runout_build(const key_value *values, assembly *to, element 
         return whirl_fail(WHIRL_BAD_INPUT, "has %s, expected one of them",
                           values[PROFILE].given ? "both amplitude and profile" : "neither amplitude nor profile");
     if (values[PROFILE].given && (values[ORDER].given || values[ANGLE].given))
-        return whirl_fail(WHIRL_BAD_INPUT, "has %s beside a profile, which says it, expected none", only->name);
+        return whirl_fail(WHIRL_BAD_INPUT, "has %s and a profile, which replaces it, expected one of them", only->name);
     if (values[PROFILE].given && (values[PROFILE].count < 3 || values[PROFILE].count > 128))
         return whirl_fail(WHIRL_BAD_INPUT, "has a profile of %zu heights, expected 3 to 128", values[PROFILE].count);
     if (to->phased)

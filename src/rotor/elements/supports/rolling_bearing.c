@@ -234,8 +234,8 @@ static whirl_status set_dents(const key_value *values, const whirl_key *keys, do
     if (out->number[ROLLING_SPEEDS + DENT_BALL] == 0.0)
         return whirl_fail(
             WHIRL_BAD_INPUT,
-            "has a dent in a rolling element of which its cage does not tell how it turns, expected inner "
-            "and outer in place of cage");
+            "has a dent in a rolling element, whose rotation does not follow from cage, expected inner and "
+            "outer in place of cage");
     return status;
 }
 

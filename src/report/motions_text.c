@@ -32,7 +32,7 @@ static void paragraph_add(const paragraph *p, const char *format, ...) {
     const size_t used = strlen(p->text);
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(p->text + used, MOTIONS_TOLD_SIZE - used, format, arguments);
+    vsnprintf(p->text + used, MOTIONS_TEXT_SIZE - used, format, arguments);
     va_end(arguments);
 }
 
@@ -183,8 +183,8 @@ static void add_beside(const paragraph *p) {
                   100.0 * whirl_missed_share(table->source->starts));
 }
 
-void motions_told(const whirl_shown_units *units, const whirl_result *view, const whirl_case *machine,
-                  const whirl_table *table, char text[MOTIONS_TOLD_SIZE]) {
+void motions_text(const whirl_shown_units *units, const whirl_result *view, const whirl_case *machine,
+                  const whirl_table *table, char text[MOTIONS_TEXT_SIZE]) {
     const paragraph p = {machine, view, table, whirl_shown_parameter(units, table->parameter), text};
     *text = '\0';
     const bool judged = whirl_layout_has_verdict(&table->layout);
@@ -200,67 +200,69 @@ void motions_told(const whirl_shown_units *units, const whirl_result *view, cons
         paragraph_add(&p, ".");
 }
 
-// ---------------------------------------------------------------- ranges_told
+// ---------------------------------------------------------------- law_range_text
 // Points beyond the range of a law, in words.
 
 /// Adds the number and the first of the points, if there are several.
 static void add_points(const whirl_shown_units *units, const whirl_table *table, const whirl_left *left,
-                       char text[RANGES_TOLD_SIZE]) {
+                       char text[RANGE_TEXT_SIZE]) {
     const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
     const size_t used = strlen(text);
     if (*table->parameter)
-        snprintf(text + used, RANGES_TOLD_SIZE - used, " (%zu of %zu points, first at %.6g%s%s)", left->points,
+        snprintf(text + used, RANGE_TEXT_SIZE - used, " (%zu of %zu points, first at %.6g%s%s)", left->points,
                  table->count, table->values[left->first] / unit.size, *unit.name ? " " : "", unit.name);
 }
 
-bool ranges_told(const whirl_shown_units *units, const whirl_table *table, size_t index, char text[RANGES_TOLD_SIZE]) {
+bool law_range_text(const whirl_shown_units *units, const whirl_table *table, size_t index,
+                    char text[RANGE_TEXT_SIZE]) {
     whirl_left left;
     if (whirl_table_left(table, index, &left) == 0) return false;
-    snprintf(text, RANGES_TOLD_SIZE, "%s; reached %.4g", whirl_result_law_range(units->result, index), left.reached);
+    snprintf(text, RANGE_TEXT_SIZE, "%s; reached %.4g", whirl_result_law_range(units->result, index), left.reached);
     add_points(units, table, &left, text);
     return true;
 }
 
-bool unfound_told(const whirl_shown_units *units, const whirl_table *table, char text[RANGES_TOLD_SIZE]) {
+bool no_equilibrium_text(const whirl_shown_units *units, const whirl_table *table, char text[RANGE_TEXT_SIZE]) {
     whirl_left left;
     if (whirl_table_unfound(table, &left) == 0) return false;
     if (isnan(left.reached))
         snprintf(
-            text, RANGES_TOLD_SIZE,
-            "it was found, but none of another machine that this needs (its stages or seals alone, another speed), "
-            "or, where coefficients turn with the shaft, no periodic motion that stands for it (at low speeds a "
+            text, RANGE_TEXT_SIZE,
+            "it was found, but not for another machine that is needed too (its stages or seals alone, another speed); "
+            "or coefficients turn with the shaft, and no periodic motion was found in its place (at low speeds a "
             "revolution is too long to be followed)");
     else
-        snprintf(text, RANGES_TOLD_SIZE, "none was found: it could be followed up to %.3g %% of the static load",
+        snprintf(text, RANGE_TEXT_SIZE, "none was found: it could be followed up to %.3g %% of the static load",
                  100.0 * left.reached);
     add_points(units, table, &left, text);
     const size_t used = strlen(text);
-    snprintf(text + used, RANGES_TOLD_SIZE - used, "; numbers are missing there%s",
+    snprintf(text + used, RANGE_TEXT_SIZE - used, "; numbers are missing there%s",
              isnan(left.reached) ? ""
                                  : ", expected a machine that its supports carry, or an initial state near where it "
                                    "rests");
     return true;
 }
 
-bool elsewhere_told(const whirl_shown_units *units, const whirl_table *table, char text[RANGES_TOLD_SIZE]) {
+bool other_equilibrium_text(const whirl_shown_units *units, const whirl_table *table, char text[RANGE_TEXT_SIZE]) {
     whirl_left left;
     if (whirl_table_elsewhere(table, &left) == 0) return false;
-    snprintf(text, RANGES_TOLD_SIZE,
+    snprintf(text, RANGE_TEXT_SIZE,
              "there is another one, up to %.4g %s away, to which that of the value before or after leads, %s",
              units->length * left.reached, units->length_name, left.most < 0.0 ? "stable" : "unstable");
     add_points(units, table, &left, text);
     return true;
 }
 
-bool held_told(const whirl_shown_units *units, const whirl_table *table, size_t contact, char text[RANGES_TOLD_SIZE]) {
+bool closed_contact_text(const whirl_shown_units *units, const whirl_table *table, size_t contact,
+                         char text[RANGE_TEXT_SIZE]) {
     whirl_left left;
     if (whirl_table_held(table, contact, &left) == 0) return false;
-    snprintf(text, RANGES_TOLD_SIZE, "%s with %s%.4g N", units->result->contacts[contact],
+    snprintf(text, RANGE_TEXT_SIZE, "%s with %s%.4g N", units->result->contacts[contact],
              left.points > 1 ? "up to " : "", left.reached * units->result->force_scale);
     add_points(units, table, &left, text);
     const shown_kind *kind = shown_kind_of(table);
     const size_t used = strlen(text);
-    snprintf(text + used, RANGES_TOLD_SIZE - used, ", which %s",
+    snprintf(text + used, RANGE_TEXT_SIZE - used, ", which %s",
              kind && kind->held ? kind->held : "small motions leave as it is there");
     return true;
 }
