@@ -1,7 +1,7 @@
 function handle = whirl_plot_branches(result, varargin)
 % WHIRL_PLOT_BRANCHES  Draws branches of periodic orbits: stable parts as lines, unstable ones dashed.
 %   WHIRL_PLOT_BRANCHES(RESULT, STATION, COORDINATE) draws 'x' or 'y' (or 1, 2) of a station once a revolution over the
-%   parameter. Marks tell what special points are (folds, crossings of branches, period doublings, Neimark-Sacker and
+%   parameter. Marks show the kinds of special points (folds, crossings of branches, period doublings, Neimark-Sacker and
 %   Hopf points, grazing).
 %   WHIRL_PLOT_BRANCHES(..., 'table', NAME) draws that table, and not the first with branches.
 %

@@ -81,8 +81,8 @@ void explorer_plan_diagram(plan *p);
 /// Also requests fields of spectra, such as amplitude and phase at the running speed: 10 to 20 % more work.
 void explorer_plan_spectra(plan *p);
 
-/// Requests everything that the page shows of a point, besides what the case asks for: whole spectra, and the waveform
-/// of `waveform` revolutions.
+/// Requests the data that the page shows of a point, in addition to the case's analyses: whole spectra, and the
+/// waveform of `waveform` revolutions.
 void explorer_plan_everything(plan *p, int waveform);
 
 /// Returns the layout of the blocks and the options as JSON; needed before points are computed. NULL after a failure.

@@ -111,7 +111,7 @@ static void read_text(const char *from, char text[NAME_SIZE]) {
     text[length] = '\0';
 }
 
-/// A name with its plural; the library knows which of these there are.
+/// Adds a name with its plural, if UDUNITS has one.
 static void add_name(const ut_system *system, const char *name) {
     static const char *const endings[] = {"", "s", "es"};
     char text[NAME_SIZE + 8];

@@ -1,7 +1,7 @@
 /// Measured signals: the analyses that whirl makes of computed motions, of arrays of numbers from a machine.
 ///
-/// Pulses of a keyphasor tell when the shaft has turned once more; signals sampled in time become sections (a point a
-/// revolution) and samples at equal angles, of which spectra have orders as their axis, also while the speed changes.
+/// Pulses of a keyphasor mark each turn of the shaft; signals sampled in time become sections (a point a revolution)
+/// and samples at equal angles, of which spectra have orders as their axis, also while the speed changes.
 ///
 ///     whirl_signals_pulses(time, voltage, count, threshold, hysteresis, true, instants, &pulses);
 ///     whirl_signals_section(time, values, count, 2, instants, pulses, 0.0, 7, section, &points);

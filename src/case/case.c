@@ -176,6 +176,7 @@ static void check_layouts(case_reader *reader, case_content *content, const plan
         whirl_layout layout;
         const whirl_batch *batch = &content->plan.batches[b];
         whirl_status status = whirl_ok();
+        // Machines of motions and of studies at rest differ by states.
         if (!rotor || plan_moves(batch) != built_to_move) {
             whirl_rotor_free(rotor);
             built_to_move = plan_moves(batch);
@@ -185,6 +186,7 @@ static void check_layouts(case_reader *reader, case_content *content, const plan
             problem_at(reader->problems, content->plan.origins[b].place, "%s", status.message);
             continue;
         }
+        // Layout, record, initial state and statics of the batch.
         plan_raise_order(parts, whirl_rotor_system(rotor), &content->plan.batches[b]);
         status =
             whirl_layout_new(whirl_rotor_system(rotor), &batch->integrate, &batch->record, batch->analyses, &layout);
@@ -248,6 +250,7 @@ static void read_content(case_reader *reader, const file_node *root, void *into)
     char shown[SHOWN_SIZE];
     const parameter_table none = {0};
     content->root = root;
+    // The file as a whole: its keys and its version.
     if (root->kind != NODE_MAPPING) {
         problem_at(reader->problems, root, "is %s, expected a mapping that begins with whirl: %d",
                    node_shown(root, shown), SCHEMA_VERSION);
@@ -256,6 +259,7 @@ static void read_content(case_reader *reader, const file_node *root, void *into)
     reader->parameters = &none;
     settings_read(reader, root, &schema_case, &file);
     if (reader->no_memory || !is_known_version(reader, &file)) return;
+    // Title and document data.
     settings_text(reader, &file, "title", content->title, sizeof content->title);
     const setting *document = settings_find(&file, "document");
     if (document) settings_read(reader, document->place, &schema_document, &content->document);
@@ -264,6 +268,7 @@ static void read_content(case_reader *reader, const file_node *root, void *into)
         char text[DOCUMENT_TEXT];
         settings_text(reader, &content->document, content->document.items[i].key->name, text, sizeof text);
     }
+    // Parameters, then the parts whose expressions use them.
     const setting *given = settings_find(&file, "parameters");
     parameters_read(reader, given ? given->place : NULL, content->overrides, content->override_count,
                     &content->parameters);
@@ -274,6 +279,7 @@ static void read_content(case_reader *reader, const file_node *root, void *into)
     if (study && !reader->no_memory) resting_read(reader, &content->machine, &parts);
     if (study && !reader->no_memory) settings_units(reader, &parts.study, content->units, sizeof content->units);
     if (reader->no_memory) return;
+    // Checks with values, or without if some values are unknown.
     if (reader->problems->count == 0)
         check_with_values(reader, content, &parts);
     else

@@ -99,6 +99,7 @@ whirl_status case_machine(const void *family, const whirl_batch *batch, double v
     const int before = exhausted_watch();
     whirl_status status = make_member(&object->content, batch, value, m);
     if (exhausted(before)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
+    // A failure names the parameter values.
     if (status.code != WHIRL_OK) {
         family_release(m);
         char at[PLAN_GIVEN_TEXT];

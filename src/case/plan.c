@@ -212,6 +212,7 @@ static double *range_values(case_reader *reader, valuation *v, const axis_parts 
     const setting_list *sweep = &axis->keys;
     const setting *step = settings_find(sweep, "step");
     const bool ratios = strcmp(settings_word(sweep, "scale"), "log") == 0;
+    // Ends and step.
     bool good = plan_formula_value(reader, v, plan_place(sweep, "from"), &axis->from, &from);
     good = plan_formula_value(reader, v, plan_place(sweep, "to"), &axis->to, &to) && good;
     if (step) good = plan_formula_value(reader, v, step->place, &axis->step, &distance) && good;
@@ -222,6 +223,7 @@ static double *range_values(case_reader *reader, valuation *v, const axis_parts 
                    node_shown(plan_place(sweep, "from"), shown), node_shown(plan_place(sweep, "to"), end));
         return NULL;
     }
+    // Number of values, and the values.
     *count = step ? 0 : (size_t)settings_number(v, sweep, "points");
     if (step && !count_steps(reader, step, from, to, distance, count)) return NULL;
     double *values = arena_take(reader->arena, *count * sizeof *values);
@@ -364,6 +366,7 @@ static size_t map_refine(case_reader *reader, valuation *v, const plan_parts *pa
 static void make_map(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
     map_side sides[3];
     const size_t count = map_sides(reader, v, parts, sides), axes = parts->planes.parameter ? 3 : 2;
+    // Values of all points along each axis.
     double *values = count > 0 ? arena_take(reader->arena, axes * count * sizeof *values) : NULL;
     reader->no_memory = reader->no_memory || (count > 0 && !values);
     if (!values) return;
@@ -371,11 +374,13 @@ static void make_map(case_reader *reader, valuation *v, const plan_parts *parts,
         fill_side(&sides[i], step, values + i * count, count);
     room_rest(reader->arena->room);
     note_axis(v, &parts->sweep, sides[0].values[sides[0].count - 1], result);
+    // Places in the file, and units.
     plan_origin *origin = plan_next_origin(result);
     origin->rest = strcmp(settings_word(&parts->map, "start"), "rest") == 0;
     origin->across = end_place(&parts->across, true);
     origin->units[1] = parts->across.written;
     origin->units[2] = parts->planes.written;
+    // The batch.
     whirl_batch *batch = plan_add_batch(result, parts->map.group == &schema_basin ? WHIRL_ROLE_BASIN : WHIRL_ROLE_MAP,
                                         parts->map.group->name, parts->map.place);
     snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->sweep.parameter->name);

@@ -22,6 +22,7 @@ typedef struct matrices {
 static whirl_status split(const double *jacobian, size_t n, const size_t *kept, double clock, matrices *out) {
     size_t *places = calloc(2 * n + 1, sizeof *places), *rates = places ? places + n : NULL, count = 0;
     if (!places) return whirl_fail(WHIRL_NO_MEMORY, "no memory for critical speeds of %zu coordinates", n);
+    // Find the displacements and their rates.
     for (size_t i = 0; i < n; i++) {
         const size_t rate = mean_rate_of(jacobian, n, i);
         if (rate == n) continue;
@@ -34,6 +35,7 @@ static whirl_status split(const double *jacobian, size_t n, const size_t *kept, 
     if (!out->block) return whirl_fail(WHIRL_NO_MEMORY, "no memory for critical speeds of %zu coordinates", n);
     out->stiffness = out->block;
     out->rates = out->block + count * count;
+    // Accelerations by displacements and by rates, in SI.
     for (size_t i = 0; i < count; i++)
         for (size_t k = 0; k < count; k++) {
             out->stiffness[i * count + k] = clock * clock * jacobian[rates[i] * n + places[k]];

@@ -271,6 +271,7 @@ static whirl_status rest_follow(mean_system *m, double *x, double *share) {
                 .idle = block + 4 * n,
                 .jacobian = block + 5 * n,
                 .trial = block + 5 * n + n * n};
+    // The load at the start; the weights of all residuals are 1 at first.
     double *at = s.trial + d, *start = at + d;
     memcpy(at, x, d * sizeof *x);
     mean_settle(m, at);
@@ -280,11 +281,13 @@ static whirl_status rest_follow(mean_system *m, double *x, double *share) {
     }
     mean_slope(m, x, s.load);
     leave_centres(m, s.load, x);
+    // The search begins at x, with journals out of their centres.
     bool starts = mean_settle(m, x);
     mean_slope(m, x, s.load);
     leave_settled(m, s.load);
     starts = starts && isfinite(norm_of(&s, s.load));
     memcpy(start, x, d * sizeof *x);
+    // Apply the load in shares; if that fails, again with residuals weighed as displacements.
     bool found = starts && bring_load_on(&s, x, at);
     *share = starts ? s.share : 0.0;
     if (starts && !found) {
@@ -293,6 +296,7 @@ static whirl_status rest_follow(mean_system *m, double *x, double *share) {
         *share = fmax(*share, s.share);
         if (found) memcpy(x, start, d * sizeof *x);
     }
+    // A machine without stiffness at the start falls until something supports it.
     if (starts && !found && *share == 0.0) {
         found = fall(&s, start, at);
         if (found) memcpy(x, at, d * sizeof *x);

@@ -1,6 +1,6 @@
 // Free motions: displacements without a restoring force, the null space of a Jacobian, found by elimination. A
-// remainder of a subtraction counts as zero if it is small beside the subtracted numbers, so that neither units nor
-// stiff parts elsewhere in the machine decide.
+// remainder of a subtraction counts as zero if it is small compared with the subtracted numbers, so that neither units
+// nor stiff parts elsewhere in the machine decide.
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -256,6 +256,7 @@ bool free_motions_take_out(size_t n, double *matrix, const bool *place, size_t *
     *first = NULL;
     *left = n;
     *displaced = 0;
+    // Each pass removes the null space of the matrix; a Jordan chain takes several passes.
     while (room && *left > 0) {
         const size_t m = *left;
         elimination e = {.n = m, .matrix = numbers, .row = places, .column = places + m};
@@ -264,9 +265,11 @@ bool free_motions_take_out(size_t n, double *matrix, const bool *place, size_t *
         e.room = e.sums + m * m;
         e.scale = e.room + 3 * m * m;
         memcpy(e.matrix, matrix, m * m * sizeof *numbers);
+        // Find the rank by elimination.
         scale_numbers(&e);
         eliminate(&e);
         if (e.rank == m) break;
+        // Replace the matrix by that of the motion relative to the free shapes.
         room = step_new(m, m - e.rank, end);
         if (!room) break;
         step_fill(&e, e.room, places + 2 * m, *end);

@@ -36,6 +36,7 @@ static void divide(const double *a, const double *b, double *out) {
 /// Solves matrix x = side by elimination with exchange of neighbouring rows; side becomes x. False where a pivot
 /// vanishes.
 static bool solve_hessenberg(size_t n, double *matrix, double *side) {
+    // Eliminate the subdiagonal; exchange a row with the next one if that has the larger pivot.
     for (size_t i = 0; i < n; i++) {
         double *own = matrix + 2 * (i * n + i), *below = own + 2 * n, factor[2];
         if (i + 1 < n && hypot(below[0], below[1]) > hypot(own[0], own[1])) {
@@ -56,6 +57,7 @@ static bool solve_hessenberg(size_t n, double *matrix, double *side) {
         subtract(below, factor, own, n - i);
         subtract(side + 2 * i + 2, factor, side + 2 * i, 1);
     }
+    // Back substitution.
     for (size_t i = n; i-- > 0;) {
         const double *row = matrix + 2 * i * n;
         for (size_t k = i + 1; k < n; k++) subtract(side + 2 * i, row + 2 * k, side + 2 * k, 1);

@@ -164,6 +164,7 @@ whirl_status whirl_modes_of(const whirl_machine *machine, const whirl_whirling *
     size_t count = 0;
     *out = NULL;
     if (system->frequency_count == 0) return whirl_modes_new(system, machine->start, out);
+    // Find the frequencies, then the shapes at each of them.
     zero *zeros = calloc(most + 1, sizeof *zeros);
     whirl_status status = zeros ? find_all(system, others, zeros, &count, &first)
                                 : whirl_fail(WHIRL_NO_MEMORY, "no memory for the modes of %zu coordinates", d);

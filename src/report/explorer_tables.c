@@ -258,7 +258,7 @@ static void tell_attractor(const whirl_table *table, size_t point, char *text, s
 
 static void write_verdicts(FILE *stream, const selection *chosen) {
     const whirl_table *table = chosen->table;
-    if (!whirl_layout_has_verdict(&table->layout) || chosen->lean) return; // regimes and periods tell
+    if (!whirl_layout_has_verdict(&table->layout) || chosen->lean) return; // large maps have no texts
     script_key(stream, ',', "verdicts");
     char before = '[';
     for (size_t p = first_chosen(chosen); p < table->count; p = next_chosen(chosen, p), before = ',') {

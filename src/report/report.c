@@ -238,6 +238,7 @@ whirl_status whirl_report_write(const whirl_result *const *results, const char *
         .count = count,
     };
     whirl_status status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a report of %zu results", count);
+    // Views, cases, units and findings of all results, then the files.
     if (made.folders && made.paths && made.outcomes && made.units && made.views && made.findings)
         status = view_results(&made, results);
     if (status.code == WHIRL_OK) status = machines_of(results, count, &made.machines);

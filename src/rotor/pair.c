@@ -1,4 +1,4 @@
-// The structure of pair_kernel.h, as it is built.
+// Recognition of the structure of pair_kernel.h.
 #include "machine.h"
 #include "pair_kernel.h"
 #include "registry.h"

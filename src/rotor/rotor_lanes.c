@@ -57,7 +57,7 @@ static size_t lane_part(const void *model, size_t *places) {
     return count;
 }
 
-/// Marks what an element's forces and slopes depend on: all that it sees.
+/// Marks the coordinates on which an element's forces and slopes depend: all of its inputs.
 static void depend_on_element(const whirl_rotor *rotor, const element *own, bool *table) {
     const size_t degrees = rotor->lanes.degrees, width = rotor->system.dimension;
     for (size_t i = 0; i < MAX_PORTS + own->states; i++) {

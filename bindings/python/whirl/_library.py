@@ -39,7 +39,7 @@ def _places():
 
 
 def _open():
-    # Not closed before the program ends: Python frees what is left, such as cases, after it has let go of modules.
+    # The library stays open until the program ends: Python frees remaining objects, such as cases, after modules.
     kept = ffi.RTLD_NOW | getattr(ffi, "RTLD_NODELETE", 0)
     for place in _places():
         try:

@@ -61,7 +61,7 @@ typedef struct whirl_series {
     whirl_mark mark;            ///< for dots
     bool dashed;                ///< for lines
     whirl_side side;            ///< for texts
-    bool movable; ///< for texts: those that would meet others stand on another side; without room they are left out
+    bool movable; ///< for texts: a text that would overlap others moves to another side; without room it is left out
 } whirl_series;
 
 /// An axis. Labels have symbols between dollar signs, "$r_{k}$ (mm)": italic letters with subscripts.

@@ -134,6 +134,7 @@ VECTOR_INLINE void take_error(const adaptive_lanes *lanes, size_t group_count, c
     const vec *last = VECTORS(end_slope), h = VECTORS(length)[k];
     const vec rtol = v_set(lanes->rtol), atol = v_set(lanes->atol);
     vec square5 = v_set(0.0), square3 = v_set(0.0), most = v_set(0.0), nothing = v_set(0.0);
+    // Degrees, group by group, with the tolerance of the group's size; `nothing` is 0, or NaN with the slopes.
     for (size_t g = 0; g < group_count; g++) {
         const vec size = group_size(q, v, end_q, end_v, stride, k, groups[g], groups[g + 1]);
         const vec per = v_div(v_set(1.0), v_fma(rtol, size, atol));
@@ -147,6 +148,7 @@ VECTOR_INLINE void take_error(const adaptive_lanes *lanes, size_t group_count, c
         square3 = v_fma(v_mul(per, per), own3, square3);
         most = v_max(most, size);
     }
+    // States of first order.
     for (size_t i = degrees * stride + k; i < (degrees + states) * stride; i += stride) {
         const slope_sums *sums = &lanes->dop853.sums.error;
         const vec size = state_size(lanes, v, end_v, i), per = v_div(v_set(1.0), v_fma(rtol, size, atol));
@@ -160,6 +162,7 @@ VECTOR_INLINE void take_error(const adaptive_lanes *lanes, size_t group_count, c
         nothing = v_add(nothing, v_sub(last[i], last[i]));
         most = v_max(most, size);
     }
+    // The error of DOP853 from both formulas: h^2 e5^4/(e5^2 + 0.01 e3^2), NaN if any number is.
     const vec mixed = v_fma(v_set(0.01), square3, square5);
     const vec some = v_max(v_mul(v_set((double)(2 * degrees + states)), mixed), v_set(0x1p-960));
     const vec error = v_div(v_mul(v_mul(h, h), v_mul(square5, square5)), some);

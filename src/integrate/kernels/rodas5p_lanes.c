@@ -189,6 +189,7 @@ VECTOR_INLINE void solve_some(const adaptive_lanes *lanes, size_t stride, size_t
     vec x[MAX_GROUP];
     u_q += k;
     u_v += k;
+    // Right-hand side s r_v + A r_q, and forward substitution.
     for (size_t i = 0; i < n; i++) {
         const vec *row = matrix + i * n * stride;
         FOR_COUNT x[c] = v_mul(shift[c], u_v[i * stride + c]);
@@ -199,6 +200,7 @@ VECTOR_INLINE void solve_some(const adaptive_lanes *lanes, size_t stride, size_t
         FOR_ENTRIES(j, at.lower, i) FOR_COUNT x[c] = v_fnma(row[j * stride + c], u_v[j * stride + c], x[c]);
         FOR_COUNT u_v[i * stride + c] = x[c];
     }
+    // Back substitution.
     for (size_t i = n; i-- > 0;) {
         const vec *row = matrix + i * n * stride;
         FOR_COUNT x[c] = u_v[i * stride + c];
@@ -207,6 +209,7 @@ VECTOR_INLINE void solve_some(const adaptive_lanes *lanes, size_t stride, size_t
                 FOR_COUNT x[c] = v_fnma(row[j * stride + c], u_v[j * stride + c], x[c]);
         FOR_COUNT u_v[i * stride + c] = v_mul(x[c], pivot[i * stride + c]);
     }
+    // Increments of positions, u_q = (u_v + r_q)/s.
     for (size_t i = 0; i < lanes->degrees; i++) FOR_COUNT {
             const vec gamma_h = v_mul(v_set(rodas5p_gamma), VECTORS(length)[k + c]);
             u_q[i * stride + c] = v_mul(gamma_h, v_add(u_v[i * stride + c], right_q[i * stride + c]));
@@ -322,6 +325,7 @@ static void take_error(const adaptive_lanes *lanes, size_t k) {
     const vec *m_q = VECTORS(rodas5p.between_q), *m_v = VECTORS(rodas5p.between_v);
     const vec *last = VECTORS(end_slope), one = v_set(1.0);
     vec end = v_set(0.0), middle = v_set(0.0), most = v_set(0.0), nothing = v_set(0.0);
+    // Degrees, group by group, with the tolerance of the group's size; `nothing` is 0, or NaN with the slopes.
     for (size_t g = 0; g < lanes->group_count; g++) {
         const size_t from = lanes->groups[g], to = lanes->groups[g + 1], stride = lanes->stride;
         const vec size = group_size(q, v, end_q, end_v, stride, k, from, to);
@@ -336,6 +340,7 @@ static void take_error(const adaptive_lanes *lanes, size_t k) {
         middle = v_fma(v_mul(per, per), between, middle);
         most = v_max(most, size);
     }
+    // States of first order.
     FOR_STATES_OF(k) {
         const vec size = state_size(lanes, v, end_v, i);
         const vec per = v_div(one, v_fma(v_set(lanes->rtol), size, v_set(lanes->atol)));
@@ -344,6 +349,7 @@ static void take_error(const adaptive_lanes *lanes, size_t k) {
         nothing = v_add(nothing, v_sub(last[i], last[i]));
         most = v_max(most, size);
     }
+    // The larger error; at least 1e8 if a pivot was too small, NaN if any number is.
     const vec error = v_div(v_max(end, middle), v_set((double)lanes->dimension));
     const vec trusted = v_select(is_set(VECTORS(rodas5p.doubtful)[k]), v_max(error, v_set(1e8)), error);
     VECTORS(error)[k] = v_add(v_add(trusted, nothing), v_add(v_sub(end, end), v_sub(middle, middle)));

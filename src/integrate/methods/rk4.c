@@ -91,6 +91,7 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_pertu
     whirl_perturbations own = perturbations ? *perturbations : (whirl_perturbations){.count = 0};
     const size_t size = own.count * n * sizeof *x;
     revolution r = {.work = work, .period = system->period, .observe = observe, .observer = observer};
+    // Copy state and perturbations into the lane.
     rk4_one_place(one, integrator->slopes, row);
     memcpy(lanes->v, x, n * sizeof *x);
     if (perturbations) {
@@ -99,11 +100,13 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_pertu
         stepper_place(work->beside, system, 0.0);
         unlocated_begin(work->beside, x);
     }
+    // Carry the lane over the revolution.
     lanes->perturbations = own.count;
     lanes->sample_stride = observe || perturbations ? 1 : 0;
     lanes->sample = after_step;
     lanes->context = &r;
     rk4_lanes_scalar(lanes);
+    // Copy them back.
     memcpy(x, lanes->v, n * sizeof *x);
     if (perturbations) {
         memcpy(perturbations->vectors, own.vectors, size);

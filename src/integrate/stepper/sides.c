@@ -60,6 +60,7 @@ static void slope_on(const stepper *c, double t, const double *x, const double *
 /// Solves the n by n equations matrix out = right by elimination with the largest pivot; returns false if they are
 /// singular.
 bool stepper_solve(size_t n, double matrix[MAX_SLIDING][MAX_SLIDING], double *right) {
+    // Elimination with the largest pivot of the column.
     for (size_t k = 0; k < n; k++) {
         size_t pivot = k;
         for (size_t i = k + 1; i < n; i++)
@@ -79,6 +80,7 @@ bool stepper_solve(size_t n, double matrix[MAX_SLIDING][MAX_SLIDING], double *ri
             right[i] -= factor * right[k];
         }
     }
+    // Back substitution.
     for (size_t k = n; k-- > 0;) {
         for (size_t j = k + 1; j < n; j++) right[k] -= matrix[k][j] * right[j];
         right[k] /= matrix[k][k];

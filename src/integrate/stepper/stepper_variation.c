@@ -63,9 +63,11 @@ static void slide_along(const stepper *c, double t, const double *x, size_t vect
     const double *added = c->work + n;
     double share[MAX_SLIDING], by_time, *slope = c->work + (MAX_SLIDING + 1) * n, *curved = spare(c, CURVED);
     size_t list[MAX_SLIDING];
+    // Slope and shares along the switches, and the mean Jacobian applied to the vectors.
     stepper_list_sliding(c, list);
     stepper_slope_along(c, t, x, slope, share);
     mean_jacobian(c, t, x, list, share, vector_count, vectors, out);
+    // Solve for the change of the shares by each vector, and add its effect.
     for (size_t k = 0; k < vector_count; k++) {
         const double *u = vectors + k * n;
         double matrix[MAX_SLIDING][MAX_SLIDING], change[MAX_SLIDING], *row = out + k * n;

@@ -1,7 +1,7 @@
-// Effect on perturbations of a fixed step that has gone over a switch.  The step itself knows of no switch; its
-// derivative misses what happens where the right-hand side jumps. The saltation matrix at the point where the step's
-// cubic meets the switch corrects this at the step's end, to first order in the step. It is the identity where the
-// right-hand side is continuous, as in an elastic contact.
+// Effect on perturbations of a fixed step that has gone over a switch.  The step ignores the switch; its derivative
+// misses the effect of the jump of the right-hand side. The saltation matrix at the point where the step's cubic meets
+// the switch corrects this at the step's end, to first order in the step. It is the identity where the right-hand side
+// is continuous, as in an elastic contact.
 #include <string.h>
 
 #include "saltation.h"

@@ -52,7 +52,7 @@ static double value_at_end(const looks *l) {
     for (int i = 0; i < l->count; i++) {
         square[count] = l->list[i].apart * l->list[i].apart;
         value[count] = l->list[i].value;
-        // Two differences of one size tell only the errors of both.
+        // Two differences of one size show only the errors of both.
         if (count == 0 || square[count] > 2.0 * square[count - 1]) count++;
     }
     for (int order = 1; order < count; order++)

@@ -14,7 +14,7 @@ static void take_into(product *p, double real, double imaginary) {
     p->real = next;
 }
 
-/// Multiplies by a factor over its possible size, lest many of them overflow.
+/// Multiplies by a factor over its possible size, so that products of many factors do not overflow.
 static void take_over(product *p, double real, double imaginary, double size) {
     take_into(p, real / size, imaginary / size);
 }

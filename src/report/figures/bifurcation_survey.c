@@ -144,6 +144,7 @@ void bifurcation_survey(bifurcation *of) {
     size_t done = 0, rubbing = 0;
     of->attractors = count_attractors(table);
     span parameter = span_empty(), x = span_empty(), y = span_empty(), radius = span_empty();
+    // Ranges and flags over all computed points.
     for (size_t i = 0; i < table->count; i++) {
         if (!whirl_table_done(table, i)) continue;
         const numbers section = point_section(table, i, of->station);
@@ -162,6 +163,7 @@ void bifurcation_survey(bifurcation *of) {
         }
     }
     of->share = of->share > 0.0 ? of->share : 0.01;
+    // The range of the parameter includes the parts of the axis of its end points.
     of->ratios = has_equal_ratios(table);
     for (size_t i = 0; i < table->count; i++) {
         double low, high;
@@ -173,6 +175,7 @@ void bifurcation_survey(bifurcation *of) {
     of->parameter = of->ratios ? parameter : span_with_margin(parameter, 0.012, 0.0);
     of->x = span_with_margin(x, 0.04, 1e-6 * of->length);
     of->y = span_with_margin(y, 0.04, 1e-6 * of->length);
+    // Walls around the station.
     const machine_walls walls =
         whirl_shown_one_length(of->units, table) ? lasting_walls(of) : (machine_walls){0.0, 0.0};
     of->gap = of->length * walls.gap;

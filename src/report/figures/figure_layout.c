@@ -234,6 +234,7 @@ static void fill_scale_ticks(whirl_figure *figure) {
 }
 
 void figure_finish(whirl_figure *figure, const char *log) {
+    // Ranges of axes, and horizontal positions.
     fit_width(figure);
     for (size_t i = 0; i < figure->count; i++) {
         whirl_panel *panel = figure->panels[i];
@@ -244,6 +245,7 @@ void figure_finish(whirl_figure *figure, const char *log) {
         break_label(figure, panel);
     }
     fill_ticks(figure, true);
+    // Height of the figure.
     const size_t rows = figure_legend_rows(figure);
     double height = 0.15 + 0.046 * figure->font * (double)rows;
     const double first_top = height;
@@ -252,6 +254,7 @@ void figure_finish(whirl_figure *figure, const char *log) {
         height += above_row(figure, first, end) + row_height(figure, first, end) + below_row(figure, first, end);
     }
     figure->height = height;
+    // Vertical positions, row by row.
     double top = first_top;
     for (size_t first = 0, end; first < figure->count; first = end) {
         end = row_end(figure, first);
@@ -261,6 +264,7 @@ void figure_finish(whirl_figure *figure, const char *log) {
             if (figure->panels[i]->equal) match_scales(figure, figure->panels[i]);
         top += row_height(figure, first, end) + below_row(figure, first, end);
     }
+    // Vertical ticks depend on the heights, texts on everything else.
     fill_ticks(figure, false);
     fill_scale_ticks(figure);
     for (size_t i = 0; i < figure->count; i++) figure_place_texts(figure, figure->panels[i]);

@@ -17,7 +17,7 @@ typedef struct text_room {
     const whirl_panel *panel;
     double width, height; ///< cm of the panel
     size_t count;         ///< number of boxes
-    text_box *boxes;      ///< [count] of texts that stand, and of the legend
+    text_box *boxes;      ///< [count] boxes of placed texts, and of the legend
 } text_room;
 
 size_t figure_letters(const char *text) {

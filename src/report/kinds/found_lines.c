@@ -496,6 +496,7 @@ static void sheet_edge(const finder *of, whirl_sheet *sheet, const char *const k
 static void find_line_sheets(const finder *of, const line_side *sides) {
     static const char *const up[] = {"up", "up_how", "up_amplitude", "up_share"};
     static const char *const down[] = {"down", "down_how", "down_amplitude", "down_share"};
+    // Tracks, and the largest line of each side.
     const line_track below = side_largest(&sides[0]), above = side_largest(&sides[1]);
     find_tracks(of, sides);
     tell_largest(of, "sub-synchronous lines", &below);

@@ -145,6 +145,7 @@ static whirl_status run_all(const char *program, gnuplot_job *jobs, size_t count
     const size_t most = process_count();
     crew running = {0};
     bool missing = false;
+    // Start jobs while there are free processes, else wait for the oldest one.
     for (size_t next = 0; next < count || running.count > 0;) {
         if (next < count && running.count < most && !missing) {
             const pid_t child = gnuplot_start(&how, &jobs[next]);
@@ -160,6 +161,7 @@ static whirl_status run_all(const char *program, gnuplot_job *jobs, size_t count
         }
     }
     free(how.environment);
+    // Report a missing program, or the first failed script.
     if (missing)
         return whirl_fail(WHIRL_MISSING_PROGRAM,
                           "%s is not installed, so no figure was drawn; the scripts and data are there "

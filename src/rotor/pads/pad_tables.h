@@ -118,7 +118,7 @@ enum { PAD_TABLE_FILES = 512 }; ///< files of 2 MB each
 // Tables of all pads of the process, by number. Machines hold the tables of their pads; a table is read from its file
 // or made when it is first held, and freed some time after its last holder.
 
-/// Most unused tables in memory, of 4 MB each.
+/// Largest number of unused tables in memory, of 4 MB each.
 enum { MAX_IDLE_PAD_TABLES = 64 };
 
 /// Returns the number of a pad's table, which need not exist yet. WHIRL_BAD_INPUT for more tables than

@@ -50,7 +50,7 @@ typedef struct seen {
     double place[2], velocity[2];
 } seen;
 
-/// The force of a pad's film on the journal, in the frame of the bearing.
+/// Computes the force of a pad's film on the journal, in the frame of the bearing.
 static whirl_status force_of(const solver *s, const whirl_pad *pad, const seen *at, double force[2], pad_answer *all) {
     const double angle = middle_of(pad), c = cos(angle), sn = sin(angle);
     const double x = at->place[0] + pad->preload * cos(pad->pivot), y = at->place[1] + pad->preload * sin(pad->pivot);
@@ -64,26 +64,26 @@ static whirl_status force_of(const solver *s, const whirl_pad *pad, const seen *
     return status;
 }
 
-/// Direction along the pad at its pivot, with the rotation.
+/// Computes the direction along the pad at its pivot, with the rotation.
 static void tangent_of(const whirl_pad *pad, double t[2]) {
     t[0] = -sin(pad->pivot);
     t[1] = cos(pad->pivot);
 }
 
-/// Outward direction at the pivot.
+/// Computes the outward direction at the pivot.
 static void normal_of(const whirl_pad *pad, double n[2]) {
     n[0] = cos(pad->pivot);
     n[1] = sin(pad->pivot);
 }
 
-/// The journal relative to a pad that has moved outwards.
+/// Computes the journal's place relative to a pad that has moved outwards.
 static void before_pad(const whirl_pad *pad, const double place[2], double yield, double out[2]) {
     double n[2];
     normal_of(pad, n);
     for (int k = 0; k < 2; k++) out[k] = place[k] - yield * n[k];
 }
 
-/// The journal as a tilted pad sees it.
+/// Computes the journal's place relative to a tilted pad.
 static seen tilted(const whirl_pad *pad, const double place[2], double tilt) {
     double t[2];
     tangent_of(pad, t);
@@ -121,7 +121,7 @@ typedef struct balance {
     pad_answer all;
 } balance;
 
-/// The force along the pad, whose moment about the pivot it is.
+/// Computes the force along the pad, which is the film's moment about the pivot.
 static whirl_status along_pad(balance *b, double tilt, double *along) {
     double t[2];
     const seen at = tilted(b->pad, b->place, tilt);
@@ -132,20 +132,20 @@ static whirl_status along_pad(balance *b, double tilt, double *along) {
 }
 
 /// Finds the first adjacent tilts between which the film's moment about the pivot vanishes stably: the force along the
-/// pad grows with the tilt. *held is false without a film.
-static whirl_status bracket_tilt(balance *b, bracket *found, bool *held) {
+/// pad grows with the tilt. *loaded is false without a film.
+static whirl_status bracket_tilt(balance *b, bracket *found, bool *loaded) {
     enum { LOOKS = 32 };
     double ends[2], last = 0.0, before = 0.0;
-    *held = false;
+    *loaded = false;
     if (!free_tilts(b->pad, b->place, ends))
         return whirl_fail(WHIRL_BAD_INPUT, "the journal touches a pad, however that tilts");
-    for (int k = 0; k <= LOOKS && !*held; k++) {
+    for (int k = 0; k <= LOOKS && !*loaded; k++) {
         const double here = ends[0] + (ends[1] - ends[0]) * k / LOOKS;
         double along;
         const whirl_status status = along_pad(b, here, &along);
         if (status.code != WHIRL_OK) return status;
-        *held = k > 0 && before < 0.0 && along >= 0.0 && hypot(b->force[0], b->force[1]) > 0.0;
-        if (*held) *found = bracket_between(last, before, here, along);
+        *loaded = k > 0 && before < 0.0 && along >= 0.0 && hypot(b->force[0], b->force[1]) > 0.0;
+        if (*loaded) *found = bracket_between(last, before, here, along);
         last = here;
         before = along;
     }
@@ -154,12 +154,12 @@ static whirl_status bracket_tilt(balance *b, bracket *found, bool *held) {
 
 /// Finds the tilt of a pad at rest; 0 without a film.
 static whirl_status balance_pad(const solver *s, const whirl_pad *pad, const double place[2], double *tilt,
-                                bool *held) {
+                                bool *loaded) {
     balance b = {.s = s, .pad = pad, .place = place};
     bracket found = {.a = 0.0};
-    whirl_status status = bracket_tilt(&b, &found, held);
+    whirl_status status = bracket_tilt(&b, &found, loaded);
     *tilt = 0.0;
-    for (int k = 0; *held && k < 100 && status.code == WHIRL_OK && bracket_width(&found) > 1e-10; k++) {
+    for (int k = 0; *loaded && k < 100 && status.code == WHIRL_OK && bracket_width(&found) > 1e-10; k++) {
         double along;
         *tilt = bracket_next(&found);
         status = along_pad(&b, *tilt, &along);
@@ -175,21 +175,21 @@ double pad_centred_tilt(const whirl_pad *pad, double ratio, bool gumbel) {
     solver s = {.bearing = &bearing, .coarser = COARSER};
     const pad_film film = film_of(&s, pad);
     double tilt = 0.0;
-    bool held;
+    bool loaded;
     if (pad_workspace_new(film.around, film.along, &s.work).code != WHIRL_OK) return 0.0;
-    if (balance_pad(&s, pad, middle, &tilt, &held).code != WHIRL_OK || !held) tilt = 0.0;
+    if (balance_pad(&s, pad, middle, &tilt, &loaded).code != WHIRL_OK || !loaded) tilt = 0.0;
     pad_workspace_free(s.work);
     return tilt;
 }
 
 // ---------------------------------------------------------------- derivatives
 
-/// -dF by the place (0) and by the velocity (1) of the journal before one pad.
+/// Computes -dF by the place (0) and by the velocity (1) of the journal, for one pad.
 static whirl_status derive(const solver *s, const whirl_pad *pad, const double place[2], double tilt, double thinnest,
                            double out[2][2][2]) {
     static const double weight[] = {1.0 / 12.0, -8.0 / 12.0, 8.0 / 12.0, -1.0 / 12.0}, at[] = {-2.0, -1.0, 1.0, 2.0};
     const seen rest = tilted(pad, place, tilt);
-    // The force is homogeneous in (A, B), which at rest is the place relative to the pad.
+    // The force is homogeneous in (A, B), and at rest (A, B) is the place relative to the pad.
     const double wedge =
         hypot(rest.place[0] + pad->preload * cos(pad->pivot), rest.place[1] + pad->preload * sin(pad->pivot));
     const double step = difference * fmin(fmax(wedge, 0.05), thinnest);
@@ -233,6 +233,7 @@ static whirl_status look(const solver *s, const double place[2], bool balanced, 
     for (size_t i = 0; i < s->bearing->count && status.code == WHIRL_OK; i++) {
         const whirl_pad *pad = &s->bearing->pads[i];
         double before[2], n[2], along;
+        // The journal as the pad sees it, and the pad's tilt in balance.
         before_pad(pad, place, state->yield[i], before);
         balance b = {.s = s, .pad = pad, .place = before};
         if (balanced && s->bearing->tilting) status = balance_pad(s, pad, before, &state->tilt[i], &state->loaded[i]);
@@ -240,6 +241,7 @@ static whirl_status look(const solver *s, const double place[2], bool balanced, 
         state->load[i] = 0.0;
         if (!state->loaded[i]) state->yield[i] = 0.0;
         if (status.code != WHIRL_OK || !state->loaded[i]) continue;
+        // Force of the film, and its derivatives if requested.
         status = along_pad(&b, state->tilt[i], &along);
         if (status.code == WHIRL_OK && derived)
             status = derive(s, pad, before, state->tilt[i], b.all.thinnest, state->of_pads[i]);
@@ -247,6 +249,7 @@ static whirl_status look(const solver *s, const double place[2], bool balanced, 
         state->moment[i] = along;
         normal_of(pad, n);
         state->thrust[i] = -(b.force[0] * n[0] + b.force[1] * n[1]);
+        // Sums and extremes over the pads.
         for (int k = 0; k < 2; k++) state->force[k] += b.force[k];
         state->thinnest = fmin(state->thinnest, b.all.thinnest);
         state->highest = fmax(state->highest, b.all.highest);
@@ -273,10 +276,12 @@ static follower follower_of(const whirl_pads *bearing, const whirl_pads_state *s
     tangent_of(&bearing->pads[i], out.t);
     normal_of(&bearing->pads[i], out.n);
     const double *along[] = {out.t, out.n};
+    // Equations of the pad: A = T' K T + springs, right-hand side T' K.
     for (int r = 0; r < 2; r++) {
         for (int c = 0; c < 2; c++) right[r][c] = along[r][0] * k[0][c] + along[r][1] * k[1][c];
         for (int c = 0; c < 2; c++) a[r][c] = right[r][0] * along[c][0] + right[r][1] * along[c][1];
     }
+    // A pad without tilt or yield keeps only the other equation, or none.
     const bool tilts = bearing->tilting && state->loaded[i] && a[0][0] > 0.0;
     const bool yields = tilts && bearing->pivot_stiffness > 0.0;
     if (!tilts) return out;
@@ -285,6 +290,7 @@ static follower follower_of(const whirl_pads *bearing, const whirl_pads_state *s
     const double lacking[] = {state->moment[i],
                               yields ? bearing->pivot_stiffness * state->yield[i] - state->thrust[i] : 0.0};
     const double determinant = a[0][0] * a[1][1] - a[0][1] * a[1][0];
+    // Solve the 2 by 2 equations.
     for (int c = 0; c < 2; c++) {
         const double under = yields ? right[1][c] : 0.0;
         out.by[0][c] = (right[0][c] * a[1][1] - a[0][1] * under) / determinant;
@@ -300,7 +306,7 @@ typedef struct step {
     double place[2], tilt[WHIRL_MAX_PADS], yield[WHIRL_MAX_PADS];
 } step;
 
-/// Solves K* d = r, with pads that follow: K* = K - K T by. Then their changes.
+/// Solves K* d = r with pads in balance, K* = K - K T by; then computes the pads' changes.
 static step step_of(const whirl_pads *bearing, const whirl_pads_state *state, const double lacking[2]) {
     double sum[2][2] = {{0.0}}, right[2] = {lacking[0], lacking[1]};
     follower pads[WHIRL_MAX_PADS] = {{.t = {0.0}}};
@@ -348,9 +354,9 @@ static void go(const whirl_pads *bearing, const step *by, double share, whirl_pa
 /// whose films carry nothing there.
 static whirl_status look_first(const solver *s, const double load[2], whirl_pads_state *state) {
     const whirl_status status = look(s, state->at, true, true, state);
-    bool held = false;
-    for (size_t i = 0; i < s->bearing->count; i++) held = held || state->loaded[i];
-    if (status.code != WHIRL_OK || held) return status;
+    bool loaded = false;
+    for (size_t i = 0; i < s->bearing->count; i++) loaded = loaded || state->loaded[i];
+    if (status.code != WHIRL_OK || loaded) return status;
     for (int c = 0; c < 2; c++) state->at[c] += 1e-3 * load[c] / hypot(load[0], load[1]);
     return look(s, state->at, true, true, state);
 }
@@ -379,7 +385,8 @@ static whirl_status find_coarsely(const solver *s, const double load[2], whirl_p
     return whirl_fail(WHIRL_NUMERICAL_FAILURE, "no place was found where the films of the bearing carry the load");
 }
 
-/// Moves the journal and the tilts of pads on the finest grid by the derivatives of the coarse one, until all balances.
+/// Moves the journal and the tilts of pads on the finest grid, by the derivatives of the coarse one, until all forces
+/// balance.
 static whirl_status polish(const solver *s, const double load[2], whirl_pads_state *state) {
     whirl_status status = whirl_ok();
     for (int k = 0; k < MAX_STEPS && status.code == WHIRL_OK; k++) {
@@ -435,7 +442,7 @@ static whirl_status pads_check(const whirl_pads *bearing) {
     return whirl_ok();
 }
 
-/// The angle from the end of one pad to the beginning of another, 0 to a turn.
+/// Returns the angle from the end of one pad to the beginning of another, 0 to a turn.
 static double angle_to(const whirl_pad *pad, const whirl_pad *next) {
     const double turn = 6.283185307179586476925;
     const double end = pad->pivot + (1.0 - pad->offset) * pad->arc, start = next->pivot - next->offset * next->arc;

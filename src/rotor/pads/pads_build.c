@@ -19,7 +19,7 @@ static double reynolds_of(const key_value *values, double speed) {
     return oil_reynolds(&own, speed, sqrt(values[PADS_RADIUS].number * values[PADS_CLEARANCE].number));
 }
 
-/// Name of the usual bearing of a choice, in the order of the keys' tables.
+/// Returns the name of a choice's usual bearing, in the order of the keys' tables.
 static const char *shape_name(bool tilting, int choice) {
     static const char *const fixed[] = {"two-groove", "elliptical", "three-lobe", "four-lobe", "offset-half"};
     static const char *const free[] = {"tilting-4", "tilting-5"};
@@ -100,13 +100,14 @@ static double nearest_table(double reynolds) {
     return reynolds > 0.0 ? exp(step * round(log(reynolds) / step)) : 0.0;
 }
 
-/// Factor from films of the table's Reynolds number to the bearing's: the ratio of the circumferential factors.
+/// Returns the factor from films of the table's Reynolds number to the bearing's: the ratio of the circumferential
+/// factors.
 static double to_the_table(const key_value *values, double reynolds, double table) {
     const whirl_turbulence law = (whirl_turbulence)values[PADS_TURBULENCE].choice;
     return turbulent_resistance(law, reynolds).around / turbulent_resistance(law, table).around;
 }
 
-/// The speed of the journal over the rotor's.
+/// Finds the speed of the journal over the rotor's.
 static whirl_status journal_ratio(const key_value *values, const assembly *to, double *ratio) {
     *ratio = to->stations[values[PADS_AT].station[0]].ratio;
     if (*ratio == 0.0) return whirl_fail(WHIRL_BAD_INPUT, "has a journal that does not turn, expected one that does");
@@ -166,6 +167,7 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
     const oil own = oil_of(values);
     whirl_pads bearing = {.count = 0};
     double viscosity, ratio;
+    // Read and check the keys.
     whirl_status status = journal_ratio(values, to, &ratio);
     if (status.code == WHIRL_OK) status = pads_of_keys(values, tilting, ratio * to->turn < 0.0, &bearing);
     if (status.code == WHIRL_OK && !(bearing.ratio >= 0.02 && bearing.ratio <= 20.0))
@@ -176,6 +178,7 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
         status = whirl_fail(WHIRL_BAD_INPUT, "is turbulent by an unknown Reynolds number, expected the oil's density");
     if (status.code == WHIRL_OK) status = element_in_housing(&values[PADS_AT], &values[PADS_FROM], to, out);
     if (status.code != WHIRL_OK) return status;
+    // Scales: sense of rotation, strength of the film, Reynolds number of the table.
     const double turn = ratio * to->turn, sign = copysign(1.0, turn), speed = fabs(ratio * to->speed);
     const double reynolds = reynolds_of(values, speed);
     const bool light = tilting && values[PADS_INERTIA].number == 0.0;
@@ -188,6 +191,7 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
     out->number[PADS_CLEARANCE_UNIT] = values[PADS_CLEARANCE].number / to->length;
     out->number[PADS_TWICE] = 2.0 / fabs(turn);
     out->number[PADS_SIGN] = sign;
+    // Numbers of the pads, their tilts and yields.
     for (size_t i = 0; i < bearing.count && status.code == WHIRL_OK; i++) {
         whirl_pad pad = bearing.pads[i];
         pad.pivot *= sign;
@@ -195,6 +199,7 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
     }
     if (tilting) put_tilts(values, to, fabs(turn), strength, out->number);
     if (tilting && status.code == WHIRL_OK) status = put_yields(values, to, strength, out);
+    // Factors from the film's force to the accelerations of the ports.
     for (size_t port = 0; port < 4; port++)
         out->number[PADS_NUMBERS + port] =
             out->port[port] == NO_COORDINATE

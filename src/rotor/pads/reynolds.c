@@ -74,12 +74,12 @@ static double thickness(const pad_place *at, double p) {
 
 // ---------------------------------------------------------------- one grid
 
-/// The width of the volume of node j along the axis.
+/// Returns the width of the volume of node j along the axis.
 static double width(const grid *g, int j) {
     return j == 0 ? 0.5 * g->rise : g->rise;
 }
 
-/// - int (A sin p - B cos p) over every volume, and what the grooves press into those beside them.
+/// - int (A sin p - B cos p) over every volume, plus the flow from the grooves into the neighbouring volumes.
 static void fill_source(const grid *g, const pad_place *at, double *source) {
     for (int i = 1; i < g->around; i++) {
         const double west = g->first + (i - 0.5) * g->step, east = west + g->step;
@@ -93,7 +93,7 @@ static void fill_source(const grid *g, const pad_place *at, double *source) {
     }
 }
 
-/// Coefficients of node (i, j) with its neighbours: back and forth around, and towards either end.
+/// Computes the coefficients of node (i, j) with its neighbours: back and forth around, and towards either end.
 typedef struct links {
     double west, east, in, out;
 } links;
@@ -103,7 +103,7 @@ static links links_of(const grid *g, double ratio, int i, int j) {
     return (links){g->between[i - 1] * around, g->between[i] * around, j > 0 ? along : 0.0, along};
 }
 
-/// The matrix of the film outside the cavity, and 1 on the diagonal within.
+/// Fills the matrix: the film outside the cavity, and 1 on the diagonal within.
 static void fill_band(const grid *g, double ratio, const unsigned char *rest, double *band) {
     const int m = g->along, stride = m + 1;
     memset(band, 0, unknowns(g->around, m) * (size_t)stride * sizeof *band);
@@ -203,12 +203,13 @@ static whirl_status solve_grid(pad_workspace *work, const grid *g, const pad_fil
 
 // ---------------------------------------------------------------- what follows from the pressure
 
-/// Shear of a film, 1/H if laminar.
+/// Returns the shear of a film, 1/H if laminar.
 static double shear_at(const pad_film *film, double h) {
     return turbulent_shear(film->turbulence, film->reynolds * h) / h;
 }
 
-/// Shear around the pad at node j. In the cavity it is that of streams, together as wide as the film where it broke.
+/// Returns the shear around the pad at node j. In the cavity it is the shear of streams, together as wide as the film
+/// at its rupture.
 static double shear(const grid *g, const pad_film *film, const pad_place *at, const double *p, int j) {
     double broke = thickness(at, g->first), sum = 0.5 * shear_at(film, broke);
     for (int i = 1; i < g->around; i++) {
@@ -280,7 +281,7 @@ static grid grid_of(pad_workspace *work, const pad_film *film, const pad_place *
     return g;
 }
 
-/// The cavity of a grid half as fine, as a first guess.
+/// Copies the cavity of a grid half as fine, as a first guess.
 static void refine_cavity(pad_workspace *work, int around, int along) {
     const int half = along / 2, last = around / 2 - 1;
     memcpy(work->coarse, work->rest, unknowns(around / 2, half));
@@ -291,7 +292,7 @@ static void refine_cavity(pad_workspace *work, int around, int along) {
         }
 }
 
-/// The least thickness at any place of the pad, between nodes, too.
+/// Returns the least thickness of the film, also between nodes.
 static double least_thickness(const pad_film *film, const pad_place *at) {
     const double angle = atan2(at->y, at->x), half = 0.5 * film->arc;
     const double least = fmin(thickness(at, -half), thickness(at, half));
@@ -303,11 +304,13 @@ whirl_status pad_solve(pad_workspace *work, const pad_film *film, const pad_plac
     if (!(least_thickness(film, place) > 0.0))
         return whirl_fail(WHIRL_BAD_INPUT, "the journal touches the pad: the film's thickness is %.3g clearances",
                           least_thickness(film, place));
+    // Number of grids, each half as fine as the next.
     while ((film->around >> levels) >= MIN_AROUND && (film->along >> levels) >= MIN_ALONG &&
            (film->around >> (levels - 1)) % 2 == 0 && (film->along >> (levels - 1)) % 2 == 0)
         levels++;
     pad_answer last = {.thinnest = 0.0};
     memset(work->rest, 0, unknowns(work->around, work->along));
+    // Solve from the coarsest grid on; its cavity is the first guess of the next one.
     for (int level = levels - 1; level >= 0; level--) {
         const int around = film->around >> level, along = film->along >> level;
         if (level < levels - 1) refine_cavity(work, around, along);
@@ -318,6 +321,7 @@ whirl_status pad_solve(pad_workspace *work, const pad_film *film, const pad_plac
         if (level > 0) last = *answer;
     }
     answer->thinnest = least_thickness(film, place);
+    // Extrapolate the last two grids.
     if (levels == 1) return whirl_ok();
     for (int i = 0; i < 2; i++) answer->force[i] = extrapolate(answer->force[i], last.force[i]);
     answer->leaving = extrapolate(answer->leaving, last.leaving);

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// Volumes of the films at the nodes.
+/// Volumes around a full turn in the films at the nodes.
 enum { AROUND_A_TURN = 128 };
 
 static double largest_y(double arc, double x) {
@@ -18,7 +18,7 @@ static double *coefficient(double *all, int t, int w, int alpha) {
 
 // ---------------------------------------------------------------- values
 
-/// S at a node.
+/// Computes S at a node.
 static whirl_status solve_node(const pad_film *film, pad_workspace *work, int t, int w, int k, double value[2]) {
     const double thickness = pow(PAD_MIN_T + PAD_STEP_T * t, 2.0), x = 1.0 - thickness,
                  own = PAD_STEP_W * w - PAD_MAX_W;
@@ -31,7 +31,7 @@ static whirl_status solve_node(const pad_film *film, pad_workspace *work, int t,
     return status;
 }
 
-/// S at the nodes of one t and w, at all alphas.
+/// Computes S at the nodes of one t and w, for all alphas.
 static whirl_status fill_nodes(double *all, const pad_film *film, pad_workspace *work, int t, int w) {
     whirl_status status = whirl_ok();
     for (int k = 0; k < PAD_ALPHA_NODES && status.code == WHIRL_OK; k++)
@@ -39,7 +39,7 @@ static whirl_status fill_nodes(double *all, const pad_film *film, pad_workspace 
     return status;
 }
 
-/// The pad is its own mirror image: with y and A the force along it changes its sign, and alpha becomes pi - alpha.
+/// Fills in the mirror images: if y and A change sign, the force along the pad does too, and alpha becomes pi - alpha.
 static void mirror_nodes(double *all, int t, int w) {
     const int other = PAD_W_NODES - 1 - w, count = PAD_ALPHA_NODES;
     for (int k = 0; k < count; k++) {
@@ -54,15 +54,16 @@ static void mirror_nodes(double *all, int t, int w) {
 
 // ---------------------------------------------------------------- splines
 
-/// Coefficients of the cubic spline through values [count] at equal distances, in place of the values, c [count + 2]
-/// with a stride, values from c[1] on. Third differences vanish at both ends, or it is periodic (then c [count + 3]).
+/// Computes the coefficients of the cubic spline through values [count] at equal distances, in place of the values, c
+/// [count + 2] with a stride, values from c[1] on. Third differences vanish at both ends, or it is periodic (then c
+/// [count + 3]).
 static void spline(double *c, int count, size_t stride, bool periodic, double *work) {
     double *low = work, *value = work + count, *far = value + count;
     // (c[i-1] + 4 c[i] + c[i+1])/6 = value.
     for (int i = 0; i < count; i++) value[i] = 6.0 * c[(size_t)(i + 1) * stride], far[i] = 0.0;
     if (!periodic) {
-        // c[-1] = 3 c[0] - 3 c[1] + c[2]: first row 7, -2, 1; the last one likewise. The third entry is taken away
-        // by the row beside it: (7, -2, 1) - (1, 4, 1) = (6, -6, 0).
+        // c[-1] = 3 c[0] - 3 c[1] + c[2]: first row 7, -2, 1; the last one likewise. The next row eliminates the third
+        // entry: (7, -2, 1) - (1, 4, 1) = (6, -6, 0).
         value[0] -= value[1];
         value[count - 1] -= value[count - 2];
         low[0] = -1.0; // -6/6
@@ -101,7 +102,7 @@ static void make_splines(double *all, double *work) {
 
 // ---------------------------------------------------------------- the whole
 
-/// The grid of a table: half as long as it is wide, or longer, a pad needs more volumes along it.
+/// Returns the film with the grid of a table: pads of L/D above one half need more volumes along their length.
 pad_film pad_table_film(const pad_table_key *key) {
     const int around = 16 * (int)ceil(key->arc / (2.0 * PAD_HALF_TURN) * AROUND_A_TURN / 16.0), least = 64;
     const double along = 4.0 * ceil(4.0 * key->ratio / key->arc);
@@ -143,7 +144,7 @@ void pad_table_splines(pad_table *table) {
 
 // ---------------------------------------------------------------- pads that tilt freely
 
-/// The force along the pad by the spline along alpha.
+/// Returns the force along the pad by the spline along alpha.
 static double along_alpha(const double line[PAD_ROW], double alpha, const double along[2]) {
     const double place = (alpha + PAD_HALF_TURN) / PAD_STEP_ALPHA + PAD_ALPHA_NODES;
     const int cell = (int)place % PAD_ALPHA_NODES;
@@ -156,7 +157,7 @@ static double along_alpha(const double line[PAD_ROW], double alpha, const double
     return sum;
 }
 
-/// Coefficients along alpha at a node of t and w.
+/// Copies the coefficients along alpha at a node of t and w.
 static void line_of(const pad_table *table, int t, int w, double line[PAD_ROW]) {
     static const double at_node[] = {1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0};
     for (int k = 0; k < PAD_ROW; k++) {

@@ -33,7 +33,7 @@ uint64_t pad_table_checksum(const pad_table *table) {
     return sum;
 }
 
-/// The user's cache folder; false where there is none.
+/// Finds the user's cache folder; returns false without one.
 static bool cache_folder(char folder[PATH_LENGTH]) {
     const char *cache = getenv("XDG_CACHE_HOME"), *home = getenv("HOME");
     int length = -1;
@@ -44,7 +44,7 @@ static bool cache_folder(char folder[PATH_LENGTH]) {
     return length > 0 && length < PATH_LENGTH;
 }
 
-/// The file of a table; false without a folder. Builds of other sources have files of their own.
+/// Writes the file name of a table; returns false without a folder. Builds of other sources use other files.
 static bool file_of(const pad_table_key *key, char path[PATH_LENGTH]) {
     char folder[PATH_LENGTH];
     if (!cache_folder(folder)) return false;

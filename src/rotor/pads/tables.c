@@ -117,7 +117,7 @@ void whirl_film_tables_text(const whirl_film_tables *set, char text[WHIRL_FILM_T
     // Sorted, so that the text does not depend on the order in which a process meets its tables.
     qsort(sums, count, sizeof *sums, compare_checksums);
     for (size_t i = 0; i < count; i++) {
-        if (i > 0 && sums[i] == sums[i - 1]) continue; // pads that differ by their pivots alone share a file
+        if (i > 0 && sums[i] == sums[i - 1]) continue; // pads that differ only by their pivots share a file
         all = different++ == 0 ? sums[i] : (all ^ sums[i]) * 1099511628211u;
     }
     text[0] = '\0';
@@ -245,7 +245,7 @@ static whirl_status tables_make(size_t i, const whirl_stop *stop) {
         look_for_file(with, &slots[i].key, &found);
     } else if (with->open && with->next < PAD_T_NODES) {
         with->workers++;
-    } else { // it is about to be there
+    } else { // another thread is finishing it
         lock_leave(&guard);
         clock_rest();
         lock_take(&guard);

@@ -42,16 +42,16 @@ void mesh_inertia(const mesh *from, assembly *to);
 void mesh_build(const mesh *from, assembly *to);
 
 // ---------------------------------------------------------------- reduction
-// Reduction of shafts by component modes (Craig, Bampton 1968): what elements act on stays as it is, the nodes between
-// follow by the way they give way statically and by their lowest modes while these stand still.
+// Reduction of shafts by component modes (Craig, Bampton 1968). Coordinates on which elements act are kept. The nodes
+// between follow statically, and by their lowest modes with the kept coordinates fixed.
 //
-// With q_B what is kept and q_I what is not,
+// With q_B the kept coordinates and q_I the others,
 //
 //     q_I = Psi q_B + Phi (z - Phi' (M_II Psi + M_IB) q_B),    Psi = -K_II^-1 K_IB,   K_II Phi = M_II Phi w^2,
 //
 // where the usual modal coordinates are shifted so that z is coupled with q_B by stiffness alone, not by mass: then
-// only the few q_B have a mass matrix to be inverted. A column of Phi is scaled to a largest displacement of 1 (of
-// a tilt: what that is at the radius of gyration), so that z is a displacement in m, and its inertia the modal mass.
+// only the few q_B have a mass matrix to be inverted. A column of Phi is scaled to a largest displacement of 1 (tilts
+// count at the radius of gyration), so that z is a displacement in m, and its inertia the modal mass.
 
 /// Result of a shaft's reduction.
 typedef struct reduction {

@@ -124,6 +124,7 @@ static whirl_status align(const beam *of, size_t count, const size_t *node, doub
     double *j = calloc(rows * (of->supports + rows + 2) + 1, sizeof *j), *square = j ? j + rows * of->supports : NULL;
     double *side = j ? square + rows * rows : NULL;
     if (!j) return statics_no_memory();
+    // Moment and shear at the couplings: by the weight (side), and by raising each free support (j).
     for (size_t c = 0; c < count; c++) {
         double at[2];
         cut_coupling(of, node[c], 0, at);
@@ -133,6 +134,7 @@ static whirl_status align(const beam *of, size_t count, const size_t *node, doub
             for (size_t i = 0; i < 2; i++) j[(2 * c + i) * of->supports + s] = at[i];
         }
     }
+    // Least norm: elevation = J' (J J')^-1 side.
     for (size_t r = 0; r < rows; r++)
         for (size_t k = 0; k < rows; k++)
             for (size_t s = 0; s < free_ones; s++)

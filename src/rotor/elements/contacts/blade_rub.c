@@ -10,10 +10,10 @@
 
 enum { MAX_BLADES = KERNEL_SWITCHES };
 
-/// The casing's radius in length scales; p - 1; f_k with the sign of the rotation; theta' by tau; theta_0; cosine and
-/// sine of the angle between blades; a length scale in metres with the sign of the rotation; W of 1 N by a length scale
-/// by tau; of each blade k_j in newtons by length scales to the power p, and l_j. Its law is the number of blades and
-/// whether keys name the power, which else is 1, and the friction, which else is 0.
+/// Numbers: the casing's radius in length scales; p - 1; f_k with the sign of the rotation; theta' by tau; theta_0;
+/// cosine and sine of the angle between blades; a length scale in metres with the sign of the rotation; W of 1 N by a
+/// length scale by tau; of each blade k_j in newtons by length scales to the power p, and l_j. Its law is the number of
+/// blades and whether keys name the power, which else is 1, and the friction, which else is 0.
 enum {
     BLADE_CASING,
     BLADE_POWER,
@@ -92,7 +92,7 @@ static whirl_status check_list(const key_value *values, int key) {
                       keys[key].name, blades);
 }
 
-/// Equal blades repeat n times a revolution.
+/// Returns the rounds per revolution: the pattern of equal blades repeats n times.
 static double blade_rub_rounds(const element *own, size_t state) {
     (void)state;
     bool alike = true;
@@ -161,7 +161,7 @@ static void blade_rub_curvature(const element *own, const element_place *at, siz
     }
 }
 
-/// Each blade's switch begins a contact.
+/// Returns true: every blade's switch begins a contact.
 static bool blade_rub_touches(const element *own, size_t index) {
     (void)own, (void)index;
     return true;
@@ -176,7 +176,7 @@ static int blade_rub_takes_power(const element *own) {
     return own->law & BLADE_RUBS ? 1 : 0;
 }
 
-/// Contact also depends on the blades' position.
+/// Returns true: contact also depends on the blades' position.
 static bool blade_rub_contact_damped(const element *own) {
     (void)own;
     return true;

@@ -21,9 +21,9 @@ enum {
     CONTACT_FALLS = 64
 };
 
-/// Gap; K in newtons by length scales to the power n; n - 1; chi; R (the surface's speed by tau); f_k; f_s - f_k;
-/// 1/v_s; v_0; s_2; s_0; s_1; s_0/s_1; all in length scales by tau. Direction of the arc's middle, cosine of half of
-/// it. R with the sign of the rotation; a length scale in metres; W of 1 N by the slip.
+/// Numbers: gap; K in newtons by length scales to the power n; n - 1; chi; R (the surface's speed by tau); f_k; f_s -
+/// f_k; 1/v_s; v_0; s_2; s_0; s_1; s_0/s_1; all in length scales by tau. Direction of the arc's middle, cosine of half
+/// of it. R with the sign of the rotation; a length scale in metres; W of 1 N by the slip.
 enum {
     CONTACT_GAP,
     CONTACT_STIFFNESS,
@@ -282,11 +282,12 @@ static double contact_radial_gap(const element *own) {
     return element_housing_stands(own) && !(own->law & CONTACT_PARTIAL) ? own->number[CONTACT_GAP] : 0.0;
 }
 
-/// The gap around the origin does not decide contact.
+/// Returns 1 if the law has friction, else 0.
 static int contact_takes_power(const element *own) {
     return own->law & CONTACT_SLIPS ? 1 : 0;
 }
 
+/// Returns true: the gap alone does not decide contact.
 static bool contact_is_damped(const element *own) {
     (void)own;
     return true;

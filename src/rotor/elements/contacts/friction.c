@@ -6,7 +6,8 @@
 #define KERNEL_SWITCHES 1
 #define KERNEL_TILTS
 
-/// Newtons, and the square of length scales by tau; of tilts N m, and the unit of the first one by tau.
+/// Numbers: the force in newtons, and the square of the smoothing speed in length scales by tau; for tilts N m, and the
+/// unit of the first tilt by tau.
 enum { FRICTION_FORCE, FRICTION_SLIP_SQUARE, FRICTION_NUMBERS };
 enum { FRICTION_SMOOTH, FRICTION_SHARP };
 
@@ -64,7 +65,7 @@ static whirl_status friction_build(const key_value *values, assembly *to, elemen
     return whirl_ok();
 }
 
-/// Sliding reverses; no contact begins.
+/// Returns false: at this switch sliding reverses, and no contact begins.
 static bool friction_touches(const element *own, size_t index) {
     (void)own, (void)index;
     return false;

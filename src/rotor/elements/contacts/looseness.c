@@ -7,7 +7,7 @@
 
 enum { SEATED, LOOSE, HELD, PIECES };
 
-/// In newtons and length scales.
+/// Numbers in newtons and length scales.
 enum {
     LOOSENESS_STIFFNESS,
     LOOSENESS_DAMPING = LOOSENESS_STIFFNESS + PIECES,

@@ -17,9 +17,9 @@
 #include "../../element.h"
 #include "vector.h"
 
-/// Gap, k/(m omega^2), c/(m omega), f, R (the surface's speed by tau), v_0, all in length scales; newtons of a unit of
-/// N; the square of the gap; R with the sign of the rotation, 0 where it is not known; a length scale
-/// in metres; W of 1 N by the slip.
+/// Numbers: gap, k/(m omega^2), c/(m omega), f, R (the surface's speed by tau), v_0, all in length scales; newtons of a
+/// unit of N; the square of the gap; R with the sign of the rotation, 0 where it is not known; a length scale in
+/// metres; W of 1 N by the slip.
 enum {
     RUB_GAP,
     RUB_STIFFNESS,
@@ -55,7 +55,7 @@ static inline size_t rub_switch_count(const element *rub) {
     return rub_slip_switch(rub) + (rub_sharp(rub) ? 1 : 0);
 }
 
-/// A station at its stator.
+/// State of a contact: displacement and normal force.
 typedef struct rub_place {
     vec x, y, vx, vy;
     vec_mask touching;
@@ -89,7 +89,7 @@ VECTOR_INLINE int rub_meet(const element *rub, size_t stride, const vec *number,
     return 1;
 }
 
-/// The sign of the slip v_t: -1 to 1.
+/// Returns the sign of the slip v_t: -1 to 1.
 static inline vec slip_sign(vec slip, vec slip_speed) {
     const vec size = v_sqrt(v_fma(slip, slip, v_mul(slip_speed, slip_speed)));
     return v_select(v_less(v_set(0.0), size), v_div(slip, v_max(size, v_set(0x1p-1022))), v_set(0.0));
@@ -100,7 +100,7 @@ static inline vec rub_slip(const rub_place *p, size_t stride, const vec *number)
     return v_add(number[RUB_SURFACE * stride], transverse);
 }
 
-/// Coefficient of friction with the sign of the law.
+/// Returns the coefficient of friction with the sign of the law.
 VECTOR_INLINE vec rub_friction(const element *rub, size_t stride, const vec *number, const vec *sides,
                                const rub_place *p) {
     const vec f = number[RUB_FRICTION * stride];
@@ -120,14 +120,14 @@ VECTOR_INLINE void rub_kernel(const element *rub, size_t stride, const vec *numb
     a[j] = v_fnma(p.push, v_fma(f, p.x, p.y), a[j]);
 }
 
-/// Normal force in newtons.
+/// Returns the normal force in newtons.
 static inline vec rub_normal(const element *rub, size_t stride, const vec *number, const vec *q, const vec *v) {
     rub_place p;
     if (!rub_meet(rub, stride, number, NULL, q, v, &p)) return v_set(0.0);
     return v_mul(number[RUB_NEWTONS * stride], v_mul(p.push, p.r));
 }
 
-/// Effect of friction, two rows of `out`: NaN if it acts and the radius is unknown.
+/// Computes the effect of friction, two rows of `out`: NaN if it acts and the radius is unknown.
 static inline void rub_rubbing(const element *rub, size_t stride, const vec *number, const vec *q, const vec *v,
                                vec *out) {
     const vec zero = v_set(0.0), lever = number[RUB_LEVER * stride], none = v_div(zero, zero);

@@ -24,10 +24,10 @@
 /// 2/3^(3/2): the force's factor 2/q^(3/2) is this times sqrt(3/q)^3.
 #define FILM_STRENGTH_OF_1 0.384900179459750509673
 
-/// c and c^2; FILM_STRENGTH_OF_1 c^2 times the count times F0/(m omega^2 length scale). All in length scales. 2 over
-/// the shaft's speed by tau, which makes velocities by its angle of those by tau: 2 where sections are the shaft's.
-/// pi/2, below 0 where the shaft turns clockwise: the force is the mirror image, (x, -y), of that of the mirrored
-/// journal, whose A, U and E are the same, and whose y, B, P and angle have the other sign.
+/// Numbers: c and c^2; FILM_STRENGTH_OF_1 c^2 times the count times F0/(m omega^2 length scale). All in length scales.
+/// 2 over the shaft's speed by tau, which makes velocities by its angle of those by tau: 2 where sections are the
+/// shaft's. pi/2, below 0 where the shaft turns clockwise: the force is the mirror image, (x, -y), of that of the
+/// mirrored journal, whose A, U and E are the same, and whose y, B, P and angle have the other sign.
 enum { FILM_CLEARANCE, FILM_CLEARANCE_SQUARE, FILM_STRENGTH, FILM_TWICE, FILM_QUARTER, FILM_NUMBERS };
 
 /// Vectors that may be under way in a film at the same time.

@@ -83,6 +83,7 @@ VECTOR_INLINE vec film_sum(const vec row[FILM_ROWS], int first, vec u, vec *slop
 VECTOR_INLINE film_ratio film_ratio_at(const film_series *of, vec p, vec b, bool slopes) {
     vec row[FILM_ROWS], by_b[FILM_ROWS];
     VECTOR_WHOLE for (int m = 0; m < FILM_ROWS; m++) row[m] = by_b[m] = v_set(0.0);
+    // Horner's scheme in b for all rows, and their derivatives.
     VECTOR_WHOLE for (int j = FILM_IN_B; j >= 0; j--) {
         VECTOR_WHOLE for (int m = 0; m < FILM_ROWS; m++) {
             if (j >= FILM_POWERS(m)) continue;
@@ -91,6 +92,7 @@ VECTOR_INLINE film_ratio film_ratio_at(const film_series *of, vec p, vec b, bool
             row[m] = j == FILM_POWERS(m) - 1 ? c : v_fma(row[m], b, c);
         }
     }
+    // Even rows make R, odd rows I; both over the denominator.
     const vec u = v_mul(p, p), d_p = film_coefficient(of, FILM_COEFFICIENTS),
               d_b = film_coefficient(of, FILM_COEFFICIENTS + 1);
     const vec over = v_div(v_set(1.0), v_fma(d_p, u, v_fma(v_mul(d_b, b), b, v_set(1.0))));
@@ -101,6 +103,7 @@ VECTOR_INLINE film_ratio film_ratio_at(const film_series *of, vec p, vec b, bool
     r.real = v_mul(over, film_sum(row, 0, u, slopes ? &by_u : NULL));
     r.imaginary = v_mul(p, odd);
     if (!slopes) return r;
+    // Derivatives of the quotients by p and b.
     const vec twice_p = v_add(p, p), under_p = v_mul(v_mul(d_p, twice_p), over),
               under_b = v_mul(v_mul(d_b, v_add(b, b)), over);
     const vec even_b = v_mul(over, film_sum(by_b, 0, u, NULL)), odd_b = v_mul(over, film_sum(by_b, 1, u, NULL));

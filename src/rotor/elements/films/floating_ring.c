@@ -5,9 +5,10 @@
 #define KERNEL_NUMBERS RING_NUMBERS
 #define KERNEL_SWITCHES 0
 
-/// The shaft's speed over the clock; the ring's with both in the middle; of both films one over the clearance in length
-/// scales, the scale of the force in newtons, and what the drag is of the ring's angular acceleration by tau. Its state
-/// counts the speed in the inner clearance by length scales, so that distances of states do not depend on these.
+/// Numbers: the shaft's speed over the clock; the ring's speed with journal and ring centred; for each film one over
+/// the clearance in length scales, the scale of the force in newtons, and the angular acceleration of the ring (by tau)
+/// from its drag. The unit of its state is the inner clearance over length scales, so that distances of states do not
+/// depend on the length scale.
 enum {
     RING_TURN,
     RING_SPEED,
@@ -90,12 +91,12 @@ static whirl_status find_sides(const key_value *values, ring_side *inner, ring_s
     return status;
 }
 
-/// Drag of a film per difference of its sides' speeds, N m s.
+/// Returns the drag of a film per difference of its sides' speeds, N m s.
 static double drag_of(const ring_side *of) {
     return 6.28318530717958647692 * of->viscosity * of->radius * of->radius * of->radius * of->length / of->clearance;
 }
 
-/// Three numbers of a film from `first` on.
+/// Writes the three numbers of a film.
 static void build_side(const ring_side *of, double inertia, const assembly *to, double *first) {
     const double size = of->viscosity * to->clock * of->radius * of->length * of->length * of->length;
     first[0] = to->length / of->clearance;
@@ -113,7 +114,7 @@ static whirl_status floating_ring_build(const key_value *values, assembly *to, e
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[RING], to, out);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[RING], &values[FROM], to, &around);
     if (status.code != WHIRL_OK) return status;
-    // Places: of the journal and the ring; relative to these: of the ring and the housing.
+    // Ports: journal and ring, whose difference is the first film's displacement; then ring and housing.
     for (int a = 0; a < 2; a++) {
         out->port[4 + a] = out->port[2 + a];
         out->port[2 + a] = around.port[a];
@@ -129,7 +130,7 @@ static whirl_status floating_ring_build(const key_value *values, assembly *to, e
     return whirl_ok();
 }
 
-/// The ring turns between the journal and the housing, by their drags, where both are in the middle.
+/// The speed of the ring is between those of journal and housing, by the drags of centred films.
 static void floating_ring_doubt(const key_value *values, double speed, const doubt_teller *to) {
     ring_side side[2];
     if (find_sides(values, &side[0], &side[1]).code != WHIRL_OK) return;

@@ -10,7 +10,7 @@
 // on either side (Petroff's law, over the mean of 1/h). r, less what it is with journal and ring in the middle, is a
 // state, in RING_STATE_UNIT. Beyond a wall the force is not a number, and the motion counts as diverged.
 
-/// Force on the inner one of two places d apart that move apart at w, and sqrt(1 - e^2).
+/// Computes the force on the inner of two places with the relative displacement d and velocity w, and sqrt(1 - e^2).
 static inline void KERNEL(ring_film)(vec over_clearance, vec strength, const num *d, const num *w, num s, num *force,
                                      num *root) {
     const num x = n_scale(over_clearance, d[0]), y = n_scale(over_clearance, d[1]);

@@ -15,7 +15,7 @@ const element_kernels ISA(pad_bearing_kernels) = GENERIC_KERNELS;
 #if VECTOR_ISA == VECTOR_SCALAR
 #include "elements/films/pads_gap.h"
 
-/// The least thickness over all pads with the journal at a place, in the pads' clearance.
+/// Returns the least thickness over all pads with the journal at a place, in the pads' clearance.
 static double thinnest(const element *own, const double journal[2]) {
     double least = INFINITY;
     for (size_t p = 0; p < (size_t)own->law; p++) {
@@ -27,7 +27,7 @@ static double thinnest(const element *own, const double journal[2]) {
     return least;
 }
 
-/// element_type.film.
+/// Implements element_type.film.
 static void pad_bearing_film(const element *own, const double *q, const double *states, element_film *out) {
     const double unit = 1.0 / own->number[PADS_OVER_CLEARANCE];
     double journal[2], free = 0.0, touching = 4.0;

@@ -22,7 +22,7 @@ typedef struct pads_pivot {
     vec scale;    ///< scale of the film: f = scale V S
     vec held;     ///< spring s
     vec damper;   ///< above 0
-    vec lean;     ///< about r/p of a pad that tilts freely
+    vec lean;     ///< r/p of a pad that tilts freely, approximately
     pads_spot spot;
     // Rate and its bracket; size of the last step; derivative of M by the rate; force, and its derivative by the rate.
     vec rate, low, high, steep, force[2], by_rate[2];
@@ -30,7 +30,7 @@ typedef struct pads_pivot {
     bool found;
 } pads_pivot;
 
-/// M at the rate.
+/// Computes M at the rate.
 VECTOR_INLINE vec pads_moment(pads_pivot *at, vec *V) {
     const vec r = v_fma(at->twice, at->rate, at->r);
     const vec a = v_fma(at->along[0], at->p, v_mul(at->along[1], r));
@@ -74,7 +74,7 @@ VECTOR_INLINE void pads_step(pads_pivot *at, bool last) {
         at->rate = v_select(moving, next, at->rate);
         return;
     }
-    // The rest is linear.
+    // The other terms are linear in the rate.
     at->rate = next;
     for (int n = 0; n < 2; n++) at->force[n] = v_fma(at->by_rate[n], move, at->force[n]);
 }

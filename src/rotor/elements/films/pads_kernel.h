@@ -11,7 +11,7 @@
 #define PADS_YIELD 0
 #endif
 
-/// V and half of alpha, of (a, b).
+/// Computes V and half of alpha for (a, b).
 static inline void KERNEL(pads_direction)(num a, num b, num *V, num *half) {
 #ifdef NUMBERS_DUAL
     vec over;
@@ -27,7 +27,7 @@ static inline void KERNEL(pads_direction)(num a, num b, num *V, num *half) {
 #endif
 }
 
-/// t, w and 1/((1 - v^2) Hm^2) of the table where the journal is at (x, y) in the frame of a pad. Beyond the wall a
+/// Computes t, w and 1/((1 - v^2) Hm^2) of the table for the journal at (x, y) in the frame of a pad. Beyond the wall a
 /// root is not a number, and the motion counts as diverged.
 static inline void KERNEL(pads_place)(const kernel_view *view, const vec *pad, num x, num y, num *t, num *w,
                                       num *scale) {
@@ -111,7 +111,7 @@ static inline void KERNEL(pads_turn)(const kernel_view *view, const vec *pad, nu
     seen->b = n_sub(seen->b, n_scale(v_mul(twice, pad[PAD_ALONG_X * view->stride]), rate));
 }
 
-/// All moments about the pivot except that of inertia.
+/// Sums all moments about the pivot except that of inertia.
 static inline num KERNEL(pads_moments)(const kernel_view *view, const vec *pad, num tilt, num rate, const num f[2]) {
     const size_t stride = view->stride;
     const num held = n_add(n_scale(view->number[PADS_TILT_SPRING * stride], tilt),
@@ -185,7 +185,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     const vec *pads[MAX_PADS];
     for (size_t p = 0; p < count; p++) pads[p] = view->number + (PADS_FIRST + p * PAD_NUMBERS) * stride;
 #ifdef KERNEL_FEWER_STATES
-    // Places of pads are states, which count in length scales as all displacements do; here in the clearance.
+    // States of pads are in length scales, like displacements; convert them to the clearance.
     num place[KERNEL_STATES], rate[KERNEL_STATES];
     for (int i = 0; i < STATES_OF(own); i++) {
         place[i] = n_scale(over, s[i]);

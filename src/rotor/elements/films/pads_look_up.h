@@ -10,9 +10,9 @@
 
 enum { MAX_PADS = WHIRL_MAX_TILTING };
 
-/// Numbers of the bearing: one over the pads' clearance in length scales; 2 over the speed of the shaft by tau, without
-/// its sign, which stands beside it; of the tilts by tau what the film's force, a spring and a damper make of them, and
-/// of pads on pivots that yield the same along the radius.
+/// Numbers of the bearing: one over the pads' clearance in length scales; 2 over the size of the shaft's speed by tau,
+/// and the sign of that speed; factors from the film's force, the spring and the damper to the tilts' slopes by tau;
+/// for yielding pivots the same factors along the radius.
 enum {
     PADS_OVER_CLEARANCE,
     PADS_CLEARANCE_UNIT,
@@ -43,8 +43,8 @@ enum {
     PADS_NUMBERS = PADS_FIRST + MAX_PADS * PAD_NUMBERS
 };
 
-/// Most states of a bearing of pads that tilt: tilt and rate of every pad, or the tilt alone without inertia; on
-/// yielding pivots then the outward displacement and its rate of every pad.
+/// Most states of a bearing of tilting pads: tilt and rate of every pad (without inertia only the tilt), and on
+/// yielding pivots the outward displacement of every pad and its rate.
 enum { PADS_STATES = 2 * MAX_PADS, PADS_YIELDING_STATES = 2 * PADS_STATES };
 
 /// Returns true if its pads tilt without inertia.
@@ -52,7 +52,7 @@ static inline bool pads_are_light(const element *own) {
     return own->states / (size_t)own->law % 2 == 1;
 }
 
-/// Four B-splines at u from 0 to 1 between two nodes; their derivatives by u.
+/// Compute four B-splines at u, 0 to 1 between two nodes, and their derivatives by u.
 VECTOR_INLINE void pads_splines(vec u, vec value[4]) {
     const vec m = v_sub(v_set(1.0), u), sixth = v_set(1.0 / 6.0), uu = v_mul(u, u), mm = v_mul(m, m);
     value[0] = v_mul(sixth, v_mul(mm, m));
@@ -69,8 +69,8 @@ VECTOR_INLINE void pads_spline_slopes(vec u, vec over_step, vec slope[4]) {
     slope[3] = v_mul(half, v_mul(u, u));
 }
 
-/// A place on an axis: the cell, the position in it, and 1 over the step, 0 beyond the axis. NaN counts as the first
-/// node.
+/// A position on an axis: the cell, the position in it, and 1 over the step (0 beyond the axis). NaN counts as the
+/// first node.
 typedef struct pads_axis {
     vec cell, u, over_step;
 } pads_axis;
@@ -84,11 +84,11 @@ VECTOR_INLINE pads_axis pads_on_axis(vec at, double first, double step, int cell
     return on;
 }
 
-/// Sums over t and w: of the values and, if sloped, of the derivatives by t and by w.
+/// Number of sums over t and w: values and, if sloped, derivatives by t and by w.
 enum { PADS_VALUE, PADS_BY_T, PADS_BY_W, PADS_SUMS };
 
-/// The journal's place in a pad's table, for any direction: the rows of every lane's table and the number of the first
-/// one there, and for every sum the products of the splines along t and w that weigh the rows.
+/// The journal's place in a pad's table, for any direction: the rows of every lane's table with the index of the first
+/// one, and for every sum the weights of the rows (products of the splines along t and w).
 typedef struct pads_spot {
     const double *rows[VECTOR_LANES];
     vec first;
@@ -149,8 +149,8 @@ VECTOR_INLINE vec pads_lean(vec table, vec t, vec w) {
     return v_fma(on_t.u, v_sub(high, low), low);
 }
 
-/// Sums both forces at four B-splines of alpha from its cell on, those of one spline side by side. A lane at a time,
-/// row by row: one row is a vector of the widest lanes, two to eight of narrower ones.
+/// Sums both forces for four B-splines of alpha from its cell on, lane by lane and row by row. A row is one vector of
+/// the widest instruction set, or two to eight vectors of narrower ones.
 VECTOR_INLINE void pads_sum(const pads_spot *spot, vec cell, bool sloped, vec sums[][8]) {
     enum { PARTS = 8 / VECTOR_LANES };
     const int kinds = sloped ? PADS_SUMS : 1;
@@ -176,7 +176,7 @@ VECTOR_INLINE void pads_sum(const pads_spot *spot, vec cell, bool sloped, vec su
     for (int kind = 0; kind < kinds; kind++) v_transpose((const double(*)[8])all[kind], sums[kind]);
 }
 
-/// Weighs the two forces with the four splines.
+/// Sums the two forces with the weights of the four splines.
 VECTOR_INLINE void pads_weigh(const vec rows[8], const vec weight[4], vec force[2]) {
     for (int n = 0; n < 2; n++)
         force[n] = v_fma(weight[3], rows[6 + n],
@@ -187,8 +187,8 @@ VECTOR_INLINE pads_axis pads_on_alpha(vec half) {
     return pads_on_axis(v_add(half, half), -PAD_HALF_TURN, PAD_STEP_ALPHA, PAD_ALPHA_NODES);
 }
 
-/// V, half of alpha and 1/V of (a, b). The 2^-600 keeps a journal that neither turns nor moves before the pad from
-/// dividing by zero.
+/// Computes V, half of alpha and 1/V for (a, b). The 2^-600 prevents a division by zero for a journal that neither
+/// turns nor moves relative to the pad.
 VECTOR_INLINE void pads_polar(vec a, vec b, vec *V, vec *half, vec *over) {
     const vec square = v_fma(a, a, v_fma(b, b, v_set(0x1p-600)));
     *V = v_sqrt(square);
@@ -197,8 +197,8 @@ VECTOR_INLINE void pads_polar(vec a, vec b, vec *V, vec *half, vec *over) {
     *half = v_half_angle(v_mul(a, part), v_mul(b, part));
 }
 
-/// Places of all lanes in the tables of a pad, found before any number is read: all pads of a bearing are found first,
-/// so that no read waits for its address.
+/// Finds the places of all lanes in the tables of a pad. All pads of a bearing are found before any table is read, so
+/// that no read waits for its address.
 typedef struct pads_entry {
     pads_spot spot;
     pads_axis alpha;

@@ -1,4 +1,4 @@
-/// Equilibrium of pads before a journal at a given place: their tilts, and how far their pivots yield. Included by the
+/// Equilibrium of pads for a journal at a given place: tilts, and displacements of yielding pivots. Included by the
 /// scalar builds of tilting_pad.c and tilting_pad_yielding.c.
 ///
 /// A pad at rest has the moment M(s) = spring s + (c, d) f of its tilt s, f the force of its film; it is stable where M
@@ -20,17 +20,17 @@ static const double pads_no_film = 1e-3;
 /// R delta/c, limit of the search for tilts.
 static const double pads_widest = 20.0;
 
-/// A pad at rest before a journal at a given place.
+/// A pad at rest, for a journal at a given place.
 typedef struct pads_rest {
     const kernel_view *view;
     const double *pad;
     double journal[4];          ///< place, and velocity 0, in the pads' clearance, as the pads see them
-    double begin;               ///< tilt from which it is followed; NaN: none
+    double begin;               ///< tilt from which its motion is followed; NaN: none
     double yield[2];            ///< outward displacement of its pivot, and 0
-    double tilt, film[2], size; ///< the tilt evaluated last, its film's force, and the size of that
+    double tilt, film[2], size; ///< the tilt evaluated last, its film's force, and the force's size
 } pads_rest;
 
-/// Sum of all moments about the pivot at a tilt.
+/// Returns the sum of all moments about the pivot at a tilt.
 static double pads_moment_at(pads_rest *at, double tilt) {
     pads_view_plain seen;
     at->tilt = tilt;
@@ -64,7 +64,7 @@ static bool pads_free_tilts(const pads_rest *at, double ends[2]) {
 }
 
 /// Finds the first adjacent tilts between which the moment changes from negative to positive, with a film on both or,
-/// with `any`, without regard to films. at->tilt becomes the one with the weakest film if there are none.
+/// with `any`, without regard to films. without such tilts at->tilt becomes the tilt with the weakest film.
 static bool pads_bracket_tilt(pads_rest *at, const double ends[2], bool any, bracket *found) {
     enum { LOOKS = 32 };
     double last = 0.0, before = 0.0, weakest = INFINITY, best = ends[0], size = 0.0;
@@ -100,9 +100,9 @@ static bool pads_follow_tilt(pads_rest *at, const double ends[2], bracket *found
     return true;
 }
 
-/// Finds the pad's equilibrium tilt, at->tilt with its film's force. A spring holds a pad even without a film: such a
-/// pad is followed from its present tilt, so that this does not jump while the journal moves. *idle: no film carries it
-/// there. False if it touches at every tilt.
+/// Finds the pad's equilibrium tilt, at->tilt with its film's force. A pad with a spring has an equilibrium even
+/// without a film: it is followed from its present tilt, so that the tilt does not jump while the journal moves. *idle:
+/// there is no film at this tilt. Returns false if the pad touches at every tilt.
 static bool pads_settle_tilt(pads_rest *at, bool *idle) {
     double ends[2];
     bracket between;
@@ -122,8 +122,8 @@ static bool pads_settle_tilt(pads_rest *at, bool *idle) {
 }
 
 #if PADS_YIELD
-/// Net inward force on a pad whose pivot is displaced outwards by u, at its equilibrium tilt; minus infinity if it
-/// touches.
+/// Returns the net inward force on a pad whose pivot is displaced outwards by u, at its equilibrium tilt; minus
+/// infinity if it touches.
 static double pads_back(pads_rest *at, double u, bool *idle) {
     at->yield[0] = u;
     if (!pads_settle_tilt(at, idle)) return -INFINITY;
@@ -161,7 +161,7 @@ static bool pads_settle_pad(pads_rest *at, bool *idle) {
 }
 #endif
 
-/// Index of a pad's first state: its tilt, and the outward displacement, in length scales.
+/// Return the index of a pad's tilt, and of its outward displacement, among the states.
 static size_t pads_tilt_state(const element *own, size_t pad) {
     return pads_are_light(own) ? pad : 2 * pad;
 }
@@ -177,7 +177,7 @@ static bool pads_may_stay(const pads_rest *at, double tilt) {
     return there.size <= pads_no_film;
 }
 
-/// element_type.settle.
+/// Implements element_type.settle.
 static bool pads_settle(const element *own, const double *q, double *states, bool *idle) {
     const kernel_view view = {.stride = 1, .number = own->number};
     const double over = own->number[PADS_OVER_CLEARANCE], unit = own->number[PADS_CLEARANCE_UNIT];
@@ -192,7 +192,7 @@ static bool pads_settle(const element *own, const double *q, double *states, boo
         idle[tilt] = alone;
         if (!pads_are_light(own)) idle[tilt + 1] = alone, states[tilt + 1] = 0.0;
         if (!PADS_YIELD) continue;
-        // On its pivot a pad without a film bounces by itself: what tables err by there is no damping.
+        // A pad without a film bounces freely on its pivot: errors of the tables there are not damping.
         idle[yield] = idle[yield + 1] = alone;
         states[yield] = unit * at.yield[0];
         states[yield + 1] = 0.0;
@@ -200,8 +200,8 @@ static bool pads_settle(const element *own, const double *q, double *states, boo
     return settled;
 }
 
-/// element_type.film: for pads with a film. Pads tilt out of the way, so the wall is where the journal touches the
-/// pivots; yielding pivots have none.
+/// Implements element_type.film, for pads with a film. Tilting pads give way, so the wall is the contact with the
+/// pivots; yielding pivots have no wall.
 static void pads_film(const element *own, const double *q, const double *states, element_film *out) {
     const kernel_view view = {.stride = 1, .number = own->number};
     const double over = own->number[PADS_OVER_CLEARANCE], unit = own->number[PADS_CLEARANCE_UNIT];
@@ -218,7 +218,7 @@ static void pads_film(const element *own, const double *q, const double *states,
         pads_see_plain(&view, at.pad, at.journal, at.tilt, at.yield, &seen);
         out->held[p] = at.size > pads_no_film;
         if (out->held[p]) out->least = fmin(out->least, unit * pads_thinnest(at.pad, seen.x, seen.y));
-        // Along the pivot's radius, on which the pad's centre lies beyond by the preload.
+        // Distance along the pivot's radius; the preload moves the pad's centre along it.
         pads_in_frame(at.pad, at.journal, place);
         const double c = at.pad[PAD_ALONG_Y], s = -at.pad[PAD_ALONG_X],
                      beyond = hypot(at.pad[PAD_SHIFT_X], at.pad[PAD_SHIFT_Y]);

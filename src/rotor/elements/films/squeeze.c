@@ -1,11 +1,11 @@
-// A squeeze film damper, short or long, with half the film or all of it.
+// A squeeze film damper, short or long, with half a film (pi) or a full one.
 #define KERNEL_FILE "elements/films/squeeze_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 0
 #define KERNEL_NUMBERS SQUEEZE_NUMBERS
 #define KERNEL_SWITCHES 0
 
-/// One over the clearance in length scales; the scale of the force in newtons.
+/// Numbers: one over the clearance in length scales; the scale of the force in newtons.
 enum { SQUEEZE_OVER_CLEARANCE, SQUEEZE_STRENGTH, SQUEEZE_NUMBERS };
 
 /// Bits of the law; without them the short damper with half a film.
@@ -63,7 +63,7 @@ static whirl_status squeeze_build(const key_value *values, assembly *to, element
     return whirl_ok();
 }
 
-/// Doubts; the long law, with sealed ends, holds for any length.
+/// Raises doubts. The long law, with sealed ends, holds for any length.
 static void squeeze_doubt(const key_value *values, double speed, const doubt_teller *to) {
     const oil own = oil_of(values);
     const double reynolds = oil_reynolds(&own, speed, values[CLEARANCE].number), most = 1.0; // San Andres 2010

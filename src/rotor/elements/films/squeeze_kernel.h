@@ -20,7 +20,7 @@
 // the half film jumps with the direction, is half that of the whole film, the mean of moving one way and the other.
 // Beyond the wall (q < 0) the force is not a number, and the motion counts as diverged.
 
-/// r, v in clearances, w of a long damper in place of v.
+/// Computes r and v in clearances; for a long damper w in place of v.
 static inline void KERNEL(squeeze_motion)(const element *own, vec over_clearance, const num *d, const num *w, num *r,
                                           num *v) {
     for (int a = 0; a < KERNEL_AXES; a++) {

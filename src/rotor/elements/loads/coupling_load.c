@@ -8,8 +8,8 @@
 
 enum { MAX_ORDERS = 8 };
 
-/// The parts of the orders: steady, by cos tau, by sin tau, by cos 2 tau, ... Then, in SI, FX and FY on the driving
-/// shaft, MX and MY on both.
+/// Numbers: the time function's parts (steady, by cos tau, by sin tau, by cos 2 tau, ...); then, in SI, FX and FY on
+/// the driving shaft, MX and MY on both.
 enum { REACTION_PARTS, REACTION_FORCES = 2 * MAX_ORDERS + 1, REACTION_NUMBERS = REACTION_FORCES + 6 };
 
 #include "generic.h"
@@ -59,7 +59,7 @@ static whirl_status coupling_load_check(const key_value *values) {
     return whirl_ok();
 }
 
-/// FX and FY on the driving shaft, MX and MY on it, MX and MY on the driven one, in the signs of Gibbons.
+/// Computes FX, FY, MX and MY on the driving shaft, then MX and MY on the driven one, with the signs of Gibbons.
 static void gibbons(const key_value *values, double torque, double out[6]) {
     const double z = values[DISTANCE].number, k = values[STIFFNESS].number;
     const double theta[2] = {asin(values[X1].number / z), asin(values[X2].number / z)};
@@ -73,7 +73,8 @@ static void gibbons(const key_value *values, double torque, double out[6]) {
     out[1] = (out[2] + out[4]) / z;
 }
 
-/// c_0, then c_n cos(n phase) and -c_n sin(n phase), 0 of a shaft that stands still; clockwise tau runs backward.
+/// Writes c_0, then c_n cos(n phase) and -c_n sin(n phase), 0 for a shaft that stands still; for clockwise rotation tau
+/// is negative.
 static int fill_orders(const key_value *values, double phase, bool stands, double *number) {
     const key_value *orders = &values[ORDERS];
     const size_t count = orders->count > 0 ? orders->count : 1;

@@ -1,4 +1,4 @@
-// What turns the shaft in a run-up: a motor and a load. It acts on no coordinate of its own.
+// The drive of the shaft in a run-up: a motor and a load. It acts on no coordinate of a station.
 #include "registry.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR

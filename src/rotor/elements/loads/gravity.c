@@ -1,4 +1,4 @@
-// Gravity: the same constant acceleration on every station, across the shafts; along them it acts by thrust.c alone.
+// Gravity: the same constant acceleration on every station, across the shafts; along them only thrust.c uses it.
 #include "registry.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR

@@ -4,8 +4,8 @@
 
 #include "element.h"
 
-/// The force along x and y, newtons: X_C cos theta + X_S sin theta, Y_C cos theta + Y_S sin theta; theta' by tau. As
-/// many numbers follow as there are ports.
+/// Numbers: the force along x and y, newtons: X_C cos theta + X_S sin theta, Y_C cos theta + Y_S sin theta; theta' by
+/// tau. As many numbers follow as there are ports.
 enum {
     HARMONIC_XC,
     HARMONIC_XS,
@@ -28,7 +28,7 @@ extern const element_kernels *const harmonic_kernels[VECTOR_ISAS];
      "yes: the turns of this phase, in place of the shaft's, define sections, revolutions and orders")
 // clang-format on
 
-/// Turns of the phase in a revolution.
+/// Returns the turns of the phase in a revolution.
 double harmonic_rounds(const element *own, size_t state);
 
 /// Rejects a phase that turns too often in a revolution, if the machine is built to move (assembly.in_time). Studies at

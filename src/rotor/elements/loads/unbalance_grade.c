@@ -6,8 +6,8 @@
 #define KERNEL_SWITCHES 0
 #define KERNEL_PHASED 1
 
-/// Newtons by cos tau and sin tau along x and y of the first plane, then of the second; kg m in all, in the first and
-/// in the second plane.
+/// Numbers: newtons by cos tau and sin tau along x and y of the first plane, then of the second; kg m in total, in the
+/// first and in the second plane.
 enum { RESIDUAL_FORCES, RESIDUAL_MOMENTS = 2 * KERNEL_AXES, RESIDUAL_NUMBERS = RESIDUAL_MOMENTS + 3 };
 
 #include "generic.h"
@@ -44,7 +44,7 @@ static const whirl_key keys[KEY_COUNT] = {
                           "share of the allowed unbalance that the rotor has"),
 };
 
-/// Mass and centre of a station's shaft: exact moments of weight that is spread over pieces.
+/// Computes mass and centre of a station's shaft, by exact moments of the distributed mass.
 static void weigh(const assembly *of, size_t shaft, double *mass, double *centre) {
     double moment = 0.0;
     *mass = 0.0;
@@ -57,7 +57,7 @@ static void weigh(const assembly *of, size_t shaft, double *mass, double *centre
     *centre = moment / *mass;
 }
 
-/// Mass, and distances from its centre to both planes, above 0 outwards.
+/// Computes the mass, and the distances from its centre to both planes, above 0 outwards.
 static whirl_status measure(const key_value *values, const assembly *to, double *mass, double distance[2]) {
     const assembly_station *one = &to->stations[values[PLANES].station[0]],
                            *other = &to->stations[values[PLANES].station[1]];

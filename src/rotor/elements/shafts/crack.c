@@ -6,8 +6,8 @@
 #define KERNEL_SWITCHES 0
 #define KERNEL_PHASED 1
 
-/// k, k (d1 + d2)/2 and k (d1 - d2)/2 in newtons per length scale; at tau = 0 cos and sin of twice the angle of the
-/// first axis, and of its angle from the load.
+/// Numbers: k, k (d1 + d2)/2 and k (d1 - d2)/2 in newtons per length scale; at tau = 0 cos and sin of twice the angle
+/// of the first axis, and of its angle from the load.
 enum {
     CRACK_STIFFNESS,
     CRACK_MEAN_LOSS,

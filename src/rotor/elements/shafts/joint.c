@@ -6,8 +6,8 @@
 #define KERNEL_SWITCHES 0
 #define KERNEL_PHASED 1
 
-/// N m: of the driving shaft's tilts, then of the driven one's, steady, by cos 2 tau, by sin 2 tau; the bend; the
-/// torque.
+/// Numbers: moments in N m on the driving shaft's tilts, then on the driven one's, each steady, by cos 2 tau, by sin 2
+/// tau; the bend; the torque.
 enum { JOINT_MOMENTS, JOINT_BEND = 3 * KERNEL_AXES, JOINT_TORQUE, JOINT_NUMBERS };
 
 #include "generic.h"
@@ -36,8 +36,8 @@ static const whirl_key keys[KEY_COUNT] = {
                          "torque that the driving shaft transmits, along the rotation", "Seherr-Thoss et al. 2006"),
 };
 
-/// Numbers of a moment (along, across) on two tilts, seen from where the driven shaft leans to, with parts steady, by
-/// cos 2p, by sin 2p; 2p = 2 tau + twice.
+/// Adds a moment to the numbers of two tilts. Its components are along and across the direction in which the driven
+/// shaft leans, each with parts steady, by cos 2p, by sin 2p; 2p = 2 tau + twice.
 static void add_moment(double *number, double direction, double twice, const double along[3], const double across[3]) {
     const double c = cos(direction), s = sin(direction);
     for (int a = 0; a < 2; a++, number += 3) {

@@ -15,7 +15,7 @@
 #include "../../element.h"
 #include "vector.h"
 
-/// kbar and dk over m omega^2 at either station.
+/// Numbers: kbar and dk over m omega^2 at either station.
 enum { SHAFT_MEAN_A, SHAFT_HALF_A, SHAFT_MEAN_B, SHAFT_HALF_B, SHAFT_NUMBERS };
 enum { SHAFT_SIGNS_DERIVED, SHAFT_SIGNS_PAPER };
 

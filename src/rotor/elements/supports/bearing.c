@@ -8,7 +8,7 @@
 #define KERNEL_NUMBERS BEARING_NUMBERS
 #define KERNEL_SWITCHES 0
 
-/// Numbers of a pair of poles: w and g over the clock; by x and y, newtons a length scale of both states.
+/// Numbers of a pair of poles: w and g over the clock; then E and F, newtons per length scale.
 enum { PAIR_W, PAIR_G, PAIR_PLACE, PAIR_RATE = PAIR_PLACE + 4, PAIR_NUMBERS = PAIR_RATE + 4 };
 
 /// The law is the number of pairs. Numbers: the bearing's offset in length scales; for the report of the fit, its error
@@ -411,12 +411,14 @@ static whirl_status build_in_time(const key_value *values, assembly *to, element
                    "a fit has room for a table");
     const whirl_status status = make_fit(values, to, &rest, &fit, out);
     if (status.code != WHIRL_OK) return status;
+    // Constant and slope of the function are ordinary coefficients, added to the assembly.
     add_coefficients(values, &rest, to, out);
     out->lumped = false;
     out->law = (int)fit.pair_count;
     out->states = fit.pair_count * 2 * KERNEL_AXES;
     out->number[BEARING_SIDEWAYS] = values[SIDEWAYS].number / to->length;
     out->number[BEARING_ELEVATION] = values[ELEVATION].number / to->length;
+    // Pairs of poles in units of the clock and the length scale.
     for (size_t j = 0; j < fit.pair_count; j++) {
         double *own = out->number + BEARING_PAIRS + j * PAIR_NUMBERS;
         own[PAIR_W] = fit.pairs[j].w / to->clock;

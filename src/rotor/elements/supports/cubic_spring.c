@@ -6,7 +6,7 @@
 #define KERNEL_SWITCHES 0
 #define KERNEL_TILTS
 
-/// In newtons and length scales; of tilts in N m and the unit of the first one.
+/// Numbers in newtons and length scales; for tilts in N m and the unit of the first tilt.
 enum { CUBIC_STIFFNESS, CUBIC_CUBE, CUBIC_DAMPING, CUBIC_NUMBERS };
 
 #include "elements/along.h"

@@ -357,13 +357,13 @@ static double current_by_state(const element *own, size_t *before) {
     return 0.0;
 }
 
-/// Coils reach their limits; no contact begins.
+/// Returns false: at these switches coils reach their limits, and no contact begins.
 static bool magnetic_touches(const element *own, size_t index) {
     (void)own, (void)index;
     return false;
 }
 
-/// Forces only change their slope there.
+/// Returns false: at these switches only the slope of the force changes.
 static bool magnetic_jumps(const element *own) {
     (void)own;
     return false;

@@ -9,12 +9,12 @@
 //
 // Switches are the currents of both coils of an axis, above 0, and i_max less these.
 //
-// A bearing that fails has one state more: x' = lambda (1 - x), which begins at 0, so that x = 1 - e^(-lambda tau)
-// tells the time; currents fall smoothly where it goes from one value to another. Where linear analyses put out what
-// depends on time, x stays 0. x counts as a current of 1 A does.
+// A bearing that fails has one more state, a clock x' = lambda (1 - x), which begins at 0: x = 1 - e^(-lambda tau).
+// Currents fall smoothly while x passes from one given value to another. Linear analyses, which do not depend on time,
+// leave x at 0. The unit of x is that of a current of 1 A.
 
-/// One of the loop's transfer functions, on `lines` axes side by side: of each its input u, which becomes its output,
-/// and of the first its states s and their slopes, those of the next `apart` further on.
+/// Computes one of the loop's transfer functions on `lines` axes side by side. u [lines] are the inputs, which become
+/// the outputs; s and slope are the states of the first axis, those of the next axis `apart` further on.
 VECTOR_INLINE void KERNEL(of_order)(const kernel_view *view, size_t part, int order, size_t lines, size_t apart, num *u,
                                     const num *s, num *slope) {
     const size_t stride = view->stride;

@@ -5,7 +5,7 @@
 #define KERNEL_NUMBERS MOUNT_NUMBERS
 #define KERNEL_SWITCHES 0
 
-/// k and k_m in newtons a length scale; k_m/(c omega).
+/// Numbers: k and k_m in newtons per length scale; k_m/(c omega).
 enum { MOUNT_STIFFNESS, MOUNT_BRANCH, MOUNT_RATE, MOUNT_NUMBERS };
 
 #include "generic.h"

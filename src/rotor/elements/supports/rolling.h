@@ -7,14 +7,14 @@
 /// Dents: of the inner race, the outer race, one rolling element.
 enum { DENT_INNER, DENT_OUTER, DENT_BALL, DENTS };
 
-/// C in newtons by length scales to the power of the law; g_0 in length scales; theta_0; the cosine and sine of the
-/// angle between rolling elements. Of an oblique contact, in length scales: the distance A of the centres of both
-/// grooves, its part along the radius, the square of that along the axis, and by how much the square of their sum
-/// exceeds A^2, all with the shaft in the middle. By tau: the slopes of the states, which are the cage's and where
-/// there is a dent that of what it is in; and the speeds themselves of inner race, outer race and a rolling element
-/// about its own axis, seen from the cage (0: not known). Of dents: depths in length scales, 2 pi over the widths, the
-/// cosine of half a width; where those of the races stand at the start. How far a rolling element is pressed in where
-/// it or its races begin to yield, 0 where sizes are not known.
+/// Numbers: C in newtons by length scales to the power of the law; g_0 in length scales; theta_0; the cosine and sine
+/// of the angle between rolling elements. For oblique contacts, in length scales and with the shaft in the middle: the
+/// distance A of the centres of both grooves, its part along the radius, the square of its part along the axis, and the
+/// excess of the sum of both squares over A^2. By tau: the slopes of the states (the angle of the cage and, with dents,
+/// of the dented part); then the speeds of inner race, outer race and a rolling element about its own axis, relative to
+/// the cage (0: unknown). For dents: depths in length scales, 2 pi over the widths, cosines of half the widths, and the
+/// angles of the races' dents at the start. Compression of a rolling element at which it or its races begin to yield; 0
+/// if sizes are unknown.
 enum {
     ROLLING_STIFFNESS,
     ROLLING_GAP,

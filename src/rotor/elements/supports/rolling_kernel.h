@@ -81,6 +81,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     num at[2 * DENT_BALL];
     KERNEL(find_dents)(view, s, at);
 #endif
+    // Each rolling element: its compression along its direction (x, y), and its push.
     for (int j = 0; j < (own->law & ROLLING_COUNT); j++) {
         const num r = n_fma(d[0], x, n_mul(d[1], y));
         num pressed = own->law & ROLLING_OBLIQUE ? KERNEL(oblique)(view, r, &lever) : n_sub(r, gap);
@@ -94,6 +95,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
         if (own->law & ROLLING_OBLIQUE) push = n_mul(push, lever);
         sum_x = n_fma(push, x, sum_x);
         sum_y = n_fma(push, y, sum_y);
+        // Direction of the next element.
         const num next = n_sub(n_scale(c, x), n_scale(sine, y));
         y = n_add(n_scale(sine, x), n_scale(c, y));
         x = next;

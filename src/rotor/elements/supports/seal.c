@@ -5,7 +5,7 @@
 #define KERNEL_NUMBERS SEAL_NUMBERS
 #define KERNEL_SWITCHES 0
 
-/// K_0, D_0, m_f in newtons per length scale and radian; 1/c^2 in length scales; lambda_0 by tau, n and b.
+/// Numbers: K_0, D_0, m_f in newtons per length scale and radian; 1/c^2 in length scales; lambda_0 by tau, n and b.
 enum {
     SEAL_STIFFNESS,
     SEAL_DAMPING,
