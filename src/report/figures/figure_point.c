@@ -330,44 +330,50 @@ static void point_list(figure_list *to, const drawing *of, const whirl_table *ta
 
 // ---------------------------------------------------------------- any point: "@6000 rpm:disc", "@#12"
 
-/// Finds the point of a table with something to show whose value is nearest to the given one.
-static whirl_status nearest_point(const drawing *of, const whirl_table *table, const char *told, size_t station,
-                                  size_t *point) {
-    double *const values = malloc((table->count + 1) * sizeof *values);
-    if (!values) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the values of %zu points", table->count);
-    for (size_t i = 0; i < table->count; i++) values[i] = is_there(table, i, station) ? table->values[i] : (double)NAN;
-    const whirl_status status = whirl_nearest_value(of->result, table->parameter, values, table->count, told, point);
+static bool is_along(const whirl_table *table, const char *parameter) {
+    return *parameter && table->row == 0 && strcmp(table->parameter, parameter) == 0;
+}
+
+/// Finds the point with something to show whose value is nearest to the given one, in all tables along a parameter:
+/// a detail has a few of the points of its sweep. Later tables win, since a detail has more to show.
+static whirl_status nearest_point(const drawing *of, const char *parameter, const char *told, size_t station,
+                                  const whirl_table **table, size_t *point) {
+    const whirl_result *result = of->result;
+    size_t total = 0, count = 0, nearest = 0;
+    for (size_t t = 0; t < result->table_count; t++)
+        if (is_along(&result->tables[t], parameter)) total += result->tables[t].count;
+    double *const values = malloc((total + 1) * sizeof *values);
+    if (!values) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the values of %zu points", total);
+    for (size_t t = result->table_count; t-- > 0;)
+        for (size_t i = 0; is_along(&result->tables[t], parameter) && i < result->tables[t].count; i++)
+            values[count++] = is_there(&result->tables[t], i, station) ? result->tables[t].values[i] : (double)NAN;
+    const whirl_status status = whirl_nearest_value(result, parameter, values, total, told, &nearest);
     free(values);
+    *point = nearest;
+    for (size_t t = result->table_count; t-- > 0 && status.code == WHIRL_OK;) {
+        *table = &result->tables[t];
+        if (!is_along(*table, parameter)) continue;
+        if (*point < (*table)->count) break;
+        *point -= (*table)->count;
+    }
     return status;
 }
 
-/// Adds the nearest point from all tables along a parameter. Detail points win over those of the sweep, since they have
-/// more to show.
+/// Adds the nearest point along the first parameter that has one.
 static whirl_status add_nearest(figure_list *to, const drawing *of, const char *told, size_t station) {
-    const whirl_table *found = NULL;
     whirl_status first = whirl_ok();
-    size_t point = 0, nearest = 0;
-    double best = INFINITY, value;
     for (size_t t = 0; t < of->result->table_count; t++) {
         const whirl_table *table = &of->result->tables[t];
-        if (!*table->parameter || table->row > 0 || table->count == 0) continue;
-        if (found && strcmp(found->parameter, table->parameter) != 0) continue;
-        const char *const unit = whirl_result_parameter_unit(of->result, table->parameter);
-        whirl_status status = nearest_point(of, table, told, station, &nearest);
-        if (status.code == WHIRL_OK) status = whirl_quantity_value(told, unit, &value);
-        if (status.code == WHIRL_NO_MEMORY) return status;
-        if (status.code != WHIRL_OK && first.code == WHIRL_OK) first = status;
-        if (status.code != WHIRL_OK || fabs(table->values[nearest] - value) > best) continue;
-        found = table;
-        point = nearest;
-        best = fabs(table->values[nearest] - value);
+        size_t point = 0;
+        if (!is_along(table, table->parameter) || table->count == 0) continue;
+        const whirl_status status = nearest_point(of, table->parameter, told, station, &table, &point);
+        if (status.code == WHIRL_OK) add_to_list(to, of, table, point, station);
+        if (status.code == WHIRL_OK || status.code == WHIRL_NO_MEMORY) return status;
+        if (first.code == WHIRL_OK) first = status;
     }
-    if (!found && first.code != WHIRL_OK) return first;
-    if (!found)
-        return whirl_fail(WHIRL_BAD_INPUT, "no table along one parameter has points with sections or spectra: a point "
-                                           "of a map is given by its number, @#NUMBER");
-    add_to_list(to, of, found, point, station);
-    return whirl_ok();
+    if (first.code != WHIRL_OK) return first;
+    return whirl_fail(WHIRL_BAD_INPUT, "no table along one parameter has points with sections or spectra: a point of a "
+                                       "map is given by its number, @#NUMBER");
 }
 
 static whirl_status add_numbered(figure_list *to, const drawing *of, const char *text, size_t station) {
