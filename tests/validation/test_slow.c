@@ -156,9 +156,65 @@ static void slow_motions(void **state) {
     }
 }
 
+// ---------------------------------------------------------------- two rates near each other
+
+/// p: two rates per revolution.
+static int apart(double t, const double *x, const double *p, double *dxdt, void *context) {
+    (void)context;
+    for (size_t i = 0; i < 2; i++) dxdt[i] = cos(t) - p[i] / two_pi * x[i];
+    return 0;
+}
+
+/// The largest exponent of two bodies that do not touch, by a copy that is followed for some revolutions.
+static whirl_estimate exponent_of(const double rate[2], const char *revolutions) {
+    whirl_user_system *system;
+    whirl_job *job;
+    whirl_result *result;
+    require_ok(whirl_user_system_new("two bodies apart", 2, &system));
+    require_ok(whirl_user_system_parameter(system, "a", rate[0], "1", ""));
+    require_ok(whirl_user_system_parameter(system, "b", rate[1], "1", ""));
+    require_ok(whirl_user_system_rates(system, apart, NULL));
+    require_ok(whirl_user_system_set(system, "transient", "0"));
+    require_ok(whirl_user_system_set(system, "record", revolutions));
+    require_ok(whirl_user_system_set(system, "settle", "no"));
+    require_ok(whirl_user_system_set(system, "method", "cvode-adams"));
+    require_ok(whirl_user_system_set(system, "rtol", "1e-10"));
+    require_ok(whirl_user_system_analyze(system, "lyapunov"));
+    require_ok(whirl_job_of_user_system(system, &job));
+    require_ok(whirl_job_threads(job, 1));
+    require_ok(whirl_job_run(job, &result));
+    const whirl_table *table = whirl_result_table(result, "response");
+    const whirl_estimate found = {whirl_table_number(table, 0, WHIRL_FIELD_LYAPUNOV_LARGEST, 0),
+                                  whirl_table_number(table, 0, WHIRL_FIELD_LYAPUNOV_ERROR, 0)};
+    whirl_result_free(result);
+    whirl_job_free(job);
+    whirl_user_system_free(system);
+    return found;
+}
+
+/// Logarithm of the length of a perturbation that was (1, 1) n revolutions ago.
+static double length_after(const double rate[2], double n) {
+    return 0.5 * log(exp(-2.0 * rate[0] * n) + exp(-2.0 * rate[1] * n));
+}
+
+/// One copy does not tell rates apart that differ by less than 1 / revolutions: its exponent is then a mean of both, as
+/// the direction of the copy has it, and its scatter does not show that.
+static void rates_near_each_other(void **state) {
+    static const double near[] = {0.0168, 0.0189}, far[] = {0.0168, 0.1};
+    (void)state;
+    const whirl_estimate mixed = exponent_of(near, "60"), parted = exponent_of(far, "400");
+    check_within("exponents", "two rates near each other, 54 revolutions: the mean by the copy's direction",
+                 (length_after(near, 60) - length_after(near, 6)) / 54.0, mixed.value, 1e-7);
+    check_holds("exponents", "its scatter is less than what it errs by, which is less than 1 / revolutions",
+                mixed.error < fabs(mixed.value + near[0]) && fabs(mixed.value + near[0]) < 1.0 / 54.0);
+    check_within("exponents", "two rates far from each other, 360 revolutions: the slower one", -far[0], parted.value,
+                 1e-5);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(slow_motions),
+        cmocka_unit_test(rates_near_each_other),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -159,8 +159,11 @@ enum { LARGEST, ERROR, FIELD_COUNT };
 static const field_plan fields[FIELD_COUNT] = {
     [LARGEST] = {WHIRL_FIELD_LYAPUNOV_LARGEST, "1/revolution", "largest Lyapunov exponent, natural logarithm",
                  WHIRL_PER_POINT, 1, NULL},
-    [ERROR] = {WHIRL_FIELD_LYAPUNOV_ERROR, "1/revolution",
-               "its standard error, with the difference at a second tolerance", WHIRL_PER_POINT, 1, NULL},
+    [ERROR] =
+        {WHIRL_FIELD_LYAPUNOV_ERROR, "1/revolution",
+         "its standard error, with the difference at a second tolerance; exponents less than 1 / revolutions apart "
+         "are not told apart",
+         WHIRL_PER_POINT, 1, NULL},
 };
 
 static whirl_status lyapunov_compute(const whirl_record *record, const whirl_record_options *options,
