@@ -405,7 +405,7 @@ export class App {
     session.sights.stop();
     const before = session.address.parameter;
     // In a map both values are kept.
-    const held = Object.values(session.sides).map((side) =>
+    const kept = Object.values(session.sides).map((side) =>
       session.map?.axis(before) ? session.valueOf(side, before) : NaN,
     );
     const own = Object.values(session.sides).map((side) => session.valueOf(side, name));
@@ -415,7 +415,7 @@ export class App {
       const assignments = new Map(side.choice.assignments);
       assignments.delete(name);
       side.choice = { assignments, value: own[i]! };
-      if (Number.isFinite(held[i])) session.place(side, [[before, held[i]!]]);
+      if (Number.isFinite(kept[i])) session.place(side, [[before, kept[i]!]]);
     });
     session.openParameter();
     session.chooseValue();

@@ -166,7 +166,7 @@ test('a map of a million cells appears, and each of them can be seen', { timeout
     await page.mouse.move(box.x + box.width * part, y);
     const place = await page.textContent('.map-place');
     const column = Math.round((Number(/^a (\S+), /.exec(place)[1]) - 1) * (side - 1));
-    assert.equal(await page.textContent('.map-told .verdict'), `P-${1 + (column % 4)}`);
+    assert.equal(await page.textContent('.map-cell .verdict'), `P-${1 + (column % 4)}`);
     told.add(column);
   }
   assert.equal(told.size, 4);

@@ -75,7 +75,7 @@ async function opened(hash = '') {
 
 const told = async (page) => ({
   place: await page.textContent('.map-place'),
-  verdict: await page.textContent('.map-told .verdict'),
+  verdict: await page.textContent('.map-cell .verdict'),
   rest: await page.textContent('.map-rest'),
 });
 

@@ -82,7 +82,7 @@ export class Branches {
   /// Returns the point of a branch `steps` orbits further, in the direction from the end at lower values to the end at
   /// higher ones, through folds; at an end the last point.
   along(point: number, steps: number): number {
-    const mine = this.held((other) => this.numberOf(other) === this.numberOf(point));
+    const mine = this.stored((other) => this.numberOf(other) === this.numberOf(point));
     const { values } = this.diagram;
     const rising = values[mine.at(-1)!]! >= values[mine[0]!]!;
     const to = mine.indexOf(point) + (rising ? steps : -steps);
@@ -96,14 +96,14 @@ export class Branches {
     for (let point = 1; point < this.diagram.count; point++) {
       const [from, to] = [values[point - 1]!, values[point]!];
       if (this.numberOf(point) !== this.numberOf(point - 1) || from <= value === to < value) continue;
-      const near = this.nearestHeld(Math.abs(from - value) <= Math.abs(to - value) ? point - 1 : point);
+      const near = this.nearestStored(Math.abs(from - value) <= Math.abs(to - value) ? point - 1 : point);
       if (near >= 0) found.add(near);
     }
     return [...found];
   }
 
   /// Returns the point of the same branch nearest to a point among those whose orbits are in the page; -1 without any.
-  nearestHeld(point: number): number {
+  nearestStored(point: number): number {
     const { begins } = this.nodes;
     for (let away = 0; away < begins.length; away++)
       for (const other of [point - away, point + away])
@@ -111,7 +111,7 @@ export class Branches {
     return -1;
   }
 
-  private held(wanted: (point: number) => boolean): number[] {
+  private stored(wanted: (point: number) => boolean): number[] {
     return Array.from(this.diagram.values.keys()).filter((point) => this.nodes.begins[point]! >= 0 && wanted(point));
   }
 }

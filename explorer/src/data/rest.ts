@@ -158,7 +158,7 @@ export class AtRest {
   }
 
   /// Returns the contacts that are closed at rest.
-  held(point: number): readonly string[] {
+  closedContacts(point: number): readonly string[] {
     return this.contacts.filter((_, contact) => this.diagram.number(point, FIELD.RANGES_HELD, contact) > 0);
   }
 

@@ -305,11 +305,11 @@ class Sweep {
     return pending;
   }
 
-  private hearLayout(told: PartLayout): void {
+  private hearLayout(part: PartLayout): void {
     if (this.layout || this.settled) return;
-    this.layout = told.layout;
-    this.revolutionsEach = told.revolutions;
-    this.listener.layout?.(told.layout, this.slots);
+    this.layout = part.layout;
+    this.revolutionsEach = part.revolutions;
+    this.listener.layout?.(part.layout, this.slots);
   }
 
   private hearPoints(part: Part, points: PartPoints): void {

@@ -28,7 +28,7 @@ export class History {
   private written = location.hash;
   /// Input of the user since the address was written; changes by the page itself make no entry.
   private acted: '' | 'keys' | 'pointer' = '';
-  private held = false;
+  private pressed = false;
   private last = { keys: '', time: -Infinity };
   private timer = 0;
 
@@ -41,9 +41,9 @@ export class History {
     history.replaceState({ step: this.step }, ''); // otherwise a return to this entry would look like a typed address
     for (const event of ['keydown', 'wheel', 'input', 'change'])
       document.addEventListener(event, () => (this.acted ||= 'keys'), { capture: true, passive: true });
-    document.addEventListener('pointerdown', () => ((this.held = true), (this.acted = 'pointer')), true);
+    document.addEventListener('pointerdown', () => ((this.pressed = true), (this.acted = 'pointer')), true);
     for (const event of ['pointerup', 'pointercancel'])
-      document.addEventListener(event, () => (this.held = false), true);
+      document.addEventListener(event, () => (this.pressed = false), true);
     window.addEventListener('popstate', (event) => {
       clearTimeout(this.timer);
       const step = (event.state as { step?: number } | null)?.step;
@@ -61,7 +61,7 @@ export class History {
   /// Writes the address after a moment without changes and pressed buttons.
   soon(): void {
     clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => (this.held ? this.soon() : this.write()), PAUSE);
+    this.timer = window.setTimeout(() => (this.pressed ? this.soon() : this.write()), PAUSE);
   }
 
   write(): void {

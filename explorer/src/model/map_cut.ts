@@ -41,9 +41,9 @@ export interface MapPlace {
 export function cutOf(map: ParameterMap, along: string, place: MapPlace): Cut {
   const { parameter, values } = map.across(along);
   const index = nearestOn(map.across(along), place.valueOf(parameter));
-  const held = [{ parameter, value: values[index]! }, ...(map.plane ? [map.plane] : [])];
+  const constant = [{ parameter, value: values[index]! }, ...(map.plane ? [map.plane] : [])];
   const texts = new Map<string, string>();
-  for (const { parameter: name, value } of held) {
+  for (const { parameter: name, value } of constant) {
     const text = place.assignments.get(name);
     const meets = Math.abs(place.valueOf(name) - value) <= SAME * Math.abs(value);
     if (!meets) texts.set(name, plainText(value, place.unitOf(name)));
@@ -52,7 +52,7 @@ export function cutOf(map: ParameterMap, along: string, place: MapPlace): Cut {
   // In the order of the user's assignments.
   const order = [...place.assignments.keys(), ...texts.keys()].filter((name, i, all) => all.indexOf(name) === i);
   const assignments = order.flatMap((name) => (texts.has(name) ? [`${name}=${texts.get(name)!}`] : []));
-  const of = held.map(({ parameter: name, value }) => {
+  const of = constant.map(({ parameter: name, value }) => {
     const shown = plainText(Number(value.toPrecision(6)), place.unitOf(name));
     return `${name} = ${shown}`;
   });

@@ -358,9 +358,9 @@ export class Session {
     const { parameter } = this.address;
     const setting = this.settingOf(this.sides[name]);
     const assignments = [...(setting.assignments ?? []), `${parameter}=${text}`];
-    const told = await this.engine?.describe({ ...setting, assignments }, { lane: `speak-${name}`, priority: 0 });
-    if (!told?.ok) return told && told.why !== 'stale' ? told.message : undefined;
-    return told.value.parameters.find((each) => each.name === parameter)?.value;
+    const answer = await this.engine?.describe({ ...setting, assignments }, { lane: `speak-${name}`, priority: 0 });
+    if (!answer?.ok) return answer && answer.why !== 'stale' ? answer.message : undefined;
+    return answer.value.parameters.find((each) => each.name === parameter)?.value;
   }
 
   /// Returns a rejection of the engine in the words of the page.

@@ -63,9 +63,9 @@ export class SideModel {
 
   /// Finds the parameters that depend on the value along the diagram, which `spoken` gives as an assignment.
   async follow(setting: Setting, spoken: string): Promise<void> {
-    const told = await this.describeAt(setting, spoken, 'follow');
-    if (!told?.ok) return;
-    this.following = new Map(told.value.parameters.map(({ name, value }) => [name, value]));
+    const answer = await this.describeAt(setting, spoken, 'follow');
+    if (!answer?.ok) return;
+    this.following = new Map(answer.value.parameters.map(({ name, value }) => [name, value]));
     this.listener.changed();
   }
 
@@ -146,9 +146,9 @@ export class SideModel {
   /// Asks the engine again for the message of a failed request with the value in the shown unit, since the request was
   /// in SI.
   private async speak({ request, of, spoken }: Wish): Promise<void> {
-    const told = spoken ? await this.describeAt(request.setting, spoken, 'speak') : undefined;
-    if (!told || told.ok || told.why === 'stale' || of !== this.choice) return;
-    this.trouble = told.message;
+    const answer = spoken ? await this.describeAt(request.setting, spoken, 'speak') : undefined;
+    if (!answer || answer.ok || answer.why === 'stale' || of !== this.choice) return;
+    this.trouble = answer.message;
     this.listener.changed();
   }
 

@@ -206,13 +206,13 @@ export class Sights {
       this.progress = now;
       this.listener.progress(now);
     };
-    const told = (text: string) => {
+    const report = (text: string) => {
       this.stack = this.stack.map((sight) => (sight.diagram === diagram ? say(sight, text) : sight));
       this.listener.changed();
     };
     let trouble = '';
     for (const pass of PASSES[quality]) {
-      told(pass.text);
+      report(pass.text);
       tell({ pointsDone: 0, pointsTotal: plan.points, revolutionsDone: 0, revolutionsTotal: 0 });
       trouble ||= await recompute(
         this.engine!,
@@ -228,7 +228,7 @@ export class Sights {
     tell(undefined);
     this.sweeping = undefined;
     const open = diagram.provisional.reduce((sum, one) => sum + one, 0);
-    told(open > 0 ? `${open} undetermined: they have not run at full length` : '');
+    report(open > 0 ? `${open} undetermined: they have not run at full length` : '');
     return trouble;
   }
 }

@@ -100,10 +100,10 @@ function sheetCard(sheet: Sheet): HTMLElement {
 }
 
 function statementItem(statement: Statement): HTMLElement {
-  const [at, what, told] = piecesOf(statement);
+  const [at, what, rest] = piecesOf(statement);
   const verdict = statement.clause ? { 'data-verdict': statement.verdict } : {};
   const clause = statement.clause ? [' ', el('span', { class: 'clause' }, statement.clause)] : [];
-  return el('li', verdict, at, el('strong', {}, what), told, ...clause);
+  return el('li', verdict, at, el('strong', {}, what), rest, ...clause);
 }
 
 function statementList(part: Part): HTMLElement {
@@ -137,11 +137,11 @@ export class DocumentView {
       ...(machine && one !== part ? [el('h3', {}, this.goal(one, false))] : []),
       statementList(one),
     ]);
-    const told = found.length > 0 ? [card(FOUND, [], statements)] : [];
+    const statementCards = found.length > 0 ? [card(FOUND, [], statements)] : [];
     const figures = part.figures.map((figure) => figureCard(figure, (station) => this.listener.station(station)));
     // Drawings precede the findings.
     const sheets = part.sheets.map(sheetCard);
-    const cards = machine ? [...figures, ...told, ...sheets] : [...told, ...sheets, ...figures];
+    const cards = machine ? [...figures, ...statementCards, ...sheets] : [...statementCards, ...sheets, ...figures];
     this.root.classList.toggle('of-machine', machine);
     this.root.replaceChildren(...cards);
     const goals = cards.map((each) => {

@@ -65,7 +65,7 @@ export class OrbitMarks {
         for (let line = 0; line < Math.min(before.length, now.length); line++) {
           const [away, part] = distance(spot, before[line]!, now[line]!);
           if (!(away < best)) continue;
-          const near = lines.branches.nearestHeld(points[part < 0.5 ? i - 1 : i]!);
+          const near = lines.branches.nearestStored(points[part < 0.5 ? i - 1 : i]!);
           const left = near < 0 ? NaN : (this.spotsOf(near)[0]?.left ?? NaN);
           if (left > -1 && left < width + 1) [best, found] = [away, near];
         }

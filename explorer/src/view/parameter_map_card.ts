@@ -117,7 +117,7 @@ export class ParameterMapCard {
       this.planes,
       this.map.root,
       this.legend,
-      el('p', { class: 'map-told' }, this.place, this.verdict, this.rest),
+      el('p', { class: 'map-cell' }, this.place, this.verdict, this.rest),
       this.status,
     );
   }

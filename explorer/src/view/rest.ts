@@ -151,8 +151,9 @@ export class RestView {
     if (Math.abs(exact - value) > 1e-9 * Math.abs(exact)) parts.push('the nearest point that was computed');
     if (rest.modulo(point) > 0)
       parts.push('coefficients turn with the shaft: frequencies are known but for multiples of the speed');
-    const held = rest.held(point);
-    if (held.length > 0) parts.push(`rests against ${held.join(' and ')}, which small motions leave as it is there`);
+    const closed = rest.closedContacts(point);
+    if (closed.length > 0)
+      parts.push(`rests against ${closed.join(' and ')}, which small motions leave as it is there`);
     this.how.textContent = `${parts.join('; ')}.`;
   }
 
