@@ -325,8 +325,8 @@ static void read_points(case_reader *reader, const setting_list *file, whirl_bea
     out->load_count = loads;
     if (loads == 0 || speeds == 0) return;
     if (out->pairs && loads != speeds)
-        problem_at(reader->problems, bearing_place(file, "combine"), "has %zu loads and %zu speeds, expected as many",
-                   loads, speeds);
+        problem_at(reader->problems, bearing_place(file, "combine"),
+                   "has %zu loads and %zu speeds, expected equal numbers", loads, speeds);
     if (!out->pairs && loads * speeds > WHIRL_MAX_BEARING_POINTS)
         problem_at(reader->problems, bearing_place(file, "load"),
                    "makes %zu points with %zu speeds, expected at most %d", loads * speeds, speeds,

@@ -69,7 +69,7 @@ static void read_table(case_reader *reader, const setting_list *file, whirl_bear
     if (rows == 0 || count == 0) return;
     if (rows < 2 || rows != count) {
         problem_at(reader->problems, oil_place(file, "temperatures"),
-                   "has %zu numbers for %zu viscosities, expected as many, and two or more", rows, count);
+                   "has %zu numbers for %zu viscosities, expected equal numbers, two or more", rows, count);
         return;
     }
     for (size_t i = 0; i < rows; i++) out->oil_viscosities[i] /= out->density;

@@ -354,7 +354,7 @@ static size_t map_refine(case_reader *reader, valuation *v, const plan_parts *pa
         problem_at(reader->problems, given->place, "is %s, expected a power of two: 2, 4, 8, 16, ...",
                    node_shown(given->place, shown));
     if (!whirl_analysis_has(parts->analyses, whirl_analysis_of_verdicts()))
-        problem_at_key(reader->problems, given->place, "needs the analysis %s, by whose verdicts it goes",
+        problem_at_key(reader->problems, given->place, "needs the analysis %s, whose verdicts it uses",
                        whirl_analysis_of_verdicts());
     if (settings_find(&parts->study, "starts"))
         problem_at_key(reader->problems, given->place, "is given together with starts, expected one of the two");

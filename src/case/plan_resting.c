@@ -282,8 +282,8 @@ static void check_varied(case_reader *reader, const condition_parts *condition, 
     for (size_t i = 0; i < condition->count; i++)
         if (condition->parameters[i] == resting->axis.parameter &&
             reader_reports(reader, "condition", condition->parameters[i]->name))
-            problem_at_key(reader->problems, condition->places[i], "is what varies in %s, expected another parameter",
-                           resting->name);
+            problem_at_key(reader->problems, condition->places[i],
+                           "is the varied parameter of %s, expected another one", resting->name);
 }
 
 /// Completes a batch at rest with the study's own options.

@@ -385,7 +385,7 @@ whirl_status whirl_ensemble_check(const whirl_system *first, const whirl_system 
         return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT,
                       "the machine has %zu states, %zu stations and %zu contacts, and that of the first point %zu, %zu "
-                      "and %zu, expected as many of each at all points (what is 0 at some of them may take away a "
+                      "and %zu, expected as many of each at all points (an inertia of 0 at some of them removes a "
                       "station's tilts)",
                       other->dimension, other->probe_count, other->contact_count, first->dimension, first->probe_count,
                       first->contact_count);

@@ -44,8 +44,8 @@ static whirl_status split(const double *jacobian, size_t n, const size_t *kept, 
     for (size_t i = 0; i < count; i++) places[i] = kept[places[i]];
     if (2 * count == n) return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT,
-                      "%zu of %zu states are neither places nor their rates: critical speeds are of "
-                      "machines that have no others",
+                      "%zu of %zu states are neither places nor their rates: expected a machine "
+                      "without such states for critical speeds",
                       n - 2 * count, n);
 }
 

@@ -306,7 +306,7 @@ static whirl_status rest_follow(mean_system *m, double *x, double *share) {
     if (found) return whirl_ok();
     if (!starts)
         return whirl_fail(WHIRL_NUMERICAL_FAILURE,
-                          "no equilibrium was looked for: forces are not finite where the search "
+                          "no equilibrium was searched for: forces are not finite where the search "
                           "begins, expected a start inside every clearance");
     return whirl_fail(WHIRL_NUMERICAL_FAILURE,
                       "no equilibrium was found: it could be followed up to %.3g %% of the static load from the start, "

@@ -47,8 +47,8 @@ static void phrase_flow(const finder *of, const whirl_bearing *bearing, const wh
                     taylor, first, point->reynolds);
     else if (remark == WHIRL_FILM_LAMINAR)
         phrase_text(of, phrase,
-                    "the film is laminar: Taylor's number is %.3g, below %.3g, and the factors of turbulence count all "
-                    "the same: leave them out",
+                    "the film is laminar: Taylor's number is %.3g, below %.3g, but factors of turbulence are applied: "
+                    "remove turbulence",
                     taylor, first);
     else if (remark == WHIRL_FILM_BETWEEN)
         phrase_text(of, phrase,
@@ -190,7 +190,7 @@ static void find_oil(const finder *of, const whirl_bearing *bearing) {
         phrase_text(of, phrase, "; turbulent, factors of %s", laws[bearing->pads.turbulence]);
     if (bearing->heated)
         phrase_text(of, phrase,
-                    "; as warm as the mean of the oil that comes in and that which leaves, with %.3g %% of the power",
+                    "; at the mean temperature of entering and leaving oil, which carries %.3g %% of the power",
                     100.0 * bearing->heat_share);
     if (bearing->pivot_stiffness > 0.0) {
         phrase = &find_statement(of, "pivots")->found;

@@ -189,7 +189,7 @@ whirl_unit formula_unit(const parameter_table *parameters, const char *text, con
 /// Adds a hint to the error for a negative speed: the sense of rotation has its own key.
 static whirl_status with_direction(const whirl_key *key, double value, whirl_status status) {
     if (status.code == WHIRL_OK || !(value < 0.0) || strcmp(key->name, "speed") != 0) return status;
-    return whirl_fail(status.code, "%s, and rotation: clockwise for what turns from y to x", status.message);
+    return whirl_fail(status.code, "%s, and rotation: clockwise for a rotor that turns from y to x", status.message);
 }
 
 static whirl_status check_as_written(const whirl_key *key, double value, const char *text) {

@@ -177,7 +177,7 @@ static whirl_status branch_begin(follower *f, walk *w, double value, int directi
     whirl_status status = follower_find(f, w->trial, along, along, &w->now);
     free(along);
     if (status.code == WHIRL_OK && !w->now.orbit)
-        status = whirl_fail(WHIRL_BAD_INPUT, "no periodic orbit was found near the one that a branch shall begin with");
+        status = whirl_fail(WHIRL_BAD_INPUT, "no periodic orbit was found near the given start of a branch");
     if (status.code != WHIRL_OK) return status;
     curve_turn(&f->curve, direction, w->now.tangent);
     memcpy(w->first.u, w->now.u, 2 * all * sizeof *w->now.u);

@@ -220,6 +220,6 @@ whirl_status whirl_branch_switch(const whirl_family *family, const whirl_branch_
         return whirl_fail(WHIRL_BAD_INPUT,
                           "no branch begins at this point, expected a doubling, a branching or a Hopf point");
     if (point->special == WHIRL_DOUBLING && point->orbit->revolutions == 0)
-        return whirl_fail(WHIRL_BAD_INPUT, "doubled orbits with a time of their own are not looked for");
+        return whirl_fail(WHIRL_BAD_INPUT, "doubled orbits of autonomous motions are not searched for");
     return depart_from_orbit(family, point, step, options, orbit, value);
 }

@@ -40,7 +40,7 @@ static whirl_status periodic_orbit_solve(orbit_equations *e, const double *start
     equations_begin_at(e, start);
     memcpy(e->nodes, start, s->dimension * sizeof *start);
     if (!shooting_spread(s, e->nodes, s->period))
-        return whirl_fail(WHIRL_BAD_INPUT, "the motion from where an orbit is looked for leaves its bounds");
+        return whirl_fail(WHIRL_BAD_INPUT, "the motion from which an orbit is searched leaves its bounds");
     equations_take(e, e->nodes, u);
     if (problem.count > s->count * s->kept_count) u[problem.count - 1] = s->period;
     const newton_result result = newton_solve(&problem, u);

@@ -228,7 +228,7 @@ static whirl_status torus_branch_begin(torus_follower *f, torus_walk *w, const w
     memcpy(f->forward, f->direction, (last + 1) * sizeof *f->forward);
     whirl_status status = torus_follower_find(f, &w->now);
     if (status.code == WHIRL_OK && (!w->now.torus || w->now.rough))
-        status = whirl_fail(WHIRL_BAD_INPUT, "no torus was found near the one that a branch shall begin with");
+        status = whirl_fail(WHIRL_BAD_INPUT, "no torus was found near the given start of a branch");
     if (status.code != WHIRL_OK) return status;
     curve_turn(&f->curve, direction, w->now.tangent);
     return add_point(f, w, &w->now, b);

@@ -265,7 +265,7 @@ static whirl_status check_name(const part_list *in, const char *name) {
         return whirl_fail(WHIRL_BAD_INPUT,
                           "a %s is called 'ground', expected another name: elements call the ground so", in->kind);
     if (find_part(in, name, length, &index))
-        return whirl_fail(WHIRL_BAD_INPUT, "%s '%s' is there twice", in->kind, name);
+        return whirl_fail(WHIRL_BAD_INPUT, "%s '%s' is defined twice", in->kind, name);
     if (*in->count == in->most) return whirl_fail(WHIRL_BAD_INPUT, "there are more than %zu %ss", in->most, in->kind);
     return whirl_ok();
 }

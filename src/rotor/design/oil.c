@@ -63,7 +63,7 @@ static whirl_status by_table(const oil *of, double *kinematic) {
     double viscosities[WHIRL_MAX_LIST];
     if (rows->count < 2 || rows->count != values->count || rows->rows > 1 || values->rows > 1)
         return whirl_fail(WHIRL_BAD_INPUT,
-                          "has %zu temperatures and %zu viscosities, expected as many, and two or more", rows->count,
+                          "has %zu temperatures and %zu viscosities, expected equal numbers, two or more", rows->count,
                           values->count);
     for (size_t i = 0; i < rows->count; i++) {
         viscosities[i] = values->list[i] / of->keys[OIL_DENSITY].number;

@@ -362,7 +362,8 @@ static whirl_status statics_fill(const building *b, const char *couplings, size_
     const whirl_weight weight = whirl_design_weight(b->design);
     whirl_status status = whirl_ok();
     if (b->mesh.shaft_count == 0)
-        return whirl_fail(WHIRL_BAD_INPUT, "there is no shaft of finite elements (segment), whose weight is asked for");
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "there is no shaft of finite elements, expected segments for the analysis of weight");
     for (size_t shaft = 0; shaft < b->mesh.shaft_count && status.code == WHIRL_OK; shaft++) {
         const held_shaft own = held_find(&b->mesh, shaft);
         beam of = {.b = b, .shaft = shaft, .first = own.first, .nodes = own.nodes, .support = support};

@@ -348,7 +348,7 @@ static void structure(void **state) {
                    "t:20:20: study.conditions.a.kapa: is no parameter, did you mean kappa?");
     expect_problem("  sweep: {",
                    "  modes: {parameter: kappa, values: [1, 2]}\n  conditions: {a: {kappa: 2}}\n  sweep: {",
-                   "t:20:20: study.conditions.a.kappa: is what varies in modes, expected another parameter");
+                   "t:20:20: study.conditions.a.kappa: is the varied parameter of modes, expected another one");
     expect_problem("  sweep: {", "  modes: {}\n  conditions: [a]\n  sweep: {",
                    "t:20:3: study.conditions: is a list, expected 1 to 8 names of conditions with values of "
                    "parameters");

@@ -223,13 +223,13 @@ static void wrong_settings_leave_the_case_as_it_was(void **state) {
     }
     expect_refused("omega=50 Hz", "omega: is in Hz, expected a unit of rad/s, such as rpm (1 Hz = 60 rpm)");
     expect_refused("omega=-5", "t.yaml:8:10: rotor.speed: = omega is -5 rad/s, expected a number above 0 rad/s, and "
-                               "rotation: clockwise for what turns from y to x");
+                               "rotation: clockwise for a rotor that turns from y to x");
     // In the unit in which it was written.
     expect_refused("omega=-100 rpm", "t.yaml:8:10: rotor.speed: = omega is -100 rpm, expected a number above 0 rpm, "
-                                     "and rotation: clockwise for what turns from y to x");
+                                     "and rotation: clockwise for a rotor that turns from y to x");
     expect_refused("omega=0 rpm", "t.yaml:8:10: rotor.speed: = omega is 0 rpm, expected a number above 0 rpm");
     expect_refused("omega== 0-2", "t.yaml:8:10: rotor.speed: = omega is -2 rad/s, expected a number above 0 rad/s, "
-                                  "and rotation: clockwise for what turns from y to x");
+                                  "and rotation: clockwise for a rotor that turns from y to x");
     expect_refused("kappa=\xFF", "the value of kappa is not text in UTF-8");
     expect_refused("kappa=3",
                    "the study sweeps kappa from 1 to 20, so that setting it changes nothing; change sweep in "

@@ -311,9 +311,8 @@ static void contact_doubt(const key_value *values, double speed, const doubt_tel
         doubt_value(to, keys[GAP].name, "is %.3g times the radius, and stators are up to %g times away", share, most);
     const double e = values[RESTITUTION].number, back = contact_comes_back(0.75 * (1.0 - e * e));
     if (values[LAW].choice == LANKARANI && fabs(back - e) > 0.05)
-        doubt_value(
-            to, keys[RESTITUTION].name,
-            "is what enters the law, which is meant for little loss: impacts come back with %.3g of their speed", back);
+        doubt_value(to, keys[RESTITUTION].name,
+                    "is used in a law for small losses: impacts rebound with %.3g of their speed", back);
     const double damping = values[BRISTLE_DAMPING].number, surface = values[RADIUS].number * fabs(speed);
     const double passive = 4.0 * values[FRICTION].number * (damping + values[VISCOUS].number) / (damping * damping);
     if (values[FRICTION_LAW].choice == LUGRE && surface > passive)

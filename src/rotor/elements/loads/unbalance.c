@@ -31,7 +31,8 @@ static whirl_status unbalance_build(const key_value *values, assembly *to, eleme
     const whirl_status status = harmonic_check_rate(to, ratio);
     if (status.code != WHIRL_OK) return status;
     if (values[KEYPHASOR].choice && ratio == 0.0)
-        return whirl_fail(WHIRL_BAD_INPUT, "does not turn, expected a speed above 0 of what sections are taken by");
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "does not turn, expected a speed above 0 of the phase that defines sections");
     element_on(&values[AT], to, AXIS_X, out);
     harmonic_force(out, to, moment * speed * speed, 1.0, angle, 0.0, ratio * to->turn);
     return whirl_ok();

@@ -179,7 +179,7 @@ static whirl_status check_shape(const key_value *values, int key) {
         return whirl_fail(WHIRL_BAD_INPUT, "has %zu lists of %s without %s, expected one list", value->rows, name,
                           speeds->given ? "frequencies" : "speeds");
     if (columns != last->count)
-        return whirl_fail(WHIRL_BAD_INPUT, "has %zu %s at %zu %s, expected as many", columns, name, last->count,
+        return whirl_fail(WHIRL_BAD_INPUT, "has %zu %s at %zu %s, expected equal numbers", columns, name, last->count,
                           frequencies->given ? "frequencies" : "speeds");
     return whirl_ok();
 }

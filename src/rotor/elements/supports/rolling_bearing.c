@@ -301,7 +301,7 @@ static void doubt_sizes(const key_value *values, const whirl_key *keys, const do
     for (size_t which = 0; which < DENTS && values[INNER].given; which++)
         if (values[dent_keys[which]].number > most * ball)
             doubt_value(to, keys[dent_keys[which]].name,
-                        "is %.3g times a ball's diameter: beyond %g times what rolls falls into it, with an "
+                        "is %.3g times a ball's diameter: beyond %g times the ball falls into it, with an "
                         "inertia that the law leaves out",
                         values[dent_keys[which]].number / ball, most);
 }
