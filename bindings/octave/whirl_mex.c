@@ -1,7 +1,7 @@
 /* The gateway of whirl_machine, whirl_rhs and whirl_element, for mkoctfile --mex and MATLAB's mex alike.
  *
- * Machines live here until they are cleared or the gateway is. MATLAB holds no pointers but numbers, and none of them
- * is given twice: that of a machine which was cleared is never another one's. */
+ * Machines live here until they or the gateway are cleared. MATLAB has numbers, not pointers, and each number is used
+ * only once: the number of a cleared machine never names another one. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -23,8 +23,8 @@ typedef struct machine {
 
 static machine machines[MAX_MACHINES];
 
-/* A gateway that was cleared, and is there again, goes on beyond its earlier numbers: they begin with the microseconds
- * of the clock, and no machine is made in one. */
+/* Numbers begin with the microseconds of the clock, so that a gateway that is loaded again uses no earlier number:
+ * making a machine takes longer than a microsecond. */
 static double next_number(void) {
     static double last;
     struct timespec now = {0};
@@ -43,7 +43,7 @@ static void clear_all(void) {
     for (size_t i = 0; i < MAX_MACHINES; ++i) clear(&machines[i]);
 }
 
-/* Errors end the call by a jump, so nothing may be held when they are raised. */
+/* Raises the error of a status by a jump, so that the caller must have freed everything before. */
 static void mex_check(whirl_status status) {
     char message[WHIRL_MESSAGE_SIZE];
     if (status.code == WHIRL_OK) return;
@@ -128,7 +128,7 @@ static const double *numbers_of(const mxArray *array, const char *what, size_t c
     return mxGetPr(array);
 }
 
-/* Rates of all states by `rotor`, as a column. */
+/* Returns the rates of all states of a rotor as a column. */
 static mxArray *rates(const whirl_rotor *rotor, const mxArray *t, const mxArray *x) {
     const size_t dimension = whirl_rotor_system(rotor)->dimension;
     const double time = numbers_of(t, "t", 1)[0], *state = numbers_of(x, "x", dimension);

@@ -64,7 +64,7 @@ EXPORTED int explorer_assign(whirl_case *object, const char *assignment) {
 
 // ---------------------------------------------------------------- describing
 
-/// Every member that has a name, as results have it.
+/// Writes every member that has a name, in the form of results.
 static void add_members(text *t, const whirl_member *member, const void *from) {
     char word[WHIRL_NAME_SIZE];
     for (; member->part; member++) {
@@ -101,7 +101,7 @@ void add_scales(text *t, double length_scale, double clock, const char *keyphaso
     json_text(t, keyphasor);
 }
 
-/// Uses of the parameter that is being described.
+/// Writes the uses of a parameter.
 typedef struct use_list {
     const char *parameter;
     text *to;
@@ -189,7 +189,7 @@ static const char *carry_name(whirl_carry carry) {
 }
 
 static void add_batch(text *t, const whirl_batch *batch) {
-    const size_t along = batch->row ? batch->row : batch->count; // of a map: a row of it
+    const size_t along = batch->row ? batch->row : batch->count; // for a map: one row
     json_next(t);
     text_add(t, "{");
     json_name(t, "name");

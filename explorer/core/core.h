@@ -34,13 +34,13 @@ int explorer_assign(whirl_case *object, const char *assignment);
 /// CaseInfo of protocol.ts as JSON.
 const char *explorer_describe(const whirl_case *object);
 
-/// The text of the case with one value written in place, or its key taken out (value NULL); see whirl_case_edit. NULL
-/// after a failure.
+/// Returns the text of the case with one value written in place, or its key removed (value NULL); see whirl_case_edit.
+/// NULL after a failure.
 const char *explorer_edit(const char *source, size_t length, const char *path, const char *value);
 
 // ---------------------------------------------------------------- plans
 
-/// Reductions of a first look; see explorer_plan_look.
+/// Reductions of a preview; see explorer_plan_look.
 typedef struct look {
     bool shorter, coarser;
     int transient, record, steps; ///< requested numbers
@@ -57,8 +57,8 @@ typedef struct plan {
     look look;
 } plan;
 
-/// A plan by the case's batch of that name ("": its first one) over a parameter ("": nothing varies; NULL: as the
-/// batch). Freed by explorer_plan_free.
+/// Makes a plan from the case's batch of a name ("": the first one) over a parameter ("": nothing varies; NULL: as in
+/// the batch). Freed by explorer_plan_free.
 plan *explorer_plan_new(const whirl_case *object, const char *batch, const char *parameter);
 void explorer_plan_free(plan *p);
 
@@ -70,7 +70,7 @@ int explorer_plan_method(plan *p, const char *method);
 /// explorer_plan_layout does). Returns the method.
 const char *explorer_plan_choose(plan *p, const char *known);
 
-/// Reduces the plan to a first look: at most `transient` + `record` revolutions (0: unchanged), and `steps` fixed steps
+/// Reduces the plan to a preview: at most `transient` + `record` revolutions (0: unchanged), and `steps` fixed steps
 /// (0: unchanged). Call it after all other options. If anything is reduced, points have no verdict unless a longer run
 /// must give the same.
 void explorer_plan_look(plan *p, int transient, int record, int steps);
@@ -89,11 +89,11 @@ void explorer_plan_everything(plan *p, int waveform);
 /// `value` is one of the parameter's values.
 const char *explorer_plan_layout(plan *p, double value);
 
-/// Doubles of a block and of a state.
+/// Return the sizes of a block and of a state in doubles.
 size_t explorer_block_size(const plan *p);
 size_t explorer_dimension(const plan *p);
 
-/// Returns the verdict of a block as JSON, "provisional" if a look was too short for one.
+/// Returns the verdict of a block as JSON, "provisional" if a preview was too short for one.
 const char *explorer_verdict(const plan *p, const double *block);
 
 /// Scales and stations of the machine at a value as JSON. NULL after a failure.
@@ -109,7 +109,7 @@ typedef struct job job;
 job *explorer_job_new(const plan *p, const double *values, size_t count, int carried, const double *start);
 void explorer_job_free(job *j);
 
-/// Carries all current motions on by one turn. Returns the revolutions done: 0 at the end, -1 after a failure.
+/// Carries all current motions over one revolution. Returns the revolutions done: 0 at the end, -1 after a failure.
 double explorer_job_turn(job *j);
 
 /// Takes a finished point: returns its index, or -1 if there is none. Writes its block and its end, NaN if it diverged.
@@ -121,7 +121,7 @@ int explorer_job_take(job *j, double *block, double *end);
 /// batch, which traces branches. Call it after all other options, before explorer_plan_layout.
 void explorer_plan_orbit(plan *p, int revolutions);
 
-/// Doubles of the nodes of such an orbit: the states at the beginnings of its segments.
+/// Returns the size of the nodes of such an orbit in doubles: the states at the beginnings of its segments.
 size_t explorer_orbit_size(const plan *p, int revolutions, double period);
 
 /// Writes the block of the orbit with these nodes [explorer_orbit_size] at a value, stable or not: each of its segments
@@ -141,10 +141,11 @@ void explorer_motion_free(motion *m);
 size_t explorer_motion_samples(const motion *m); ///< a revolution
 size_t explorer_motion_contacts(const motion *m);
 
-/// One revolution. Writes [samples][dimension] states and [samples][contacts] forces. 1 bounded, 0 not.
+/// Carries the motion over one revolution. Writes states [samples][dimension] and forces [samples][contacts]. Returns 1
+/// if it stays bounded, else 0.
 int explorer_motion_turn(motion *m, double *states, double *forces);
 
-/// The state [dimension] that was reached; borrowed.
+/// Returns the present state [dimension]; borrowed.
 const double *explorer_motion_state(const motion *m);
 
 #endif

@@ -1,4 +1,4 @@
-// Points under way, a revolution at a time.
+// Running points, carried a revolution at a time.
 #include "core.h"
 #include "looks.h"
 #include "whirl/engine/ensemble.h"
@@ -18,14 +18,14 @@ struct job {
     whirl_recorder *recorder;
     whirl_task_source source;
     bool carried;
-    size_t count, begun, oldest; ///< points; the first one that may not have been taken
+    size_t count, begun, oldest; ///< points; points begun; the first one that may not have been taken
     double *values;              ///< [count]
     whirl_machine first;         ///< machine with the structure of the recorder's machines
-    bool unlike;                 ///< the next machine has another structure, and waits for a new recorder
-    whirl_machine *machines;     ///< [count] of the points under way
+    bool unlike;                 ///< the next machine has another structure and needs a new recorder
+    whirl_machine *machines;     ///< [count] machines of running points
     finished_point *points;      ///< [count]
     double *start;               ///< [dimension] instead of the machines' starts, or NULL
-    bool waiting;                ///< a carried point is under way
+    bool waiting;                ///< a carried point is running
     whirl_status status;         ///< the first error of `next`
 };
 
@@ -35,7 +35,7 @@ static void job_release(job *j, size_t index) {
     *machine = (whirl_machine){0};
 }
 
-/// Builds the machine of the next point, unless it waits already.
+/// Builds the machine of the next point, unless it exists already.
 static whirl_status build_next(job *j) {
     const plan *p = j->plan;
     whirl_machine *machine = &j->machines[j->begun];
@@ -99,7 +99,7 @@ static void abandon(void *context, const whirl_task *task) {
     job_release(j, (size_t)((finished_point *)task->tag - j->points));
 }
 
-/// Starts a recorder for machines of the structure that the machine at a value has.
+/// Starts a recorder for machines with the structure of the machine at a value.
 static whirl_status turn_to_structure(job *j, double value) {
     const plan *p = j->plan;
     whirl_recorder_free(j->recorder);
@@ -108,7 +108,7 @@ static whirl_status turn_to_structure(job *j, double value) {
     j->first = (whirl_machine){0};
     const whirl_status status = p->study.machine(p->study.family, &p->batch, value, &j->first);
     if (status.code != WHIRL_OK) return status;
-    // A motion and its twin take two lanes.
+    // A motion and its perturbed copy take two lanes.
     const size_t lanes = j->carried || j->count == 1 ? 2 : 0;
     return whirl_recorder_new(j->first.system, &p->batch.integrate, &p->batch.record, &j->source, lanes, &j->recorder);
 }

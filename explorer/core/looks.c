@@ -1,5 +1,5 @@
-// First looks: shorter and coarser motions that can be shown at once. Chaos in a short run may be a transient, so a
-// look has a verdict only if the case's length must give the same.
+// Previews: shorter and coarser motions that can be shown at once. Chaos in a short run may be a transient, so a
+// preview has a verdict only if the case's length must give the same.
 #include "looks.h"
 
 #include <string.h>
@@ -20,7 +20,7 @@ EXPORTED void explorer_plan_look(plan *p, int transient, int record, int steps) 
     l->shorter = sooner || briefer || l->coarser;
     if (!l->shorter) return;
     r->settle = true;
-    r->watch = 0; // was said for another length
+    r->watch = 0; // was meant for another length
 }
 
 static double number(const plan *p, const double *block, const char *name) {
@@ -28,7 +28,7 @@ static double number(const plan *p, const double *block, const char *name) {
     return field ? block[field->offset] : 0.0;
 }
 
-/// Settled to 1e-11, or beyond all bounds: the motion ended by itself, and would in a longer run of the same steps.
+/// Settled to 1e-11, or diverged: the motion would end likewise in a longer run with the same steps.
 static bool ended_by_itself(const plan *p, const double *block) {
     const whirl_record_options *r = &p->batch.record;
     return number(p, block, WHIRL_FIELD_REGIME_REVOLUTIONS) < (double)(r->transient + r->record);

@@ -1,4 +1,4 @@
-/// First looks, and the verdicts that they do not give.
+/// Previews, and their provisional verdicts.
 #ifndef EXPLORER_LOOKS_H
 #define EXPLORER_LOOKS_H
 
@@ -10,7 +10,7 @@ bool look_is_provisional(const plan *p, const double *block);
 /// Sets the verdict of a provisional point to "undetermined"; its evidence stays.
 void look_withhold(const plan *p, double *block);
 
-/// Why there is no verdict, in a sentence.
+/// Writes the reason why there is no verdict, a sentence.
 void look_reason(const plan *p, text *sentence);
 
 #endif

@@ -1,4 +1,4 @@
-// One motion, sampled, for the page to draw as it goes.
+// One sampled motion, which the page animates.
 #include "core.h"
 
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 struct motion {
     whirl_machine machine;
     whirl_integrator *integrator;
-    size_t samples, stride, instants; ///< a revolution; instants between samples; observed so far
+    size_t samples, stride, instants; ///< samples in a revolution; instants between samples; instants observed so far
     double *states, *forces;          ///< next sample
     double *x;                        ///< [dimension]
 };

@@ -1,5 +1,4 @@
-// The methods of SUNDIALS are known here by name, so that cases that ask for them are read; they do not start, and so
-// need nothing else.
+// The methods of SUNDIALS by name only, so that cases with them can be read; their start fails.
 #include "method.h"
 
 static whirl_status no_cvode_start(whirl_integrator *integrator) {

@@ -1,4 +1,4 @@
-/// Pieces of JSON that several answers have.
+/// JSON pieces shared by several answers.
 #ifndef EXPLORER_PIECES_H
 #define EXPLORER_PIECES_H
 

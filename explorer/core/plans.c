@@ -1,4 +1,4 @@
-// Plans: how points are computed, and the layout of their blocks.
+// Plans: options for the computation of points, and the layout of their blocks.
 #include "core.h"
 #include "looks.h"
 #include "pieces.h"
@@ -15,7 +15,7 @@ static const whirl_batch *find_batch(const whirl_study *study, const char *name)
     return NULL;
 }
 
-/// Chooses the method for "auto" from the values of the batch, as in the command; dop853 if they give no machine.
+/// Chooses the method for "auto" from the values of the batch, as in the command; dop853 if no machine can be built.
 static void choose_method(const plan *p, const whirl_batch *from, whirl_integrate_options *how) {
     whirl_study one = {.batch_count = 1, .batches = {*from}, .machine = p->study.machine, .family = p->study.family};
     whirl_integrate_options *taken = &one.batches[0].integrate;
@@ -93,7 +93,7 @@ static const char *const shown_of_one[] = {"poincare", "orbit",    "rub",      "
 
 static const char *const shown_of_orbit[] = {"poincare", "orbit", "rub", "spectrum", "waveform", NULL};
 
-/// Revolutions that are recorded of an orbit, for its spectrum, at least.
+/// Least number of recorded revolutions of an orbit, for its spectrum.
 enum { ORBIT_RECORD = 32 };
 
 static void add_analyses(plan *p, const char *const *names) {
@@ -157,7 +157,7 @@ static void add_field(const whirl_field *field) {
              field->repeat, field->offset);
 }
 
-/// The machine of the plan at a value, with its start.
+/// Makes the machine of the plan at a value, with its start.
 static whirl_status make_machine(const plan *p, double value, whirl_machine *machine) {
     return p->study.machine(p->study.family, &p->batch, value, machine);
 }

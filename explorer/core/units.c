@@ -1,7 +1,7 @@
 // Units without UDUNITS-2: products of the names that its database has, with its numbers and its rules.
 //
-// A unit is scale * (product of powers of base units) above an origin, as the library keeps it; what is multiplied,
-// raised and converted is rounded in the library's order, so that both give the same numbers.
+// A unit is scale * (product of powers of base units) above an origin, as in the library. Products, powers and
+// conversions are rounded in the library's order, so that both give the same numbers.
 #include "udunits2.h"
 
 #include <ctype.h>
@@ -20,7 +20,7 @@ static const char *const bases[BASE_COUNT] = {"m", "kg", "s", "A", "K", "mol", "
 struct ut_unit {
     double scale, origin;
     int powers[BASE_COUNT];
-    bool logarithmic; ///< known by name only: nothing can be made of it
+    bool logarithmic; ///< known by name only; it cannot be used
 };
 
 typedef struct known_unit {
@@ -45,7 +45,7 @@ struct cv_converter {
     double slope, intercept;
 };
 
-/// A scale that rounding has brought near 1 is 1, as the library has it.
+/// Sets a scale within rounding of 1 to 1, as the library does.
 static double settle_scale(double scale) {
     return fabs(1.0 - scale) < 10.0 * DBL_EPSILON ? 1.0 : scale;
 }
@@ -74,7 +74,7 @@ static const ut_unit *search(const known_unit *table, size_t count, const char *
     return NULL;
 }
 
-/// Names do not heed the case of letters, symbols do.
+/// Finds a unit by its name; names ignore the case of letters, symbols do not.
 static const ut_unit *find_unit(const char *name) {
     for (size_t i = 0; i < added_count; i++)
         if (strcasecmp(added[i].name, name) == 0) return &added[i].unit;
@@ -82,7 +82,7 @@ static const ut_unit *find_unit(const char *name) {
     return unit ? unit : search(unit_symbols, COUNT(unit_symbols), name, strcmp);
 }
 
-/// The longest prefix that `text` begins with, or NULL.
+/// Returns the longest prefix at the beginning of `text`, or NULL.
 static const unit_prefix *find_prefix(const unit_prefix *table, size_t count, const char *text, bool any_case) {
     const unit_prefix *found = NULL;
     size_t longest = 0;
@@ -124,7 +124,7 @@ static bool units_read_name(const char *name, ut_unit *unit) {
 
 static const ut_unit one = {.scale = 1.0};
 
-/// Powers that fit, and a scale that has not vanished.
+/// Returns true if all powers are within limits, and the scale is not 0.
 static bool is_sound(const ut_unit *unit) {
     for (size_t i = 0; i < BASE_COUNT; i++)
         if (abs(unit->powers[i]) > SHRT_MAX) return false;
@@ -164,7 +164,7 @@ typedef struct unit_reader {
 static const char *const superscripts[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹", "⁻"};
 enum { RAISED_MINUS = 10 };
 
-/// Index of the superscript at `text`, or -1.
+/// Returns the index of the superscript at `text`, or -1.
 static int superscript(const char *text) {
     for (int i = 0; i < (int)COUNT(superscripts); i++)
         if (strncmp(text, superscripts[i], strlen(superscripts[i])) == 0) return i;
@@ -195,12 +195,12 @@ static bool has_digits(const char *text) {
     return isdigit((unsigned char)text[*text == '-']) != 0;
 }
 
-/// "m2", "m-1", "m^2", "m²"; nothing is the power 1.
+/// Reads a power: "m2", "m-1", "m^2", "m²"; without one it is 1.
 static bool read_power(unit_reader *r, ut_unit *unit) {
     const bool caret = *r->at == '^';
     r->at += caret;
     if (has_digits(r->at)) {
-        r->after_name = caret; // the library reads no name right behind "m^2"
+        r->after_name = caret; // the library reads no name directly after "m^2"
         return raise_to(unit, read_digits(r));
     }
     if (caret) return false;
@@ -220,7 +220,7 @@ static bool is_name_part(const char *text) {
     return !(index >= 1 && index <= 3) && !is_raised_dot(text);
 }
 
-/// Letters, and digits between letters; or a percent sign.
+/// Returns the length of a name: letters, and digits between letters; or a percent sign.
 static size_t name_length(const char *text) {
     size_t length = 0, next = 0;
     if (*text == '%') return 1;
@@ -261,7 +261,7 @@ static bool read_factor(unit_reader *r, ut_unit *unit) {
     return read_power(r, unit);
 }
 
-/// Length of "per", which means a division.
+/// Returns the length of the word "per", which means division.
 static size_t per_length(const char *text) {
     return strncasecmp(text, "per", 3) == 0 && !is_name_part(text + 3) ? 3 : 0;
 }

@@ -18,7 +18,7 @@ typedef struct warner {
     whirl_status status;
 } warner;
 
-/// Returns true if a place was warned of already: one warning for each `path`.
+/// Returns true if there is already a warning for a `path`.
 static bool is_warned_of(const warner *w, const char *path) {
     for (size_t i = 0; i < w->count; i++)
         if (strncmp(whirl_result_warning(w->result, i), path, strlen(path)) == 0) return true;
@@ -91,7 +91,7 @@ static void warn_of_machine(warner *w, const whirl_given *given, size_t count) {
     if (status.code == WHIRL_NO_MEMORY) w->status = status;
 }
 
-/// Warns of statics of a machine that has no weight.
+/// Warns of statics of a machine without weight.
 static void warn_of_weight(warner *w, const whirl_batch *batch, const whirl_given *given, size_t count) {
     char path[2 * WHIRL_NAME_SIZE];
     whirl_weight weight = {.given = true};
@@ -108,7 +108,7 @@ static void warn_of_weight(warner *w, const whirl_batch *batch, const whirl_give
              "the element gravity");
 }
 
-/// A point of a batch, by its index among the values of its axes.
+/// Warns about a point of a batch, given by its index among the values of its axes.
 static void warn_of_point(warner *w, const whirl_batch *batch, size_t point) {
     whirl_given given[PLAN_MAX_GIVEN];
     char path[2 * WHIRL_NAME_SIZE], doubt[WHIRL_MESSAGE_SIZE];

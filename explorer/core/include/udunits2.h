@@ -18,17 +18,17 @@ typedef int (*ut_error_message_handler)(const char *format, va_list arguments);
 int ut_ignore(const char *format, va_list arguments);
 ut_error_message_handler ut_set_error_message_handler(ut_error_message_handler handler);
 
-/// The units of the database; `path` is not read. Nothing is to be freed.
+/// Returns the units of the database; ignores `path`. Static: never freed.
 ut_system *ut_read_xml(const char *path);
 
-/// A product of names with prefixes and whole powers, or NULL. Freed by ut_free.
+/// Parses a product of names with prefixes and whole powers; NULL for other texts. Freed by ut_free.
 ut_unit *ut_parse(const ut_system *system, const char *text, ut_encoding encoding);
 ut_unit *ut_get_dimensionless_unit_one(const ut_system *system);
 ut_status ut_unmap_name_to_unit(ut_system *system, const char *name, ut_encoding encoding);
 ut_status ut_map_name_to_unit(const char *name, ut_encoding encoding, const ut_unit *unit);
 ut_unit *ut_divide(const ut_unit *numerator, const ut_unit *denominator);
 ut_unit *ut_scale(double factor, const ut_unit *unit);
-/// Angles are dimensionless.
+/// Returns whether a unit is dimensionless; angles are.
 int ut_is_dimensionless(const ut_unit *unit);
 /// Writes the unit in base units, "0.001 m2.kg.s-3". Returns the number of bytes, like snprintf.
 int ut_format(const ut_unit *unit, char *text, size_t size, unsigned options);

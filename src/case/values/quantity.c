@@ -151,7 +151,7 @@ static bool to_named_unit(ut_unit *unit, quantity *result) {
     return false;
 }
 
-/// "0.001 m2.kg.s-3" is 0.001 times its SI unit "m2.kg.s-3".
+/// Divides a text such as "0.001 m2.kg.s-3" into the factor 0.001 and the SI unit "m2.kg.s-3".
 static bool to_base_units(ut_unit *unit, quantity *result) {
     char text[256];
     const int length = ut_format(unit, text, sizeof text, UT_ASCII | UT_DEFINITION);
@@ -178,7 +178,7 @@ static bool to_si(ut_unit *unit, quantity *result) {
     return done;
 }
 
-/// "a number in kg", "a plain number", "a number with or without a unit".
+/// Writes the expectation: "a number in kg", "a plain number", "a number with or without a unit".
 static void describe_expected(const char *expected, char text[WHY_SIZE / 2]) {
     if (expected[0] == '\0')
         snprintf(text, WHY_SIZE / 2, "a number, or a number and a unit");

@@ -1,4 +1,4 @@
-// Uses of a case's parameters, and their descriptions in the case: for programs with which a person changes them.
+// Uses of a case's parameters, and their comments in the case, for interactive programs.
 #include <stdio.h>
 #include <string.h>
 
@@ -106,7 +106,7 @@ const setting *case_machine_use(const case_content *content, const char *name) {
     return found;
 }
 
-/// The line of a text that begins at `line`, counted from 1.
+/// Finds line number `line` of a text, from 1.
 static const char *line_at(const char *text, int line) {
     for (; line > 1 && text; line--) {
         text = strchr(text, '\n');

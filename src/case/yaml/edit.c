@@ -1,4 +1,4 @@
-// Changing values in the text of a case: everything else, comments included, stays byte for byte.
+// Changes values in the text of a case; the rest, comments included, stays byte for byte.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 #include "tree.h"
 #include "words.h"
 
-/// Bytes that the first `characters` take.
+/// Returns the bytes of the first `characters` characters.
 static size_t byte_offset(const char *text, size_t length, size_t characters) {
     size_t at = 0;
     for (size_t i = 0; i < characters && at < length; i++) {
@@ -44,7 +44,7 @@ static char *splice(const char *text, size_t length, size_t at, size_t count, co
     return result;
 }
 
-/// Offset after the bracket of a list whose last item ends at `at`.
+/// Returns the offset after the bracket of a list whose last item ends at `at`.
 static size_t behind_bracket(const char *text, size_t length, size_t at) {
     for (; at < length && text[at] != ']'; at++)
         if (text[at] == '#') at += strcspn(text + at, "\n");
@@ -70,7 +70,7 @@ static char *replace(const char *text, size_t length, const file_node *node, con
     return splice(text, length, from, to - from, from > 0 && text[from - 1] == ':' ? " " : "", value, "");
 }
 
-/// A new member before the first one of a mapping.
+/// Inserts a new member before the first one of a mapping.
 static char *insert(const char *text, size_t length, const file_node *mapping, const char *member) {
     if (mapping->flow) {
         const size_t at = byte_offset(text, length, mapping->to);
@@ -141,12 +141,12 @@ static void tree_free(edit_tree *tree) {
     whirl_problems_free(&tree->problems);
 }
 
-/// A list is written in brackets.
+/// Returns true for a list, which begins with a bracket.
 static bool is_list(const char *value) {
     return value[0] == '[';
 }
 
-/// "[a, b]" of a list of values.
+/// Writes a list of values as "[a, b]".
 static void list_text(const file_node *list, char text[PATH_SIZE]) {
     size_t used = (size_t)snprintf(text, PATH_SIZE, "[");
     for (const file_node *item = list->first; item && used < PATH_SIZE; item = item->next)
@@ -167,7 +167,7 @@ static bool says(const char *text, const char *path, const char *value) {
     return good;
 }
 
-/// In single quotes, for values with signs of YAML. NULL without memory.
+/// Returns a value in single quotes, for values with special characters of YAML. NULL without memory.
 static char *quoted(const char *value) {
     char *result = malloc(2 * strlen(value) + 3), *to = result;
     if (!result) return NULL;

@@ -9,7 +9,7 @@
 /// Characters of a long line that are shown before a place.
 enum { LEAD = 60, LONGEST_MARK = 1000 };
 
-/// Bytes of the character at `at`; one if it is invalid.
+/// Returns the bytes of the character at `at`; 1 if it is invalid.
 static size_t step(const char *at, const char *end) {
     const size_t bytes = utf8_length(at, (size_t)(end - at));
     return bytes ? bytes : 1;
@@ -25,7 +25,7 @@ static bool append(char *to, size_t size, const char *from, size_t bytes) {
     return true;
 }
 
-/// Length of the token at `text`: a key, a value, a quoted text; at least one.
+/// Returns the length of the token at `text`: a key, a value, a quoted text; at least 1.
 static size_t word_length(const char *text) {
     size_t i = 0;
     int open = 0;

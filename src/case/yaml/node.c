@@ -1,4 +1,4 @@
-// Finding one's way in a tree.
+// Navigation in the tree of a file.
 #include <stdio.h>
 #include <string.h>
 

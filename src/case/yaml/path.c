@@ -10,7 +10,7 @@ enum { MAX_NAMES = WHIRL_MAX_STATIONS + WHIRL_MAX_SHAFTS + WHIRL_MAX_MATERIALS +
 
 // ---------------------------------------------------------------- elements
 
-/// "film" or "film[2]": kind and number of an element (0 without one).
+/// Kind and number of an element (0 without one), from "film" or "film[2]".
 typedef struct element_name {
     char kind[WHIRL_NAME_SIZE];
     size_t which;
@@ -73,14 +73,14 @@ static size_t collect_names(const case_content *content, const char *names[MAX_N
     return count;
 }
 
-/// The first element that has such a key, or the first of all.
+/// Returns the first element that has such a key, or the first element.
 static const setting_list *element_with(const machine_parts *machine, const char *key) {
     for (size_t i = 0; i < machine->element_count; i++)
         if (whirl_group_key(machine->elements[i].group, key)) return &machine->elements[i];
     return &machine->elements[0];
 }
 
-/// "elements.0.gap": elements are numbered among their kind, not as the file lists them.
+/// Rejects "elements.0.gap": elements are numbered among their kind, not in the file's order.
 static whirl_status refuse_number(const machine_parts *machine, const char *rest) {
     const char *const dot = strrchr(rest, '.'), *const key = dot ? dot + 1 : rest;
     const setting_list *const element = element_with(machine, key);

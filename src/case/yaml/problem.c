@@ -16,7 +16,7 @@ bool problems_blame_memory(const whirl_problems *problems) {
     return false;
 }
 
-/// Without memory the problem is counted all the same, so that nothing wrong passes.
+/// Without memory the problem is still counted, so that the case is not accepted.
 static whirl_problem *add_problem(whirl_problems *problems) {
     if (!problems->items) {
         problems->items = calloc(MAX_PROBLEMS, sizeof *problems->items);
@@ -100,7 +100,7 @@ const char *text_shown(const char *text, char shown[SHOWN_SIZE]) {
     size_t length = strlen(text);
     const bool cut = length > room;
     if (cut) length = room;
-    // A character of several bytes is not cut in two.
+    // Do not cut a character of several bytes.
     while (cut && length > 0 && ((unsigned char)text[length] & 0xC0) == 0x80) length--;
     for (size_t i = 0; i < length; i++) shown[i] = text[i] == '\n' || text[i] == '\t' ? ' ' : text[i];
     strcpy(shown + length, cut ? "..." : "");

@@ -1,4 +1,4 @@
-// libyaml's events become nodes one by one, so that the limits hold while parsing: no input makes it take long.
+// Converts libyaml's events to nodes one by one, so that limits apply during parsing: no input takes long.
 #include "tree.h"
 
 #include <stdio.h>
@@ -120,7 +120,7 @@ static bool close_collection(tree_builder *b) {
     return true;
 }
 
-/// false ends the parsing.
+/// Handles an event; returns false to end parsing.
 static bool take_event(tree_builder *b, const yaml_event_t *event) {
     if (++b->nodes > TREE_MAX_NODES) return stop(b, event, "has more than 100000 values, expected a case");
     switch (event->type) {

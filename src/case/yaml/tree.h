@@ -36,7 +36,7 @@ whirl_status tree_read(const char *text, size_t length, memory_arena *arena, whi
 
 // ---------------------------------------------------------------- node.c
 
-/// The member of a mapping with that key, or NULL.
+/// Returns the member of a mapping with a key, or NULL.
 const file_node *node_member(const file_node *mapping, const char *key);
 
 /// Returns true for an empty value (`response:`), ~ or null.
@@ -65,29 +65,29 @@ enum { SHOWN_SIZE = 64 };
 /// Reports a problem at a place without a key; line 0: the file as a whole.
 void problem_in_file(whirl_problems *problems, int line, int column, const char *format, ...) PROBLEM_FORMAT(4);
 
-/// At a value: its own place when it is a word, the place of its key otherwise.
+/// Reports a problem of a value: at the value's place if it is a word, else at its key.
 void problem_at(whirl_problems *problems, const file_node *where, const char *format, ...) PROBLEM_FORMAT(3);
 
-/// At the key of a mapping's member.
+/// Reports a problem at the key of a mapping's member.
 void problem_at_key(whirl_problems *problems, const file_node *where, const char *format, ...) PROBLEM_FORMAT(3);
 
-/// At a mapping that lacks `key`.
+/// Reports that a mapping lacks `key`.
 void problem_missing(whirl_problems *problems, const file_node *mapping, const char *key, const char *format, ...)
     PROBLEM_FORMAT(4);
 
-/// Message for a value that could not be read for lack of memory: then the file is not at fault.
+/// Message for a value that could not be read for lack of memory, so that the file is not blamed.
 extern const char problem_no_memory[];
 
 /// Returns true if that message was reported, or there was no memory to report anything.
 bool problems_blame_memory(const whirl_problems *problems);
 
-/// In an order that a person can walk through: by line, then column.
+/// Sorts problems by line, then column.
 void problems_sort(whirl_problems *problems);
 
 /// Describes a value in a message: the text (shortened), "a list", "a mapping", "nothing".
 const char *node_shown(const file_node *node, char text[SHOWN_SIZE]);
 
-/// A text shortened for a message, without line breaks.
+/// Shortens a text for a message, without line breaks.
 const char *text_shown(const char *text, char shown[SHOWN_SIZE]);
 
 // ---------------------------------------------------------------- source
