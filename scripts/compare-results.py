@@ -34,7 +34,8 @@ def shortened(text, points):
     """A case of few points with short records, which says the same of the machine."""
     text = re.sub(r"points: (\d+)", lambda m: f"points: {min(int(m[1]), points)}", text)
     text = re.sub(r"transient: (\d+)", lambda m: f"transient: {min(int(m[1]), 20)}", text)
-    text = re.sub(r"record: (\d+)", lambda m: f"record: {min(int(m[1]), 16)}", text)
+    text = re.sub(r"(record|waveform): (\d+)", lambda m: f"{m[1]}: {min(int(m[2]), 16)}", text)
+    text = re.sub(r"watch: (\d+)", lambda m: f"watch: {min(int(m[1]), 36)}", text)
     return re.sub(r"(starts: \{count: )(\d+)", lambda m: f"{m[1]}{min(int(m[2]), 2)}", text)
 
 
@@ -154,6 +155,9 @@ def compare(case, programs, points, keep):
         copy = folder / case.name
         copy.write_text(shortened(case.read_text(encoding="utf-8"), points), encoding="utf-8")
         found.append(outputs(program, copy, folder))
+    for which, one in zip(("old", "new"), found):
+        if "show" not in one:
+            yield f"the {which} program gives no result: {one['run'].strip()[:300]}"
     for name in dict.fromkeys([*found[0], *found[1]]):
         if name not in found[0] or name not in found[1]:
             yield f"{name}: {'only after' if name in found[1] else 'only before'}"

@@ -192,7 +192,7 @@ static bool dump_methods(const whirl_result *result, FILE *stream) {
 /// Writes how weight acts on the machine, and the keyphasor if it is not the shaft.
 static bool dump_machine(const whirl_result *result, FILE *stream) {
     const char *keyphasor = whirl_result_keyphasor(result);
-    const char *weight = weight_told(result);
+    const char *weight = whirl_result_fact(result, "weight");
     if (*weight && !dump_member(",\n", "weight", document_text(weight), stream)) return false;
     return !*keyphasor || (dump_member(",\n", "keyphasor", document_text(keyphasor), stream) &&
                            dump_member(",\n", "keyphasor_rate", document_number(whirl_result_clock(result)), stream));

@@ -16,6 +16,7 @@ bool motions_beside(const whirl_table *table) {
 /// The paragraph being written.
 typedef struct paragraph {
     const whirl_case *machine;
+    const whirl_shown_units *units;
     const whirl_result *view;
     const whirl_table *table;
     whirl_unit unit; ///< unit of the parameter
@@ -142,7 +143,9 @@ static void add_contact(const paragraph *p, size_t contact) {
     paragraph_add(p, "touches in %zu of %zu motions", touching, done);
     add_place(p, ", from ", first);
     add_place(p, " to ", last);
-    paragraph_add(p, ", at most %.3g %% of the time and with %.4g N", 100.0 * share, force * p->view->force_scale);
+    const whirl_unit *const unit = &p->units->of[WHIRL_QUANTITY_FORCE];
+    paragraph_add(p, ", at most %.3g %% of the time and with %.4g %s", 100.0 * share,
+                  force * p->view->force_scale / unit->size, unit->name);
     add_place(p, " (at ", hardest);
     if (*p->table->parameter) paragraph_add(p, ")");
 }
@@ -185,7 +188,7 @@ static void add_beside(const paragraph *p) {
 
 void motions_text(const whirl_shown_units *units, const whirl_result *view, const whirl_case *machine,
                   const whirl_table *table, char text[MOTIONS_TEXT_SIZE]) {
-    const paragraph p = {machine, view, table, whirl_shown_parameter(units, table->parameter), text};
+    const paragraph p = {machine, units, view, table, whirl_shown_parameter(units, table->parameter), text};
     *text = '\0';
     const bool judged = whirl_layout_has_verdict(&table->layout);
     judged ? add_regimes(&p) : add_count(&p);
@@ -257,8 +260,9 @@ bool closed_contact_text(const whirl_shown_units *units, const whirl_table *tabl
                          char text[RANGE_TEXT_SIZE]) {
     whirl_left left;
     if (whirl_table_held(table, contact, &left) == 0) return false;
-    snprintf(text, RANGE_TEXT_SIZE, "%s with %s%.4g N", units->result->contacts[contact],
-             left.points > 1 ? "up to " : "", left.reached * units->result->force_scale);
+    const whirl_unit *const force = &units->of[WHIRL_QUANTITY_FORCE];
+    snprintf(text, RANGE_TEXT_SIZE, "%s with %s%.4g %s", units->result->contacts[contact],
+             left.points > 1 ? "up to " : "", left.reached * units->result->force_scale / force->size, force->name);
     add_points(units, table, &left, text);
     const shown_kind *kind = shown_kind_of(table);
     const size_t used = strlen(text);

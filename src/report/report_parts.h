@@ -325,11 +325,19 @@ void units_parameter_label(const whirl_shown_units *units, const char *name, cha
 void units_point_label(const whirl_shown_units *units, const whirl_table *table, size_t point, char *label,
                        size_t size);
 
+// ---------------------------------------------------------------- numbers
+
+/// Writes a number with so many significant digits; up to ten million without a power of ten: "140280".
+void number_shown(double number, int digits, char *text, size_t size);
+
 // ---------------------------------------------------------------- weight
 // Weight on the machine of a result, if the result comes from a case.
 
-/// Returns "9.80665 m/s2 across the shafts"; "" if unknown.
-const char *weight_told(const whirl_result *result);
+/// Size of the text of weight_text.
+enum { WEIGHT_SIZE = 256 };
+
+/// Writes "9.80665 m/s2 across the shafts", in the shown unit; "" if unknown.
+void weight_text(const whirl_shown_units *units, char *text, size_t size);
 
 /// Returns true if weight acts along the shafts.
 bool weight_stands(const whirl_result *result);

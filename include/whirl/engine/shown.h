@@ -44,6 +44,8 @@ typedef enum whirl_quantity {
     WHIRL_QUANTITY_VISCOSITY,   ///< Pa s; mPa s
     WHIRL_QUANTITY_WEIGHT,      ///< kg of balancing weights; g
     WHIRL_QUANTITY_RESIDUAL,    ///< kg m of residual unbalance; g mm
+    /// m/s2
+    WHIRL_QUANTITY_ACCELERATION,
     WHIRL_QUANTITIES
 } whirl_quantity;
 
@@ -88,6 +90,10 @@ whirl_status whirl_shown_units_alone(const char *asked, whirl_shown_units *units
 /// Returns the unit of a parameter: shown number = value in SI over its size. A unit chosen for quantities of its SI
 /// unit takes precedence over that of the case; temperatures are in K.
 whirl_unit whirl_shown_parameter(const whirl_shown_units *units, const char *name);
+
+/// Enumerates the SI units of parameters that may have another unit chosen: fills in the one chosen for them, of size 0
+/// for none. Returns the index-th, or NULL behind the last. Static text.
+const char *whirl_shown_si(const whirl_shown_units *units, size_t index, whirl_unit *unit);
 
 #ifdef __cplusplus
 }

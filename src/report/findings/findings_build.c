@@ -206,6 +206,29 @@ void sheet_values(const finder *of, whirl_sheet *sheet, const char *heading, int
                       *heading ? find_text(of->findings, "%s %s", heading, own) : own, &unit, digits, NULL);
 }
 
+/// Returns true if two cells show the same: the same text, or numbers that differ by rounding alone.
+static bool cell_same(const whirl_cell *a, const whirl_cell *b) {
+    const double rounding = 1e-9;
+    if (strcmp(a->text ? a->text : "", b->text ? b->text : "") != 0 || a->count != b->count) return false;
+    for (size_t i = 0; i < a->count; i++) {
+        const double one = a->numbers ? a->numbers[i] : a->number, other = b->numbers ? b->numbers[i] : b->number;
+        if (!(fabs(one - other) <= rounding * fmax(fabs(one), fabs(other)))) return false;
+    }
+    return true;
+}
+
+void sheet_once(const finder *of, whirl_sheet *sheet) {
+    const size_t half = sheet->rows / 2, columns = sheet->columns;
+    if (of->findings->failed || !*of->table->parameter || half == 0 || sheet->rows != 2 * half) return;
+    for (size_t i = 0; i < half * columns; i++)
+        if (i % columns > 0 && !cell_same(&sheet->cells[i], &sheet->cells[half * columns + i])) return;
+    if (cell_same(&sheet->cells[0], &sheet->cells[half * columns])) return; // rows of one point
+    sheet->rows = half;
+    for (size_t row = 0; row < half; row++) sheet->cells[row * columns] = (whirl_cell){.count = 0};
+    sheet->about = find_text(of->findings, "%s%sThe same at the first and the last value of %s.", sheet->about,
+                             *sheet->about ? " " : "", of->table->parameter);
+}
+
 static whirl_cell *sheet_cell(const finder *of, whirl_sheet *sheet) {
     if (of->findings->failed || sheet->given == sheet->columns) return &find_lost(of)->cell;
     return &sheet->cells[(sheet->rows - 1) * sheet->columns + sheet->given++];

@@ -12,8 +12,7 @@ enum { CELL_SIZE = 1024 };
 /// Appends formatted text, cut off at the buffer's end.
 #define APPEND(text, size, ...) snprintf((text) + strlen(text), (size)-strlen(text), __VA_ARGS__)
 
-/// Writes a number with `digits` significant digits; up to ten million without a power of ten.
-static void number_told(double number, int digits, char *text, size_t size) {
+void number_shown(double number, int digits, char *text, size_t size) {
     const double plain = 1e7;
     snprintf(text, size, "%.*g", digits, number);
     // "1.4028e+05" is 140280.
@@ -29,7 +28,7 @@ void whirl_phrase_text(const whirl_phrase *phrase, char *text, size_t size) {
             APPEND(text, size, "%s", piece->text);
             continue;
         }
-        number_told(piece->value / piece->size - piece->zero, piece->digits, number, sizeof number);
+        number_shown(piece->value / piece->size - piece->zero, piece->digits, number, sizeof number);
         APPEND(text, size, "%s%s%s", number, *piece->unit ? " " : "", piece->unit);
     }
 }
@@ -45,7 +44,7 @@ static void cell_told(const whirl_column *column, const whirl_cell *cell, int di
     if (cell->text) snprintf(text, size, "%s", cell->text);
     for (size_t i = 0; i < cell->count; i++) {
         const double number = cell->numbers ? cell->numbers[i] : cell->number;
-        number_told(number / column->size - column->zero, digits, shown, sizeof shown);
+        number_shown(number / column->size - column->zero, digits, shown, sizeof shown);
         APPEND(text, size, "%s%s", i ? column->between : "", shown);
     }
 }

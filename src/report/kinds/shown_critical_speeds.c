@@ -21,9 +21,9 @@ static void critical_speeds_find(const finder *of) {
     whirl_sheet *sheet = find_sheet(of, "critical-speeds", "Critical speeds without damping");
     sheet->of_points = true;
     sheet_values(of, sheet, "", 6);
-    sheet_list(of, sheet, "forward", "forward", WHIRL_QUANTITY_SPEED, 6, ", ");
-    sheet_list(of, sheet, "backward", "backward", WHIRL_QUANTITY_SPEED, 6, ", ");
-    sheet_list(of, sheet, "to_and_fro", "to and fro", WHIRL_QUANTITY_SPEED, 6, ", ");
+    sheet_list(of, sheet, "forward", "forward", WHIRL_QUANTITY_SPEED, 5, ", ");
+    sheet_list(of, sheet, "backward", "backward", WHIRL_QUANTITY_SPEED, 5, ", ");
+    sheet_list(of, sheet, "to_and_fro", "to and fro", WHIRL_QUANTITY_SPEED, 5, ", ");
     sheet_column(of, sheet, "rigid_body", "rigid-body modes, which nothing holds", WHIRL_QUANTITY_NUMBER, 3);
     for (size_t point = 0; point < of->table->count; point++) {
         static const int directions[] = {1, -1, 0};

@@ -8,14 +8,14 @@ static void find_levels(const finder *of) {
     whirl_sheet *sheet = find_sheet(of, "levels", "Stability by decrements");
     sheet->of_points = true;
     sheet_values(of, sheet, "", 6);
-    sheet_column(of, sheet, "anticipated", "anticipated cross coupling", WHIRL_QUANTITY_CROSS, 6);
-    sheet_column(of, sheet, "limit", "its limit", WHIRL_QUANTITY_CROSS, 6);
+    sheet_column(of, sheet, "anticipated", "anticipated cross coupling", WHIRL_QUANTITY_CROSS, 5);
+    sheet_column(of, sheet, "limit", "its limit", WHIRL_QUANTITY_CROSS, 5);
     sheet_column(of, sheet, "times", "limit over anticipated", WHIRL_QUANTITY_NUMBER, 4);
     sheet_column(of, sheet, "basic", "bearings alone", WHIRL_QUANTITY_NUMBER, 4);
     sheet_column(of, sheet, "decrement", "with stages", WHIRL_QUANTITY_NUMBER, 4);
     sheet_column(of, sheet, "complete", "with seals and impellers", WHIRL_QUANTITY_NUMBER, 4);
     sheet_column(of, sheet, "frequency", "frequency with stages", WHIRL_QUANTITY_FREQUENCY, 5);
-    sheet_column(of, sheet, "rigid", "first critical speed on rigid supports", WHIRL_QUANTITY_SPEED, 6);
+    sheet_column(of, sheet, "rigid", "first critical speed on rigid supports", WHIRL_QUANTITY_SPEED, 5);
     sheet_column(of, sheet, "ratio", "critical speed ratio", WHIRL_QUANTITY_NUMBER, 4);
     sheet_column(of, sheet, "density", "gas", WHIRL_QUANTITY_DENSITY, 4);
     sheet_texts(of, sheet, "region", "region");

@@ -21,13 +21,13 @@ static void find_weight(const finder *of, const size_t *ends, size_t count) {
                    "whatever couplings, springs and mounts it has.";
     sheet_values(of, sheet, "", 6);
     sheet_texts(of, sheet, "station", "station");
-    sheet_column(of, sheet, "load", "bearing carries", WHIRL_QUANTITY_FORCE, 6);
-    sheet_column(of, sheet, "elevation", "raised by", WHIRL_QUANTITY_LENGTH, 6);
+    sheet_column(of, sheet, "load", "bearing carries", WHIRL_QUANTITY_FORCE, 5);
+    sheet_column(of, sheet, "elevation", "raised by", WHIRL_QUANTITY_LENGTH, 5);
     sheet_column(of, sheet, "deflection", "deflection upwards", WHIRL_QUANTITY_LENGTH, 4);
     sheet_column(of, sheet, "slope", "slope", WHIRL_QUANTITY_SLOPE, 4);
     sheet_column(of, sheet, "moment", "bending moment", WHIRL_QUANTITY_MOMENT, 5);
-    sheet_column(of, sheet, "mass_left", "mass to the left", WHIRL_QUANTITY_MASS, 6);
-    sheet_column(of, sheet, "mass_right", "mass to the right", WHIRL_QUANTITY_MASS, 6);
+    sheet_column(of, sheet, "mass_left", "mass to the left", WHIRL_QUANTITY_MASS, 5);
+    sheet_column(of, sheet, "mass_right", "mass to the right", WHIRL_QUANTITY_MASS, 5);
     for (const size_t *point = ends; point < ends + count; point++)
         for (size_t station = 0; station < of->result->station_count; station++) {
             const double deflection = length(of, *point, WHIRL_FIELD_STATICS_DEFLECTION, station);
@@ -44,6 +44,7 @@ static void find_weight(const finder *of, const size_t *ends, size_t count) {
             cell_number(of, sheet, mass ? mass[0] : (double)NAN);
             cell_number(of, sheet, mass ? mass[1] : (double)NAN);
         }
+    sheet_once(of, sheet);
     find_sheet_end(of);
 }
 
@@ -60,10 +61,10 @@ static void find_axial(const finder *of, const size_t *ends, size_t count) {
         "it pulls: weight and axial forces of segments.";
     sheet_values(of, sheet, "", 6);
     sheet_texts(of, sheet, "station", "station");
-    sheet_column(of, sheet, "thrust_mass", "mass held", WHIRL_QUANTITY_MASS, 6);
-    sheet_column(of, sheet, "thrust", "load held", WHIRL_QUANTITY_FORCE, 6);
-    sheet_column(of, sheet, "axial_left", "axial force to the left", WHIRL_QUANTITY_FORCE, 6);
-    sheet_column(of, sheet, "axial_right", "axial force to the right", WHIRL_QUANTITY_FORCE, 6);
+    sheet_column(of, sheet, "thrust_mass", "mass held", WHIRL_QUANTITY_MASS, 5);
+    sheet_column(of, sheet, "thrust", "load held", WHIRL_QUANTITY_FORCE, 5);
+    sheet_column(of, sheet, "axial_left", "axial force to the left", WHIRL_QUANTITY_FORCE, 5);
+    sheet_column(of, sheet, "axial_right", "axial force to the right", WHIRL_QUANTITY_FORCE, 5);
     for (const size_t *point = ends; point < ends + count; point++)
         for (size_t station = 0; station < of->result->station_count; station++) {
             const double *axial = whirl_table_field(of->table, *point, WHIRL_FIELD_STATICS_AXIAL_FORCE, station);
@@ -76,6 +77,7 @@ static void find_axial(const finder *of, const size_t *ends, size_t count) {
             cell_number(of, sheet, axial[0]);
             cell_number(of, sheet, axial[1]);
         }
+    sheet_once(of, sheet);
     find_sheet_end(of);
 }
 
@@ -186,7 +188,8 @@ static void find_coefficients(const finder *of) {
 static void statics_find(const finder *of) {
     size_t ends[2];
     const size_t count = find_ends(of->table, ends);
-    const char *const weight = weight_told(of->result);
+    char weight[WEIGHT_SIZE];
+    weight_text(of->units, weight, sizeof weight);
     if (*weight) phrase_text(of, &find_statement(of, "weight")->found, "%s", weight);
     if (*of->table->record.coupling)
         phrase_text(of, &find_statement(of, "alignment")->found, "raised for no moment and no shear at %s",

@@ -52,7 +52,7 @@ static void find_peaks(const finder *of) {
     whirl_sheet *sheet = find_sheet(of, "peaks", "Peaks of the response");
     sheet_texts(of, sheet, "station", "station");
     sheet_column(of, sheet, "probe", "probe", WHIRL_QUANTITY_DEGREES, 4);
-    sheet_column(of, sheet, "speed", "peak at", WHIRL_QUANTITY_SPEED, 6);
+    sheet_column(of, sheet, "speed", "peak at", WHIRL_QUANTITY_SPEED, 5);
     sheet_column(of, sheet, "amplitude", "amplitude", WHIRL_QUANTITY_SIZE, 4);
     sheet_column(of, sheet, "amplification", "amplification", WHIRL_QUANTITY_NUMBER, 4);
     sheet_texts(of, sheet, "found_by", "found by");
@@ -93,7 +93,7 @@ static void find_clearances(const finder *of, const scaled *by) {
     const size_t count = scaled_rows(of->result, of->table, by, rows);
     sheet_texts(of, sheet, "station", "station");
     sheet_column(of, sheet, "axis", "scaled major axis", WHIRL_QUANTITY_SPAN, 4);
-    sheet_column(of, sheet, "speed", "speed", WHIRL_QUANTITY_SPEED, 6);
+    sheet_column(of, sheet, "speed", "speed", WHIRL_QUANTITY_SPEED, 5);
     sheet_column(of, sheet, "clearance", "diametral clearance", WHIRL_QUANTITY_SPAN, 4);
     sheet_column(of, sheet, "share", "share", WHIRL_QUANTITY_PERCENT, 3);
     sheet_texts(of, sheet, "verdict", "75 % allowed");
@@ -130,7 +130,7 @@ static void find_scaled(const finder *of) {
         phrase_text(of, &own->found,
                     by.reaches ? "; clearances count up to the trip speed, "
                                : "; points do not reach the trip speed, ");
-        phrase_number(of, &own->found, WHIRL_QUANTITY_SPEED, 6, by.trip);
+        phrase_number(of, &own->found, WHIRL_QUANTITY_SPEED, 5, by.trip);
         if (!by.reaches) phrase_text(of, &own->found, ": compute more points");
     }
     find_clearances(of, &by);

@@ -53,14 +53,17 @@ void html_table(FILE *stream, const char *label, const char *class) {
 }
 
 void html_number(FILE *stream, double value) {
+    char text[NUMBER_SIZE];
+    number_shown(value, 6, text, sizeof text);
     if (isfinite(value))
-        fprintf(stream, "<td class=\"number\">%.6g</td>", value);
+        fprintf(stream, "<td class=\"number\">%s</td>", text);
     else
         fputs("<td></td>", stream);
 }
 
-void html_weight(FILE *stream, const whirl_result *result) {
-    const char *const weight = weight_told(result);
+void html_weight(FILE *stream, const whirl_shown_units *units) {
+    char weight[WEIGHT_SIZE];
+    weight_text(units, weight, sizeof weight);
     if (!*weight) return;
     fputs("<p>Weight: ", stream);
     html_text(stream, weight);

@@ -11,6 +11,7 @@
 #include "shown_kinds.h"
 #include "whirl/engine/case.h"
 #include "whirl/internal/model.h"
+#include "whirl/version.h"
 
 // ---------------------------------------------------------------- summary
 
@@ -312,14 +313,9 @@ static void write_machine(const page *to) {
         fputs("<h3>", to->stream);
         html_text(to->stream, *result->title ? result->title : to->names[r]);
         fputs("</h3>\n", to->stream);
-        for (size_t i = 0; *whirl_result_warning(result, i); i++) {
-            fputs("<p><strong>Warning:</strong> ", to->stream);
-            html_text(to->stream, whirl_result_warning(result, i));
-            fputs("</p>\n", to->stream);
-        }
-        page_ranges(to, r);
+        page_warnings(to, r);
         page_machine(to, r);
-        html_weight(to->stream, result);
+        html_weight(to->stream, &to->units[r]);
         whirl_model model = {0};
         const bool known = machine && whirl_case_model(machine, &model).code == WHIRL_OK;
         write_shafts(to, r, &model);
@@ -352,7 +348,7 @@ void lateral_write(const page *to) {
     snprintf(title, sizeof title, "Lateral analysis: %.400s", to->count > 0 ? of : "");
     page_head(to, title);
     page_document(to);
-    fputs("<p class=\"soft\">Written by whirl.</p>\n</header>\n<main>\n", to->stream);
+    fputs("<p class=\"soft\">Written by whirl " WHIRL_VERSION ".</p>\n</header>\n<main>\n", to->stream);
     write_found(to);
     write_machine(to);
     for (size_t i = 0; i < CHAPTERS; i++) write_chapter(to, i);

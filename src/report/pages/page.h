@@ -60,7 +60,7 @@ void page_claims(const page *to);               ///< the table of claims, and cl
 void page_found(const page *to, size_t result); ///< verdicts in numbers, and the main figure
 void page_parameters(const page *to, size_t result);
 void page_computed(const page *to, size_t result); ///< computed tables, parameters
-void page_ranges(const page *to, size_t result);   ///< laws that points have gone beyond
+void page_warnings(const page *to, size_t result); ///< warnings, laws left behind, doubtful places of rest
 void page_provenance(const page *to, size_t result);
 void page_intervals(const page *to, size_t result);  ///< regimes along the sweep
 void page_jumps(const page *to, size_t result);      ///< jumps between neighbours of one regime
@@ -129,6 +129,6 @@ void html_table(FILE *stream, const char *label, const char *class);
 void html_number(FILE *stream, double value);
 
 /// Writes a paragraph on how weight acts on a machine, if the result has it.
-void html_weight(FILE *stream, const whirl_result *result);
+void html_weight(FILE *stream, const whirl_shown_units *units);
 
 #endif

@@ -89,7 +89,7 @@ void page_asked(const page *to) {
             if (!*own->clause) continue;
             if (count++ == 0) {
                 html_table(to->stream, "What is asked for", "");
-                fputs("<thead><tr><th>of</th><th>what</th><th>asked for</th><th>found, at its least</th>"
+                fputs("<thead><tr><th>of</th><th>what</th><th>asked for</th><th>found, at its worst</th>"
                       "<th>verdict</th><th>clause</th></tr></thead>\n<tbody>\n",
                       to->stream);
             }

@@ -7,6 +7,7 @@
 #include "page.h"
 #include "quantities.h"
 #include "report_parts.h"
+#include "words.h"
 
 enum { SHOWN_LINES = 5, NAMES_SIZE = 512 };
 
@@ -269,8 +270,10 @@ static bool has_gap(const whirl_result *result) {
 
 /// Writes the frequency of a line, or its order, with an X if the other lines have frequencies.
 static void write_place(const point_page *to, double order, double frequency) {
+    char text[NUMBER_SIZE];
+    number_shown(order * frequency, 4, text, sizeof text);
     if (isfinite(frequency))
-        html_printf(to->stream, "%.4g", order * frequency);
+        html_text(to->stream, text);
     else
         html_printf(to->stream, to->units->frequency > 0.0 ? "%.4gX" : "%.4g", order);
 }
@@ -397,6 +400,22 @@ static bool is_watched(const whirl_field *field, whirl_extent extent) {
            (strncmp(field->name, "orbit/", 6) == 0 || strncmp(field->name, "rub/", 4) == 0);
 }
 
+/// Shown unit of a field's numbers, which are forces, torques or powers; NULL for others. Powers are in W unless
+/// another unit is chosen: contacts lose little.
+static const whirl_unit *watched_unit(const point_page *to, const whirl_field *field) {
+    static const whirl_unit watts = {"W", 1.0};
+    static const struct {
+        const char *unit;
+        whirl_quantity quantity;
+    } kinds[] = {{"force", WHIRL_QUANTITY_FORCE}, {"N m", WHIRL_QUANTITY_MOMENT}, {"W", WHIRL_QUANTITY_POWER}};
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        if (strcmp(field->unit, kinds[i].unit) == 0)
+            return kinds[i].quantity == WHIRL_QUANTITY_POWER && !to->units->chosen[WHIRL_QUANTITY_POWER]
+                       ? &watts
+                       : &to->units->of[kinds[i].quantity];
+    return NULL;
+}
+
 /// Writes a heading "max radius / c", "mean x (um)", "max force (N)", with the meaning as its title.
 static void write_watched_head(const point_page *to, const whirl_field *field, size_t column) {
     char name[2 * WHIRL_NAME_SIZE], label[sizeof name + UNIT_LABEL_SIZE];
@@ -404,7 +423,8 @@ static void write_watched_head(const point_page *to, const whirl_field *field, s
     const char *part = whirl_field_column_names(field, columns) ? columns[column] : "";
     snprintf(name, sizeof name, "%s%s%s", strchr(field->name, '/') + 1, *part ? " " : "", part);
     for (char *at = name; (at = strchr(at, '_')) != NULL;) *at = ' ';
-    snprintf(label, sizeof label, strcmp(field->unit, "force") == 0 ? "%s (N)" : "%s", name);
+    const whirl_unit *const unit = watched_unit(to, field);
+    snprintf(label, sizeof label, unit ? "%s (%s)" : "%s", name, unit ? unit->name : "");
     if (strcmp(field->unit, "length") == 0)
         units_length_label(to->units, whirl_field_counting(field), name, label, sizeof label);
     fputs("<th class=\"number\" title=\"", to->stream);
@@ -418,7 +438,8 @@ static void write_watched_head(const point_page *to, const whirl_field *field, s
 static double watched_factor(const point_page *to, const whirl_field *field, size_t point) {
     if (strcmp(field->unit, "length") == 0)
         return units_length(to->units, to->table, point, whirl_field_counting(field));
-    return strcmp(field->unit, "force") == 0 ? to->result->force_scale : 1.0;
+    const whirl_unit *const unit = watched_unit(to, field);
+    return unit ? whirl_result_si(to->result, to->table, field->unit).size / unit->size : 1.0;
 }
 
 static void write_watched_of(const point_page *to, size_t point, size_t which, whirl_extent extent) {

@@ -181,7 +181,8 @@ static void write_doubt(FILE *stream, const char *what, const whirl_table *table
     fputs("</p>\n", stream);
 }
 
-void page_ranges(const page *to, size_t index) {
+/// Writes places where laws leave their range, and doubts about places of rest.
+static void page_ranges(const page *to, size_t index) {
     const whirl_result *result = to->results[index];
     char text[RANGE_TEXT_SIZE];
     for (size_t t = 0; t < result->table_count; t++) {
@@ -196,6 +197,15 @@ void page_ranges(const page *to, size_t index) {
             if (closed_contact_text(&to->units[index], table, i, text))
                 write_doubt(to->stream, "Rests against", table, text);
     }
+}
+
+void page_warnings(const page *to, size_t index) {
+    for (size_t i = 0; *whirl_result_warning(to->results[index], i); i++) {
+        fputs("<p><strong>Warning:</strong> ", to->stream);
+        html_text(to->stream, whirl_result_warning(to->results[index], i));
+        fputs("</p>\n", to->stream);
+    }
+    page_ranges(to, index);
 }
 
 void page_computed(const page *to, size_t index) {
@@ -214,12 +224,7 @@ void page_computed(const page *to, size_t index) {
         fputs("<p><strong>This result is partial:</strong> the run was stopped when all points were done, but before "
               "all verdicts were confirmed or refined.</p>\n",
               to->stream);
-    for (size_t i = 0; *whirl_result_warning(result, i); i++) {
-        fputs("<p><strong>Warning:</strong> ", to->stream);
-        html_text(to->stream, whirl_result_warning(result, i));
-        fputs("</p>\n", to->stream);
-    }
-    page_ranges(to, index);
+    if (!to->printed) page_warnings(to, index);
     fputs("<dl>\n", to->stream);
     if (*result->case_name) write_row(to->stream, "Case", result->case_name);
     snprintf(text, sizeof text, "%.6g rad/s (%.6g revolutions a minute)", result->speed,
@@ -229,10 +234,11 @@ void page_computed(const page *to, size_t index) {
     snprintf(text, sizeof text, "once a turn of the %.80s (%.6g Hz), in which revolutions and orders are counted",
              whirl_result_keyphasor(result), clock / two_pi);
     if (*whirl_result_keyphasor(result)) write_row(to->stream, "Sections", text);
-    const whirl_unit length = whirl_result_length_unit(result);
-    snprintf(text, sizeof text, "%.6g %s", result->length_scale / length.size, length.name);
+    const whirl_unit *const length = &units->of[WHIRL_QUANTITY_LENGTH];
+    snprintf(text, sizeof text, "%.6g %s", result->length_scale / length->size, length->name);
     write_row(to->stream, "Length scale", text);
-    const char *const weight = weight_told(result);
+    char weight[WEIGHT_SIZE];
+    weight_text(units, weight, sizeof weight);
     if (*weight) write_row(to->stream, "Weight", weight);
     text[0] = '\0';
     for (size_t s = 0; s < result->station_count; s++) {
@@ -255,7 +261,7 @@ void page_computed(const page *to, size_t index) {
     }
     fputs("</dl>\n", to->stream);
     write_tables(to->stream, result, units);
-    page_parameters(to, index);
+    if (!to->printed) page_parameters(to, index);
 }
 
 void page_provenance(const page *to, size_t index) {

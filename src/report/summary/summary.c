@@ -113,7 +113,13 @@ whirl_status whirl_result_write_summary(const whirl_result *result, FILE *out) {
         fprintf(out, "warning: %s\n", whirl_result_warning(result, i));
     for (size_t i = 0; *whirl_result_fit(result, i); i++) fprintf(out, "%s\n", whirl_result_fit(result, i));
     if (*whirl_result_film_tables(result)) fprintf(out, "film tables: %s\n", whirl_result_film_tables(result));
-    if (weight_heads(result)) fprintf(out, "weight: %s\n", weight_told(result));
+    if (weight_heads(result)) {
+        whirl_shown_units units;
+        char weight[WEIGHT_SIZE];
+        whirl_result_shown_units(result, NULL, &units); // what a file says that is no unit chooses nothing
+        weight_text(&units, weight, sizeof weight);
+        fprintf(out, "weight: %s\n", weight);
+    }
     const char *const keyphasor = whirl_result_keyphasor(result);
     if (*keyphasor) whirl_write_keyphasor(keyphasor, whirl_result_clock(result), out);
     if (whirl_result_partial(result, &done, &total)) {

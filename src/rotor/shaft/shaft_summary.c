@@ -96,6 +96,12 @@ static void fill_summary(const building *b, size_t shaft, whirl_shaft_summary *o
     }
 }
 
+/// An error of the reduction; 0 below what rounding alone gives.
+static double without_rounding(double error) {
+    const double rounding = 1e-12;
+    return error < rounding ? 0.0 : error;
+}
+
 /// Computes the largest errors of the first frequencies above the rigid body's, and of the displacements by unit
 /// forces.
 static void shaft_summary_compare(const plane *full, const plane *now, size_t stations, whirl_shaft_summary *out) {
@@ -109,7 +115,8 @@ static void shaft_summary_compare(const plane *full, const plane *now, size_t st
         largest = fmax(largest, fabs(full->bend[i]));
         apart = fmax(apart, fabs(now->bend[i] - full->bend[i]));
     }
-    out->flexibility_error = apart / largest;
+    out->frequency_error = without_rounding(out->frequency_error);
+    out->flexibility_error = without_rounding(apart / largest);
 }
 
 static whirl_status summarize(building *b, whirl_shaft_summary *out, plane *full, plane *now, size_t *place,

@@ -110,6 +110,7 @@ static const struct {
     [WHIRL_QUANTITY_VISCOSITY] = {"mPa s", 1e-3, UNIT_VISCOSITY},
     [WHIRL_QUANTITY_WEIGHT] = {"g", 1e-3, UNIT_WEIGHT},
     [WHIRL_QUANTITY_RESIDUAL] = {"g mm", 1e-6, UNIT_UNBALANCE},
+    [WHIRL_QUANTITY_ACCELERATION] = {"m/s2", 1.0, UNIT_SYSTEM},
 };
 
 /// Fills in the unit of every quantity.
@@ -126,7 +127,11 @@ static void choose_quantities(whirl_shown_units *units, const unit_choice *choic
         units->chosen[quantity] = word && word->size > 0.0;
         if (units->chosen[quantity]) {
             unit->size = word->size * (kind == UNIT_FREQUENCY ? shown_quantities[quantity].size : 1.0);
-            snprintf(unit->name, sizeof unit->name, quantity == WHIRL_QUANTITY_SPAN ? "%s p-p" : "%s", word->shown);
+            snprintf(unit->name, sizeof unit->name,
+                     quantity == WHIRL_QUANTITY_SPAN           ? "%s p-p"
+                     : quantity == WHIRL_QUANTITY_ACCELERATION ? "%s/s2"
+                                                               : "%s",
+                     word->shown);
         }
     }
     const char *const degrees = units->of[WHIRL_QUANTITY_TEMPERATURE].name;
@@ -180,20 +185,33 @@ double whirl_shown_length(const whirl_shown_units *units, const whirl_table *tab
     return units->length * (whirl_result_length_scale(units->result, table, point) / units->result->length_scale);
 }
 
+/// SI units of parameters, and the quantities whose choice of a unit they follow.
+static const struct {
+    const char *si;
+    whirl_quantity quantity;
+} shown_parameters[] = {
+    {"rad/s", WHIRL_QUANTITY_SPEED},    {"m", WHIRL_QUANTITY_LENGTH},    {"N", WHIRL_QUANTITY_FORCE},
+    {"N m", WHIRL_QUANTITY_MOMENT},     {"kg", WHIRL_QUANTITY_MASS},     {"kg m2", WHIRL_QUANTITY_INERTIA},
+    {"kg m", WHIRL_QUANTITY_UNBALANCE}, {"N/m", WHIRL_QUANTITY_CROSS},   {"N s/m", WHIRL_QUANTITY_DAMPING},
+    {"kg/m3", WHIRL_QUANTITY_DENSITY},  {"Pa", WHIRL_QUANTITY_PRESSURE}, {"m3/s", WHIRL_QUANTITY_FLOW},
+    {"Pa s", WHIRL_QUANTITY_VISCOSITY}, {"W", WHIRL_QUANTITY_POWER}};
+
+const char *whirl_shown_si(const whirl_shown_units *units, size_t index, whirl_unit *unit) {
+    if (index >= sizeof shown_parameters / sizeof *shown_parameters) return NULL;
+    const whirl_quantity quantity = shown_parameters[index].quantity;
+    *unit = quantity == WHIRL_QUANTITY_SPEED    ? units->speed
+            : quantity == WHIRL_QUANTITY_LENGTH ? units->size
+            : units->chosen[quantity]           ? units->of[quantity]
+                                                : (whirl_unit){.size = 0.0};
+    return shown_parameters[index].si;
+}
+
 whirl_unit whirl_shown_parameter(const whirl_shown_units *units, const char *name) {
-    static const struct {
-        const char *si;
-        whirl_quantity quantity;
-    } kinds[] = {{"N", WHIRL_QUANTITY_FORCE},       {"N m", WHIRL_QUANTITY_MOMENT},     {"kg", WHIRL_QUANTITY_MASS},
-                 {"kg m2", WHIRL_QUANTITY_INERTIA}, {"kg m", WHIRL_QUANTITY_UNBALANCE}, {"N/m", WHIRL_QUANTITY_CROSS},
-                 {"N s/m", WHIRL_QUANTITY_DAMPING}, {"kg/m3", WHIRL_QUANTITY_DENSITY},  {"Pa", WHIRL_QUANTITY_PRESSURE},
-                 {"m3/s", WHIRL_QUANTITY_FLOW},     {"Pa s", WHIRL_QUANTITY_VISCOSITY}, {"W", WHIRL_QUANTITY_POWER}};
-    const char *si = whirl_result_parameter_unit(units->result, name);
-    const whirl_unit *own = strcmp(si, "rad/s") == 0 ? &units->speed : strcmp(si, "m") == 0 ? &units->size : NULL;
-    if (own && own->size > 0.0) return *own;
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
-        if (strcmp(si, kinds[i].si) == 0 && units->chosen[kinds[i].quantity]) return units->of[kinds[i].quantity];
-    whirl_unit unit = whirl_result_unit(units->result, name);
+    const char *const own = whirl_result_parameter_unit(units->result, name), *si;
+    whirl_unit unit;
+    for (size_t i = 0; (si = whirl_shown_si(units, i, &unit)) != NULL; i++)
+        if (strcmp(own, si) == 0 && unit.size > 0.0) return unit;
+    unit = whirl_result_unit(units->result, name);
     if (strcmp(unit.name, "um") == 0) snprintf(unit.name, sizeof unit.name, "%s", shown_name("um"));
     return unit;
 }

@@ -127,6 +127,54 @@ static void empty_columns(void **state) {
     made_free(&own);
 }
 
+/// Rows of two points that are the same but for rounding are listed once, without the value of the parameter; others
+/// stay.
+static void rows_once(void **state) {
+    (void)state;
+    for (int same = 0; same < 2; same++) {
+        made own = made_in("");
+        own.of.units = &own.units;
+        whirl_sheet *sheet = find_sheet(&own.of, "loads", "Loads");
+        sheet->about = "Loads.";
+        sheet_values(&own.of, sheet, "", 6);
+        sheet_texts(&own.of, sheet, "station", "station");
+        sheet_column(&own.of, sheet, "load", "load", WHIRL_QUANTITY_FORCE, 4);
+        for (size_t point = 0; point < 2; point++)
+            for (size_t station = 0; station < 2; station++) {
+                const double far = point == 1 && station == 1 ? (same ? 1e-12 : 1e-6) : 0.0;
+                sheet_row(&own.of, sheet);
+                cell_value(&own.of, sheet, point);
+                cell_text(&own.of, sheet, station ? "b" : "a");
+                cell_number(&own.of, sheet, 100.0 * (1.0 + far));
+            }
+        sheet_once(&own.of, sheet);
+        assert_false(own.findings->failed);
+        assert_int_equal(sheet->rows, same ? 2 : 4);
+        assert_int_equal(sheet->cells[0].count, same ? 0 : 1);
+        assert_int_equal(strncmp(sheet->about, "Loads. The same at the first", 28) == 0, same);
+        made_free(&own);
+    }
+}
+
+/// Numbers of up to seven digits before the point are plain.
+static void numbers(void **state) {
+    static const struct {
+        double number;
+        int digits;
+        const char *told;
+    } cases[] = {{140280.0, 4, "140300"},
+                 {12960.0, 4, "12960"},
+                 {4152.50247, 5, "4152.5"},
+                 {2e7, 4, "2e+07"},
+                 {0.00123456, 3, "0.00123"}};
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[32];
+        number_shown(cases[i].number, cases[i].digits, text, sizeof text);
+        assert_string_equal(text, cases[i].told);
+    }
+}
+
 /// Fields of CSV after RFC 4180; letters that mean something to LaTeX.
 static void letters(void **state) {
     (void)state;
@@ -450,6 +498,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(phrases),
         cmocka_unit_test(empty_columns),
+        cmocka_unit_test(rows_once),
+        cmocka_unit_test(numbers),
         cmocka_unit_test(letters),
         cmocka_unit_test(transposed),
         cmocka_unit_test(sheets_of_one_name),

@@ -136,6 +136,29 @@ static void parameters_in_chosen_units(void **state) {
     whirl_result_free(result);
 }
 
+/// The weight of a machine in inches: 9.80665 / 0.0254 in/s2, once or twice in a sentence; words stay as they are.
+static void weight_in_chosen_units(void **state) {
+    static const struct {
+        const char *fact, *units, *told;
+    } weights[] = {{"9.80665 m/s2 across the shafts", "", "9.80665 m/s2 across the shafts"},
+                   {"9.80665 m/s2 across the shafts", "US", "386.089 in/s2 across the shafts"},
+                   {"8.49281 m/s2 along the shafts, which lean, and 4.90332 m/s2 across", "US",
+                    "334.363 in/s2 along the shafts, which lean, and 193.044 in/s2 across"},
+                   {"none: gravity is 0", "US", "none: gravity is 0"}};
+    (void)state;
+    for (size_t i = 0; i < sizeof weights / sizeof *weights; i++) {
+        char text[WEIGHT_SIZE];
+        whirl_result *result = sample_result();
+        assert_int_equal(whirl_result_add_fact(result, "weight", weights[i].fact).code, WHIRL_OK);
+        const whirl_shown_units units = units_for(result, weights[i].units);
+        weight_text(&units, text, sizeof text);
+        assert_string_equal(text, weights[i].told);
+        weight_text(&units, text, 8); // what does not fit is cut
+        assert_true(strlen(text) < 8);
+        whirl_result_free(result);
+    }
+}
+
 /// Points that vary the scale have lengths of their own; a parameter that varies without it is not the scale.
 static void points_have_scales(void **state) {
     (void)state;
@@ -258,6 +281,7 @@ int main(void) {
         cmocka_unit_test(who_asks),
         cmocka_unit_test(parameters),
         cmocka_unit_test(parameters_in_chosen_units),
+        cmocka_unit_test(weight_in_chosen_units),
         cmocka_unit_test(points_have_scales),
         cmocka_unit_test(walls),
         cmocka_unit_test(speeds),
