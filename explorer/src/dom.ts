@@ -91,6 +91,14 @@ export class Segments {
     if (found) found.textContent = text;
   }
 
+  /// Shows the button with a text, or hides it.
+  offer(value: string, text: string | undefined): void {
+    const found = this.buttons.find((made) => made.value === value);
+    if (!found) return;
+    found.hidden = text === undefined;
+    if (text !== undefined) found.textContent = found.title = text;
+  }
+
   set value(value: string) {
     for (const made of this.buttons) made.setAttribute('aria-pressed', String(made.value === value));
   }

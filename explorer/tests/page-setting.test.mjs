@@ -41,6 +41,9 @@ before(() => {
 });
 after(closeBrowser);
 
+/// 1 lbf = 0.45359237 kg 9.80665 m/s2; 1 mil = 25.4 um.
+const POUND_FORCE = 0.45359237 * 9.80665;
+
 const troubled = (page, where = '.pane-a') =>
   page.waitForSelector(`${where} .trouble:not(:empty)`).then((found) => found.textContent());
 const csv = async (page, panel) => (await saved(page, panel, 'csv')).bytes.toString('utf8');
@@ -48,6 +51,52 @@ async function type(page, field, text) {
   await page.fill(field, text);
   await page.press(field, 'Enter');
 }
+
+test('parameters and axes have the units that the report chose', async () => {
+  const study = (words) => BEARING.replace('study:\n', `study:\n  units: ${words}\n`);
+  const address = makePage(
+    'us',
+    study('US')
+      .replace('    - gravity', '    - spring: {between: [journal, ground], stiffness: = k}\n    - gravity')
+      .replace('  omega:', '  k: 1000 N/m\n  omega:'),
+  );
+  const { page, complaints, close } = await open(address);
+  await settled(page);
+  const field = async (name) => [
+    Number(await page.inputValue(`#parameter-${name}`)),
+    await page.textContent(`.parameter:has(#parameter-${name}) .unit`),
+  ];
+  for (const [name, unit, value] of [
+    ['F', 'lbf', 300 / POUND_FORCE],
+    ['k', 'lbf/in', (1000 / POUND_FORCE) * 0.0254],
+    ['c', 'mil', 200 / 25.4],
+    ['omega', 'rpm', 6000],
+  ]) {
+    const [shown, own] = await field(name);
+    assert.equal(own, unit);
+    assert.ok(Math.abs(shown - value) < 1e-5 * value, `${name} is ${shown} ${own}`);
+  }
+  const pressed = await page.$$eval('.topbar [aria-pressed="true"]', (all) => all.map((one) => one.textContent));
+  assert.deepEqual(pressed, ['mil', 'rpm', 'cpm', 'p-p']);
+  assert.match(await csv(page, '.panel-spectrum'), /cpm/);
+  // The engine takes what is typed in that unit: twice the load.
+  await type(page, '#parameter-F', (600 / POUND_FORCE).toFixed(6));
+  await page.waitForFunction(() => /F%3D[\d.]+(\+|%20)lbf/.test(location.hash));
+  await settled(page);
+  assert.equal(await page.textContent('.settings-card .trouble'), '');
+  await page.click('button[title="Reset F to the case"]');
+  await settled(page);
+  assert.deepEqual(complaints, []);
+  await close();
+  // A length that the page does not offer by itself.
+  const other = await open(makePage('mm', study('mm, N/mm')));
+  await settled(other.page);
+  assert.equal(await other.page.textContent('.topbar [value="own"][aria-pressed="true"]'), 'mm');
+  assert.match(await other.page.textContent('.panel-orbit .panel-note'), / mm 0-p/);
+  assert.equal(await other.page.textContent('.parameter:has(#parameter-c) .unit'), 'mm');
+  assert.deepEqual(other.complaints, []);
+  await other.close();
+});
 
 test('a stored diagram keeps its own length scale, on screen and in the file', async () => {
   const { page, complaints, close } = await open(`${bearing}#q=radius`);

@@ -7,6 +7,7 @@
 
 #include "figure_build.h"
 #include "input.h"
+#include "words.h"
 
 /// Placeholder for the results in the page's template.
 static const char mark[] = "@WHIRL-RUNS@";
@@ -157,6 +158,56 @@ static void write_opening(FILE *stream, const whirl_result *result, const whirl_
     fputc('}', stream);
 }
 
+static void write_unit(FILE *stream, char before, const char *name, const whirl_unit *unit) {
+    script_key(stream, before, name);
+    script_text_member(stream, '{', "unit", unit->name);
+    script_number_member(stream, ',', "size", unit->size);
+    fputc('}', stream);
+}
+
+/// Returns true if lengths are to be over the length scale: the word "scale" of the report, or of its case.
+static bool scale_chosen(const whirl_result *result, const char *asked) {
+    const char *const texts[] = {asked ? asked : "", whirl_result_fact(result, "units")};
+    unit_choice choice;
+    for (size_t i = 0; i < 2; i++) {
+        if (unit_choice_read(texts[i], &choice).code != WHIRL_OK) continue;
+        if (choice.of[UNIT_LENGTH]) return !(choice.of[UNIT_LENGTH]->size > 0.0);
+        if (choice.of[UNIT_SYSTEM]) return false;
+    }
+    return false;
+}
+
+/// Writes the units that the report or the case chose: of lengths, places along shafts, speeds (absent: none chosen),
+/// frequencies (in Hz; absent: orders), amplitudes, and of parameters, by their SI unit.
+static void write_units(FILE *stream, const whirl_result *result, const char *asked) {
+    whirl_shown_units units;
+    if (whirl_result_shown_units(result, asked, &units).code != WHIRL_OK) return; // the report has refused such words
+    script_key(stream, ',', "shown");
+    script_text_member(stream, '{', "amplitude", units.amplitude_name);
+    if (units.size.size > 0.0) write_unit(stream, ',', "length", &units.size);
+    script_key(stream, ',', "scale");
+    fputs(scale_chosen(result, asked) ? "true" : "false", stream);
+    const whirl_unit *position = &units.of[WHIRL_QUANTITY_POSITION];
+    if (units.chosen[WHIRL_QUANTITY_POSITION]) write_unit(stream, ',', "position", position);
+    if (units.speed.size > 0.0) write_unit(stream, ',', "speed", &units.speed);
+    if (units.frequency > 0.0) {
+        whirl_unit frequency = {.size = units.frequency};
+        snprintf(frequency.name, sizeof frequency.name, "%s", units.frequency_name);
+        write_unit(stream, ',', "frequency", &frequency);
+    }
+    script_key(stream, ',', "parameters");
+    fputc('{', stream);
+    whirl_unit unit;
+    const char *si;
+    char before = ' ';
+    for (size_t i = 0; (si = whirl_shown_si(&units, i, &unit)) != NULL; i++) {
+        if (!(unit.size > 0.0)) continue;
+        write_unit(stream, before, si, &unit);
+        before = ',';
+    }
+    fputs("}}", stream);
+}
+
 static bool write_run(FILE *stream, const whirl_result *result, const whirl_case *machine, const char *name,
                       const char *units) {
     bool well = true;
@@ -170,7 +221,7 @@ static bool write_run(FILE *stream, const whirl_result *result, const whirl_case
     write_parameters(stream, result);
     write_stations(stream, result);
     write_facts(stream, result);
-    script_text_member(stream, ',', "units", units ? units : "");
+    write_units(stream, result, units);
     script_key(stream, ',', "tables");
     fputc('[', stream);
     const whirl_table *diagram = diagram_of(result);

@@ -1,6 +1,7 @@
 // Runs stored in the page by `whirl report` (src/report/explorer.c writes them).
 import type { StoredContents } from './contents';
 import type { Field, StationInfo, Verdict } from '../engine/protocol';
+import type { ShownUnits } from '../model/units';
 
 export interface StoredField extends Omit<Field, 'offset'> {
   /// float32, little-endian, base64: [repeat][columns][points][rows].
@@ -120,8 +121,8 @@ export interface Run extends StoredContents {
   readonly stations: readonly StationInfo[];
   readonly contacts: readonly string[];
   readonly facts: readonly { readonly name: string; readonly value: string }[];
-  /// Units requested for the report, "um, rpm, Hz, p-p"; they override the case's units (fact "units").
-  readonly units: string;
+  /// Units that the report or the case chose.
+  readonly shown: ShownUnits;
   /// Absent if no point can be shown first.
   readonly opening?: StoredOpening;
   readonly tables: readonly StoredTable[];

@@ -16,7 +16,7 @@ import { firstValue, plannedRange, sweptParameter } from './original';
 import { assignmentTexts, computationOptions, readAddress, type Address, type Side } from './setting';
 import { SideModel } from './side';
 import { howOf, Sights, type Sight } from './sights';
-import { unitsFor, unitsOfWords, type Scales } from './units';
+import { unitsFor, unitsOfReport, type Scales } from './units';
 import { inWordsOfPage } from './words';
 
 type Range = readonly [number, number];
@@ -475,6 +475,7 @@ export class Session {
   /// Reads the units of the address; without units in it they are chosen for the machine.
   readUnits(): void {
     this.unitsAwaited = false;
+    if (this.run) this.address.units.shown = this.run.shown;
     if (!location.hash.includes('units=')) this.suitUnits(this.run?.length_scale);
   }
 
@@ -484,8 +485,7 @@ export class Session {
     this.unitsAwaited = lengthScale === undefined;
     if (lengthScale === undefined) return;
     const { run } = this;
-    const words = [run?.facts.find(({ name }) => name === 'units')?.value, run?.units].filter(Boolean).join(',');
-    this.address.units = { ...unitsFor(lengthScale, this.address.units), ...unitsOfWords(words) };
+    this.address.units = { ...unitsFor(lengthScale, this.address.units), ...(run && unitsOfReport(run.shown)) };
   }
 
   /// Returns the state in the form of the page's address.

@@ -65,9 +65,9 @@ export interface Address {
   rest: RestChoice;
 }
 
-const LENGTHS = ['um', 'mil', 'scale'] as const;
+const LENGTHS = ['um', 'mil', 'scale', 'own'] as const;
 const SPEEDS = ['rpm', 'rad/s'] as const;
-const FREQUENCIES = ['order', 'Hz'] as const;
+const FREQUENCIES = ['order', 'Hz', 'own'] as const;
 const AMPLITUDES = ['0-p', 'p-p', 'rms'] as const;
 const NAME = /^[A-Za-z_][A-Za-z0-9_]{0,63}$/;
 const MAX_TEXT = 128;
@@ -140,6 +140,7 @@ export function readAddress(hash: string, fallback: Units): Address {
     station: (all.get('st') ?? '').slice(0, MAX_TEXT),
     range: Number.isFinite(low) && Number.isFinite(high) && low! < high! ? [low!, high!] : undefined,
     units: {
+      ...(fallback.shown && { shown: fallback.shown }),
       length: oneOf(units[0] ?? null, LENGTHS, fallback.length),
       speed: oneOf(units[1] ?? null, SPEEDS, fallback.speed),
       frequency: oneOf(units[2] ?? null, FREQUENCIES, fallback.frequency),

@@ -1,8 +1,9 @@
 // Units of displayed numbers. The engine uses length scales, orders and SI; the user chooses the units.
 
-export type LengthUnit = 'um' | 'mil' | 'scale';
+/// `own`: the unit that the report chose, which the page does not offer by itself.
+export type LengthUnit = 'um' | 'mil' | 'scale' | 'own';
 export type SpeedUnit = 'rpm' | 'rad/s';
-export type FrequencyUnit = 'order' | 'Hz';
+export type FrequencyUnit = 'order' | 'Hz' | 'own';
 /// Amplitudes: zero to peak, peak to peak, root mean square (of a sinusoidal component).
 export type AmplitudeUnit = '0-p' | 'p-p' | 'rms';
 
@@ -11,6 +12,29 @@ export interface Units {
   speed: SpeedUnit;
   frequency: FrequencyUnit;
   amplitude: AmplitudeUnit;
+  /// Units that the report chose.
+  shown?: ShownUnits;
+}
+
+/// A unit of the library: a number in SI over `size` is shown.
+export interface Unit {
+  readonly unit: string;
+  readonly size: number;
+}
+
+/// Units that a report or its case chose (`write_units` of src/report/explorer.c); what is absent is left to the page.
+export interface ShownUnits {
+  readonly amplitude: AmplitudeUnit;
+  readonly length?: Unit;
+  /// Lengths are over the length scale.
+  readonly scale: boolean;
+  /// Of places along a shaft.
+  readonly position?: Unit;
+  readonly speed?: Unit;
+  /// Its size is in Hz.
+  readonly frequency?: Unit;
+  /// By the SI unit of a parameter.
+  readonly parameters: Readonly<Record<string, Unit>>;
 }
 
 export const RPM = 60 / (2 * Math.PI);
@@ -37,21 +61,19 @@ export function unitsFor(
     : { length: 'um', speed: 'rpm', frequency, amplitude };
 }
 
-/// Units by the words of a case or a report ("um, rpm, Hz, p-p"); units that the page lacks map to the nearest one.
-const WORDS: Readonly<Record<string, Partial<Units>>> = {
-  scale: { length: 'scale' },
-  ...Object.fromEntries(['m', 'mm', 'um'].map((word) => [word, { length: 'um' }])),
-  ...Object.fromEntries(['in', 'mil'].map((word) => [word, { length: 'mil' }])),
-  rpm: { speed: 'rpm' },
-  'rad/s': { speed: 'rad/s' },
-  order: { frequency: 'order' },
-  ...Object.fromEntries(['Hz', 'cpm'].map((word) => [word, { frequency: 'Hz' }])),
-  ...Object.fromEntries(['0-p', 'p-p', 'rms'].map((word) => [word, { amplitude: word }])),
-};
-
-/// Reads a list of words; later words override earlier ones.
-export function unitsOfWords(words: string): Partial<Units> {
-  return Object.assign({}, ...words.split(',').map((word) => WORDS[word.trim()])) as Partial<Units>;
+/// Units of the page that are those of a report.
+export function unitsOfReport(shown: ShownUnits | undefined): Partial<Units> {
+  if (!shown) return {};
+  const { length, speed, frequency, amplitude } = shown;
+  const lengths: Readonly<Record<string, LengthUnit>> = { '\u00b5m': 'um', mil: 'mil' };
+  return {
+    shown,
+    amplitude,
+    ...(shown.scale && { length: 'scale' }),
+    ...(length && { length: lengths[length.unit] ?? 'own' }),
+    ...(speed && { speed: speed.unit as SpeedUnit }),
+    ...(frequency && { frequency: frequency.unit === 'Hz' ? 'Hz' : 'own' }),
+  };
 }
 
 export interface Measure {
@@ -66,6 +88,8 @@ export function lengthMeasure(units: Units, scales: Scales): Measure {
     case 'mil':
       return { factor: scales.length / 25.4e-6, unit: 'mil' };
     default:
+      if (units.length === 'own' && units.shown?.length)
+        return { factor: scales.length / units.shown.length.size, unit: units.shown.length.unit };
       return { factor: 1, unit: scales.symbol };
   }
 }
@@ -85,22 +109,42 @@ export function fieldMeasure(meaning: string, units: Units, scales: Scales): Mea
   return { factor, unit: meaning.includes('0-p') ? `${unit} 0-p` : unit };
 }
 
+/// Hz, or the unit that the report chose for frequencies; undefined: orders.
+function hertz(units: Units): Unit | undefined {
+  if (units.frequency === 'order') return undefined;
+  return (units.frequency === 'own' && units.shown?.frequency) || { unit: 'Hz', size: 1 };
+}
+
 export function frequencyMeasure(units: Units, scales: Scales): Measure {
-  return units.frequency === 'Hz'
-    ? { factor: scales.speed / (2 * Math.PI), unit: 'Hz' }
-    : { factor: 1, unit: 'orders' };
+  const own = hertz(units);
+  return own ? { factor: scales.speed / (2 * Math.PI * own.size), unit: own.unit } : { factor: 1, unit: 'orders' };
 }
 
 /// Returns the measure of a frequency in rad/s of a machine at rest: Hz, or the unit of the speed.
 export function naturalMeasure(units: Units): Measure {
-  return units.frequency === 'Hz' ? { factor: 1 / (2 * Math.PI), unit: 'Hz' } : parameterMeasure('rad/s', units);
+  const own = hertz(units);
+  return own ? { factor: 1 / (2 * Math.PI * own.size), unit: own.unit } : parameterMeasure('rad/s', units);
 }
 
 /// Returns the measure of a parameter's value in SI.
 export function parameterMeasure(unit: string, units: Units): Measure {
   if (unit === 'rad/s' || unit === 'rad s-1' || unit === 'rad.s-1')
     return units.speed === 'rpm' ? { factor: RPM, unit: 'rpm' } : { factor: 1, unit: 'rad/s' };
-  return { factor: 1, unit: unit === '1' || unit === 'SI' ? '' : unit };
+  const chosen = chosenUnit(unit, units);
+  return chosen
+    ? { factor: 1 / chosen.size, unit: chosen.unit }
+    : { factor: 1, unit: unit === '1' || unit === 'SI' ? '' : unit };
+}
+
+/// Of places along a shaft.
+export function positionMeasure({ shown }: Units): Measure {
+  const { unit, size } = shown?.position ?? { unit: 'mm', size: 1e-3 };
+  return { factor: 1 / size, unit };
+}
+
+/// The unit that the report chose for parameters of an SI unit.
+export function chosenUnit(unit: string, { shown }: Units): Unit | undefined {
+  return shown && Object.hasOwn(shown.parameters, unit) ? shown.parameters[unit] : undefined;
 }
 
 /// Returns a number with at most `digits` significant digits, without trailing zeros; with a power of ten if that is

@@ -8,7 +8,7 @@ import { font, textWidth, type Pen } from '../figure/pen';
 import { Round } from '../figure/round';
 import type { Theme } from '../figure/theme';
 import { tickText } from '../figure/ticks';
-import { shown } from '../model/units';
+import { labelled, positionMeasure, shown } from '../model/units';
 import { Panel, type Table } from './panel';
 import { whirlColour, type RestSubject } from './rest_subject';
 import { key } from './waveform';
@@ -225,13 +225,14 @@ export class DisplacementsPanel extends Panel<SwaySubject> {
   }
 
   protected refresh(): void {
-    const { motion, rest } = this.subject!;
+    const { motion, rest, units } = this.subject!;
     this.stations = rest.stations;
     const layout = layoutOf(rest.stations);
     const most = 1.15 * reachOfAll(motion.sways) * motion.factor;
-    const factor = layout.lines.length > 0 ? 1e3 : 1;
+    const along = positionMeasure(units);
+    const factor = layout.lines.length > 0 ? along.factor : 1;
     this.figure.setAxes(
-      layout.lines.length > 0 ? 'z (mm)' : 'station',
+      layout.lines.length > 0 ? labelled('z', along.unit) : 'station',
       motion.unit ? `displacement (${motion.unit})` : 'displacement',
     );
     this.figure.show([layout.range[0] * factor, layout.range[1] * factor], [-most, most]);
@@ -253,9 +254,9 @@ export class DisplacementsPanel extends Panel<SwaySubject> {
 
   private drawMotion(pen: Pen, frame: Frame, colours: Theme): void {
     if (!this.subject) return;
-    const { motion } = this.subject;
+    const { motion, units } = this.subject;
     const layout = layoutOf(this.stations);
-    const factor = layout.lines.length > 0 ? 1e3 : 1;
+    const factor = layout.lines.length > 0 ? positionMeasure(units).factor : 1;
     const size = textSize() * frame.ratio;
     const across = (station: number) => frame.x(layout.at[station]! * factor);
     pen.strokeStyle = colours.muted;
@@ -264,7 +265,7 @@ export class DisplacementsPanel extends Panel<SwaySubject> {
       [frame.left, frame.y(0)],
       [frame.left + frame.width, frame.y(0)],
     ]);
-    if (Number.isFinite(layout.end)) this.drawAside(pen, frame, layout, colours, size, across);
+    if (Number.isFinite(layout.end)) this.drawAside(pen, frame, frame.x(layout.end * factor), colours, size, across);
     for (const [axis, colour] of [colours.x, colours.y].entries())
       for (const later of [true, false]) {
         const place = (station: number) => {
@@ -284,7 +285,7 @@ export class DisplacementsPanel extends Panel<SwaySubject> {
   private drawAside(
     pen: Pen,
     frame: Frame,
-    layout: Layout,
+    end: number,
     colours: Theme,
     size: number,
     across: (station: number) => number,
@@ -292,8 +293,8 @@ export class DisplacementsPanel extends Panel<SwaySubject> {
     pen.strokeStyle = colours.frame;
     pen.setLineDash([2 * frame.ratio, 3 * frame.ratio]);
     polyline(pen, [
-      [frame.x(layout.end * 1e3), frame.top],
-      [frame.x(layout.end * 1e3), frame.top + frame.height],
+      [end, frame.top],
+      [end, frame.top + frame.height],
     ]);
     pen.setLineDash([]);
     pen.fillStyle = colours.muted;

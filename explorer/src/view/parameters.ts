@@ -2,7 +2,7 @@
 import { button, el, isTouched } from '../dom';
 import type { CaseInfo, ParameterInfo } from '../engine/protocol';
 import { markField, typedQuantity } from '../model/typed';
-import { labelled, parameterMeasure, shown, written, type Units } from '../model/units';
+import { chosenUnit, labelled, parameterMeasure, shown, written, type Units } from '../model/units';
 import type { Assignments } from '../model/setting';
 
 export interface ParametersSubject {
@@ -37,7 +37,7 @@ interface Notation {
 
 function notationOf(parameter: ParameterInfo, units: Units): Notation {
   const measure = parameterMeasure(parameter.unit, units);
-  if (measure.unit === 'rpm' || measure.unit === 'rad/s') return measure;
+  if (measure.unit === 'rpm' || measure.unit === 'rad/s' || chosenUnit(parameter.unit, units)) return measure;
   const [, figures, unit] = /^\s*([-+0-9.eE]+)\s+(\S.*?)\s*$/.exec(parameter.written) ?? [];
   const number = Number(figures);
   if (!parameter.expression && unit && number !== 0 && parameter.value !== 0 && Number.isFinite(number))

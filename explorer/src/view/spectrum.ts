@@ -84,7 +84,7 @@ abstract class SpectralPanel extends Panel {
     pen.fillStyle = colours.ink;
     pen.textAlign = 'center';
     pen.textBaseline = 'bottom';
-    const hertz = this.subject.units.frequency === 'Hz';
+    const hertz = this.subject.units.frequency !== 'order';
     const textOf = ({ frequency }: Peak) =>
       hertz ? shown(Math.abs(frequency), 4) : `${shown(Math.abs(frequency), 3)}X`;
     const top = skyline(frame, this.curve.frequency, this.curve.amplitudes);

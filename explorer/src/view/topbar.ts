@@ -1,7 +1,14 @@
 // The head of the page: machine, units, comparison of two settings, theme.
 import { button, el, Segments, select, setChoices } from '../dom';
 import type { Machine } from '../model/machine';
-import type { AmplitudeUnit, FrequencyUnit, LengthUnit, SpeedUnit, Units } from '../model/units';
+import {
+  unitsOfReport,
+  type AmplitudeUnit,
+  type FrequencyUnit,
+  type LengthUnit,
+  type SpeedUnit,
+  type Units,
+} from '../model/units';
 
 export interface TopbarListener {
   machine(name: string): void;
@@ -31,6 +38,7 @@ export class Topbar {
         { value: 'um', text: '\u00b5m' },
         { value: 'mil', text: 'mil' },
         { value: 'scale', text: 'c', title: 'length scales of the case' },
+        { value: 'own', text: '' },
       ],
       (value) => ({ length: value as LengthUnit }),
     );
@@ -47,6 +55,7 @@ export class Topbar {
       [
         { value: 'order', text: 'X', title: 'orders of the running speed' },
         { value: 'Hz', text: 'Hz' },
+        { value: 'own', text: '' },
       ],
       (value) => ({ frequency: value as FrequencyUnit }),
     );
@@ -101,6 +110,11 @@ export class Topbar {
     this.machines.hidden = machines.length < 2;
     this.units = units;
     this.length.rename('scale', lengthSymbol);
+    this.length.offer('own', unitsOfReport(units.shown).length === 'own' ? units.shown?.length?.unit : undefined);
+    this.frequency.offer(
+      'own',
+      unitsOfReport(units.shown).frequency === 'own' ? units.shown?.frequency?.unit : undefined,
+    );
     this.length.value = units.length;
     this.speed.value = units.speed;
     this.frequency.value = units.frequency;

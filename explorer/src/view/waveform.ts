@@ -70,7 +70,7 @@ export class WaveformPanel extends Panel {
   }
 
   private timeUnit({ units, scales }: Subject): { factor: number; label: string; heading: string } {
-    return units.frequency === 'Hz'
+    return units.frequency !== 'order'
       ? { factor: (2 * Math.PI * 1e3) / scales.speed, label: 'time (ms)', heading: 'time [ms]' }
       : { factor: 1, label: 'revolutions', heading: 'revolution' };
   }

@@ -295,6 +295,19 @@ static bool has_lines(const whirl_figure *figure) {
     return false;
 }
 
+/// Characters by which gnuplot is to narrow an entry of the legend: it counts all letters as wide ones, which makes
+/// long names too wide by some, short ones by none.
+static size_t legend_excess(const whirl_figure *figure) {
+    enum { LETTERS = 8, MAX_EXCESS = 1 };
+    size_t longest = 0;
+    for (size_t p = 0; p < figure->count; p++)
+        for (size_t s = 0; s < figure->panels[p]->count; s++) {
+            const size_t letters = figure_letters(figure->panels[p]->series[s]->name);
+            if (!figure->panels[p]->keyed && letters > longest) longest = letters;
+        }
+    return longest / LETTERS < MAX_EXCESS ? longest / LETTERS : MAX_EXCESS;
+}
+
 /// Writes the figure's legend as a separate plot as wide as the figure.
 static void write_legend(FILE *script, const whirl_figure *figure) {
     const size_t rows = figure_legend_rows(figure);
@@ -303,8 +316,8 @@ static void write_legend(FILE *script, const whirl_figure *figure) {
             "\n# ---- legend\nset lmargin at screen 0.02\nset rmargin at screen 0.98\nset bmargin at screen 0.1\n"
             "set tmargin at screen 0.9\nset border 0\nunset tics\nunset xlabel\nset xrange [0:1]\nset yrange [0:1]\n"
             "set key at screen 0.52, screen 0.997*top center top horizontal maxrows %zu Left reverse samplen %s "
-            "width -2 font small_font\n",
-            rows, has_lines(figure) ? "1.0" : "0.2");
+            "width -%zu font small_font\n",
+            rows, has_lines(figure) ? "1.0" : "0.2", legend_excess(figure));
     write_entries(script, figure, figure->count);
     fputs(", NaN notitle\nunset key\nset border 31 linewidth 0.5 linecolor rgb '#303030'\n"
           "set tics scale 0.4 font small_font textcolor rgb '#000000'\nset xtics nomirror\nset ytics nomirror\n",
