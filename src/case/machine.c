@@ -512,10 +512,14 @@ static void check_together(case_reader *reader, valuation *v, const machine_part
     whirl_design_free(design);
 }
 
-/// Builds a rotor of the element alone, with stations of 1 kg and 1 kg m2. Expressions count as 1, since their values
-/// may be unknown: contradictions concern the presence of keys.
+/// Builds a rotor of the element alone, with stations of 1 kg and 1 kg m2 that twist, unless they lie on its shaft.
+/// Expressions count as 1, since their values may be unknown: contradictions concern the presence of keys.
 static whirl_status build_alone(const machine_parts *machine, const setting_list *element) {
-    const whirl_setting unit[] = {{.key = "mass", .number = 1.0}, {.key = "diametral", .number = 1.0}};
+    const whirl_setting unit[] = {{.key = "mass", .number = 1.0},
+                                  {.key = "diametral", .number = 1.0},
+                                  {.key = "polar", .number = 1.0},
+                                  {.key = "moves", .text = "all"}};
+    const bool twists = strcmp(element->name, "segment") != 0;
     whirl_setting values[SETTINGS_MAX];
     whirl_design *design;
     whirl_rotor *rotor = NULL;
@@ -527,7 +531,7 @@ static whirl_status build_alone(const machine_parts *machine, const setting_list
     }
     for (size_t i = 0; i < machine->stations.count && status.code == WHIRL_OK; i++)
         if (is_usable(machine->stations.names[i]))
-            status = whirl_design_station(design, machine->stations.names[i], unit, 2);
+            status = whirl_design_station(design, machine->stations.names[i], unit, twists ? 4 : 2);
     if (status.code == WHIRL_OK) status = whirl_design_element(design, element->name, values, element->count);
     if (status.code == WHIRL_OK) status = whirl_rotor_outline(design, &rotor);
     whirl_rotor_free(rotor);

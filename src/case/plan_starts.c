@@ -89,6 +89,11 @@ whirl_status plan_start_state(const study_plan *plan, size_t batch, size_t start
     return status;
 }
 
+/// Axes of places and velocities of a station that moves so; a twist alone counts as along x.
+static const char *axes_of(const char *moves) {
+    return strcmp(moves, "twist") == 0 ? "x" : strcmp(moves, "all") == 0 ? "xy" : moves;
+}
+
 /// Refuses places and velocities along an axis that the station does not move along.
 static void check_axes(case_reader *reader, const machine_parts *machine, size_t station, const setting_list *state) {
     const setting *moves = settings_find(&machine->stations.items[station], "moves");
@@ -96,7 +101,7 @@ static void check_axes(case_reader *reader, const machine_parts *machine, size_t
     for (size_t k = 0; moves && moves->word && (coordinate = coordinate_at(k)) != NULL; k++) {
         const char *key = coordinate->key.name, *axis = key + strlen(key) - 1;
         const setting *given = settings_find(state, key);
-        if (given && !strstr(moves->word, axis) && reader_reports(reader, key, state->place->key))
+        if (given && !strstr(axes_of(moves->word), axis) && reader_reports(reader, key, state->place->key))
             problem_at_key(reader->problems, given->place, "moves along %s alone, expected no %s", moves->word, key);
     }
 }

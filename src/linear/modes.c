@@ -69,6 +69,7 @@ static void drop_rounding(root *roots, size_t count, const double *noise) {
 /// Roots with a frequency apart from those without, of a pair the positive one. vectors [count][n][2] are theirs.
 static whirl_modes *sort_out(const mean_system *m, root *roots, size_t count, double period, const double *vectors) {
     const size_t n = m->count, d = m->system->dimension;
+    double twists[2 * WHIRL_MAX_PROBES];
     size_t waves = 0, reals = 0;
     root *other = roots + n;
     whirl_modes *modes = modes_allocate(d, n);
@@ -93,7 +94,9 @@ static whirl_modes *sort_out(const mean_system *m, root *roots, size_t count, do
         double *shape = modes->vectors + 2 * i * d;
         spread(m, vectors + 2 * roots[i].place * n, shape);
         direction_drop_rounding(m->system, shape);
-        modes->modes[i] = (whirl_mode){roots[i].real, roots[i].imaginary, whirl_direction(m->system, shape)};
+        modes->modes[i] = (whirl_mode){
+            .real = roots[i].real, .imaginary = roots[i].imaginary, .direction = whirl_direction(m->system, shape)};
+        if (m->system->twist) modes->modes[i].torsion = m->system->twist(m->system->model, shape, twists);
     }
     return modes;
 }

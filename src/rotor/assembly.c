@@ -21,7 +21,8 @@ whirl_status assembly_begin(assembly *to, double speed, double length, size_t st
     if (!to->stations || !to->numbers || !to->inertia || !to->unit)
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu stations", station_count);
     for (size_t s = 0; s < station_count; s++)
-        to->stations[s] = (assembly_station){.moves_x = true, .moves_y = true, .shaft = NO_SHAFT, .ratio = 1.0};
+        to->stations[s] = (assembly_station){
+            .moves_x = true, .moves_y = true, .geared_to = NO_STATION, .gear = 1.0, .shaft = NO_SHAFT, .ratio = 1.0};
     return whirl_ok();
 }
 
@@ -74,18 +75,68 @@ static void add_tilts(assembly *to, assembly_station *station) {
         station->coordinate[along] = add_coordinate(to, station->diametral, to->length / gyration);
 }
 
+static double twist_inertia(const assembly_station *station) {
+    return station->polar + station->shaft_polar;
+}
+
+/// The station whose coordinate the twist of a station is, and its share of it; NO_STATION for gears in a circle.
+static size_t root_of_gears(const assembly *of, size_t station, double *share) {
+    *share = 1.0;
+    for (size_t steps = 0; of->stations[station].geared_to != NO_STATION; steps++) {
+        if (steps == of->station_count) return NO_STATION;
+        *share *= of->stations[station].gear;
+        station = of->stations[station].geared_to;
+    }
+    return station;
+}
+
+/// Adds the twists: a coordinate for each station that is not geared to another one, with the inertia of all that are
+/// geared to it.
+static whirl_status add_twists(assembly *to) {
+    for (size_t s = 0; s < to->station_count; s++)
+        if (to->stations[s].twists && to->stations[s].geared_to == NO_STATION)
+            to->stations[s].coordinate[AXIS_TWIST] = add_coordinate(to, twist_inertia(&to->stations[s]), to->length);
+    for (size_t s = 0; s < to->station_count; s++) {
+        assembly_station *at = &to->stations[s];
+        double share;
+        if (!at->twists || at->geared_to == NO_STATION) continue;
+        const size_t root = root_of_gears(to, s, &share);
+        if (root == NO_STATION)
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "station '%s' is geared to itself by a circle of rigid gears, expected a "
+                              "stiffness for one of their meshes",
+                              at->name);
+        at->coordinate[AXIS_TWIST] = to->stations[root].coordinate[AXIS_TWIST];
+        to->inertia[at->coordinate[AXIS_TWIST]] += share * share * twist_inertia(at);
+    }
+    return whirl_ok();
+}
+
 static whirl_status check_inertia(const assembly_station *station) {
     if (station->hidden && !(station->mass > 0.0 && station->diametral > 0.0))
         return whirl_fail(
             WHIRL_BAD_INPUT,
             "a node of shaft %zu of finite elements has a mass of %.3g kg and a diametral inertia of %.3g "
-            "kg m2, expected more than 0: a segment beside it changes its diameter too steeply",
+            "kg m2, expected more than 0: a segment next to it changes its diameter too steeply",
             station->shaft + 1, station->mass, station->diametral);
+    if (station->shaft != NO_SHAFT && !station->hidden && station->twists && !(station->shaft_polar > 0.0))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "station '%s' moves: all, and its shaft does not twist, expected the shaft's key twist: yes",
+                          station->name);
+    if (station->geared_to != NO_STATION && !station->twists)
+        return whirl_fail(WHIRL_BAD_INPUT, "station '%s' has a gear and does not twist, expected moves: twist or all",
+                          station->name);
+    if (station->twists && !(twist_inertia(station) > 0.0))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "station '%s' twists and has no polar inertia, expected its key polar or an element that "
+                          "brings one",
+                          station->name);
+    if (station->moves_x + station->moves_y == 0) return whirl_ok();
     if (!(station->mass > 0.0))
         return whirl_fail(WHIRL_BAD_INPUT,
                           "station '%s' has no mass, expected its key mass or an element that brings one",
                           station->name);
-    if (station->polar > 0.0 && !(station->diametral > 0.0))
+    if (station->polar > 0.0 && !(station->diametral > 0.0) && !station->twists)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "station '%s' has a polar inertia and no diametral one, expected both, or neither",
                           station->name);
@@ -104,8 +155,14 @@ whirl_status assembly_number(assembly *to, const size_t *order) {
     }
     for (size_t s = 0; s < to->station_count; s++)
         if (!in_plane(&to->stations[s]) && !to->stations[s].hidden) add_displacements(to, &to->stations[s]);
-    for (size_t s = 0; s < to->station_count; s++)
-        if (to->stations[s].diametral > 0.0 && !to->stations[s].hidden) add_tilts(to, &to->stations[s]);
+    to->first_twist = to->degrees;
+    const whirl_status status = add_twists(to);
+    if (status.code != WHIRL_OK) return status;
+    to->twist_count = to->degrees - to->first_twist;
+    for (size_t s = 0; s < to->station_count; s++) {
+        const assembly_station *at = &to->stations[s];
+        if (at->diametral > 0.0 && at->moves_x + at->moves_y > 0 && !at->hidden) add_tilts(to, &to->stations[s]);
+    }
     for (size_t s = 0; s < to->station_count; s++) {
         if (!to->stations[s].hidden) continue;
         add_displacements(to, &to->stations[s]);
@@ -121,8 +178,26 @@ whirl_status assembly_find(const assembly *of, size_t station, axis along, size_
     if (along == AXIS_TILT_X || along == AXIS_TILT_Y)
         return whirl_fail(WHIRL_BAD_INPUT, "needs a station that tilts, and '%s' has no diametral inertia",
                           found->name);
+    if (along == AXIS_TWIST)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "needs a station that twists, and '%s' does not, expected moves: twist or all", found->name);
     return whirl_fail(WHIRL_BAD_INPUT, "needs a station that moves along %s, and '%s' does not",
                       along == AXIS_X ? "x" : "y", found->name);
+}
+
+double assembly_share(const assembly *of, size_t station, axis along) {
+    double share = 1.0;
+    if (along == AXIS_TWIST) root_of_gears(of, station, &share);
+    return share;
+}
+
+whirl_status assembly_gear(assembly *to, size_t station, size_t other, double ratio) {
+    assembly_station *at = &to->stations[station];
+    if (at->geared_to != NO_STATION)
+        return whirl_fail(WHIRL_BAD_INPUT, "is a second rigid gear of station '%s', expected one", at->name);
+    at->geared_to = other;
+    at->gear = ratio;
+    return whirl_ok();
 }
 
 whirl_status assembly_find_plane(const assembly *of, size_t station, size_t port[2]) {
@@ -186,6 +261,23 @@ void assembly_damper(assembly *to, size_t one, size_t other, double damping) {
     assembly_damping(to, one, other, -damping);
     assembly_damping(to, other, one, -damping);
     assembly_damping(to, other, other, damping);
+}
+
+void assembly_twist(assembly *to, size_t one, size_t other, double stiffness, double damping) {
+    const size_t station[2] = {one, other};
+    size_t coordinate[2] = {NO_COORDINATE, NO_COORDINATE};
+    double share[2] = {0.0, 0.0};
+    for (size_t i = 0; i < 2; i++) {
+        if (station[i] == NO_STATION) continue;
+        coordinate[i] = to->stations[station[i]].coordinate[AXIS_TWIST];
+        if (coordinate[i] != NO_COORDINATE) root_of_gears(to, station[i], &share[i]);
+    }
+    share[1] = 0.0 - share[1];
+    for (size_t i = 0; i < 2; i++)
+        for (size_t j = 0; j < 2; j++) {
+            assembly_stiffness(to, coordinate[i], coordinate[j], share[i] * share[j] * stiffness);
+            assembly_damping(to, coordinate[i], coordinate[j], share[i] * share[j] * damping);
+        }
 }
 
 void assembly_inertance(assembly *to, size_t row, size_t by, double mass) {
@@ -265,8 +357,8 @@ void assembly_runout(assembly *to, size_t station, whirl_runout seen) {
 
 /// Adds the weight of a shaft at a node, besides that of stations of the design.
 static void pull_node(assembly *to, const assembly_station *at, double x, double y) {
-    const double force[AXES] = {x * at->mass, y * at->mass, x * at->pull_moment, y * at->pull_moment};
-    for (axis along = at->hidden ? AXIS_X : AXIS_TILT_X; along < AXES; along++)
+    const double force[] = {x * at->mass, y * at->mass, x * at->pull_moment, y * at->pull_moment};
+    for (axis along = at->hidden ? AXIS_X : AXIS_TILT_X; along <= AXIS_TILT_Y; along++)
         body_add(&to->body, at->coordinate[along], 0, (body_kind){BODY_ONE, RATE_STATIC, BODY_STEADY}, force[along]);
 }
 

@@ -1,9 +1,9 @@
 /// Assembly of a rotor: its coordinates, their inertia, and the linear terms that stations and elements build together.
 ///
-/// Stations that move in x and y have their coordinates first, in pairs; stations that move along one axis, tilts and
-/// the nodes of shafts follow. All inputs are in SI; the assembly scales: time by 1/clock, displacements by the length
-/// scale, tilts by the length scale over the station's radius of gyration (so that both weigh alike in errors and
-/// distances).
+/// Stations that move in x and y have their coordinates first, in pairs; stations that move along one axis, twists,
+/// tilts and the nodes of shafts follow. All inputs are in SI; the assembly scales: time by 1/clock, displacements by
+/// the length scale, tilts by the length scale over the station's radius of gyration (so that both weigh alike in
+/// errors and distances), twists by the length scale over 1 m.
 #ifndef ROTOR_ASSEMBLY_H
 #define ROTOR_ASSEMBLY_H
 
@@ -24,6 +24,8 @@
 #define assembly_stiffness whirl_assembly_stiffness
 #define assembly_damping whirl_assembly_damping
 #define assembly_spring whirl_assembly_spring
+#define assembly_share whirl_assembly_share
+#define assembly_twist whirl_assembly_twist
 #define assembly_damper whirl_assembly_damper
 #define assembly_inertance whirl_assembly_inertance
 #define assembly_inerter whirl_assembly_inerter
@@ -37,13 +39,14 @@
 #define assembly_pull whirl_assembly_pull
 #define assembly_ground_damping whirl_assembly_ground_damping
 
-/// Marks a motion without a coordinate, and a station without a shaft.
+/// Marks a motion without a coordinate, a station without a shaft, and a missing station.
 #define NO_COORDINATE ((size_t)-1)
 #define NO_SHAFT ((size_t)-1)
+#define NO_STATION ((size_t)-1)
 
-/// Directions in which a station can move: along x and y, and the slopes dx/dz and dy/dz of its axis, z along the
-/// shaft.
-typedef enum axis { AXIS_X, AXIS_Y, AXIS_TILT_X, AXIS_TILT_Y, AXES } axis;
+/// Directions in which a station can move: along x and y, the slopes dx/dz and dy/dz of its axis, z along the shaft,
+/// and the twist about z, from x towards y, beside the steady rotation.
+typedef enum axis { AXIS_X, AXIS_Y, AXIS_TILT_X, AXIS_TILT_Y, AXIS_TWIST, AXES } axis;
 
 /// Numbers of a station that moves in x and y which do not depend on its place; see station_kernel.h.
 enum { STATION_DAMPING, STATION_UNBALANCE_COS, STATION_UNBALANCE_SIN, STATION_PULL_X, STATION_PULL_Y, STATION_NUMBERS };
@@ -82,8 +85,11 @@ typedef struct turning_inertia {
 typedef struct assembly_station {
     const char *name;
     double mass, diametral, polar; ///< kg, kg m2; a station with a diametral inertia tilts
+    double shaft_polar;            ///< kg m2 of the shaft, against twist alone
     double fluid;                  ///< kg of fluid that is moved along; inertia without weight or unbalance
-    bool moves_x, moves_y;
+    bool moves_x, moves_y, twists;
+    size_t geared_to;        ///< station whose twist it has, times `gear`; NO_STATION: it has its own
+    double gear;             ///< its twist over that of the coordinate, 1 without a rigid gear
     size_t shaft;            ///< shaft of finite elements that it is a node of; NO_SHAFT
     double ratio;            ///< speed of that shaft over the rotor's; 1
     double position;         ///< along it, m
@@ -103,7 +109,8 @@ typedef struct assembly {
     assembly_station *stations;
     double (*numbers)[STATION_NUMBERS]; ///< [plane_count]
     size_t degrees;
-    double *inertia, *unit; ///< [degrees] kg or kg m2; m or rad of one unit
+    size_t twist_count, first_twist; ///< coordinates that are twists, and the first of them
+    double *inertia, *unit;          ///< [degrees] kg or kg m2; m or rad of one unit
     size_t term_count, term_room;
     linear_term *terms;
     size_t mass_count, mass_room;
@@ -146,6 +153,13 @@ whirl_status assembly_number(assembly *to, const size_t *order);
 /// Finds the coordinate of a station along an axis. WHIRL_BAD_INPUT with a sentence if it has none.
 whirl_status assembly_find(const assembly *of, size_t station, axis along, size_t *coordinate);
 
+/// Returns the motion of a station along an axis over that of its coordinate: 1, for twists the ratio of rigid gears.
+double assembly_share(const assembly *of, size_t station, axis along);
+
+/// Makes the twist of one station that of another one times `ratio` (rigid gears), before coordinates are numbered.
+/// WHIRL_BAD_INPUT where a station does not twist, or follows itself or two others.
+whirl_status assembly_gear(assembly *to, size_t station, size_t other, double ratio);
+
 /// Finds the coordinates along x and y, port[0] and port[1].
 whirl_status assembly_find_plane(const assembly *of, size_t station, size_t port[2]);
 
@@ -170,6 +184,10 @@ void assembly_damper(assembly *to, size_t one, size_t other, double damping);
 /// Adds -mass times the acceleration of the coordinate `by` to the force on `row`, and, where these are two, the other
 /// way round: an entry of the mass matrix. In kg, or with tilts kg m, kg m2. Nothing where one is NO_COORDINATE.
 void assembly_inertance(assembly *to, size_t row, size_t by, double mass);
+
+/// Adds a spring and a damper between the twists of two stations, one of them perhaps NO_STATION, the ground, in N
+/// m/rad and N m s/rad. Nothing where neither twists.
+void assembly_twist(assembly *to, size_t one, size_t other, double stiffness, double damping);
 
 /// The same for a mass that resists the acceleration of one coordinate from another (an inerter: Smith 2002), one of
 /// them perhaps NO_COORDINATE, the ground.

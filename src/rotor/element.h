@@ -52,13 +52,14 @@ typedef struct element {
     size_t first_number; ///< index of its first number in those of the machine
     size_t part;         ///< index among the machine's parts: stations, then elements
     int law;
-    bool lumped;            ///< it is part of the assembly only
-    size_t port[MAX_PORTS]; ///< coordinates that it sees; NO_COORDINATE: the ground's
-    size_t state;           ///< index of its first first-order state, in the rows of the velocities
-    size_t states;          ///< number of its states: those of its type, unless `build` sets fewer
-    size_t first_switch;    ///< index of its first switch, in those of the machine
-    size_t station;         ///< index of its station
-    double *number;         ///< [type->number_count]
+    bool lumped;             ///< it is part of the assembly only
+    size_t port[MAX_PORTS];  ///< coordinates that it sees; NO_COORDINATE: the ground's
+    double share[MAX_PORTS]; ///< motion of the place over that of the coordinate: 1, for twists the ratio of gears
+    size_t state;            ///< index of its first first-order state, in the rows of the velocities
+    size_t states;           ///< number of its states: those of its type, unless `build` sets fewer
+    size_t first_switch;     ///< index of its first switch, in those of the machine
+    size_t station;          ///< index of its station
+    double *number;          ///< [type->number_count]
 } element;
 
 struct block;

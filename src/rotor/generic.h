@@ -12,7 +12,7 @@
 ///                      switch_curvature of its own; 0 where it is smooth
 ///     KERNEL_PHASED    1 where it looks at values of time, n_phase(view, COS_TAU), ...; may be left out where not
 ///     KERNEL_TILTS     where its axes may be tilts, whose units differ from station to station: behind the numbers of
-///                      the ports follow their units over that of the element, generic_tilts
+///                      the ports follow their units over that of the element, generic_tilts (with the shares of gears)
 ///
 /// and the kernel's header, included twice, defines
 ///
@@ -330,8 +330,9 @@ static void generic_curvature(const element *own, const element_place *at, size_
 /// Fills in the numbers that turn a force of `unit` newtons into accelerations; with unit 1 for forces in newtons.
 static inline void generic_scale(element *own, const assembly *to, double unit) {
     for (size_t port = 0; port < KERNEL_PORTS; port++)
-        own->number[KERNEL_NUMBERS + port] =
-            own->port[port] == NO_COORDINATE ? 0.0 : unit / assembly_force_scale(to, own->port[port]);
+        own->number[KERNEL_NUMBERS + port] = own->port[port] == NO_COORDINATE
+                                                 ? 0.0
+                                                 : own->share[port] * unit / assembly_force_scale(to, own->port[port]);
 }
 
 #ifdef KERNEL_TILTS
@@ -343,7 +344,7 @@ static double generic_tilts(element *own, const assembly *to) {
         if (own->port[port] != NO_COORDINATE) unit = to->unit[own->port[port]];
     for (size_t port = 0; port < KERNEL_PORTS; port++)
         own->number[KERNEL_NUMBERS + KERNEL_PORTS + port] =
-            own->port[port] == NO_COORDINATE ? 0.0 : to->unit[own->port[port]] / unit;
+            own->port[port] == NO_COORDINATE ? 0.0 : own->share[port] * to->unit[own->port[port]] / unit;
     generic_scale(own, to, 1.0);
     return unit;
 }

@@ -9,6 +9,12 @@
 #include "whirl/engine/rotor.h"
 #include "whirl/engine/system.h"
 
+/// The twist of a station: its coordinate, NO_COORDINATE where it does not twist, and its share of that.
+typedef struct station_twist {
+    size_t coordinate;
+    double share;
+} station_twist;
+
 struct whirl_rotor {
     double speed, clock, length;
     double cross_coupling; ///< N/m, of all stages
@@ -37,15 +43,17 @@ struct whirl_rotor {
     double *numbers;   ///< [plane_count][STATION_NUMBERS], those of the terms, then those of the elements
     size_t *places;    ///< [plane_count + element_count] as in whirl_lanes
     whirl_probe *probes;
-    whirl_runout *runouts;  ///< runouts of the probes, station after station
-    size_t *groups;         ///< [lanes.group_count + 1]
-    double *turns;          ///< [dimension] as in whirl_system
-    bool turning;           ///< some of them are not 0
-    size_t repeats;         ///< as in whirl_system
-    bool kinked;            ///< as in whirl_system
-    size_t held;            ///< number of elements, the first ones, whose `hold` succeeded
-    bool mute;              ///< there is friction of unknown power
-    double *inertia, *unit; ///< [degrees] kg or kg m2 of coordinates; m or rad of one unit
+    whirl_runout *runouts;           ///< runouts of the probes, station after station
+    size_t *groups;                  ///< [lanes.group_count + 1]
+    double *turns;                   ///< [dimension] as in whirl_system
+    bool turning;                    ///< some of them are not 0
+    size_t repeats;                  ///< as in whirl_system
+    bool kinked;                     ///< as in whirl_system
+    size_t held;                     ///< number of elements, the first ones, whose `hold` succeeded
+    bool mute;                       ///< there is friction of unknown power
+    double *inertia, *unit;          ///< [degrees] kg or kg m2 of coordinates; m or rad of one unit
+    size_t twist_count, first_twist; ///< as in the assembly
+    station_twist *twists;           ///< [station_count]
     size_t turning_count;
     turning_inertia *turnings; ///< [turning_count] as in the assembly
     double pull[2];            ///< m/s2, gravity across the shafts

@@ -37,7 +37,8 @@
     X(friction)                                                                                                        \
     X(unbalance_grade)                                                                                                 \
     X(runout)                                                                                                          \
-    X(drive)
+    X(drive)                                                                                                           \
+    X(gear)
 
 #define DECLARE(name) extern const element_type name##_element;
 ELEMENTS(DECLARE)

@@ -85,7 +85,8 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
                            cut(block, &used, b->assembly.runout_count * sizeof *rotor->runouts),
                            cut(block, &used, b->assembly.degrees * sizeof *rotor->inertia),
                            cut(block, &used, b->assembly.degrees * sizeof *rotor->unit),
-                           cut(block, &used, b->assembly.turning_count * sizeof *rotor->turnings)};
+                           cut(block, &used, b->assembly.turning_count * sizeof *rotor->turnings),
+                           cut(block, &used, stations * sizeof *rotor->twists)};
     if (!rotor) return used;
     rotor->elements = parts[0];
     rotor->numbers = parts[1];
@@ -111,21 +112,24 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
     rotor->inertia = parts[21];
     rotor->unit = parts[22];
     rotor->turnings = parts[23];
+    rotor->twists = parts[24];
     return used;
 }
 
-/// A station that moves along one axis has one coordinate, which is used for both.
+/// A station that moves along one axis, or twists alone, has one coordinate, which is used for both.
 static void add_probes(whirl_rotor *rotor, const building *b) {
     const size_t degrees = b->assembly.degrees;
     for (size_t s = 0; s < b->design->station_count; s++) {
         const size_t *coordinate = b->assembly.stations[s].coordinate;
-        const size_t x = coordinate[coordinate[AXIS_X] == NO_COORDINATE ? AXIS_Y : AXIS_X];
-        const size_t y = coordinate[coordinate[AXIS_Y] == NO_COORDINATE ? AXIS_X : AXIS_Y];
+        const bool along_x = coordinate[AXIS_X] != NO_COORDINATE, along_y = coordinate[AXIS_Y] != NO_COORDINATE;
+        const size_t x = coordinate[along_x ? AXIS_X : along_y ? AXIS_Y : AXIS_TWIST];
+        const size_t y = coordinate[along_y ? AXIS_Y : along_x ? AXIS_X : AXIS_TWIST];
         rotor->probes[s] = (whirl_probe){.x = x,
                                          .y = y,
                                          .vx = degrees + x,
                                          .vy = degrees + y,
-                                         .along_y = coordinate[AXIS_X] == NO_COORDINATE,
+                                         .along_y = along_y && !along_x,
+                                         .twists = !along_x && !along_y,
                                          .clockwise = b->assembly.turn < 0.0};
         strcpy(rotor->probes[s].name, b->assembly.stations[s].name);
     }
@@ -135,6 +139,14 @@ static void add_probes(whirl_rotor *rotor, const building *b) {
         rotor->probes[node->station].shaft = node->shaft + 1;
         rotor->probes[node->station].position = node->z;
     }
+}
+
+static void add_twists(whirl_rotor *rotor, const assembly *from) {
+    rotor->twist_count = from->twist_count;
+    rotor->first_twist = from->first_twist;
+    for (size_t s = 0; s < rotor->station_count; s++)
+        rotor->twists[s] =
+            (station_twist){from->stations[s].coordinate[AXIS_TWIST], assembly_share(from, s, AXIS_TWIST)};
 }
 
 /// Adds the runouts in length scales, those of a station adjacent.
@@ -155,9 +167,10 @@ static void add_runouts(whirl_rotor *rotor, const assembly *from) {
     }
 }
 
-/// Groups coordinates whose sizes are measured together: both displacements of a station, both of its tilts.
+/// Groups coordinates whose sizes are measured together: both displacements of a station, both of its tilts, each
+/// twist.
 static void add_groups(whirl_rotor *rotor, const assembly *from) {
-    size_t lone = 0;
+    size_t lone = from->twist_count;
     for (size_t s = 0; s < from->station_count; s++) lone += from->stations[s].moves_x != from->stations[s].moves_y;
     const size_t first = 2 * from->plane_count;
     for (size_t d = 0; d < from->degrees; d += d >= first && d < first + lone ? 1 : 2)
@@ -319,6 +332,7 @@ static whirl_rotor *finish(building *b) {
     memcpy(rotor->pull, b->assembly.pull, sizeof rotor->pull);
     rotor->drive = b->assembly.drive;
     add_probes(rotor, b);
+    add_twists(rotor, &b->assembly);
     add_runouts(rotor, &b->assembly);
     add_groups(rotor, &b->assembly);
     add_numbers(rotor, b);

@@ -367,6 +367,24 @@ static void adopt(const void *model, double *x, const whirl_system *other, const
     }
 }
 
+static double twist(const void *model, const double *v, double *shape) {
+    const whirl_rotor *rotor = model;
+    double twists = 0.0, all = 0.0;
+    for (size_t d = 0; d < rotor->lanes.degrees; d++) {
+        const double size = rotor->unit[d] * hypot(v[2 * d], v[2 * d + 1]), energy = rotor->inertia[d] * size * size;
+        all += energy;
+        if (d - rotor->first_twist < rotor->twist_count) twists += energy;
+    }
+    for (size_t s = 0; s < rotor->station_count; s++)
+        for (size_t c = 0; c < 2; c++) {
+            const station_twist *own = &rotor->twists[s];
+            shape[2 * s + c] = own->coordinate == NO_COORDINATE
+                                   ? 0.0
+                                   : own->share * rotor->unit[own->coordinate] * v[2 * own->coordinate + c];
+        }
+    return all > 0.0 ? twists / all : 0.0;
+}
+
 static bool settles(const whirl_rotor *rotor) {
     for (size_t i = 0; i < rotor->element_count; i++)
         if (rotor->elements[i].type->settle || tells_time(&rotor->elements[i])) return true;
@@ -408,6 +426,7 @@ void rotor_system_fill(whirl_rotor *rotor) {
                                    .settle = settles(rotor) ? settle : NULL,
                                    .film = film,
                                    .adopt = adopt,
+                                   .twist = rotor->twist_count > 0 ? twist : NULL,
                                    .model = rotor,
                                    .lanes = &rotor->lanes};
 }

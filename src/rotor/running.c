@@ -143,8 +143,8 @@ static double *running_numbers_at(const running_rotor *r, double w) {
     return r->numbers;
 }
 
-static whirl_status running_check_machine(const running_rotor *r, const whirl_machine *machine) {
-    const whirl_rotor *rotor = rotor_of_system(machine->system);
+whirl_status whirl_running_check(const whirl_system *system) {
+    const whirl_rotor *rotor = rotor_of_system(system);
     if (!rotor)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "the machine is no rotor, expected stations and elements, whose shaft turns");
@@ -152,6 +152,17 @@ static whirl_status running_check_machine(const running_rotor *r, const whirl_ma
         return whirl_fail(WHIRL_BAD_INPUT,
                           "sections of the machine are taken by the %s, expected those of its shaft (keyphasor: no)",
                           rotor->keyphasor);
+    if (rotor->twist_count > 0)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "the machine has stations that twist, and the speed of its shaft changes, expected stations "
+                          "without twist (moves: xy, x or y)");
+    return whirl_ok();
+}
+
+static whirl_status running_check_machine(const running_rotor *r, const whirl_machine *machine) {
+    const whirl_status status = whirl_running_check(machine->system);
+    if (status.code != WHIRL_OK) return status;
+    const whirl_rotor *rotor = rotor_of_system(machine->system);
     if (machine->system->frequency_count > 0)
         return whirl_fail(
             WHIRL_BAD_INPUT,

@@ -22,6 +22,10 @@
     "    - spring: {between: [rotor, ground], along: tilt_x, stiffness: 5000}\n"                                       \
     "    - spring: {between: [stator, ground], along: tilt_x, stiffness: 3000}\n    - "
 
+#define TWISTING                                                                                                       \
+    "spring: {between: [rotor, ground], along: twist, stiffness: 30000, damping: 9}\n"                                 \
+    "    - spring: {between: [stator, ground], along: twist, stiffness: 20000, damping: 9}\n    - "
+
 const element_machine element_machines[] = {
     {"unbalance", "unbalance: {at: rotor, moment: 2 g.m, angle: @70}", 0},
     {"unbalance", "unbalance: {at: rotor, moment: 2 g.m, angle: @70, ratio: 2}", 0},
@@ -132,6 +136,19 @@ const element_machine element_machines[] = {
      "unbalance_grade: {planes: [rotor, stator], grade: 40 mm/s, service_speed: 900 rad/s, mass: 12 kg, "
      "to_first: 200 mm, to_second: 500 mm, angle: @70, second_angle: @40}",
      0},
+    {"gear",
+     TWISTING "gear: {between: [rotor, stator], base_radii: [80 mm, 200 mm], pressure_angle: ~20 deg, direction: @40, "
+              "helix: 10 deg, stiffness: 3 MN/m, damping: 200 N.s/m}",
+     MACHINE_TWISTS},
+    {"gear",
+     TWISTING "force: {at: rotor, steady_torque: 30 N.m, torque: 20 N.m, ratio: 2, phase: 20 deg}\n"
+              "    - gear: {between: [rotor, stator], base_radii: [80 mm, 200 mm], pressure_angle: ~20 deg, "
+              "direction: @40, stiffness: 3 MN/m, damping: 200 N.s/m, backlash: 200 um, teeth: 2, error: 20 um, "
+              "error_angle: 50 deg}",
+     MACHINE_TWISTS},
+    {"gear", TWISTING "gear: {between: [rotor, stator], base_radii: [80 mm, 200 mm]}", MACHINE_TWISTS},
+    {"coupling", TWISTING "coupling: {between: [rotor, stator], twist: 900 N.m/rad, twist_damping: 2 N.m.s/rad}",
+     MACHINE_TWISTS},
     {"drive", "drive: {inertia: 2 kg.m2, torque: 10 N.m, no_load_speed: 900 rad/s}", 0},
     {"runout", "runout: {at: rotor, amplitude: 10 um, angle: @70}", 0},
     {"segment",
@@ -310,6 +327,10 @@ void machine_text(const element_machine *of, machine_view as, const char *study,
     static const char stations[] =
         "    rotor: {mass: 10 kg, damping: 900 N.s/m, eccentricity: 20 um, eccentricity_angle: @60}\n"
         "    stator: {mass: 2 kg, damping: 3000 N.s/m}\n";
+    static const char twisting[] =
+        "    rotor: {mass: 10 kg, damping: 900 N.s/m, eccentricity: 20 um, eccentricity_angle: @60, polar: 0.05 kg.m2, "
+        "moves: all}\n"
+        "    stator: {mass: 2 kg, damping: 3000 N.s/m, polar: 0.02 kg.m2, moves: all}\n";
     char own[MACHINE_TEXT], elements[MACHINE_TEXT], resolved[MACHINE_TEXT];
     text_end e = {elements, sizeof elements}, o = {own, sizeof own}, r = {resolved, sizeof resolved};
     text_add(&e,
@@ -321,7 +342,7 @@ void machine_text(const element_machine *of, machine_view as, const char *study,
     text_add(&o, "whirl: 1\nparameters: {n: 900 rad/s}\nrotor:\n  speed: = n\n  rotation: %s\n  length_scale: %s\n",
              as.mirrored ? "clockwise" : "counter-clockwise", as.length ? as.length : "0.1 mm");
     text_add(&o, "  stations:\n");
-    text_add_lines(&o, stations, as.reversed);
+    text_add_lines(&o, of->flags & MACHINE_TWISTS ? twisting : stations, as.reversed);
     text_add(&o, "  elements:\n");
     text_add_lines(&o, elements, as.reversed);
     text_add(&o, "study:\n%s", study);

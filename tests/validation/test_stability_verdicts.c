@@ -408,9 +408,9 @@ static const char *const elements[] = {
     "coupling: {between: [rotor, stator], radial: 1e5, tilt: 900}",
 };
 
-/// Forces by time alone, shafts of finite elements (tests of their own), what needs a misalignment.
+/// Forces by time alone, shafts of finite elements (tests of their own), what needs a misalignment, or twists.
 static const char *const others[] = {"unbalance",       "force", "gravity",       "segment", "runout",
-                                     "unbalance_grade", "joint", "coupling_load", "drive"};
+                                     "unbalance_grade", "joint", "coupling_load", "drive",   "gear"};
 
 static double distance(const whirl_system *system, const double *a, const double *b) {
     double square = 0.0;

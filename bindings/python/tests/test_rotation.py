@@ -29,10 +29,12 @@ ANGLES = {
     "joint": {"direction": 0, "yoke": 0},
     "unbalance_grade": {"angle": 0, "second_angle": None},
     "runout": {"angle": None},
+    "gear": {"direction": 0},
 }
 SIGNS = {
     "bearing": ("kxy", "kyx", "cxy", "cyx", "mxy", "sideways"),
     "coupling_load": ("x1", "x2"),
+    "gear": ("pressure_angle",),
     "pad_bearing": ("turned",),
     "tilting_pad": ("turned",),
 }

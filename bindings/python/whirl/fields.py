@@ -120,6 +120,8 @@ class FIELD:
     MODES_CRITICAL = "modes/critical"
     MODES_REST = "modes/rest"
     MODES_SHAPE = "modes/shape"
+    MODES_TORSION = "modes/torsion"
+    MODES_TWIST = "modes/twist"
     CRITICAL_SPEEDS_SPEED = "critical_speeds/speed"
     CRITICAL_SPEEDS_DIRECTION = "critical_speeds/direction"
     CRITICAL_SPEEDS_RIGID_BODY = "critical_speeds/rigid_body"

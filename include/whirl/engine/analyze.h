@@ -197,7 +197,8 @@ whirl_status whirl_analyze(const whirl_record *record, const whirl_record_option
 typedef enum whirl_critical_kind {
     WHIRL_CRITICAL_SPEED = 1, ///< a mode's damped frequency is the speed of the shaft
     WHIRL_ONSET,              ///< the machine loses its stability as the parameter grows
-    WHIRL_RECOVERY            ///< the machine regains its stability as the parameter grows
+    WHIRL_RECOVERY,           ///< the machine regains its stability as the parameter grows
+    WHIRL_TORSIONAL_SPEED     ///< the frequency of a torsional mode is the speed of the shaft
 } whirl_critical_kind;
 
 /// A critical speed, or a threshold of stability.

@@ -134,6 +134,8 @@
 #define WHIRL_FIELD_MODES_CRITICAL "modes/critical"
 #define WHIRL_FIELD_MODES_REST "modes/rest"
 #define WHIRL_FIELD_MODES_SHAPE "modes/shape"
+#define WHIRL_FIELD_MODES_TORSION "modes/torsion"
+#define WHIRL_FIELD_MODES_TWIST "modes/twist"
 
 #define WHIRL_FIELD_CRITICAL_SPEEDS_SPEED "critical_speeds/speed"
 #define WHIRL_FIELD_CRITICAL_SPEEDS_DIRECTION "critical_speeds/direction"

@@ -42,6 +42,7 @@ typedef struct whirl_mode {
     /// Direction of whirl: twice the signed area of the orbits of all probes over their squared sizes. 1: circular,
     /// with the rotation, from x to y; -1: circular, against it; 0: straight, or equal shares of both.
     double direction;
+    double torsion; ///< share of twists in its kinetic energy, from 0 to 1 (whirl_system.twist); 0 without any
 } whirl_mode;
 
 /// Largest damping ratio of a named mode. Above it a mode is overdamped: it shows no visible oscillation.

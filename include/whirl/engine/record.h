@@ -94,6 +94,8 @@ typedef struct whirl_record_options {
     /// End the transient, but for 64 revolutions, when the motion has settled on a periodic orbit to 1e-11.
     bool settle;
     int modes;                        ///< number of modes in results, >= 1
+    int orders;                       ///< orders of the speed that excite torsion, from 1 on
+    double line_frequency;            ///< frequency of the line, Hz, which excites torsion, and twice it; 0: none
     double running_low, running_high; ///< range of running speed, rad/s; 0: not given
     double trip;                      ///< speed, rad/s, up to which clearances are checked; 0: all speeds
     double probe_angle;               ///< angle of the first probe of every station, rad from the x axis towards y

@@ -81,6 +81,10 @@ struct whirl_running {
 /// Makes the machine at a speed in rad/s, above 0. All have one structure and length scale.
 typedef whirl_status whirl_machine_at(const void *context, double speed, whirl_machine *machine);
 
+/// Checks that the speed of a system's shaft can change. WHIRL_BAD_INPUT with a sentence for systems that are no
+/// rotors, have a phase of their own, or have stations that twist.
+whirl_status whirl_running_check(const whirl_system *system);
+
 /// Finds how the numbers of a rotor go with its speed, from `lowest` (>= 0) to `highest` rad/s: as powers from -2 to 2
 /// where they do so to rounding, else as cubic splines (whirl_running.error). WHIRL_BAD_INPUT with a sentence where
 /// machines are no rotors, change their structure with the speed, or have a phase of their own; WHIRL_NO_MEMORY; errors

@@ -35,7 +35,7 @@ typedef struct whirl_runout {
 
 /// A pair of displacement coordinates that is observed together, as a pair of proximity probes observes a shaft. `x`
 /// and `y` index the state, `vx` and `vy` the derivatives. A station that moves along one axis only has y = x and vy =
-/// vx; the axis is x, or y with `along_y`.
+/// vx; the axis is x, or y with `along_y`; with `twists` it only turns about the shaft's axis, and counts as along x.
 typedef struct whirl_probe {
     char name[WHIRL_NAME_SIZE]; ///< name of the station
     size_t x, y, vx, vy;        ///< indices of coordinates
@@ -44,9 +44,11 @@ typedef struct whirl_probe {
     double clearance;
     /// Radius at which the station touches a stator, in the state's units of length; 0 if there is none.
     double gap;
-    size_t shaft;               ///< number of the finite-element shaft of the station, from 1; 0: none
-    double position;            ///< along that shaft, m
-    bool along_y;               ///< for y = x: the coordinate is along y
+    size_t shaft;    ///< number of the finite-element shaft of the station, from 1; 0: none
+    double position; ///< along that shaft, m
+    bool along_y;    ///< for y = x: the coordinate is along y
+    /// For y = x: the coordinate is the twist about the shaft's axis; as a displacement, of a point 1 m from the axis.
+    bool twists;
     bool clockwise;             ///< the rotor turns from y to x, which is then forward whirl; false: from x to y
     size_t runout_count;        ///< number of harmonics of the runout
     const whirl_runout *runout; ///< [runout_count] borrowed from the system; NULL in results
@@ -230,6 +232,11 @@ typedef struct whirl_system {
     /// Optional: copies internal coordinates of parts (tilts of pads, currents) from the state y of another system with
     /// the same parts.
     void (*adopt)(const void *model, double *x, const struct whirl_system *other, const double *y);
+
+    /// Optional, for machines with stations that twist: writes the twist of each probe's station, rad, in a small
+    /// motion Re(v exp(i w t)), v [dimension][2], to shape [probe_count][2], and returns the share of all twists in the
+    /// kinetic energy, with masses lumped: 1 for a torsional mode.
+    double (*twist)(const void *model, const double *v, double *shape);
 } whirl_system;
 
 /// An unbalance that turns with the rotor.

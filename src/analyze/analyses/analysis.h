@@ -17,6 +17,7 @@ typedef struct block_shape {
     size_t runout_count; ///< for all probes
     size_t samples_per_revolution;
     bool at_rest; ///< points are of machines at rest
+    bool twists;  ///< stations twist
     const whirl_record_options *options;
 } block_shape;
 

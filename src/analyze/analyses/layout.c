@@ -90,6 +90,7 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
         .range_count = range_count(system, options),
         .samples_per_revolution = (size_t)whirl_record_samples(options, integrate->steps_per_revolution),
         .at_rest = is_at_rest(set),
+        .twists = system->twist != NULL,
         .options = options,
     };
     for (size_t p = 0; p < system->probe_count; p++) shape.runout_count += system->probes[p].runout_count;
@@ -111,12 +112,22 @@ static bool two_ranges(const void *model, size_t index, const whirl_extremes *se
     return index < 2;
 }
 
+static double no_twist(const void *model, const double *v, double *shape) {
+    (void)model, (void)v, (void)shape;
+    return 0.0;
+}
+
 whirl_status whirl_layout_known(whirl_layout *layout) {
     const whirl_runout runout = {.order = 1};
     const whirl_probe probes[2] = {
         {.runout_count = 1, .runout = &runout}}; // a station with two: a single row would be taken for one a station
-    const whirl_system system = {
-        .dimension = 2, .probe_count = 2, .contact_count = 1, .switch_count = 2, .probes = probes, .range = two_ranges};
+    const whirl_system system = {.dimension = 2,
+                                 .probe_count = 2,
+                                 .contact_count = 1,
+                                 .switch_count = 2,
+                                 .probes = probes,
+                                 .range = two_ranges,
+                                 .twist = no_twist};
     const whirl_integrate_options integrate = whirl_integrate_default();
     whirl_record_options options = whirl_record_default();
     options.spectra = true;

@@ -24,11 +24,17 @@ enum {
     CRITICAL,
     REST,
     SHAPE,
+    TORSION,
+    TWIST,
     FIELD_COUNT
 };
 
 static size_t modes_kept(const block_shape *shape) {
     return (size_t)shape->options->modes;
+}
+
+static size_t modes_that_twist(const block_shape *shape) {
+    return shape->twists ? modes_kept(shape) : 0;
 }
 
 /// Rows of located events: at most one crossing for each mode, and a threshold.
@@ -75,7 +81,29 @@ static const field_plan fields[FIELD_COUNT] = {
         {WHIRL_FIELD_MODES_SHAPE, "1",
          "x_cos, x_sin, y_cos, y_sin (relative: the largest amplitude is 1; missing where the mode moves no station)",
          WHIRL_PER_STATION, 4, modes_kept},
+    [TORSION] = {WHIRL_FIELD_MODES_TORSION, "1",
+                 "share of twists in the kinetic energy, masses lumped: 1 for a torsional mode", WHIRL_PER_POINT, 1,
+                 modes_that_twist},
+    [TWIST] = {WHIRL_FIELD_MODES_TWIST, "1",
+               "cos, sin (twist, relative: the largest amplitude is 1; missing where the mode twists no station)",
+               WHIRL_PER_STATION, 2, modes_that_twist},
 };
+
+/// Fills in the twists of a mode, at the instant at which the largest of them peaks.
+static void fill_twist(const whirl_system *system, const double *v, size_t row, const block_view *view) {
+    double shape[2 * WHIRL_MAX_PROBES], largest = 0.0, c = 1.0, s = 0.0;
+    system->twist(system->model, v, shape);
+    for (size_t p = 0; p < system->probe_count; p++) {
+        const double *own = shape + 2 * p, size = hypot(own[0], own[1]);
+        if (size > (1.0 + 1e-9) * largest) largest = size, c = own[0] / size, s = own[1] / size;
+    }
+    for (size_t p = 0; p < system->probe_count && largest > 0.0; p++) {
+        const double *own = shape + 2 * p;
+        double *out = view_numbers(view, TWIST, p) + 2 * row;
+        out[0] = (own[0] * c + own[1] * s) / largest;
+        out[1] = -(own[1] * c - own[0] * s) / largest;
+    }
+}
 
 static void fill_modes(const whirl_resting *point, const whirl_modes *modes, size_t most, const block_view *view) {
     const double rate = point->clock;
@@ -89,6 +117,7 @@ static void fill_modes(const whirl_resting *point, const whirl_modes *modes, siz
         view_numbers(view, RATIO, 0)[i] = (0.0 - mode->real) / size;
         view_numbers(view, DECREMENT, 0)[i] = 6.283185307179586476925 * (0.0 - mode->real) / mode->imaginary;
         view_numbers(view, DIRECTION, 0)[i] = mode->direction;
+        if (view_numbers(view, TORSION, 0)) view_numbers(view, TORSION, 0)[i] = mode->torsion;
         if (point->before) view_numbers(view, BEFORE, 0)[i] = point->before[i] <= most ? (double)point->before[i] : 0.0;
     }
     for (size_t i = 0; i < modes->real_count && i < most; i++)
@@ -127,8 +156,11 @@ static whirl_status modes_compute(const whirl_resting *point, const whirl_record
     *view_numbers(view, SENSITIVITY, 0) = sensitivity.peak;
     *view_numbers(view, SENSITIVITY_FREQUENCY, 0) = point->clock * sensitivity.frequency;
     fill_modes(point, modes, most, view);
-    for (size_t i = 0; i < modes->count && i < most; i++)
-        fill_shape(point->system, modes->vectors + 2 * i * modes->dimension, i, SHAPE, view);
+    for (size_t i = 0; i < modes->count && i < most; i++) {
+        const double *shape = modes->vectors + 2 * i * modes->dimension;
+        fill_shape(point->system, shape, i, SHAPE, view);
+        if (view_numbers(view, TWIST, 0)) fill_twist(point->system, shape, i, view);
+    }
     fill_critical(point, most + 1, view);
     return status;
 }

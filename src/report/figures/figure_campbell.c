@@ -12,11 +12,14 @@
 
 enum { MAX_CRITICAL = 256 };
 
-/// Directions of whirl: forward, backward, to and fro.
+/// Directions of whirl: forward, backward, to and fro; torsion.
 static const struct {
     const char *name, *colour;
     whirl_mark mark;
-} directions[] = {{"forward", "#0072B2", WHIRL_UP}, {"backward", "#D55E00", WHIRL_DOWN}, {"", "#606060", WHIRL_SQUARE}};
+} directions[] = {{"forward", "#0072B2", WHIRL_UP},
+                  {"backward", "#D55E00", WHIRL_DOWN},
+                  {"", "#606060", WHIRL_SQUARE},
+                  {"torsional", "#009E73", WHIRL_DIAMOND}};
 
 typedef struct view {
     const drawing *of;
@@ -97,7 +100,7 @@ static void add_modes(whirl_figure *figure, whirl_panel *panel, const view *v, c
             const double *direction = whirl_table_field(v->table, point, WHIRL_FIELD_MODES_DIRECTION, 0);
             for (size_t i = 0; frequency && i < modes_of(v) && isfinite(frequency[i]); i++) {
                 const int way = units_way(direction[i]);
-                const size_t own = way > 0 ? 0 : way < 0 ? 1 : 2;
+                const size_t own = mode_is_torsional(v->table, point, i) ? 3 : way > 0 ? 0 : way < 0 ? 1 : 2;
                 if (mode_is_overdamped(v->table, point, i)) break; // the others stand before
                 if (own != d || height_of(v, WHIRL_FIELD_MODES_FREQUENCY, point, i) > v->top) continue;
                 const double x = v->table->values[point] / v->size, y = height_of(v, field, point, i);
@@ -213,6 +216,46 @@ static void add_synchronous(whirl_figure *figure, whirl_panel *panel, const view
                        whirl_table_number(v->table, point, WHIRL_FIELD_MODES_SPEED, 0) / v->unit.size);
 }
 
+/// Adds what excites torsion: higher orders of the speed, the frequency of the line and twice that, each with its name
+/// where it ends; and the running speeds.
+static void add_excitations(whirl_figure *figure, whirl_panel *panel, const view *v) {
+    const int orders = v->table->record.orders;
+    const double line_frequency = 6.283185307179586476925 * v->table->record.line_frequency;
+    for (int k = 1; k < orders + 2; k++) {
+        const bool of_line = k >= orders;
+        if (of_line && !(line_frequency > 0.0)) continue;
+        whirl_series *line = panel_series(figure, panel, WHIRL_LINE, "#9A9A9A", 0.3);
+        whirl_series *name = panel_series(figure, panel, WHIRL_TEXTS, "#606060", 1.0);
+        double x = NAN, y = NAN;
+        for (size_t point = 0; point < v->table->count; point++) {
+            if (!whirl_table_done(v->table, point)) continue;
+            const double speed = whirl_table_number(v->table, point, WHIRL_FIELD_MODES_SPEED, 0);
+            const double height = (of_line ? (k - orders + 1) * line_frequency : (k + 1) * speed) / v->unit.size;
+            if (height > v->top) continue;
+            x = v->table->values[point] / v->size;
+            y = height;
+            series_add(figure, line, x, y);
+        }
+        char text[24];
+        snprintf(text, sizeof text, of_line ? k == orders ? "line" : "2 x line" : "%dX", k + 1);
+        if (line) line->dashed = true;
+        if (name) name->side = WHIRL_LEFT;
+        if (name) name->movable = true;
+        if (isfinite(y)) series_add_text(figure, name, x, y, text);
+    }
+}
+
+/// Adds the bounds of the running speeds, where the parameter is a speed.
+static void add_running(whirl_figure *figure, whirl_panel *panel, const view *v) {
+    double ends[2];
+    if (!v->unit.of_speed || !margin_running(v->table, &ends[0], &ends[1])) return;
+    for (size_t i = 0; i < 2; i++) {
+        whirl_series *line = panel_series(figure, panel, WHIRL_LINE, "#56B4E9", 0.4);
+        series_add(figure, line, ends[i] / v->size, 0.0);
+        series_add(figure, line, ends[i] / v->size, v->top);
+    }
+}
+
 // ---------------------------------------------------------------- critical speeds and thresholds
 
 /// Collects the critical speeds of all points in order. Returns their number, at most `room`.
@@ -252,10 +295,10 @@ static void add_critical(whirl_figure *figure, whirl_panel *panel, const view *v
         const double x = rows[i][1] / v->size, frequency = rows[i][3] / v->unit.size;
         char text[32];
         snprintf(text, sizeof text, "%.5g", x);
-        if (rows[i][0] > 1.0 && (!damping || frequency <= v->top))
+        if (rows[i][0] > 1.0 && rows[i][0] != WHIRL_TORSIONAL_SPEED && (!damping || frequency <= v->top))
             series_add(figure, crosses, x, damping ? rows[i][4] : frequency);
         if (damping || frequency > v->top) continue;
-        if (rows[i][0] == 1.0) series_add(figure, rings, x, frequency);
+        if (rows[i][0] == WHIRL_CRITICAL_SPEED) series_add(figure, rings, x, frequency);
         series_add_text(figure, side_of(v->table, rows, count, i) == WHIRL_LEFT ? left : right, x, frequency, text);
     }
 }
@@ -300,7 +343,10 @@ static void campbell_describe(const drawing *of, const figure_place *place, whir
     axis_show(&damping->y, damping_of(&v, WHIRL_FIELD_MODES_DAMPING_RATIO, 0.25));
     snprintf(frequency->y.label, sizeof frequency->y.label, "damped frequency (%.40s)", v.unit.name);
     snprintf(damping->y.label, sizeof damping->y.label, "damping ratio");
+    const bool torsion = table_has(v.table, WHIRL_FIELD_MODES_TORSION);
+    add_running(figure, frequency, &v);
     add_synchronous(figure, frequency, &v);
+    if (torsion) add_excitations(figure, frequency, &v);
     add_lines(figure, frequency, &v, WHIRL_FIELD_MODES_FREQUENCY, false, true);
     add_modes(figure, frequency, &v, WHIRL_FIELD_MODES_FREQUENCY);
     add_critical(figure, frequency, &v, false);
@@ -314,11 +360,15 @@ static void campbell_describe(const drawing *of, const figure_place *place, whir
         "Campbell diagram: damped natural frequencies over %s; blue, pointing up: the whirl goes with the rotation, "
         "orange, pointing down: against it, grey squares: to and fro; dashed: the speed of the shaft; circles: "
         "critical speeds; crosses: thresholds of stability. Below: damping ratios of the same modes, up to 0.25, "
-        "negative where a mode grows.%s",
+        "negative where a mode grows.%s%s",
         v.table->parameter,
         v.lines.count > 0
             ? " Names count modes that go forward (F), backward (B) or to and fro (M) at the last value, by rising "
               "frequency."
+            : "",
+        torsion
+            ? " Green diamonds, T: torsional modes; dashed grey lines: orders of the speed and the frequency of the "
+              "line, which excite them."
             : "");
     mode_lines_free(&v.lines);
 }

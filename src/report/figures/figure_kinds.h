@@ -130,6 +130,9 @@ double layout_rim_radius(const machine_layout *l, size_t station);
 double layout_disc_radius(const whirl_model_mass *of);
 double layout_disc_width(const whirl_model_mass *of);
 
+/// The mass that a station is drawn by: its own, or that of a steel disc of its polar inertia.
+double layout_mass(const whirl_model_mass *of);
+
 /// Drawn size of a station's disc or mass: half of its width, and its outer radius; both large enough to be visible. m.
 typedef struct layout_disc {
     double half, radius;

@@ -134,7 +134,7 @@ static void draw_masses(const pen *p) {
     for (size_t s = 0; s < l->model.station_count && s < WHIRL_MAX_PROBES; s++) {
         const whirl_model_mass *own = &l->model.stations[s];
         const bool on_shaft = own->shaft < l->model.shaft_count;
-        if (!(own->mass > 0.0)) continue;
+        if (!(layout_mass(own) > 0.0)) continue;
         if (!discs)
             discs = panel_named(p->figure, p->panel, WHIRL_BOXES, l->to_scale ? "discs and masses" : "masses",
                                 "#7D93A8", 0.4);
@@ -349,7 +349,7 @@ static void name_housings(const pen *p) {
 /// Half of the width of a station's hot spot: its parts, up to half-way to its neighbours.
 static double spot_half(const machine_layout *l, size_t station) {
     double half = 1.5 * l->symbol;
-    if (l->model.stations[station].mass > 0.0 && l->to_scale)
+    if (layout_mass(&l->model.stations[station]) > 0.0 && l->to_scale)
         half = fmax(half, 0.5 * layout_disc_width(&l->model.stations[station]));
     for (size_t s = 0; s < l->model.station_count && s < WHIRL_MAX_PROBES; s++)
         if (s != station && l->y[s] == l->y[station] && l->x[s] != l->x[station])

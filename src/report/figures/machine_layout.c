@@ -99,15 +99,25 @@ static void layout_place_shafts(machine_layout *l) {
     }
 }
 
+/// The radius of a steel disc of a polar inertia alone, which is half as wide as its radius.
+static double layout_torsional_radius(double polar) {
+    return pow(4.0 * polar / (steel * pi), 0.2);
+}
+
+double layout_mass(const whirl_model_mass *of) {
+    const double r = of->mass > 0.0 ? 0.0 : layout_torsional_radius(of->polar);
+    return of->mass > 0.0 ? of->mass : 0.5 * steel * pi * r * r * r;
+}
+
 /// The radius of a steel disc of a station's mass and polar inertia; of a mass without one that of a cube.
 double layout_disc_radius(const whirl_model_mass *of) {
-    if (!(of->mass > 0.0)) return 0.0;
+    if (!(of->mass > 0.0)) return layout_torsional_radius(of->polar);
     return of->polar > 0.0 ? sqrt(2.0 * of->polar / of->mass) : 0.5 * cbrt(of->mass / steel);
 }
 
 double layout_disc_width(const whirl_model_mass *of) {
     const double r = layout_disc_radius(of);
-    return of->polar > 0.0 ? of->mass / (steel * pi * r * r) : 2.0 * r;
+    return of->polar > 0.0 ? layout_mass(of) / (steel * pi * r * r) : 2.0 * r;
 }
 
 layout_disc layout_disc_of(const machine_layout *l, size_t station) {
@@ -183,13 +193,13 @@ static void layout_size_stations(machine_layout *l) {
         length = fmax(length, l->model.sections[i].to);
         thick = fmax(thick, fmax(l->model.sections[i].outer[0], l->model.sections[i].outer[1]));
     }
-    for (size_t s = 0; s < l->model.station_count; s++) heaviest = fmax(heaviest, l->model.stations[s].mass);
+    for (size_t s = 0; s < l->model.station_count; s++) heaviest = fmax(heaviest, layout_mass(&l->model.stations[s]));
     l->symbol = l->to_scale ? fmax(0.018 * length, 0.12 * thick) : 0.1;
     for (size_t s = 0; s < l->model.station_count && s < WHIRL_MAX_PROBES; s++) {
         const whirl_model_mass *own = &l->model.stations[s];
         const double shaft =
             own->shaft < l->model.shaft_count ? layout_shaft_radius(l, own->shaft, own->position) : 0.0;
-        l->radius[s] = !l->to_scale  ? 0.06 + (heaviest > 0.0 ? 0.16 * cbrt(own->mass / heaviest) : 0.0)
+        l->radius[s] = !l->to_scale  ? 0.06 + (heaviest > 0.0 ? 0.16 * cbrt(layout_mass(own) / heaviest) : 0.0)
                        : shaft > 0.0 ? shaft
                                      : l->symbol;
     }

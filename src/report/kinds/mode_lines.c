@@ -10,7 +10,7 @@
 typedef struct line_end {
     size_t line, point;
     double frequency;
-    int way;   ///< units_way
+    int way;   ///< units_way; 2: torsional
     bool seen; ///< a mode of it swings anywhere
 } line_end;
 
@@ -50,15 +50,16 @@ static void follow(const whirl_table *table, mode_lines *out, line_end *ends) {
                 ends[own[i]].line = own[i];
             }
             if (!mode_is_overdamped(table, point, i))
-                ends[own[i]] = (line_end){own[i], point, frequency[i], units_way(direction[i]), true};
+                ends[own[i]] = (line_end){own[i], point, frequency[i],
+                                          mode_is_torsional(table, point, i) ? 2 : units_way(direction[i]), true};
         }
     }
 }
 
 /// Names the lines with an oscillating mode, and removes overdamped modes from theirs.
 static void name_lines(const whirl_table *table, mode_lines *out, line_end *ends) {
-    static const char letters[] = {'B', 'M', 'F'};
-    unsigned counts[3] = {0, 0, 0};
+    static const char letters[] = {'B', 'M', 'F', 'T'};
+    unsigned counts[4] = {0, 0, 0, 0};
     size_t seen = 0;
     for (size_t line = 0; line < out->count; line++) ends[line].line = ends[line].seen ? seen++ : SIZE_MAX;
     for (size_t i = 0; i < table->count * out->modes; i++)
@@ -69,6 +70,11 @@ static void name_lines(const whirl_table *table, mode_lines *out, line_end *ends
     out->count = seen;
     for (size_t i = 0; i < seen; i++)
         snprintf(out->names[ends[i].line], MODE_NAME, "%u%c", ++counts[ends[i].way + 1], letters[ends[i].way + 1]);
+}
+
+bool mode_is_torsional(const whirl_table *table, size_t point, size_t mode) {
+    const double *torsion = whirl_table_field(table, point, WHIRL_FIELD_MODES_TORSION, 0);
+    return torsion && torsion[mode] > 0.5;
 }
 
 bool mode_is_overdamped(const whirl_table *table, size_t point, size_t mode) {

@@ -31,6 +31,12 @@ int shown_modes_growing(const whirl_table *table, size_t point);
 extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance, shown_critical_speeds,
     shown_stability, shown_statics, shown_runup;
 
+/// Finds torsional modes in a table of modes: their excitations, separations and shapes.
+void find_torsion(const finder *of);
+
+/// Returns true for a mode with more than half of its kinetic energy in twists.
+bool mode_is_torsional(const whirl_table *table, size_t point, size_t mode);
+
 /// Returns true for a mode with a damping ratio above WHIRL_OVERDAMPED_RATIO.
 bool mode_is_overdamped(const whirl_table *table, size_t point, size_t mode);
 
@@ -38,7 +44,7 @@ bool mode_is_overdamped(const whirl_table *table, size_t point, size_t mode);
 // Modes followed from point to point along a parameter, each with a name.
 
 /// Name of a line of modes, "2F": the second forward one by frequency at its last point; B: backward, M: mixed, to and
-/// fro. Lines that reach the last point count first. Overdamped modes have no name and no line.
+/// fro; T: torsional. Lines that reach the last point count first. Overdamped modes have no name and no line.
 enum { MODE_NAME = 24 };
 
 typedef struct mode_lines {

@@ -16,14 +16,15 @@ static void mode_columns(const finder *of, whirl_sheet *sheet) {
 }
 
 /// Writes a mode into these columns; a damping ratio below rounding is 0.
-static void mode_cells(const finder *of, whirl_sheet *sheet, double frequency, double damping, double direction) {
+static void mode_cells(const finder *of, whirl_sheet *sheet, double frequency, double damping, double direction,
+                       bool torsional) {
     static const char *const ways[] = {"backward", "to and fro", "forward"};
     const double rounding = 1e-10, ratio = fabs(damping) < rounding ? 0.0 : damping;
     cell_number(of, sheet, frequency);
     cell_number(of, sheet, frequency);
     cell_number(of, sheet, ratio);
     cell_number(of, sheet, fabs(ratio) < 1.0 ? two_pi * ratio / sqrt(1.0 - ratio * ratio) : (double)NAN);
-    cell_text(of, sheet, ways[units_way(direction) + 1]);
+    cell_text(of, sheet, torsional ? "torsional" : ways[units_way(direction) + 1]);
 }
 
 int shown_modes_growing(const whirl_table *table, size_t point) {
@@ -134,7 +135,8 @@ static bool is_modulated(const finder *of) {
 
 /// Reports critical speeds and thresholds along the parameter, as a sheet and as a sentence.
 static void find_critical(const finder *of) {
-    static const char *const names[] = {"", "critical speed", "instability begins", "instability ends"};
+    static const char *const names[] = {"", "critical speed", "instability begins", "instability ends",
+                                        "torsional frequency at the speed"};
     const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_CRITICAL);
     const bool speeds = units_of_speed(of->table, WHIRL_FIELD_MODES_SPEED); // it need not be told beside the parameter
     whirl_phrase told = {.count = 0};
@@ -147,14 +149,15 @@ static void find_critical(const finder *of) {
     for (size_t point = 0; field && point < of->table->count; point++) {
         const double *row = whirl_table_field(of->table, point, WHIRL_FIELD_MODES_CRITICAL, 0);
         for (size_t i = 0; row && whirl_table_done(of->table, point) && i < field->rows; i++, row += field->columns) {
-            if (!(row[0] >= 1.0 && row[0] <= 3.0)) continue;
-            changes += row[0] > 1.5;
-            if (located++ < MAX_TOLD) phrase_change(of, &told, row);
+            if (!(row[0] >= WHIRL_CRITICAL_SPEED && row[0] <= WHIRL_TORSIONAL_SPEED)) continue;
+            const bool torsional = row[0] == WHIRL_TORSIONAL_SPEED;
+            changes += row[0] == WHIRL_ONSET || row[0] == WHIRL_RECOVERY;
+            if (!torsional && located++ < MAX_TOLD) phrase_change(of, &told, row);
             sheet_row(of, sheet);
             cell_text(of, sheet, names[(int)row[0]]);
             cell_number(of, sheet, row[1]);
             if (!speeds) cell_number(of, sheet, row[2]);
-            mode_cells(of, sheet, row[3], row[4], row[5]);
+            mode_cells(of, sheet, row[3], row[4], row[5], torsional);
         }
     }
     find_sheet_end(of);
@@ -189,7 +192,7 @@ static void find_lowest(const finder *of, const size_t *ends, size_t count) {
             cell_value(of, sheet, *point);
             cell_number(of, sheet, (double)i + 1.0);
             cell_text(of, sheet, find_text(of->findings, "%s", mode_lines_name(&lines, *point, i)));
-            mode_cells(of, sheet, frequency[i], ratios[i], direction[i]);
+            mode_cells(of, sheet, frequency[i], ratios[i], direction[i], mode_is_torsional(of->table, *point, i));
         }
     }
     find_sheet_end(of);
@@ -206,6 +209,7 @@ static void modes_find(const finder *of) {
         find_sensitivity(of, *point);
     }
     find_lowest(of, ends, count);
+    find_torsion(of);
 }
 
 const shown_kind shown_modes = {.field = WHIRL_FIELD_MODES_FREQUENCY,

@@ -190,7 +190,7 @@ static whirl_status add_elements(building *b, const element_type *type) {
         *own = (element){.type = type, .number = b->numbers + b->number_count};
         own->state = b->assembly.degrees + b->state_count;
         own->states = STATES_OF_TYPE;
-        for (size_t port = 0; port < MAX_PORTS; port++) own->port[port] = NO_COORDINATE;
+        for (size_t port = 0; port < MAX_PORTS; port++) own->port[port] = NO_COORDINATE, own->share[port] = 1.0;
         status = type->build(b->design->elements[i].values, &b->assembly, own);
         if (own->states == STATES_OF_TYPE) own->states = own->type->state_count;
         if (status.code == WHIRL_OK) status = check_spin(b, &b->design->elements[i]);

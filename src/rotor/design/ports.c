@@ -1,15 +1,17 @@
 // Ports of elements: the coordinates of their stations.
 #include "element.h"
 
-/// Finds the coordinates of a place along some axes; none for the ground, and for AXES. A station that does not move
-/// along x or y counts as ground there.
-static whirl_status find_place(const assembly *to, size_t station, const axis *axes, size_t count, size_t *port) {
+/// Finds the coordinates of a place along some axes, none for the ground and for AXES, and its shares of them. A
+/// station that does not move along x or y counts as ground there.
+static whirl_status find_place(const assembly *to, size_t station, const axis *axes, size_t count, size_t *port,
+                               double *share) {
     for (size_t a = 0; a < count; a++) {
         port[a] = NO_COORDINATE;
         if (station == GROUND || axes[a] == AXES) continue;
         const whirl_status status = assembly_find(to, station, axes[a], &port[a]);
         const bool held = axes[a] == AXIS_X || axes[a] == AXIS_Y;
         if (status.code != WHIRL_OK && !held) return status;
+        share[a] = status.code == WHIRL_OK ? assembly_share(to, station, axes[a]) : 1.0;
     }
     return whirl_ok();
 }
@@ -37,8 +39,8 @@ whirl_status element_between(const key_value *between, const assembly *to, const
     const size_t one = between->station[0], other = between->station[1];
     if (one == other) return whirl_fail(WHIRL_BAD_INPUT, "between names one station twice, expected two");
     out->station = one == GROUND ? other : one;
-    whirl_status status = find_place(to, one, axes, count, out->port);
-    if (status.code == WHIRL_OK) status = find_place(to, other, axes, count, out->port + count);
+    whirl_status status = find_place(to, one, axes, count, out->port, out->share);
+    if (status.code == WHIRL_OK) status = find_place(to, other, axes, count, out->port + count, out->share + count);
     return status.code == WHIRL_OK ? check_moving(to, out->station, axes, count, out->port) : status;
 }
 
@@ -49,7 +51,7 @@ whirl_status element_beside_none(const key_value *between, const assembly *to) {
         return whirl_ok();
     return whirl_fail(
         WHIRL_BAD_INPUT,
-        "would lie beside the segments that join '%s' and '%s' and add its stiffness to theirs, expected "
+        "would lie next to the segments that join '%s' and '%s' and add its stiffness to theirs, expected "
         "stations that no shaft of finite elements joins (segments have flats and diameters of their own)",
         to->stations[one].name, to->stations[other].name);
 }
@@ -60,6 +62,6 @@ whirl_status element_in_housing(const key_value *at, const key_value *from, cons
     out->station = at->station[0];
     if (housing == out->station)
         return whirl_fail(WHIRL_BAD_INPUT, "stands between a station and itself, expected another station");
-    const whirl_status status = find_place(to, out->station, plane, 2, out->port);
-    return status.code == WHIRL_OK ? find_place(to, housing, plane, 2, out->port + 2) : status;
+    const whirl_status status = find_place(to, out->station, plane, 2, out->port, out->share);
+    return status.code == WHIRL_OK ? find_place(to, housing, plane, 2, out->port + 2, out->share + 2) : status;
 }

@@ -88,6 +88,11 @@ static whirl_status add_span(meshing *m, size_t index) {
     if (status.code == WHIRL_OK && values[SEGMENT_FLATS].given &&
         m->design->shafts[own->shaft].values[SHAFT_RATIO].number != 1.0)
         status = whirl_fail(WHIRL_BAD_INPUT, "has flats on a shaft of another speed, expected a shaft of ratio 1");
+    if (status.code == WHIRL_OK && values[SEGMENT_FLATS].given &&
+        m->design->shafts[own->shaft].values[SHAFT_TWIST].choice == 1)
+        status =
+            whirl_fail(WHIRL_BAD_INPUT, "has flats on a shaft that twists, expected round segments: the torsion of "
+                                        "others is not known");
     if (status.code == WHIRL_OK)
         status = find_material(m->design, &values[SEGMENT_MATERIAL],
                                &m->design->shafts[own->shaft].values[SHAFT_MATERIAL], &own->of);

@@ -11,6 +11,7 @@ void mesh_inertia(const mesh *from, assembly *to) {
         at->position = from->nodes[i].z;
         at->ratio = from->shafts[at->shaft].ratio;
         at->hidden = !at->name;
+        at->twists = at->twists || from->shafts[at->shaft].twists;
     }
     for (size_t i = 0; i < from->piece_count; i++) {
         piece_matrices matrices;
@@ -21,6 +22,8 @@ void mesh_inertia(const mesh *from, assembly *to) {
             at->mass += lumped ? matrices.lumped_mass[end] : matrices.weight[2 * end];
             at->diametral += matrices.lumped_diametral[end];
             at->pull_moment += lumped ? 0.0 : matrices.weight[2 * end + 1];
+            if (from->shafts[from->pieces[i].shaft].twists)
+                at->shaft_polar += matrices.twist_inertia[2 * end] + matrices.twist_inertia[1];
         }
     }
 }
@@ -119,6 +122,30 @@ static void add_mass(const laying *l, const piece_matrices *matrices) {
     if (l->shaft->gyroscopic) add_across(l, BODY_VELOCITY, RATE_GYRO, l->shaft->ratio, &polar);
 }
 
+/// Adds the damping of twist that is proportional to the inertia.
+static void add_twist_damping(const mesh_piece *own, const piece_matrices *matrices, const size_t station[2],
+                              assembly *to) {
+    const double alpha = own->settings.alpha, coupled = matrices->twist_inertia[1];
+    for (size_t end = 0; end < 2; end++)
+        assembly_twist(to, station[end], NO_STATION, 0.0, alpha * (matrices->twist_inertia[2 * end] + coupled));
+    assembly_twist(to, station[0], station[1], 0.0, -alpha * coupled);
+}
+
+/// Adds stiffness, damping and the coupling part of the inertia against twist.
+static void add_twist(const mesh_piece *own, const piece_matrices *matrices, const mesh *from, assembly *to) {
+    const double stiffness = matrices->twist_stiffness, inertia = matrices->twist_inertia[1];
+    const size_t station[2] = {from->nodes[own->node[0]].station, from->nodes[own->node[1]].station};
+    assembly_twist(to, station[0], station[1], stiffness, (own->settings.beta + own->settings.viscous) * stiffness);
+    add_twist_damping(own, matrices, station, to);
+    if (own->settings.lumped) return;
+    size_t coordinate[2];
+    for (size_t end = 0; end < 2; end++) coordinate[end] = to->stations[station[end]].coordinate[AXIS_TWIST];
+    const double share[2] = {assembly_share(to, station[0], AXIS_TWIST), assembly_share(to, station[1], AXIS_TWIST)};
+    assembly_inertance(to, coordinate[0], coordinate[1], share[0] * share[1] * inertia);
+    for (size_t end = 0; end < 2; end++)
+        assembly_inertance(to, coordinate[end], coordinate[end], share[end] * share[end] * -inertia);
+}
+
 void mesh_build(const mesh *from, assembly *to) {
     for (size_t i = 0; i < from->piece_count; i++) {
         const mesh_piece *own = &from->pieces[i];
@@ -134,5 +161,6 @@ void mesh_build(const mesh *from, assembly *to) {
         piece_fill(&own->piece, &matrices);
         add_stiffness(&l, own, &matrices);
         add_mass(&l, &matrices);
+        if (from->shafts[own->shaft].twists) add_twist(own, &matrices, from, to);
     }
 }

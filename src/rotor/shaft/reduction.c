@@ -52,7 +52,7 @@ static void keep_ports(reducing *r, const element *elements, size_t count) {
     for (size_t s = 0; s < r->of->station_count; s++) {
         const assembly_station *at = &r->of->stations[s];
         if (at->shaft == NO_SHAFT) continue;
-        for (axis along = AXIS_X; along < AXES; along += 2)
+        for (axis along = AXIS_X; along <= AXIS_TILT_Y; along += 2)
             if (seen[at->coordinate[along]] || seen[at->coordinate[along + 1]]) keep_pair(r, at, along);
     }
 }
@@ -78,7 +78,7 @@ static void find_kept(reducing *r, const element *elements, size_t count) {
     for (size_t s = 0; s < r->of->station_count; s++) {
         const assembly_station *at = &r->of->stations[s];
         if (at->shaft == NO_SHAFT || !r->mesh->shafts[at->shaft].reduced) continue;
-        for (axis along = AXIS_X; along < AXES; along++) r->kept[at->coordinate[along]] = false;
+        for (axis along = AXIS_X; along <= AXIS_TILT_Y; along++) r->kept[at->coordinate[along]] = false;
     }
     keep_ports(r, elements, count);
     keep_stations(r);
@@ -406,6 +406,7 @@ static size_t renamed(const reducing *r, size_t coordinate) {
 }
 
 static void rename_all(reducing *r, element *elements, size_t count) {
+    if (r->of->twist_count > 0) r->of->first_twist = renamed(r, r->of->first_twist);
     for (size_t s = 0; s < r->of->station_count; s++)
         for (axis along = AXIS_X; along < AXES; along++)
             r->of->stations[s].coordinate[along] = renamed(r, r->of->stations[s].coordinate[along]);

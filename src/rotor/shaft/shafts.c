@@ -33,6 +33,10 @@ static const whirl_key shaft_keys[SHAFT_KEYS] = {
         CHOICE_KEY("gyroscopic", DEFAULT("yes"), "yes|no", "yes: the shaft's own inertia causes gyroscopic moments"),
     [SHAFT_RATIO] = NUMBER_KEY("ratio", "rho", "1", DEFAULT("1"), WHIRL_ANY,
                                "speed of the shaft over the rotor's; below 0 against the rotation"),
+    [SHAFT_TWIST] = CITED_CHOICE_KEY("twist", DEFAULT("no"), "no|yes",
+                                     "yes: the shaft twists, with all of its stations and nodes (torsion); no: it is "
+                                     "rigid against torsion",
+                                     "Friswell et al. 2010, sec. 9.7"),
     [SHAFT_MASS_DAMPING] = NUMBER_KEY("mass_damping", "alpha", "1/s", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                                       "proportional damping: C = alpha M + beta K of the shaft"),
     [SHAFT_STIFFNESS_DAMPING] = NUMBER_KEY("stiffness_damping", "beta", "s", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
@@ -87,6 +91,7 @@ whirl_status shaft_settings_from(const key_value *values, shaft_settings *out) {
                             .gyroscopic = values[SHAFT_GYROSCOPIC].choice == 0,
                             .shear = (shear_law)values[SHAFT_SHEAR].choice,
                             .ratio = values[SHAFT_RATIO].number,
+                            .twists = values[SHAFT_TWIST].choice == 1,
                             .alpha = values[SHAFT_MASS_DAMPING].number,
                             .beta = values[SHAFT_STIFFNESS_DAMPING].number,
                             .viscous = values[SHAFT_VISCOUS].number,

@@ -48,6 +48,9 @@ typedef struct piece_matrices {
     matrix4 polar;    ///< gyroscopic moments per rate of rotation
     double weight[4]; ///< force and moment of its weight on the ends, over gravity: kg, kg m
     double lumped_mass[2], lumped_diametral[2], lumped_polar[2]; ///< lumped at its ends: kg, kg m2
+    /// Against twist: N m/rad between its ends, and inertia, kg m2, of the twists of left and left, left and right,
+    /// right and right end; exact for any taper without mass, as bending is.
+    double twist_stiffness, twist_inertia[3];
 } piece_matrices;
 
 void piece_fill(const shaft_piece *piece, piece_matrices *out);
@@ -69,6 +72,7 @@ enum {
     SHAFT_ROTARY,
     SHAFT_GYROSCOPIC,
     SHAFT_RATIO,
+    SHAFT_TWIST,
     SHAFT_MASS_DAMPING,
     SHAFT_STIFFNESS_DAMPING,
     SHAFT_VISCOUS,
@@ -113,6 +117,7 @@ typedef struct shaft_settings {
     bool lumped, rotary, gyroscopic;
     shear_law shear;
     double ratio;               ///< its speed over the rotor's
+    bool twists;                ///< its nodes twist
     double alpha, beta;         ///< proportional damping, 1/s and s
     double viscous, hysteretic; ///< internal damping, s and 1
     double mesh_to;             ///< Hz; 0: not said

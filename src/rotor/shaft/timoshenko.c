@@ -164,6 +164,32 @@ static void add_slice(const shaft_piece *piece, const moments *m, double z, doub
     }
 }
 
+/// Returns the flexibility against twist, rad/(N m), of the slice of length `part` at z; of round sections
+/// (Saint-Venant 1855).
+static double twist_flexibility(const shaft_piece *piece, double z, double part) {
+    const section at = section_at(piece, z / piece->length);
+    return part / (piece->of.shear_modulus * (at.second[0] + at.second[1]));
+}
+
+/// Adds stiffness and inertia against twist. A section turns as much as the flexibility to its left has of the whole.
+static void add_twist(const shaft_piece *piece, piece_matrices *out) {
+    double whole = 0.0;
+    for (int i = 0; i < NODES; i++)
+        whole += twist_flexibility(piece, piece->length * node[i], piece->length * weight[i]);
+    for (int i = 0; i < NODES; i++) {
+        const double z = piece->length * node[i];
+        double left = 0.0;
+        for (int k = 0; k < NODES; k++) left += twist_flexibility(piece, z * node[k], z * weight[k]);
+        const section at = section_at(piece, node[i]);
+        const double second = at.second[0] + at.second[1], turned = left / whole;
+        const double inertia = piece->length * weight[i] * piece->of.density * second;
+        out->twist_inertia[0] += inertia * (1.0 - turned) * (1.0 - turned);
+        out->twist_inertia[1] += inertia * (1.0 - turned) * turned;
+        out->twist_inertia[2] += inertia * turned * turned;
+    }
+    out->twist_stiffness = 1.0 / whole;
+}
+
 void piece_fill(const shaft_piece *piece, piece_matrices *out) {
     *out = (piece_matrices){.weight = {0.0}};
     moments m[2];
@@ -173,6 +199,7 @@ void piece_fill(const shaft_piece *piece, piece_matrices *out) {
         add_stiffness(&m[plane], &whole, &out->stiffness[plane]);
     }
     for (int i = 0; i < NODES; i++) add_slice(piece, &m[0], piece->length * node[i], piece->length * weight[i], out);
+    add_twist(piece, out);
 }
 
 void piece_shape(const shaft_piece *piece, double at, double moved[4]) {

@@ -194,7 +194,7 @@ static whirl_status locate_speeds(search *s, const resting_machine *to, const si
             critical_describe(s, to, partner[i]);
         else
             status = critical_close_in(s, from->value, fa, to->value, fb, &good);
-        s->at.kind = WHIRL_CRITICAL_SPEED;
+        s->at.kind = from->modes->modes[i].torsion > 0.5 ? WHIRL_TORSIONAL_SPEED : WHIRL_CRITICAL_SPEED;
         *lost = *lost || !good;
         if (good && status.code == WHIRL_OK && s->at.ratio <= WHIRL_OVERDAMPED_RATIO)
             critical_add(found, most, count, &s->at);

@@ -1,4 +1,4 @@
-// A harmonic force or moment from outside, at the speed of the shaft or with a phase of its own.
+// A harmonic force, moment or torque from outside, at the speed of the shaft or with a phase of its own.
 #define KERNEL_FILE "elements/loads/harmonic_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 1
@@ -15,7 +15,21 @@ const element_kernels ISA(force_kernels) = GENERIC_KERNELS;
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
 
-enum { AT, AMPLITUDE, MOMENT, LAW, ANGLE, PHASE, RATIO, FREQUENCY, KEYPHASOR, KEY_COUNT };
+enum {
+    AT,
+    AMPLITUDE,
+    MOMENT,
+    TORQUE,
+    STEADY_FORCE,
+    STEADY_TORQUE,
+    LAW,
+    ANGLE,
+    PHASE,
+    RATIO,
+    FREQUENCY,
+    KEYPHASOR,
+    KEY_COUNT
+};
 
 /// Sense of rotation of each law.
 static const double sides[] = {0.0, 1.0, -1.0};
@@ -26,6 +40,14 @@ static const whirl_key keys[KEY_COUNT] = {
         NUMBER_KEY("amplitude", "F", "N", OPTIONAL, WHIRL_ANY, "amplitude of a force, zero to peak; this or moment"),
     [MOMENT] = NUMBER_KEY("moment", "M", "N m", OPTIONAL, WHIRL_ANY,
                           "amplitude of a moment that tilts the station, zero to peak, in place of amplitude"),
+    [TORQUE] =
+        NUMBER_KEY("torque", "T", "N m", OPTIONAL, WHIRL_ANY,
+                   "amplitude of a torque that twists the station, zero to peak, in place of amplitude; along the "
+                   "rotation"),
+    [STEADY_FORCE] = NUMBER_KEY("steady_force", "F_0", "N", OPTIONAL, WHIRL_ANY,
+                                "constant force along the angle, alone or with amplitude"),
+    [STEADY_TORQUE] = NUMBER_KEY("steady_torque", "T_0", "N m", OPTIONAL, WHIRL_ANY,
+                                 "constant torque along the rotation, alone or with torque"),
     [LAW] = CHOICE_KEY("law", DEFAULT("axis"), "axis|forward|backward",
                        "axis: to and fro along one direction; forward: turns as the shaft does; backward: against it"),
     [ANGLE] = ANGLE_KEY("angle", "phi", NULL,
@@ -79,20 +101,48 @@ static bool named_order(const element *own, size_t index, double *order, const c
     return harmonic_order(own, index, order);
 }
 
+static bool is_torque(const key_value *values) {
+    return values[TORQUE].given || values[STEADY_TORQUE].given;
+}
+
 static whirl_status find_ports(const key_value *values, const assembly *to, element *out) {
     const bool tilts = values[MOMENT].given;
+    if (is_torque(values)) {
+        out->station = values[AT].station[0];
+        const whirl_status status = assembly_find(to, out->station, AXIS_TWIST, &out->port[0]);
+        if (status.code == WHIRL_OK) out->share[0] = assembly_share(to, out->station, AXIS_TWIST);
+        return status;
+    }
     element_on(&values[AT], to, tilts ? AXIS_TILT_X : AXIS_X, out);
     // A station that moves along one axis feels the component along it.
     return tilts ? assembly_find(to, out->station, AXIS_TILT_X, &out->port[0]) : whirl_ok();
 }
 
 static whirl_status check(const key_value *values) {
-    if (values[AMPLITUDE].given == values[MOMENT].given)
-        return whirl_fail(WHIRL_BAD_INPUT, "has %s, expected one of them",
-                          values[MOMENT].given ? "both amplitude and moment" : "neither amplitude nor moment");
+    const bool force = values[AMPLITUDE].given || values[STEADY_FORCE].given, moment = values[MOMENT].given;
+    if (force + moment + is_torque(values) != 1)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "has %s, expected one: a force (amplitude, steady_force), a moment, or a "
+                          "torque (torque, steady_torque)",
+                          force || moment || is_torque(values) ? "more than one load" : "no load");
+    if (is_torque(values) && (values[LAW].choice != 0 || values[ANGLE].given))
+        return whirl_fail(WHIRL_BAD_INPUT, "has %s and a torque, which acts about the shaft's axis, expected none",
+                          values[ANGLE].given ? "an angle" : "a law");
     if (values[RATIO].given && values[FREQUENCY].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has both ratio and frequency, expected one of them");
     return whirl_ok();
+}
+
+/// Adds the constant part along the angle, or about the shaft's axis.
+static void add_steady(const key_value *values, assembly *to, const element *out) {
+    const double direction[2] = {cos(values[ANGLE].number), sin(values[ANGLE].number)};
+    for (size_t a = 0; a < 2; a++) {
+        if (out->port[a] == NO_COORDINATE) continue;
+        const double load = is_torque(values) ? copysign(1.0, to->turn) * out->share[a] * values[STEADY_TORQUE].number
+                                              : direction[a] * values[STEADY_FORCE].number;
+        if (load == 0.0) continue;
+        assembly_term(to, (linear_term){out->port[a], SOURCE_ONE, 0, load / assembly_force_scale(to, out->port[a])});
+    }
 }
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
@@ -102,12 +152,15 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     if (status.code == WHIRL_OK) status = find_ports(values, to, out);
     if (status.code == WHIRL_OK) status = harmonic_check_rate(to, rate);
     if (status.code != WHIRL_OK) return status;
-    harmonic_force(out, to, values[MOMENT].given ? values[MOMENT].number : values[AMPLITUDE].number,
-                   sides[values[LAW].choice], values[ANGLE].number, values[PHASE].number, rate * to->turn);
-    out->lumped = !values[RATIO].given && !values[FREQUENCY].given;
+    const int size = values[MOMENT].given ? MOMENT : is_torque(values) ? TORQUE : AMPLITUDE;
+    add_steady(values, to, out);
+    const double sense = is_torque(values) ? copysign(1.0, to->turn) : 1.0;
+    harmonic_force(out, to, values[size].given ? sense * values[size].number : 0.0, sides[values[LAW].choice],
+                   values[ANGLE].number, values[PHASE].number, rate * to->turn);
+    out->lumped = (!values[RATIO].given && !values[FREQUENCY].given) || !values[size].given;
     for (size_t a = 0; a < 2 && out->lumped; a++) {
-        assembly_forcing(to, out->port[a], COS_TAU, out->number[2 * a]);
-        assembly_forcing(to, out->port[a], SIN_TAU, out->number[2 * a + 1]);
+        assembly_forcing(to, out->port[a], COS_TAU, out->share[a] * out->number[2 * a]);
+        assembly_forcing(to, out->port[a], SIN_TAU, out->share[a] * out->number[2 * a + 1]);
     }
     return whirl_ok();
 }
@@ -118,8 +171,9 @@ static double keyphasor(const key_value *values, double speed) {
 }
 
 const element_type force_element = {
-    .group = {"force", "a harmonic force or moment, at a ratio of the speed or a fixed frequency", "", keys, KEY_COUNT,
-              NULL, NULL},
+    .group = {"force",
+              "a harmonic force, moment or torque, at a ratio of the speed or a fixed frequency, and a constant one",
+              "", keys, KEY_COUNT, NULL, NULL},
     .number_count = HARMONIC_NUMBERS,
     .state_count = KERNEL_STATES,
     .turning = 1,

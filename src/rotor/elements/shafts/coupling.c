@@ -1,4 +1,5 @@
-// A flexible coupling: stiffness and damping between the ends of two shafts, across them and against their tilts.
+// A flexible coupling: stiffness and damping between the ends of two shafts, across them, against their tilts and
+// against their twist.
 #include "registry.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
@@ -6,18 +7,36 @@
 
 static const double pi = 3.14159265358979323846;
 
-enum { BETWEEN, RADIAL, TILT, RADIAL_DAMPING, TILT_DAMPING, RUNS_OFF, RUNS_OFF_ANGLE, KINK, KINK_ANGLE, KEY_COUNT };
+enum {
+    BETWEEN,
+    RADIAL,
+    TILT,
+    TWIST,
+    RADIAL_DAMPING,
+    TILT_DAMPING,
+    TWIST_DAMPING,
+    RUNS_OFF,
+    RUNS_OFF_ANGLE,
+    KINK,
+    KINK_ANGLE,
+    KEY_COUNT
+};
 
 static const whirl_key keys[KEY_COUNT] = {
     [BETWEEN] =
         STATIONS_KEY("between", REQUIRED, "the two stations that the coupling joins, at the ends of two shafts"),
-    [RADIAL] = NUMBER_KEY("radial", "k_r", "N/m", REQUIRED, WHIRL_NOT_NEGATIVE, "stiffness against a parallel offset"),
+    [RADIAL] =
+        NUMBER_KEY("radial", "k_r", "N/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "stiffness against a parallel offset"),
     [TILT] = NUMBER_KEY("tilt", "k_t", "N m/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                         "stiffness against an angle between both shafts"),
+    [TWIST] = NUMBER_KEY("twist", "k_z", "N m/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                         "stiffness against twist, between stations that twist"),
     [RADIAL_DAMPING] =
         NUMBER_KEY("radial_damping", "c_r", "N s/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "damping of a parallel offset"),
     [TILT_DAMPING] = NUMBER_KEY("tilt_damping", "c_t", "N m s/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                                 "damping of an angle between both shafts"),
+    [TWIST_DAMPING] =
+        NUMBER_KEY("twist_damping", "c_z", "N m s/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "damping of twist"),
     [RUNS_OFF] = NUMBER_KEY("bore_offset", "e", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                             "bores off centre: distance of the first shaft's axis from the second's, turning with "
                             "them, while no force bends the coupling"),
@@ -60,18 +79,36 @@ static whirl_status check_turning(const key_value *values, const assembly *to) {
     return whirl_ok();
 }
 
+/// Joins the twists of both stations. WHIRL_BAD_INPUT where one of them does not twist.
+static whirl_status join_twists(const key_value *values, assembly *to) {
+    const size_t *station = values[BETWEEN].station;
+    for (size_t i = 0; i < 2; i++) {
+        size_t coordinate;
+        if (station[i] == GROUND) continue;
+        const whirl_status status = assembly_find(to, station[i], AXIS_TWIST, &coordinate);
+        if (status.code != WHIRL_OK) return status;
+    }
+    assembly_twist(to, station[0], station[1], values[TWIST].number, values[TWIST_DAMPING].number);
+    return whirl_ok();
+}
+
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     enum { PLANE = 2 };
     static const axis axes[] = {AXIS_X, AXIS_Y, AXIS_TILT_X, AXIS_TILT_Y};
     const bool tilts = values[TILT].number > 0.0 || values[TILT_DAMPING].number > 0.0;
     const size_t count = tilts ? 2 * PLANE : PLANE;
+    const bool across = tilts || values[RADIAL].number > 0.0 || values[RADIAL_DAMPING].number > 0.0;
     whirl_status status = check_turning(values, to);
-    if (status.code == WHIRL_OK) status = element_between(&values[BETWEEN], to, axes, count, out);
-    for (size_t a = 0; a < count && status.code == WHIRL_OK; a++) {
+    if (status.code == WHIRL_OK && !across && !values[TWIST].given && !values[RADIAL].given)
+        status = whirl_fail(WHIRL_BAD_INPUT, "has no stiffness, expected radial, tilt or twist");
+    if (status.code == WHIRL_OK && across) status = element_between(&values[BETWEEN], to, axes, count, out);
+    for (size_t a = 0; a < count && across && status.code == WHIRL_OK; a++) {
         const size_t one = out->port[a], other = out->port[count + a];
         assembly_spring(to, one, other, values[a < PLANE ? RADIAL : TILT].number);
         assembly_damper(to, one, other, values[a < PLANE ? RADIAL_DAMPING : TILT_DAMPING].number);
     }
+    if (status.code == WHIRL_OK && (values[TWIST].number > 0.0 || values[TWIST_DAMPING].number > 0.0))
+        status = join_twists(values, to);
     if (status.code != WHIRL_OK || to->balanced) return status;
     add_turning(to, out->port, count, values[RADIAL].number, values[RADIAL_DAMPING].number, values[RUNS_OFF].number,
                 values[RUNS_OFF_ANGLE].number);

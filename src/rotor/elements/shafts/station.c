@@ -41,31 +41,37 @@ static const whirl_key keys[KEY_COUNT] = {
                                    "moment of inertia about a diameter; a station that has one tilts",
                                    "Friswell et al. 2010, sec. 3.5"),
     [POLAR] = CITED_NUMBER_KEY("polar", "I_p", "kg m2", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
-                               "moment of inertia about the shaft's axis, which causes gyroscopic moments",
+                               "moment of inertia about the shaft's axis, which causes gyroscopic moments and "
+                               "resists twist",
                                "Friswell et al. 2010, sec. 3.5"),
     [SKEW] = CITED_NUMBER_KEY("skew", "chi", "rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                               "angle between the principal axis of inertia and the shaft's",
                               "Friswell et al. 2010, sec. 6.2"),
     [SKEW_ANGLE] = ANGLE_KEY("skew_angle", "", "skew",
                              "direction in which the principal axis leans at t = 0, from the x axis towards y"),
-    [MOVES] = CHOICE_KEY("moves", DEFAULT("xy"), "xy|x|y",
-                         "axes along which the station moves: both for a shaft; one is possible for a pedestal"),
+    [MOVES] = CHOICE_KEY("moves", DEFAULT("xy"), "xy|x|y|twist|all",
+                         "xy: along both axes; x, y: along one, as a pedestal may; twist: about the shaft's axis alone "
+                         "(torsion); all: along both axes and about the shaft's"),
 };
 
 const whirl_group station_group = {
-    "station", "a lumped mass on the shaft that moves along x and y, and tilts where it has a diametral inertia",
-    "",        keys,
-    KEY_COUNT, NULL,
+    "station",
+    "a lumped mass on the shaft that moves along x and y, tilts where it has a diametral inertia, and may twist",
+    "",
+    keys,
+    KEY_COUNT,
+    NULL,
     NULL};
 
 whirl_status station_inertia(const key_value *values, assembly *to, size_t station) {
-    enum { ALONG_XY, ALONG_X, ALONG_Y };
+    enum { ALONG_XY, ALONG_X, ALONG_Y, TWIST, ALL };
     assembly_station *at = &to->stations[station];
     at->mass += values[MASS].number;
     at->diametral += values[DIAMETRAL].number;
     at->polar += values[POLAR].number;
-    at->moves_x = values[MOVES].choice != ALONG_Y;
-    at->moves_y = values[MOVES].choice != ALONG_X;
+    at->moves_x = values[MOVES].choice != ALONG_Y && values[MOVES].choice != TWIST;
+    at->moves_y = values[MOVES].choice != ALONG_X && values[MOVES].choice != TWIST;
+    at->twists = values[MOVES].choice >= TWIST;
     return whirl_ok();
 }
 

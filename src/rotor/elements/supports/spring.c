@@ -23,12 +23,12 @@ static const whirl_key keys[KEY_COUNT] = {
     [BETWEEN] = STATIONS_KEY("between", REQUIRED, "the two stations that it joins; one may be ground"),
     [ALONG] = ALONG_KEY,
     [STIFFNESS] = NUMBER_KEY("stiffness", "k", "N/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
-                             "stiffness; along tilts in N m per radian"),
+                             "stiffness; along tilts and twist in N m per radian"),
     [DAMPING] = NUMBER_KEY("damping", "c", "N s/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
-                           "damping; along tilts in N m s per radian"),
+                           "damping; along tilts and twist in N m s per radian"),
     [GAP] = NUMBER_KEY("gap", "g", "m", OPTIONAL, WHIRL_NOT_NEGATIVE,
                        "play to either side, within which no force acts; absent: no play"),
-    [GAP_ANGLE] = NUMBER_KEY("gap_angle", "", "rad", OPTIONAL, WHIRL_NOT_NEGATIVE, "the same for tilts"),
+    [GAP_ANGLE] = NUMBER_KEY("gap_angle", "", "rad", OPTIONAL, WHIRL_NOT_NEGATIVE, "the same for tilts and for twist"),
 };
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
@@ -40,7 +40,9 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     if (status.code != WHIRL_OK) return status;
     const key_value *gap = &values[along_tilts(along) ? GAP_ANGLE : GAP];
     out->lumped = !gap->given;
-    for (size_t a = 0; out->lumped && a < KERNEL_AXES; a++) {
+    if (out->lumped && along == ALONG_TWIST)
+        assembly_twist(to, values[BETWEEN].station[0], values[BETWEEN].station[1], stiffness, damping);
+    for (size_t a = 0; out->lumped && along != ALONG_TWIST && a < KERNEL_AXES; a++) {
         assembly_spring(to, out->port[a], out->port[KERNEL_AXES + a], stiffness);
         assembly_damper(to, out->port[a], out->port[KERNEL_AXES + a], damping);
     }

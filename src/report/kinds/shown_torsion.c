@@ -1,0 +1,162 @@
+// Findings of torsional modes: where excitations meet them, how far they are apart from the running speeds (after API
+// 617, part 1, and API 684: the user has to check which edition applies), and their shapes.
+#include <math.h>
+
+#include "quantities.h"
+#include "shown_kinds.h"
+
+static const double two_pi = 6.283185307179586476925;
+
+/// Required separation of a torsional mode from an excitation, %.
+static const double asked_separation = 10.0;
+
+/// An excitation: so many times the speed of the shaft, or so many times the frequency of the line.
+typedef struct excitation {
+    int order;
+    bool line;
+} excitation;
+
+/// Separation of a line of modes from an excitation.
+typedef struct separation {
+    size_t line;
+    excitation by;
+    double frequency; ///< rad/s of the mode, where it is nearest to the excitation
+    double speed;     ///< rad/s at which they meet; NaN for the line's
+    double had;       ///< %, of the excitation; 0 within
+    const char *side; ///< of the mode: "above", "below", "within"
+} separation;
+
+/// Frequency of the excitation at a speed, rad/s.
+static double torsion_excited(const whirl_table *table, excitation by, double speed) {
+    return by.order * (by.line ? two_pi * table->record.line_frequency : speed);
+}
+
+/// The share of a frequency by which it lies below (negative) or above excitations from `low` to `high`, %.
+static double torsion_apart(double frequency, double low, double high) {
+    return frequency > high  ? 100.0 * (frequency / high - 1.0)
+           : frequency < low ? 100.0 * (frequency / low - 1.0)
+                             : 0.0;
+}
+
+/// Compares a line with an excitation at all points: where its frequency is nearest. False if the line has no point.
+static bool torsion_separate(const whirl_table *table, const mode_lines *lines, separation *own) {
+    double low, high, nearest = INFINITY;
+    const bool running = margin_running(table, &low, &high);
+    for (size_t point = 0; point < table->count; point++) {
+        const double speed = whirl_table_number(table, point, WHIRL_FIELD_MODES_SPEED, 0);
+        if (!whirl_table_done(table, point)) continue;
+        for (size_t i = 0; i < lines->modes; i++) {
+            if (lines->line[point * lines->modes + i] != own->line) continue;
+            const double frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0)[i];
+            const double at = torsion_excited(table, own->by, speed);
+            const double apart = torsion_apart(frequency, running ? torsion_excited(table, own->by, low) : at,
+                                               running ? torsion_excited(table, own->by, high) : at);
+            if (!(fabs(apart) < nearest)) continue;
+            nearest = fabs(apart);
+            own->frequency = frequency;
+            own->speed = own->by.line ? (double)NAN : frequency / own->by.order;
+            own->had = nearest;
+            own->side = apart > 0.0 ? "above" : apart < 0.0 ? "below" : "within";
+        }
+    }
+    return isfinite(nearest);
+}
+
+/// Returns true if any point of a line is a torsional mode.
+static bool torsion_of_line(const whirl_table *table, const mode_lines *lines, size_t line) {
+    for (size_t i = 0; i < table->count * lines->modes; i++)
+        if (lines->line[i] == line && mode_is_torsional(table, i / lines->modes, i % lines->modes)) return true;
+    return false;
+}
+
+static const char *torsion_excitation_name(const finder *of, excitation by) {
+    if (!by.line) return find_text(of->findings, "%dX", by.order);
+    return by.order == 1 ? "line frequency" : "twice line frequency";
+}
+
+/// The sheet of all separations, and the least of them.
+static size_t torsion_sheet(const finder *of, const mode_lines *lines, separation *least) {
+    double low, high;
+    const bool running = margin_running(of->table, &low, &high), line = of->table->record.line_frequency > 0.0;
+    const int orders = of->table->record.orders;
+    size_t count = 0;
+    whirl_sheet *sheet = find_sheet(of, "interference", "Torsional modes and excitations");
+    sheet_texts(of, sheet, "name", "mode");
+    sheet_column(of, sheet, "frequency", "frequency", WHIRL_QUANTITY_FREQUENCY, 6);
+    sheet_texts(of, sheet, "excitation", "excitation");
+    sheet_column(of, sheet, "speed", "they meet at", WHIRL_QUANTITY_SPEED, 6);
+    if (running) {
+        sheet_column(of, sheet, "separation", "separation", WHIRL_QUANTITY_PERCENT, 3);
+        sheet_texts(of, sheet, "side", "of the excitation");
+        sheet_texts(of, sheet, "verdict", "10 % asked for");
+    }
+    for (size_t i = 0; i < lines->count; i++)
+        for (int k = 0; k < orders + (line ? 2 : 0) && torsion_of_line(of->table, lines, i); k++) {
+            separation own = {.line = i, .by = {k < orders ? k + 1 : k - orders + 1, k >= orders}};
+            if (!torsion_separate(of->table, lines, &own)) continue;
+            if (count++ == 0 || own.had < least->had) *least = own;
+            sheet_row(of, sheet);
+            cell_text(of, sheet, find_text(of->findings, "%s", lines->names[i]));
+            cell_number(of, sheet, own.frequency);
+            cell_text(of, sheet, torsion_excitation_name(of, own.by));
+            cell_number(of, sheet, own.speed);
+            if (!running) continue;
+            cell_number(of, sheet, own.had);
+            cell_text(of, sheet, own.side);
+            cell_text(of, sheet, own.had >= asked_separation ? "holds" : "fails");
+        }
+    find_sheet_end(of);
+    return count;
+}
+
+/// Judges the least separation, where running speeds are given.
+static void torsion_judge(const finder *of, const mode_lines *lines, const separation *least) {
+    const whirl_judgement judgement = least->had >= asked_separation ? WHIRL_HOLDS : WHIRL_FAILS;
+    whirl_statement *own = find_judgement(of, "torsional separation margin", "SP6.8.7", judgement);
+    phrase_number(of, &own->asked, WHIRL_QUANTITY_PERCENT, 3, asked_separation);
+    phrase_text(of, &own->asked, " from every excitation");
+    phrase_number(of, &own->found, WHIRL_QUANTITY_PERCENT, 3, least->had);
+    phrase_text(of, &own->found, " %s: mode %s at ", least->side, lines->names[least->line]);
+    phrase_number(of, &own->found, WHIRL_QUANTITY_FREQUENCY, 6, least->frequency);
+    phrase_text(of, &own->found, " and %s", torsion_excitation_name(of, least->by));
+    if (isfinite(least->speed)) {
+        phrase_text(of, &own->found, ", which meet at ");
+        phrase_number(of, &own->found, WHIRL_QUANTITY_SPEED, 5, least->speed);
+    }
+}
+
+/// The twists of the stations in the torsional modes at the last point.
+static void torsion_shapes(const finder *of, const mode_lines *lines, size_t point) {
+    const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_TORSION);
+    whirl_sheet *sheet = find_sheet(of, "twists", "Shapes of torsional modes: twists of the stations");
+    sheet_texts(of, sheet, "name", "mode");
+    sheet_column(of, sheet, "frequency", "frequency", WHIRL_QUANTITY_FREQUENCY, 6);
+    sheet_texts(of, sheet, "station", "station");
+    sheet_column(of, sheet, "twist", "twist", WHIRL_QUANTITY_NUMBER, 4);
+    for (size_t i = 0; i < field->rows; i++) {
+        const double frequency = whirl_table_field(of->table, point, WHIRL_FIELD_MODES_FREQUENCY, 0)[i];
+        if (!isfinite(frequency) || !mode_is_torsional(of->table, point, i)) continue;
+        for (size_t s = 0; s < of->result->station_count; s++) {
+            const double *twist = whirl_table_field(of->table, point, WHIRL_FIELD_MODES_TWIST, s) + 2 * i;
+            sheet_row(of, sheet);
+            cell_text(of, sheet, find_text(of->findings, "%s", mode_lines_name(lines, point, i)));
+            cell_number(of, sheet, frequency);
+            cell_station(of, sheet, s);
+            cell_number(of, sheet, copysign(hypot(twist[0], twist[1]), twist[0]));
+        }
+    }
+    find_sheet_end(of);
+}
+
+void find_torsion(const finder *of) {
+    size_t ends[2];
+    const size_t done = find_ends(of->table, ends);
+    separation least = {.had = NAN};
+    mode_lines lines;
+    if (done == 0 || !whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_TORSION)) return;
+    if (!mode_lines_of(of->table, &lines)) lines = (mode_lines){.line = NULL};
+    if (lines.line && torsion_sheet(of, &lines, &least) > 0 && margin_asked(of->table))
+        torsion_judge(of, &lines, &least);
+    torsion_shapes(of, &lines, ends[done - 1]);
+    mode_lines_free(&lines);
+}

@@ -1,0 +1,240 @@
+// Two gears: a rigid ratio of twists, or a mesh with stiffness, damping, play and error.
+#define KERNEL_FILE "elements/shafts/gear_kernel.h"
+#define KERNEL_AXES 3
+#define KERNEL_STATES 1
+#define KERNEL_FEWER_STATES
+#define KERNEL_NUMBERS GEAR_NUMBERS
+#define KERNEL_SWITCHES 3
+#define KERNEL_SWITCHES_BY_STATES
+#define KERNEL_SWITCHES_OF(own) GEAR_SWITCHES(own)
+#define KERNEL_CURVED
+#define KERNEL_TILTS
+
+/// The law: with play; the number of pairs in contact, and with it the stiffness, changes; with an error.
+enum { GEAR_PLAY = 1, GEAR_PAIRS = 2, GEAR_ERROR = 4 };
+
+#define GEAR_SWITCHES(own) (((own)->law & GEAR_PLAY ? 2 : 0) + ((own)->law & GEAR_PAIRS ? 1 : 0))
+
+/// The line of action along x and y; newtons and length scales; half the share of more pairs, rad of psi; the error
+/// by cos psi and by -sin psi; psi'.
+enum {
+    GEAR_ALONG_X,
+    GEAR_ALONG_Y,
+    GEAR_STIFFNESS,
+    GEAR_STIFFNESS_LESS,
+    GEAR_DAMPING,
+    GEAR_GAP,
+    GEAR_SHARE,
+    GEAR_ERROR_COS,
+    GEAR_ERROR_SIN,
+    GEAR_RATE,
+    GEAR_NUMBERS
+};
+
+#include "generic.h"
+#include "registry.h"
+
+const element_kernels ISA(gear_kernels) = GENERIC_KERNELS;
+
+#if VECTOR_ISA == VECTOR_SCALAR
+#include <math.h>
+#include <stdio.h>
+
+enum {
+    BETWEEN,
+    RADII,
+    PRESSURE_ANGLE,
+    DIRECTION,
+    HELIX,
+    STIFFNESS,
+    DAMPING,
+    BACKLASH,
+    TEETH,
+    VARIATION,
+    SHARE,
+    ERROR,
+    ERROR_ANGLE,
+    KEY_COUNT
+};
+
+static const double pi = 3.14159265358979323846;
+
+static const whirl_key keys[KEY_COUNT] = {
+    [BETWEEN] = STATIONS_KEY("between", REQUIRED,
+                             "the two gears, which turn against each other; with a stiffness one may be ground, a rack "
+                             "that stands"),
+    [RADII] =
+        CITED_NUMBERS_KEY("base_radii", "r_b", "m", REQUIRED, WHIRL_POSITIVE,
+                          "radii of both base circles: pitch radius times the cosine of the pressure angle; without "
+                          "a stiffness their ratio alone counts",
+                          "Kahraman, Singh 1990"),
+    [PRESSURE_ANGLE] =
+        NUMBER_KEY("pressure_angle", "alpha", "rad", DEFAULT("0.3490658503988659"), WHIRL_FROM_TO(-1.5, 1.5),
+                   "angle between the line of action and what is square to the line of centres; below "
+                   "0: the other flank carries; absent: 20 degrees"),
+    [DIRECTION] = ANGLE_KEY("direction", "gamma", NULL, "direction of the line of centres, from the x axis towards y"),
+    [HELIX] = NUMBER_KEY("helix", "beta_b", "rad", DEFAULT("0"), WHIRL_FROM_TO(-1.5, 1.5),
+                         "helix angle on the base circle; 0: spur gears"),
+    [STIFFNESS] =
+        CITED_NUMBER_KEY("stiffness", "k_m", "N/m", OPTIONAL, WHIRL_POSITIVE,
+                         "mean stiffness of the mesh along the line of action; absent: rigid, the twists have "
+                         "the ratio of the radii",
+                         "Kahraman, Singh 1990"),
+    [DAMPING] = NUMBER_KEY("damping", "c_m", "N s/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                           "damping of the mesh while teeth touch"),
+    [BACKLASH] = NUMBER_KEY("backlash", "2b", "m", OPTIONAL, WHIRL_NOT_NEGATIVE,
+                            "whole play along the line of action, the middle of which is the place of rest; absent: "
+                            "teeth never part"),
+    [TEETH] = WHOLE_KEY("teeth", "z", OPTIONAL, WHIRL_FROM_TO(1, 1000),
+                        "number of teeth of the first gear, which turns as its shaft does; required with variation or "
+                        "error"),
+    [VARIATION] =
+        CITED_NUMBER_KEY("variation", "eps", "1", DEFAULT("0"), WHIRL_FROM_TO(0.0, 1.0),
+                         "share by which the stiffness is above its mean while more pairs of teeth touch, and "
+                         "below it while fewer do",
+                         "Kahraman, Blankenship 1997"),
+    [SHARE] = NUMBER_KEY("contact_share", "d", "1", DEFAULT("0.5"), WHIRL_FROM_TO(0.001, 0.999),
+                         "share of a tooth's period with more pairs: contact ratio less its whole part"),
+    [ERROR] = NUMBER_KEY("error", "e", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                         "amplitude of the transmission error along the line of action, once a tooth"),
+    [ERROR_ANGLE] = ANGLE_KEY("error_angle", "phi", "error", "phase of the error where more pairs begin to touch"),
+};
+
+static bool gear_is_rigid(const key_value *values) {
+    return !values[STIFFNESS].given;
+}
+
+static whirl_status gear_check(const key_value *values, const assembly *to) {
+    static const int of_meshes[] = {DAMPING,        BACKLASH,  VARIATION, SHARE, ERROR,
+                                    PRESSURE_ANGLE, DIRECTION, HELIX,     TEETH};
+    if (values[RADII].count != 2)
+        return whirl_fail(WHIRL_BAD_INPUT, "has %zu base_radii, expected those of both gears", values[RADII].count);
+    for (size_t i = 0; gear_is_rigid(values) && i < sizeof of_meshes / sizeof *of_meshes; i++)
+        if (values[of_meshes[i]].given)
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "has %s and no stiffness, without which a mesh is rigid, expected both or "
+                              "neither",
+                              keys[of_meshes[i]].name);
+    const bool varies = values[VARIATION].number > 0.0 || values[ERROR].number > 0.0;
+    if (varies && !values[TEETH].given)
+        return whirl_fail(WHIRL_BAD_INPUT, "has a variation or an error and no teeth, expected their number");
+    for (size_t i = 0; i < 2; i++) {
+        const size_t station = values[BETWEEN].station[i];
+        if (station == GROUND && gear_is_rigid(values))
+            return whirl_fail(WHIRL_BAD_INPUT, "is rigid and joins the ground, expected two stations that twist");
+        if (station != GROUND && !to->stations[station].twists)
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "needs stations that twist, and '%s' does not, expected moves: twist or "
+                              "all, or a shaft with twist: yes",
+                              to->stations[station].name);
+    }
+    if (values[BETWEEN].station[0] == values[BETWEEN].station[1])
+        return whirl_fail(WHIRL_BAD_INPUT, "between names one station twice, expected two");
+    return whirl_ok();
+}
+
+/// The second gear of a rigid pair follows the first, against its sense.
+static whirl_status gear_inertia(const key_value *values, assembly *to) {
+    if (!gear_is_rigid(values) || values[RADII].count != 2) return whirl_ok();
+    const size_t *station = values[BETWEEN].station;
+    if (station[0] == GROUND || station[1] == GROUND || station[0] == station[1]) return whirl_ok();
+    return assembly_gear(to, station[1], station[0], -values[RADII].list[0] / values[RADII].list[1]);
+}
+
+/// Sets the numbers of a mesh, whose forces are in newtons and whose closing is in length scales.
+static void gear_set_numbers(const key_value *values, const assembly *to, element *out) {
+    const double flat = cos(values[HELIX].number), alpha = values[PRESSURE_ANGLE].number;
+    const double gamma = values[DIRECTION].number;
+    const double stiffness = values[STIFFNESS].number * to->length, more = values[VARIATION].number;
+    double *number = out->number;
+    for (size_t i = 0; i < 2; i++) {
+        const size_t port = i == 0 ? 2 : 5;
+        out->share[port] *= (i == 0 ? 1.0 : -1.0) * flat * values[RADII].list[i];
+    }
+    generic_tilts(out, to);
+    number[GEAR_ALONG_X] = flat * sin(alpha - gamma);
+    number[GEAR_ALONG_Y] = flat * cos(alpha - gamma);
+    number[GEAR_STIFFNESS] = stiffness * (1.0 + more);
+    number[GEAR_STIFFNESS_LESS] = stiffness * (1.0 - more);
+    number[GEAR_DAMPING] = values[DAMPING].number * to->length * to->clock;
+    number[GEAR_GAP] = 0.5 * values[BACKLASH].number / to->length;
+    number[GEAR_SHARE] = pi * values[SHARE].number;
+    number[GEAR_ERROR_COS] = values[ERROR].number / to->length * cos(values[ERROR_ANGLE].number);
+    number[GEAR_ERROR_SIN] = values[ERROR].number / to->length * sin(values[ERROR_ANGLE].number);
+}
+
+extern const element_type gear_turning;
+
+static whirl_status gear_build(const key_value *values, assembly *to, element *out) {
+    static const axis axes[KERNEL_AXES] = {AXIS_X, AXIS_Y, AXIS_TWIST};
+    whirl_status status = gear_check(values, to);
+    out->lumped = gear_is_rigid(values);
+    if (status.code != WHIRL_OK || out->lumped) return status;
+    status = element_between(&values[BETWEEN], to, axes, KERNEL_AXES, out);
+    if (status.code != WHIRL_OK) return status;
+    const size_t first = values[BETWEEN].station[0];
+    const double ratio = first == GROUND ? 1.0 : to->stations[first].ratio;
+    out->law = (values[BACKLASH].given ? GEAR_PLAY : 0) | (values[VARIATION].number > 0.0 ? GEAR_PAIRS : 0) |
+               (values[ERROR].number > 0.0 ? GEAR_ERROR : 0);
+    gear_set_numbers(values, to, out);
+    out->number[GEAR_RATE] = values[TEETH].number * fabs(ratio * to->turn);
+    out->states = 0;
+    if (!(out->law & (GEAR_PAIRS | GEAR_ERROR))) return whirl_ok();
+    out->states = 1;
+    out->type = &gear_turning;
+    return whirl_ok();
+}
+
+static double gear_rounds(const element *own, size_t state) {
+    (void)state;
+    return own->number[GEAR_RATE];
+}
+
+/// The stiffness jumps, and so does the force of a damper where teeth meet.
+static bool gear_jumps(const element *own) {
+    return (own->law & GEAR_PAIRS) || ((own->law & GEAR_PLAY) && own->number[GEAR_DAMPING] > 0.0);
+}
+
+static bool gear_touches(const element *own, size_t index) {
+    return (own->law & GEAR_PLAY) && index == 0;
+}
+
+/// Second derivatives by psi alone: of the error, and of the share of more pairs.
+static void gear_curvature(const element *own, const element_place *at, size_t index, const element_place *along,
+                           element_place *by) {
+    const double c = cos(at->s[0]), s = sin(at->s[0]);
+    *by = (element_place){.q = {0.0}};
+    if ((own->law & GEAR_PLAY) && index < 2) {
+        if (own->law & GEAR_ERROR)
+            by->s[0] = along->s[0] * (own->number[GEAR_ERROR_COS] * c - own->number[GEAR_ERROR_SIN] * s);
+    } else {
+        by->s[0] = -along->s[0] * cos(at->s[0] - own->number[GEAR_SHARE]);
+    }
+}
+
+static bool gear_named_order(const element *own, size_t index, double *order, const char **name) {
+    *order = own->number[GEAR_RATE];
+    *name = "mesh";
+    return index == 0 && own->states > 0;
+}
+
+KERNELS_OF_EVERY_ISA(gear_kernels);
+
+#define GEAR_TYPE                                                                                                      \
+    .group = {"gear",                                                                                                  \
+              "two gears whose twists a rigid ratio or a mesh joins: stiffness, play, error",                          \
+              "Kahraman, Singh 1990",                                                                                  \
+              keys,                                                                                                    \
+              KEY_COUNT,                                                                                               \
+              NULL,                                                                                                    \
+              NULL},                                                                                                   \
+    .number_count = KERNEL_NUMBERS + 2 * KERNEL_PORTS, .kernels = kernels, .inertia = gear_inertia,                    \
+    .build = gear_build, GENERIC_SWITCHES, .switch_curvature = gear_curvature, .touches = gear_touches,                \
+    .jumps = gear_jumps
+
+const element_type gear_element = {GEAR_TYPE};
+
+/// The same, with the phase of its mesh as a state.
+const element_type gear_turning = {GEAR_TYPE, .state_count = KERNEL_STATES, .turning = 1, .rounds = gear_rounds,
+                                   .named_order = gear_named_order};
+#endif

@@ -1,0 +1,262 @@
+// Gears: rattle of a pair through its play, periodic orbits and multipliers, against digits of independent
+// computations; pairs on supports; what must not change.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+#include "whirl/engine/linear.h"
+#include "whirl/engine/orbit.h"
+#include "whirl/engine/rotor.h"
+
+#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
+#define ADD(design, kind, ...)                                                                                         \
+    require_ok(whirl_design_element(design, kind, (whirl_setting[]){__VA_ARGS__},                                      \
+                                    COUNT_OF(((whirl_setting[]){__VA_ARGS__}))))
+#define STATION(design, name, ...)                                                                                     \
+    require_ok(whirl_design_station(design, name, (whirl_setting[]){__VA_ARGS__},                                      \
+                                    COUNT_OF(((whirl_setting[]){__VA_ARGS__}))))
+
+static whirl_rotor *rotor_of(whirl_design *design) {
+    whirl_rotor *rotor = NULL;
+    require_ok(whirl_rotor_new(design, &rotor));
+    whirl_design_free(design);
+    return rotor;
+}
+
+// ---------------------------------------------------------------- rattle
+
+/// x'' + 2 z x' + (1 + eps s(t)) f(x) = Fm + Fe W^2 cos W t, with half a play of 1; s = 1 in the first share d of 2
+/// pi/W, then -1.
+typedef struct rattle {
+    double z, eps, steady, harmonic, speed, share;
+    size_t revolutions;
+    double start[2];         ///< x and x', near the orbit
+    double place[2];         ///< of the orbit, at t = 0
+    double multiplier[2][2]; ///< real and imaginary part
+} rattle;
+
+/// One gear on a rack that stands, at a length scale. Radius and inertia change nothing where inertia goes with the
+/// square of the radius, and torques with the radius.
+static whirl_rotor *rattle_rotor(const rattle *of, double length, double radius) {
+    whirl_design *design = NULL;
+    const double damping = 2.0 * of->z * radius * radius, torque = of->harmonic * of->speed * of->speed * radius;
+    char radii[64];
+    snprintf(radii, sizeof radii, "%.17g, %.17g", radius, radius);
+    require_ok(whirl_design_new(of->speed, length, &design));
+    STATION(design, "wheel", {"polar", radius * radius, NULL}, {"moves", 0.0, "twist"});
+    ADD(design, "spring", {"between", 0.0, "wheel, ground"}, {"along", 0.0, "twist"}, {"damping", damping, NULL});
+    ADD(design, "force", {"at", 0.0, "wheel"}, {"torque", torque, NULL}, {"steady_torque", of->steady * radius, NULL});
+    if (of->eps > 0.0)
+        ADD(design, "gear", {"between", 0.0, "wheel, ground"}, {"base_radii", 0.0, radii}, {"stiffness", 1.0, NULL},
+            {"backlash", 2.0, NULL}, {"teeth", 1.0, NULL}, {"variation", of->eps, NULL},
+            {"contact_share", of->share, NULL});
+    else
+        ADD(design, "gear", {"between", 0.0, "wheel, ground"}, {"base_radii", 0.0, radii}, {"stiffness", 1.0, NULL},
+            {"backlash", 2.0, NULL});
+    return rotor_of(design);
+}
+
+/// Kahraman, Singh 1990; digits by shooting with located switches, and by unknown switching times and exponentials in
+/// 30 digits.
+static const rattle rattles[] = {
+    {.05,
+     0,
+     .1,
+     .1,
+     1.2,
+     .5,
+     1,
+     {.88, .03},
+     {.879500748114861, .0327583635912789},
+     {{-.8655188718147, 0}, {-.6844274186031, 0}}},
+    {.05,
+     .2,
+     .15,
+     .02,
+     .95,
+     .6,
+     1,
+     {1.144, .246},
+     {1.14393311735248, .246199093795523},
+     {{.5407576372331, .4729858960821}, {.5407576372331, -.4729858960821}}},
+    {.05,
+     0,
+     .1,
+     1,
+     .7,
+     .5,
+     1,
+     {3.06, 1.306},
+     {3.06138888291171, 1.30639679355977},
+     {{.1005050405687, .630433335915}, {.1005050405687, -.630433335915}}},
+    {.05,
+     0,
+     .1,
+     .1,
+     1.4,
+     .5,
+     1,
+     {.9183, .0249},
+     {.918296648660739, .0249070116320417},
+     {{-1.346345517621, 0}, {-.4741683515195, 0}}},
+    {.03,
+     .3,
+     .12,
+     0,
+     1.7,
+     .5,
+     1,
+     {1.1165, .046},
+     {1.1164924267259, .0459506214554316},
+     {{-.8184316755646, .3623225289067}, {-.8184316755646, -.3623225289067}}},
+    {.03,
+     .3,
+     .12,
+     0,
+     1.7,
+     .5,
+     2,
+     {1.2745, .2288},
+     {1.27449721065853, .228803148242056},
+     {{-.5216686133139, .6079769087971}, {-.5216686133139, -.6079769087971}}},
+};
+
+static whirl_orbit *rattle_orbit(const rattle *of, const whirl_rotor *rotor, double length, double radius) {
+    const whirl_system *system = whirl_rotor_system(rotor);
+    whirl_orbit_options options = whirl_orbit_default();
+    double state[3] = {of->start[0] / length / radius, of->start[1] / of->speed / length / radius, 0.0};
+    whirl_orbit *orbit = NULL;
+    require_ok(whirl_orbit_find(system, state, of->revolutions, &options, &orbit));
+    return orbit;
+}
+
+static void rattles_through_the_play(void **state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(rattles); i++) {
+        const rattle *of = &rattles[i];
+        whirl_rotor *rotor = rattle_rotor(of, 1.0, 1.0);
+        whirl_orbit *orbit = rattle_orbit(of, rotor, 1.0, 1.0);
+        // All digits but the last ones, which are those of 30 digits: steps of double precision sum up to 1e-13.
+        for (size_t k = 0; k < 2; k++) {
+            check_within("Gear rattle", words("%zu: %s", i + 1, k ? "x'" : "x"), of->place[k],
+                         (k ? of->speed : 1.0) * orbit->nodes[k], 2e-13);
+            check_within("Gear rattle", words("%zu: multiplier %zu", i + 1, k + 1), of->multiplier[k][0],
+                         orbit->multipliers[k].real, 2e-12);
+            check_within("Gear rattle", words("%zu: its imaginary part", i + 1), of->multiplier[k][1],
+                         orbit->multipliers[k].imaginary, 2e-12);
+        }
+        // Liouville: all damping is viscous and acts always.
+        check_within("Gear rattle", words("%zu: product of multipliers", i + 1),
+                     -2.0 * of->z * (double)of->revolutions * 6.283185307179586 / of->speed, orbit->volume, 1e-12);
+        whirl_orbit_free(orbit);
+        whirl_rotor_free(rotor);
+    }
+}
+
+/// Length scale and radius change no multiplier.
+static void rattles_at_any_scale(void **state) {
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(rattles); i++) {
+        whirl_rotor *one = rattle_rotor(&rattles[i], 1.0, 1.0), *other = rattle_rotor(&rattles[i], 2.7e-3, 0.08);
+        whirl_orbit *a = rattle_orbit(&rattles[i], one, 1.0, 1.0), *b = rattle_orbit(&rattles[i], other, 2.7e-3, 0.08);
+        for (size_t k = 0; k < 2; k++)
+            check_within("Gear rattle", words("%zu: multiplier %zu at another scale", i + 1, k + 1),
+                         a->multipliers[k].real, b->multipliers[k].real, 1e-10);
+        check_within("Gear rattle", words("%zu: place at another scale", i + 1), a->nodes[0],
+                     2.7e-3 * 0.08 * b->nodes[0], 1e-10);
+        whirl_orbit_free(a);
+        whirl_orbit_free(b);
+        whirl_rotor_free(one);
+        whirl_rotor_free(other);
+    }
+}
+
+// ---------------------------------------------------------------- a pair on supports
+
+/// Two gears on springs, each on a shaft to a further inertia; the whole machine is turned by `turned`.
+static whirl_rotor *pair_rotor(double turned, double stiffness) {
+    whirl_design *design = NULL;
+    require_ok(whirl_design_new(300.0, 1e-3, &design));
+    STATION(design, "one", {"mass", 12.0, NULL}, {"polar", 0.05, NULL}, {"moves", 0.0, "all"});
+    STATION(design, "two", {"mass", 30.0, NULL}, {"polar", 0.4, NULL}, {"moves", 0.0, "all"});
+    STATION(design, "in", {"polar", 0.8, NULL}, {"moves", 0.0, "twist"});
+    STATION(design, "out", {"polar", 3.0, NULL}, {"moves", 0.0, "twist"});
+    ADD(design, "spring", {"between", 0.0, "one, ground"}, {"stiffness", 6e7, NULL});
+    ADD(design, "spring", {"between", 0.0, "two, ground"}, {"stiffness", 9e7, NULL});
+    ADD(design, "coupling", {"between", 0.0, "in, one"}, {"twist", 2e5, NULL});
+    ADD(design, "coupling", {"between", 0.0, "two, out"}, {"twist", 4e5, NULL});
+    if (stiffness > 0.0)
+        ADD(design, "gear", {"between", 0.0, "one, two"}, {"base_radii", 0.0, "0.08, 0.2"},
+            {"pressure_angle", 0.3490658503988659, NULL}, {"direction", turned, NULL}, {"stiffness", stiffness, NULL});
+    else
+        ADD(design, "gear", {"between", 0.0, "one, two"}, {"base_radii", 0.0, "0.08, 0.2"});
+    return rotor_of(design);
+}
+
+static void pair_of_gears(void **state) {
+    static const char *const known[] = {"57.12096851491", "222.964106197",  "275.6644477109", "287.4975883324",
+                                        "345.8352111437", "355.8812717086", "1505.45617792"};
+    (void)state;
+    for (size_t turned = 0; turned < 3; turned++) {
+        whirl_rotor *rotor = pair_rotor((double)turned * 0.9, 2.5e8);
+        const whirl_system *system = whirl_rotor_system(rotor);
+        double start[16] = {0};
+        whirl_modes *modes = NULL;
+        require_ok(whirl_modes_new(system, start, &modes));
+        assert_int_equal(modes->count, COUNT_OF(known));
+        check_within("Gear pair", words("free motions, turned %zu times", turned), 1.0, (double)modes->free, 0.0);
+        for (size_t i = 0; i < COUNT_OF(known); i++)
+            check_digits("Gear pair", words("mode %zu, Hz, turned %zu times", i + 1, turned), known[i],
+                         300.0 * modes->modes[i].imaginary / 6.283185307179586476925);
+        // Two modes are the gears alone on their supports, across the line of action: no twist.
+        check_within("Gear pair", "twist of a gear alone on its support", 0.0, modes->modes[2].torsion, 1e-12);
+        check_within("Gear pair", "twist of the other", 0.0, modes->modes[5].torsion, 1e-12);
+        check_holds("Gear pair", "the lowest mode is torsional", modes->modes[0].torsion > 0.9);
+        whirl_modes_free(modes);
+        whirl_rotor_free(rotor);
+    }
+}
+
+/// A mesh that becomes stiffer has the torsional modes of a rigid ratio: the difference goes with one over the
+/// stiffness of the mesh, beside supports that are as stiff.
+static void stiff_mesh_becomes_rigid(void **state) {
+    double before = INFINITY, start[16] = {0};
+    (void)state;
+    whirl_rotor *rigid = pair_rotor(0.0, 0.0);
+    whirl_modes *modes = NULL;
+    require_ok(whirl_modes_new(whirl_rotor_system(rigid), start, &modes));
+    double known = NAN;
+    for (size_t i = modes->count; i-- > 0;)
+        if (modes->modes[i].torsion > 0.5) known = modes->modes[i].imaginary;
+    // Three inertias and two shafts, twists referred to the first gear: in, both gears, out.
+    const double ratio = 0.08 / 0.2, both = 0.05 + 0.4 * ratio * ratio, out = 3.0 * ratio * ratio;
+    const double k1 = 2e5, k2 = 4e5 * ratio * ratio, a = k1 / 0.8 + (k1 + k2) / both + k2 / out;
+    const double b = k1 * k2 * (0.8 + both + out) / (0.8 * both * out);
+    check_within("Gear pair", "lowest torsional mode of a rigid pair", sqrt(0.5 * (a - sqrt(a * a - 4.0 * b))) / 300.0,
+                 known, 1e-12);
+    whirl_modes_free(modes);
+    whirl_rotor_free(rigid);
+    for (double mesh = 1e10; mesh < 1e13; mesh *= 10.0) {
+        whirl_rotor *rotor = pair_rotor(0.0, mesh);
+        require_ok(whirl_modes_new(whirl_rotor_system(rotor), start, &modes));
+        // Supports give way, so that what is left does not vanish; it falls with the mesh.
+        const double apart = fabs(modes->modes[0].imaginary / known - 1.0);
+        check_holds("Gear pair", words("nearer to the rigid ratio at %g N/m", mesh), apart < before);
+        before = apart;
+        whirl_modes_free(modes);
+        whirl_rotor_free(rotor);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(rattles_through_the_play),
+                                       cmocka_unit_test(rattles_at_any_scale), cmocka_unit_test(pair_of_gears),
+                                       cmocka_unit_test(stiff_mesh_becomes_rigid)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
