@@ -16,7 +16,6 @@ typedef struct finished_point {
 struct job {
     const plan *plan;
     whirl_recorder *recorder;
-    whirl_task_source source;
     bool carried;
     size_t count, begun, oldest; ///< points; points begun; the first one that may not have been taken
     double *values;              ///< [count]
@@ -26,7 +25,6 @@ struct job {
     finished_point *points;      ///< [count]
     double *start;               ///< [dimension] instead of the machines' starts, or NULL
     bool waiting;                ///< a carried point is running
-    whirl_status status;         ///< the first error of `next`
 };
 
 static void job_release(job *j, size_t index) {
@@ -44,21 +42,22 @@ static whirl_status build_next(job *j) {
     return status.code == WHIRL_OK ? whirl_ensemble_check(j->first.system, machine->system) : status;
 }
 
-static bool next(void *context, whirl_task *task) {
-    job *j = context;
-    if (j->begun == j->count || j->waiting || j->status.code != WHIRL_OK) return false;
+/// Gives the next point to the recorder; false if there is none now.
+static bool next_point(job *j, whirl_status *status) {
+    if (j->begun == j->count || j->waiting) return false;
     whirl_machine *machine = &j->machines[j->begun];
-    j->status = build_next(j);
-    if (j->status.code != WHIRL_OK) {
+    *status = build_next(j);
+    if (status->code != WHIRL_OK) {
         job_release(j, j->begun);
         return false;
     }
     j->unlike = !whirl_ensemble_alike(j->first.system, machine->system);
     if (j->unlike) return false;
-    *task = (whirl_task){machine->system, j->start ? j->start : machine->start, &j->points[j->begun]};
+    const whirl_task task = {machine->system, j->start ? j->start : machine->start, &j->points[j->begun]};
     j->begun++;
     j->waiting = j->carried;
-    return true;
+    *status = whirl_recorder_add(j->recorder, &task, NULL, 0);
+    return status->code == WHIRL_OK;
 }
 
 /// Starts a carried point where the last one ended; after a divergence the chain starts from the case's start.
@@ -77,10 +76,9 @@ static whirl_status carry(job *j, const whirl_record *record) {
     return whirl_ok();
 }
 
-static whirl_status done(void *context, const whirl_task *task, whirl_record *record) {
-    job *j = context;
+/// Analyzes the record of a finished point, and frees it.
+static whirl_status finish_point(job *j, finished_point *point, whirl_record *record) {
     const plan *p = j->plan;
-    finished_point *point = task->tag;
     point->numbers = malloc((p->layout.size + p->dimension + 1) * sizeof *point->numbers);
     whirl_status status = point->numbers
                               ? whirl_analyze(record, &p->batch.record, p->batch.analyses, &p->layout, point->numbers)
@@ -94,11 +92,6 @@ static whirl_status done(void *context, const whirl_task *task, whirl_record *re
     return status;
 }
 
-static void abandon(void *context, const whirl_task *task) {
-    job *j = context;
-    job_release(j, (size_t)((finished_point *)task->tag - j->points));
-}
-
 /// Starts a recorder for machines with the structure of the machine at a value.
 static whirl_status turn_to_structure(job *j, double value) {
     const plan *p = j->plan;
@@ -110,7 +103,7 @@ static whirl_status turn_to_structure(job *j, double value) {
     if (status.code != WHIRL_OK) return status;
     // A motion and its perturbed copy take two lanes.
     const size_t lanes = j->carried || j->count == 1 ? 2 : 0;
-    return whirl_recorder_new(j->first.system, &p->batch.integrate, &p->batch.record, &j->source, lanes, &j->recorder);
+    return whirl_recorder_new(j->first.system, &p->batch.integrate, &p->batch.record, lanes, &j->recorder);
 }
 
 static whirl_status start_job(job *j, const double *values, const double *start) {
@@ -132,7 +125,6 @@ EXPORTED job *explorer_job_new(const plan *p, const double *values, size_t count
     whirl_status status = whirl_ok();
     if (j) {
         *j = (job){.plan = p, .carried = carried != 0, .count = count};
-        j->source = (whirl_task_source){.next = next, .done = done, .abandon = abandon, .context = j};
         status = start_job(j, values, start);
     } else {
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", count);
@@ -146,7 +138,7 @@ EXPORTED void explorer_job_free(job *j) {
     if (!j) return;
     whirl_recorder_free(j->recorder);
     if (j->first.release) j->first.release(j->first.owner);
-    if (j->unlike) job_release(j, j->begun);
+    for (size_t i = 0; j->machines && i < j->count; i++) job_release(j, i);
     for (size_t i = 0; j->points && i < j->count; i++) free(j->points[i].numbers);
     free(j->points);
     free(j->machines);
@@ -155,13 +147,25 @@ EXPORTED void explorer_job_free(job *j) {
     free(j);
 }
 
+/// Carries the points under way, and new ones, over one revolution.
+static whirl_status revolve(job *j, size_t *turned) {
+    whirl_task task;
+    whirl_record *record;
+    whirl_status status = whirl_recorder_begin(j->recorder);
+    while (status.code == WHIRL_OK && whirl_recorder_has_room(j->recorder) && next_point(j, &status)) {
+    }
+    if (status.code == WHIRL_OK) status = whirl_recorder_revolve(j->recorder, turned);
+    while (status.code == WHIRL_OK && whirl_recorder_take(j->recorder, &task, &record))
+        status = finish_point(j, task.tag, record);
+    return status;
+}
+
 EXPORTED double explorer_job_turn(job *j) {
     size_t turned;
-    whirl_status status = whirl_recorder_revolve(j->recorder, &turned);
-    if (status.code == WHIRL_OK) status = j->status;
+    whirl_status status = revolve(j, &turned);
     if (status.code == WHIRL_OK && turned == 0 && j->unlike) {
         status = turn_to_structure(j, j->values[j->begun]);
-        if (status.code == WHIRL_OK) status = whirl_recorder_revolve(j->recorder, &turned);
+        if (status.code == WHIRL_OK) status = revolve(j, &turned);
     }
     return explorer_good(&status) ? (double)turned : -1.0;
 }

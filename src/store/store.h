@@ -188,7 +188,7 @@ void underway_close(underway *states);
 void underway_remove(underway *states);
 
 /// See whirl_keeper.
-void underway_save(underway *states, size_t worker, const whirl_kept_state *kept, size_t count);
+void underway_save(underway *states, size_t worker, const whirl_point_state *kept, size_t count);
 void *underway_saved(const underway *states, size_t batch, size_t slot, double *revolutions, size_t *size);
 
 #endif

@@ -14,7 +14,7 @@
 
 enum { MOTIONS = 5, CROWD = 24, MANY = 96, TRANSIENT = 20, RECORD = 10, SAVES = 512 };
 
-/// A source of motions, which keeps their records, and their states after the save number `wanted`.
+/// Motions, their records, and their states after the save number `wanted`.
 typedef struct motions {
     whirl_rotor *rotors[MANY];
     double start[8];
@@ -28,33 +28,11 @@ typedef struct motions {
     bool waited[SAVES];  ///< whether a motion had not gone on since the save before
 } motions;
 
-static bool next(void *context, whirl_task *task) {
-    motions *m = context;
-    if (m->given == m->count) return false;
-    *task = m->tasks[m->given++];
-    return true;
-}
-
-static whirl_status done(void *context, const whirl_task *task, whirl_record *record) {
-    motions *m = context;
-    m->records[(const whirl_task *)task->tag - m->tasks] = record;
-    return whirl_ok();
-}
-
-static void abandon(void *context, const whirl_task *task) {
-    (void)context, (void)task;
-}
-
-static bool always(void *context) {
-    (void)context;
-    return true;
-}
-
-static void save(void *context, const whirl_motion_state *states, size_t count) {
-    motions *m = context;
+/// Notes the states after a revolution, and keeps those of the save number `wanted`.
+static void note_states(motions *m, const whirl_motion_state *states, size_t count) {
     const int call = m->calls++;
     for (size_t i = 0; i < count; i++) {
-        const ptrdiff_t number = (const whirl_task *)states[i].task->tag - m->tasks;
+        const ptrdiff_t number = (const whirl_task *)states[i].task.tag - m->tasks;
         if (call > 0 && call < SAVES && states[i].revolutions == m->turned[number]) m->waited[call] = true;
         m->turned[number] = states[i].revolutions;
         if (call != m->wanted) continue;
@@ -65,13 +43,11 @@ static void save(void *context, const whirl_motion_state *states, size_t count) 
     }
 }
 
-static void *saved(void *context, const whirl_task *task, size_t *size) {
-    motions *m = context;
-    const ptrdiff_t number = (const whirl_task *)task->tag - m->tasks;
-    void *bytes = m->states[number];
+/// Adds the next motion, from its state if it has one.
+static void add_next(motions *m, whirl_recorder *recorder) {
+    const size_t number = m->given++;
+    must(whirl_recorder_add(recorder, &m->tasks[number], m->states[number], m->sizes[number]));
     m->states[number] = NULL;
-    *size = m->sizes[number];
-    return bytes;
 }
 
 static void prepare_some(motions *m, size_t count) {
@@ -98,16 +74,26 @@ static void forget(motions *m) {
 /// Records all motions in `lanes` lanes or a few more (0: as many as the recorder likes). Returns the revolutions that
 /// were computed.
 static size_t record_in(motions *m, const char *method, const whirl_record_options *options, size_t lanes) {
-    static const whirl_motion_saver saver = {always, save, saved};
-    const whirl_task_source source = {next, done, abandon, m, &saver};
     whirl_integrate_options integrate = whirl_integrate_default();
     whirl_recorder *recorder;
     size_t turned = 1, sum = 0;
     strcpy(integrate.method, method);
     integrate.located = options->settle && lanes == 0; // both in one of the kinds
     integrate.steps_per_revolution = 128;
-    must(whirl_recorder_new(m->tasks[0].system, &integrate, options, &source, lanes, &recorder));
-    for (; turned > 0; sum += turned) must(whirl_recorder_revolve(recorder, &turned));
+    must(whirl_recorder_new(m->tasks[0].system, &integrate, options, lanes, &recorder));
+    for (; turned > 0; sum += turned) {
+        whirl_task task;
+        whirl_record *record;
+        must(whirl_recorder_begin(recorder));
+        while (m->given < m->count && whirl_recorder_has_room(recorder)) add_next(m, recorder);
+        must(whirl_recorder_revolve(recorder, &turned));
+        while (whirl_recorder_take(recorder, &task, &record))
+            m->records[(const whirl_task *)task.tag - m->tasks] = record;
+        size_t count;
+        whirl_motion_state *states = whirl_recorder_save(recorder, &count);
+        if (states) note_states(m, states, count);
+        whirl_motion_states_free(states, count);
+    }
     whirl_recorder_free(recorder);
     return sum;
 }

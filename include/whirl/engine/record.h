@@ -250,64 +250,63 @@ whirl_status whirl_record_along(const whirl_system *system, const whirl_orbit *o
                                 const whirl_orbit_options *options, const whirl_record_options *wanted,
                                 whirl_record **record);
 
-/// One of many motions to be recorded. `system` and `start` [dimension] are borrowed until the motion is done.
+/// One of many motions to be recorded. `system` and `start` [dimension] are borrowed until the motion is taken back.
 typedef struct whirl_task {
     const whirl_system *system; ///< the machine
     const double *start;        ///< [dimension]
-    void *tag;                  ///< for the use of the source
+    void *tag;                  ///< for the use of the caller
 } whirl_task;
 
 /// The state of an unfinished motion between two revolutions, as bytes.
 typedef struct whirl_motion_state {
-    const whirl_task *task; ///< the motion; borrowed
-    double revolutions;     ///< revolutions computed
-    void *bytes;            ///< [size]
-    size_t size;            ///< number of bytes
+    whirl_task task;    ///< the motion
+    double revolutions; ///< revolutions computed
+    void *bytes;        ///< [size]
+    size_t size;        ///< number of bytes
 } whirl_motion_state;
 
-/// Saves unfinished motions, so that a later run can continue them. No bit of a record depends on it.
-typedef struct whirl_motion_saver {
-    /// Returns true when the states should be saved now; asked after every revolution.
-    bool (*wanted)(void *context);
-    /// Takes the states of all unfinished motions of one recorder; borrowed.
-    void (*save)(void *context, const whirl_motion_state *states, size_t count);
-    /// Returns the saved state of a motion that begins, to be freed by free, or NULL. A state that does not fit the
-    /// motion, its system or its options is ignored.
-    void *(*saved)(void *context, const whirl_task *task, size_t *size);
-} whirl_motion_saver;
-
-/// The source of motions, which also receives their records.
-typedef struct whirl_task_source {
-    /// Writes the next motion and returns true; false if there is none now (there may be one after the next `done`).
-    bool (*next)(void *context, whirl_task *task);
-    /// Takes a finished motion and the ownership of its record.
-    whirl_status (*done)(void *context, const whirl_task *task, whirl_record *record);
-    /// Takes back a motion that is unfinished when the work ends early.
-    void (*abandon)(void *context, const whirl_task *task);
-    void *context;                   ///< passed to every function; borrowed
-    const whirl_motion_saver *saver; ///< or NULL; called with `context`
-} whirl_task_source;
-
-/// Records all motions of a source in an ensemble, in lanes if possible (whirl_ensemble_takes), else one after the
-/// other. Each record equals that of whirl_record_motion to the bit. All systems have the structure of `system`. Errors
-/// as whirl_record_motion; the first error, or the first one of `done`, ends the work.
-whirl_status whirl_record_motions(const whirl_system *system, const whirl_integrate_options *integrate,
-                                  const whirl_record_options *options, const whirl_task_source *source,
-                                  const whirl_monitor *monitor);
-
-/// Records motions one revolution at a time, for programs that must respond in between.
+/// Records many motions, one revolution at a time, in the lanes of an ensemble if possible (whirl_ensemble_takes), else
+/// one after the other. Each record equals that of whirl_record_motion to the bit. The caller repeats four steps until
+/// no motion turns:
+///
+///     whirl_recorder_begin(recorder);
+///     while (whirl_recorder_has_room(recorder) && another motion waits) whirl_recorder_add(recorder, &task, NULL, 0);
+///     whirl_recorder_revolve(recorder, &turned);
+///     while (whirl_recorder_take(recorder, &task, &record)) ...
+///
+/// After an error the recorder can only be freed.
 typedef struct whirl_recorder whirl_recorder;
 
-/// Creates a recorder; all arguments must outlive it. `lanes`: least number of motions side by side, if lanes are
-/// possible (0: the fastest number). Errors as whirl_record_motions. Freed by whirl_recorder_free, which abandons
-/// unfinished motions.
+/// Creates a recorder for machines with the structure of `system`; all arguments must outlive it. `lanes`: least number
+/// of motions side by side, if lanes are possible (0: the fastest number). Errors as whirl_record_motion. Freed by
+/// whirl_recorder_free.
 whirl_status whirl_recorder_new(const whirl_system *system, const whirl_integrate_options *integrate,
-                                const whirl_record_options *options, const whirl_task_source *source, size_t lanes,
-                                whirl_recorder **recorder);
+                                const whirl_record_options *options, size_t lanes, whirl_recorder **recorder);
 
-/// Carries all motions, and new ones of the source, over one revolution. *turned is their number: 0 when the source has
-/// none left. After an error the recorder can only be freed.
+/// Begins a revolution: motions that waited for a free lane, or for the orbit near which they are, go on.
+whirl_status whirl_recorder_begin(whirl_recorder *recorder);
+
+/// Returns true if the recorder takes a further motion into this revolution.
+bool whirl_recorder_has_room(const whirl_recorder *recorder);
+
+/// Adds a motion. It continues from the saved state `bytes` [size] (whirl_recorder_save), or begins at its start if
+/// bytes is NULL or does not fit the motion, its system or the options. Frees bytes. After an error the motion was not
+/// added.
+whirl_status whirl_recorder_add(whirl_recorder *recorder, const whirl_task *task, void *bytes, size_t size);
+
+/// Carries all motions over one revolution; *turned is their number, 0 if there are none.
 whirl_status whirl_recorder_revolve(whirl_recorder *recorder, size_t *turned);
+
+/// Removes a finished motion; false if none is left. The caller frees the record (whirl_record_free).
+bool whirl_recorder_take(whirl_recorder *recorder, whirl_task *task, whirl_record **record);
+
+/// Removes a motion that is unfinished, when work ends early; false if none is left.
+bool whirl_recorder_drop(whirl_recorder *recorder, whirl_task *task);
+
+/// Returns the states of all unfinished motions [*count], so that a later run can continue them: no bit of a record
+/// depends on it. NULL without motions, or without memory. Freed by whirl_motion_states_free.
+whirl_motion_state *whirl_recorder_save(whirl_recorder *recorder, size_t *count);
+void whirl_motion_states_free(whirl_motion_state *states, size_t count);
 
 /// Frees a recorder; accepts NULL.
 void whirl_recorder_free(whirl_recorder *recorder);

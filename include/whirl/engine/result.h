@@ -15,7 +15,7 @@ extern "C" {
 #endif
 
 /// Blocks of points that a run left with its keeper to save memory (whirl_run_options.memory).
-typedef struct whirl_kept_blocks whirl_kept_blocks;
+typedef struct whirl_journal_blocks whirl_journal_blocks;
 
 /// Limits of neighbour starts.
 enum {
@@ -71,7 +71,7 @@ struct whirl_table {
     int *branch;         ///< [count] +1 carried from the first value on, -1 carried from the last, 0 not carried
     /// [count][layout.size], NaN for points that are not done; NULL in an outline, and if the blocks are in `kept`.
     double *blocks;
-    whirl_kept_blocks *kept; ///< NULL, or the blocks
+    whirl_journal_blocks *journal_blocks; ///< NULL, or the blocks
     /// [count] 1 for points that are done, 0 for points that a stopped run did not reach; NULL: all are done.
     unsigned char *done;
     whirl_layout layout;               ///< layout of a block

@@ -169,12 +169,12 @@ typedef struct whirl_progress {
 } whirl_progress;
 
 /// The state of an unfinished point after some revolutions.
-typedef struct whirl_kept_state {
+typedef struct whirl_point_state {
     size_t batch, slot; ///< a keeper's batch and slot of the point
     double revolutions; ///< revolutions computed
     const void *bytes;  ///< [size]
     size_t size;        ///< number of bytes
-} whirl_kept_state;
+} whirl_point_state;
 
 /// A keeper: stores finished points outside of a run, so that a later run of the same study can continue (a journal,
 /// see whirl/engine/journal.h). A point is identified by its batch and its slot in the batch's table. For points that
@@ -193,7 +193,7 @@ struct whirl_keeper {
     void *context; ///< passed to every function; borrowed
     /// Stores the states of all unfinished motions of thread `worker`, in place of its earlier ones, so that long
     /// points need not begin again. Called every few seconds. May be NULL. A failure is not an error.
-    void (*save)(void *context, size_t worker, const whirl_kept_state *states, size_t count);
+    void (*save)(void *context, size_t worker, const whirl_point_state *states, size_t count);
     /// Returns the latest stored state of a point that begins, to be freed by free, or NULL.
     void *(*saved)(void *context, size_t batch, size_t slot, double *revolutions, size_t *size);
 };

@@ -31,7 +31,6 @@ typedef struct motion {
 struct whirl_recorder {
     const whirl_integrate_options *integrate;
     const whirl_record_options *options;
-    const whirl_task_source *source;
     whirl_ensemble *ensemble;
     whirl_ensemble *variational; ///< carries all perturbations, next to the other one; or NULL
     shooter *shooter;            ///< searches orbits, or NULL
@@ -41,9 +40,8 @@ struct whirl_recorder {
     size_t used;             ///< lanes
     motion **owner;          ///< [lane_count] motion in every used lane
     bool *recorded;          ///< [lane_count] whether a lane is watched, set by revolve_lanes for one revolution
-    size_t count, most;      ///< motions under way
-    motion **motions;        ///< [most], including those that wait
-    bool exhausted;          ///< the source had none at the last call
+    size_t count, max_count; ///< motions under way
+    motion **motions;        ///< [max_count], including those that wait
     whirl_ensemble_observe watch;
     const whirl_probe *probes;
     size_t probe_count, sample_count;
@@ -195,25 +193,6 @@ static void motion_archive(const whirl_recorder *r, motion *m, archive *a) {
     if (m->saved && a->sound) archive_part(a, m->saved, numbers * sizeof *m->saved);
 }
 
-/// Restores a saved motion; begins anew if the data do not fit, or if there are none.
-static motion *motion_taken_up(const whirl_recorder *r, const whirl_task *task) {
-    const whirl_motion_saver *saver = r->source->saver;
-    motion *m = motion_new(r, task);
-    size_t size = 0;
-    void *bytes = m && saver ? saver->saved(r->source->context, task, &size) : NULL;
-    archive a = {ARCHIVE_READ, bytes, size, 0, true};
-    if (!bytes) return m;
-    motion_archive(r, m, &a);
-    free(bytes);
-    if (!a.sound || a.at != a.size) {
-        motion_free(m);
-        return motion_new(r, task);
-    }
-    // It was saved before the revolution in which its growth is followed.
-    if (recorder_follows(r, m) && m->record->growth_count == 0) perturbed_copy_begin(&m->copy, m->x);
-    return m;
-}
-
 /// Serializes one motion; false without memory.
 static bool save_motion(const whirl_recorder *r, motion *m, whirl_motion_state *state) {
     if (!recorder_waits(m)) {
@@ -229,52 +208,77 @@ static bool save_motion(const whirl_recorder *r, motion *m, whirl_motion_state *
         free(m->saved);
         m->saved = NULL;
     }
-    *state = (whirl_motion_state){&m->task, m->record->revolutions, a.bytes, a.size};
+    *state = (whirl_motion_state){m->task, m->record->revolutions, a.bytes, a.size};
     return a.bytes != NULL;
 }
 
-static void save_motions(const whirl_recorder *r) {
-    const whirl_task_source *source = r->source;
-    if (!source->saver || r->count == 0 || !source->saver->wanted(source->context)) return;
-    whirl_motion_state *states = calloc(r->count, sizeof *states);
-    size_t count = 0;
-    while (states && count < r->count && save_motion(r, r->motions[count], &states[count])) count++;
-    if (count == r->count) source->saver->save(source->context, states, count);
+whirl_motion_state *whirl_recorder_save(whirl_recorder *r, size_t *count) {
+    whirl_motion_state *states = r->count > 0 ? calloc(r->count, sizeof *states) : NULL;
+    *count = 0;
+    while (states && *count < r->count && save_motion(r, r->motions[*count], &states[*count])) ++*count;
+    if (*count == r->count) return states;
+    whirl_motion_states_free(states, *count);
+    *count = 0;
+    return NULL;
+}
+
+void whirl_motion_states_free(whirl_motion_state *states, size_t count) {
     for (size_t i = 0; i < count; i++) free(states[i].bytes);
     free(states);
 }
 
-// ---------------------------------------------------------------- motions begin
-
-static whirl_status admit_new(whirl_recorder *r) {
-    whirl_task task;
-    if (!r->source->next(r->source->context, &task)) {
-        r->exhausted = true;
-        return whirl_ok();
+/// Makes a motion that continues from a saved state; one that begins if the bytes do not fit. NULL without memory.
+static motion *motion_restored(const whirl_recorder *r, const whirl_task *task, void *bytes, size_t size) {
+    motion *m = motion_new(r, task);
+    if (!m || !bytes) return m;
+    archive a = {ARCHIVE_READ, bytes, size, 0, true};
+    motion_archive(r, m, &a);
+    if (!a.sound || a.at != a.size) {
+        motion_free(m);
+        return motion_new(r, task);
     }
-    motion *m = motion_taken_up(r, &task);
-    if (!m) {
-        r->source->abandon(r->source->context, &task);
-        return whirl_fail(WHIRL_NO_MEMORY, "no memory to record %d revolutions", r->options->record);
-    }
-    r->motions[r->count++] = m;
-    // A motion that was saved while it waited for its orbit continues to wait.
-    return !m->shot && r->used + lanes_needed(r, m) <= r->lane_count ? enter_lanes(r, m) : whirl_ok();
+    // It was saved before the revolution in which its growth is followed.
+    if (recorder_follows(r, m) && m->record->growth_count == 0) perturbed_copy_begin(&m->copy, m->x);
+    return m;
 }
 
-/// Fills free lanes: first with motions that wait, then with new ones.
-static whirl_status recorder_fill(whirl_recorder *r) {
+// ---------------------------------------------------------------- motions begin
+
+/// Returns true if a motion waits for a lane, and not for its orbit.
+static bool waits_for_lane(const motion *m) {
+    return recorder_waits(m) && !m->shot;
+}
+
+/// Puts motions that wait into free lanes.
+static whirl_status recorder_resume(whirl_recorder *r) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < r->count && status.code == WHIRL_OK; i++) {
         motion *m = r->motions[i];
-        if (!recorder_waits(m) || m->shot) continue;
+        if (!waits_for_lane(m)) continue;
         if (r->used + lanes_needed(r, m) > r->lane_count) return status;
         status = enter_lanes(r, m);
     }
+    return status;
+}
+
+bool whirl_recorder_has_room(const whirl_recorder *r) {
     const size_t first = has_copies(r) && r->first_watched == 0 ? 2 : 1;
-    r->exhausted = false;
-    while (status.code == WHIRL_OK && !r->exhausted && r->count < r->most && r->used + first <= r->lane_count)
-        status = admit_new(r);
+    for (size_t i = 0; i < r->count; i++)
+        if (waits_for_lane(r->motions[i])) return false;
+    return r->count < r->max_count && r->used + first <= r->lane_count;
+}
+
+whirl_status whirl_recorder_add(whirl_recorder *r, const whirl_task *task, void *bytes, size_t size) {
+    motion *m = motion_restored(r, task, bytes, size);
+    free(bytes);
+    if (!m) return whirl_fail(WHIRL_NO_MEMORY, "no memory to record %d revolutions", r->options->record);
+    // A motion that was saved while it waited for its orbit continues to wait.
+    whirl_status status = whirl_ok();
+    if (!m->shot && r->used + lanes_needed(r, m) <= r->lane_count) status = enter_lanes(r, m);
+    if (status.code == WHIRL_OK)
+        r->motions[r->count++] = m;
+    else
+        motion_free(m);
     return status;
 }
 
@@ -549,33 +553,17 @@ static void end_transients(whirl_recorder *r) {
     }
 }
 
-// ---------------------------------------------------------------- motions end
+// ---------------------------------------------------------------- the four steps of a revolution
 
-/// Hands finished motions to the source.
-static whirl_status hand_over(whirl_recorder *r) {
-    size_t kept = 0;
-    whirl_status status = whirl_ok();
-    for (size_t i = 0; i < r->count; i++) {
-        motion *m = r->motions[i];
-        if (!is_over(r, m) || status.code != WHIRL_OK) {
-            r->motions[kept++] = m;
-            continue;
-        }
-        leave_lanes(r, m);
-        status = r->source->done(r->source->context, &m->task, m->record);
-        m->record = NULL;
-        motion_free(m);
-    }
-    r->count = kept;
-    return status;
+whirl_status whirl_recorder_begin(whirl_recorder *r) {
+    const whirl_status status = look_for_orbits(r); // of restored motions that waited for it
+    end_transients(r);
+    return status.code == WHIRL_OK ? recorder_resume(r) : status;
 }
 
 whirl_status whirl_recorder_revolve(whirl_recorder *r, size_t *turned) {
     *turned = 0;
-    whirl_status status = look_for_orbits(r); // of restored motions that waited for it
-    end_transients(r);
-    if (status.code == WHIRL_OK) status = recorder_fill(r);
-    if (status.code == WHIRL_OK) status = prepare_all(r);
+    whirl_status status = prepare_all(r);
     if (status.code != WHIRL_OK || r->count == 0) return status;
     status = follow_all(r);
     if (status.code != WHIRL_OK) return status;
@@ -590,12 +578,42 @@ whirl_status whirl_recorder_revolve(whirl_recorder *r, size_t *turned) {
     if (status.code == WHIRL_OK) status = recorder_start_searches(r);
     if (status.code == WHIRL_OK) status = look_for_orbits(r);
     end_transients(r);
-    // Results since a stop are invalid: no record is handed over, and no state saved.
+    // Results since a stop are invalid: no record may be taken, and no state saved.
     if (status.code == WHIRL_OK && whirl_integrate_stopped(r->integrate)) return whirl_fail(WHIRL_STOPPED, "stopped");
-    if (status.code == WHIRL_OK) status = hand_over(r);
-    if (status.code == WHIRL_OK) save_motions(r);
     return status;
 }
+
+/// Removes a motion from the list; the others keep their order.
+static motion *recorder_remove(whirl_recorder *r, size_t index) {
+    motion *m = r->motions[index];
+    r->count--;
+    for (size_t i = index; i < r->count; i++) r->motions[i] = r->motions[i + 1];
+    return m;
+}
+
+bool whirl_recorder_take(whirl_recorder *r, whirl_task *task, whirl_record **record) {
+    size_t i = 0;
+    while (i < r->count && !is_over(r, r->motions[i])) i++;
+    if (i == r->count) return false;
+    motion *m = recorder_remove(r, i);
+    leave_lanes(r, m);
+    *task = m->task;
+    *record = m->record;
+    m->record = NULL;
+    motion_free(m);
+    return true;
+}
+
+bool whirl_recorder_drop(whirl_recorder *r, whirl_task *task) {
+    if (r->count == 0) return false;
+    motion *m = recorder_remove(r, r->count - 1);
+    leave_lanes(r, m);
+    *task = m->task;
+    motion_free(m);
+    return true;
+}
+
+// ---------------------------------------------------------------- making
 
 /// Returns how many perturbations an integrator carries with a motion. A perturbed copy gives the largest growth,
 /// except with methods whose steps change abruptly, or systems with kinks.
@@ -619,7 +637,7 @@ static bool go_side_by_side(const whirl_system *system, const whirl_integrate_op
 static whirl_status start_ensemble(whirl_recorder *r, const whirl_system *system, size_t lanes) {
     if (!go_side_by_side(system, r->integrate, r->options)) {
         r->beside = count_beside(system, r->integrate, r->options);
-        r->most = 1; // one after the other
+        r->max_count = 1; // one after the other
         return whirl_ensemble_alone(system, r->integrate, has_copies(r) ? 2 : 1, r->beside, &r->ensemble);
     }
     const whirl_status status = whirl_ensemble_new(system, r->integrate, lanes, &r->ensemble);
@@ -638,8 +656,8 @@ static whirl_status recorder_start(whirl_recorder *r, const whirl_system *system
     r->lane_count = whirl_ensemble_lanes(r->ensemble);
     r->owner = calloc(r->lane_count, sizeof(motion *));
     r->recorded = calloc(r->lane_count, sizeof *r->recorded);
-    if (r->most == 0) r->most = r->shooter ? 2 * r->lane_count : r->lane_count; // some wait
-    r->motions = calloc(r->most, sizeof(motion *));
+    if (r->max_count == 0) r->max_count = r->shooter ? 2 * r->lane_count : r->lane_count; // some wait
+    r->motions = calloc(r->max_count, sizeof(motion *));
     r->probes = system->probes;
     r->probe_count = system->probe_count;
     r->watch = (whirl_ensemble_observe){.sample = recorder_sample, .context = r, .lanes = r->recorded};
@@ -655,10 +673,7 @@ static whirl_status recorder_start(whirl_recorder *r, const whirl_system *system
 
 void whirl_recorder_free(whirl_recorder *r) {
     if (!r) return;
-    for (size_t i = 0; i < r->count; i++) {
-        r->source->abandon(r->source->context, &r->motions[i]->task);
-        motion_free(r->motions[i]);
-    }
+    for (size_t i = 0; i < r->count; i++) motion_free(r->motions[i]);
     free(r->motions);
     free(r->owner);
     free(r->recorded);
@@ -670,8 +685,7 @@ void whirl_recorder_free(whirl_recorder *r) {
 }
 
 whirl_status whirl_recorder_new(const whirl_system *system, const whirl_integrate_options *integrate,
-                                const whirl_record_options *options, const whirl_task_source *source, size_t lanes,
-                                whirl_recorder **out) {
+                                const whirl_record_options *options, size_t lanes, whirl_recorder **out) {
     *out = NULL;
     whirl_status status = whirl_record_check(system, integrate, options);
     if (status.code != WHIRL_OK) return status;
@@ -679,7 +693,6 @@ whirl_status whirl_recorder_new(const whirl_system *system, const whirl_integrat
     if (!r) return whirl_fail(WHIRL_NO_MEMORY, "no memory to record motions");
     r->integrate = integrate;
     r->options = options;
-    r->source = source;
     r->dimension = system->dimension;
     r->last = options->transient + options->record;
     r->first_watched = r->last - whirl_record_watch(options);

@@ -20,20 +20,6 @@ static const double long_against_watch = 2.0;
 /// from each other.
 static const double displacement = 1e-6, longest_parting = 600.0;
 
-typedef struct copies {
-    const whirl_system *system;
-    double *starts; ///< [count][dimension]
-    int count, begun;
-    whirl_survival *survival;
-} copies;
-
-static bool survival_next(void *context, whirl_task *task) {
-    copies *all = context;
-    if (all->begun == all->count) return false;
-    *task = (whirl_task){all->system, all->starts + (size_t)all->begun++ * all->system->dimension, NULL};
-    return true;
-}
-
 /// Returns true if a copy is no longer chaotic: it is lost, returns or closes in on a return, or is regular.
 static bool survival_is_over(const whirl_record *record) {
     const double near_return = 0.02, shrinks = 0.5, regular_walk = 0.2, regular_digits = 4.0;
@@ -46,30 +32,43 @@ static bool survival_is_over(const whirl_record *record) {
     return zero_one_test(&points, size) <= regular_walk && regularity_find(&points, size).digits >= regular_digits;
 }
 
-static whirl_status survival_done(void *context, const whirl_task *task, whirl_record *record) {
-    copies *all = context;
-    (void)task;
-    all->survival->cost += record->revolutions;
-    all->survival->ended += survival_is_over(record);
-    whirl_record_free(record);
-    return whirl_ok();
-}
-
-static void survival_abandon(void *context, const whirl_task *task) {
-    (void)context, (void)task;
-}
-
-/// Picks states of the section, from the first to the last, and displaces each in a direction of its own, the same in
-/// every run.
-static void place_copies(const whirl_record *record, double share, copies *all) {
-    const size_t d = record->dimension, count = (size_t)all->count;
+/// Picks `count` states of the section, from the first to the last, and displaces each in a direction of its own, the
+/// same in every run: starts [count][dimension].
+static void place_copies(const whirl_record *record, double share, size_t count, double *starts) {
+    const size_t d = record->dimension;
     for (size_t c = 0; c < count; c++) {
         const double *from = record->section + c * record->section_count / count * d;
         for (size_t i = 0; i < d; i++) {
             const double turn = fmod((double)((i + 1) * (c + 1)) * 0.6180339887498949, 1.0);
-            all->starts[c * d + i] = from[i] + share * (record->high[i] - record->low[i]) * (2.0 * turn - 1.0);
+            starts[c * d + i] = from[i] + share * (record->high[i] - record->low[i]) * (2.0 * turn - 1.0);
         }
     }
+}
+
+/// Records the copies side by side, and counts those that have ended.
+static whirl_status follow_copies(const whirl_system *system, const whirl_integrate_options *integrate,
+                                  const whirl_record_options *options, const double *starts, whirl_survival *survival) {
+    whirl_recorder *recorder;
+    int begun = 0;
+    size_t turned = 1;
+    whirl_status status = whirl_recorder_new(system, integrate, options, 0, &recorder);
+    while (status.code == WHIRL_OK && turned > 0) {
+        status = whirl_recorder_begin(recorder);
+        while (status.code == WHIRL_OK && begun < survival->copies && whirl_recorder_has_room(recorder)) {
+            const whirl_task task = {system, starts + (size_t)begun++ * system->dimension, NULL};
+            status = whirl_recorder_add(recorder, &task, NULL, 0);
+        }
+        if (status.code == WHIRL_OK) status = whirl_recorder_revolve(recorder, &turned);
+        whirl_task task;
+        whirl_record *record;
+        while (status.code == WHIRL_OK && whirl_recorder_take(recorder, &task, &record)) {
+            survival->cost += record->revolutions;
+            survival->ended += survival_is_over(record);
+            whirl_record_free(record);
+        }
+    }
+    whirl_recorder_free(recorder);
+    return status;
 }
 
 whirl_status whirl_record_survival(const whirl_system *system, const whirl_integrate_options *integrate,
@@ -89,14 +88,12 @@ whirl_status whirl_record_survival(const whirl_system *system, const whirl_integ
     options.waveform = options.spectra = options.orbits = false;
     options.waveform_revolutions = 0;
     options.growth = WHIRL_GROWTH_NONE;
-    copies all = {.system = system, .count = count, .survival = survival};
-    all.starts = malloc((size_t)all.count * system->dimension * sizeof *all.starts);
-    if (!all.starts) return whirl_fail(WHIRL_NO_MEMORY, "no memory to follow copies of a motion");
-    place_copies(record, share, &all);
-    const whirl_task_source source = {survival_next, survival_done, survival_abandon, &all, NULL};
-    const whirl_status status = whirl_record_motions(system, integrate, &options, &source, NULL);
-    free(all.starts);
+    double *starts = malloc((size_t)count * system->dimension * sizeof *starts);
+    if (!starts) return whirl_fail(WHIRL_NO_MEMORY, "no memory to follow copies of a motion");
+    place_copies(record, share, (size_t)count, starts);
     survival->copies = count;
     survival->revolutions = (double)count * lived;
+    const whirl_status status = follow_copies(system, integrate, &options, starts, survival);
+    free(starts);
     return status;
 }

@@ -42,7 +42,7 @@ whirl_status finished_points(const whirl_table *whole, finished *out) {
     *out = (finished){.table = *whole};
     whirl_table *table = &out->table;
     table->blocks = NULL;
-    table->kept = NULL;
+    table->journal_blocks = NULL;
     table->done = NULL;
     table->planned = whirl_table_planned(whole);
     return count == whole->count ? whirl_ok() : copy_finished(whole, count, out);

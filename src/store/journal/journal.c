@@ -88,7 +88,7 @@ static whirl_status keep(void *context, size_t batch, size_t slot, const double 
 static bool recall(void *context, size_t batch, size_t slot, double *block, size_t size, double *end, size_t dimension);
 static whirl_status tend(void *context);
 
-static void save(void *context, size_t worker, const whirl_kept_state *states, size_t count) {
+static void save(void *context, size_t worker, const whirl_point_state *states, size_t count) {
     underway_save(((const whirl_journal *)context)->states, worker, states, count);
 }
 

@@ -161,7 +161,7 @@ void underway_remove(underway *u) {
 
 // ---------------------------------------------------------------- saving
 
-static void write_state(FILE *stream, uint64_t identity, const whirl_kept_state *state) {
+static void write_state(FILE *stream, uint64_t identity, const whirl_point_state *state) {
     unsigned char head[JOURNAL_HEAD], number[REVOLUTIONS], tail[JOURNAL_TAIL];
     const frame_head what = {
         .identity = identity, .slot = state->slot, .size = REVOLUTIONS + state->size, .batch = (uint32_t)state->batch};
@@ -177,7 +177,7 @@ static void write_state(FILE *stream, uint64_t identity, const whirl_kept_state 
     fwrite(tail, 1, sizeof tail, stream);
 }
 
-void underway_save(underway *u, size_t worker, const whirl_kept_state *kept, size_t count) {
+void underway_save(underway *u, size_t worker, const whirl_point_state *kept, size_t count) {
     char name[PATH_SIZE];
     atomic_file out;
     // After a failure the states saved before remain.

@@ -2,7 +2,6 @@
 #ifndef STUDY_ATTRACTORS_H
 #define STUDY_ATTRACTORS_H
 
-#include "passes.h"
 #include "whirl/engine/result.h"
 
 #include <stdbool.h>
@@ -64,20 +63,5 @@ void alike_free(alike *labels);
 /// Returns true if two finished points have one regime and period and, in a basin, one attractor. A verdict that is
 /// undetermined or of low confidence equals no other. The blocks of both points must be final.
 bool alike_are(alike *labels, size_t a, size_t b);
-
-// ---------------------------------------------------------------- neighbours
-// Starts from neighbours: each place of a study is started from the ends of its neighbours' motions on attractors that
-// none of its own starts reached, round after round. What a round does follows from the blocks alone, and every such
-// start has its own slot: threads, journals and interruptions change no bit.
-
-/// Runs the rounds of all batches that ask for them, after all points are computed and confirmed. The tracker reports
-/// stops. WHIRL_NO_MEMORY.
-whirl_status neighbours_work(study_run *run);
-
-/// Removes from the tables the slots of starts that were never used. WHIRL_NO_MEMORY.
-whirl_status neighbours_end(study_run *run);
-
-/// Frees the origins.
-void neighbours_free(study_run *run);
 
 #endif

@@ -57,7 +57,7 @@ static void begin_view(const whirl_table *table, whirl_table *view) {
     view->values = view->length_scales = view->blocks = NULL;
     view->branch = NULL;
     view->done = NULL;
-    view->kept = NULL;
+    view->journal_blocks = NULL;
     view->room = NULL;
     view->attractors = NULL;
 }

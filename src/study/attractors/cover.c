@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "passes.h"
+#include "whirl/engine/result.h"
 
 /// End of a half-open range, so that every grid point belongs to one square. The last column and row belong to the
 /// squares that end there.

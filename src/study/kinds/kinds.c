@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/// Motions are recorded by passes themselves (run/chains.c).
+/// Motions are recorded by passes themselves (run/passes.c).
 static const study_kind motion_kind = {.name = "motion", .piece = 1};
 
 static const study_kind *const kinds[] = {&motion_kind, &rest_kind, &branch_kind, &torus_kind};

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "passes.h"
+#include "pass.h"
 
 /// Points of a thread's, or a share's, piece: neighbours in it share the modes of the point between them.
 enum { RESTING_PIECE = 8 };
@@ -37,15 +37,15 @@ static void resting_finish(const worker *w, size_t slot, bool recalled) {
         tracker_advance(&w->run->tracker, pass_revolutions(w->run, w->pass), 1);
 }
 
-static kept_point kept_at(const worker *w, size_t slot) {
-    return (kept_point){
+static journal_entry resting_entry(const worker *w, size_t slot) {
+    return (journal_entry){
         .batch = w->pass->batch, .slot = slot, .block = resting_block_of(w, slot), .size = w->table->layout.size};
 }
 
 static whirl_status resting_keep(const worker *w, size_t slot) {
-    const kept_point point = kept_at(w, slot);
-    const whirl_status status = keeper_keep(w->run->keeper, &point);
-    return status.code == WHIRL_OK ? keeper_tend(w->run->keeper) : status;
+    const journal_entry entry = resting_entry(w, slot);
+    const whirl_status status = run_journal_write(w->run->journal, &entry);
+    return status.code == WHIRL_OK ? run_journal_sync(w->run->journal) : status;
 }
 
 /// Locates critical speeds between the point before and this one, which becomes the next point's before. Does nothing
@@ -174,8 +174,8 @@ static whirl_status work_at(worker *w, size_t first, size_t end) {
     whirl_status status = whirl_ok();
     for (size_t i = first; i < end && status.code == WHIRL_OK && !atomic_load(&w->run->tracker.halt); i++) {
         const size_t slot = w->pass->slots ? w->pass->slots[i] : i;
-        const kept_point point = kept_at(w, slot);
-        if (keeper_recall(w->run->keeper, &point)) {
+        const journal_entry entry = resting_entry(w, slot);
+        if (run_journal_read(w->run->journal, &entry)) {
             resting_free(&w->before);
             resting_finish(w, slot, true);
         } else if (!w->run->gathering) {

@@ -58,27 +58,27 @@ whirl_family rows_family(const rows *r) {
     return (whirl_family){rows_machine_of, r};
 }
 
-// ---------------------------------------------------------------- what a keeper knows
+// ---------------------------------------------------------------- what the journal has
 
 /// Journal entry of a row: its block, with the value of its parameter in place of a state.
-static kept_point kept_at(const rows *r, size_t row) {
-    return (kept_point){.batch = r->pass->batch,
-                        .slot = row,
-                        .block = rows_block(r, row),
-                        .size = r->table->layout.size,
-                        .end = &r->table->values[row],
-                        .dimension = 1};
+static journal_entry rows_entry(const rows *r, size_t row) {
+    return (journal_entry){.batch = r->pass->batch,
+                           .slot = row,
+                           .block = rows_block(r, row),
+                           .size = r->table->layout.size,
+                           .end = &r->table->values[row],
+                           .dimension = 1};
 }
 
 static bool recall_row(const rows *r, size_t row) {
-    const kept_point point = kept_at(r, row);
-    return keeper_recall(r->run->keeper, &point) &&
-           whirl_block_check(&r->table->layout, point.block, &r->pass->record).code == WHIRL_OK;
+    const journal_entry entry = rows_entry(r, row);
+    return run_journal_read(r->run->journal, &entry) &&
+           whirl_block_check(&r->table->layout, entry.block, &r->pass->record).code == WHIRL_OK;
 }
 
 static whirl_status keep_row(const rows *r, size_t row) {
-    const kept_point point = kept_at(r, row);
-    return keeper_keep(r->run->keeper, &point);
+    const journal_entry entry = rows_entry(r, row);
+    return run_journal_write(r->run->journal, &entry);
 }
 
 /// Returns true if none of the rows was searched yet. Curves and tori may be absent where there are branches.
@@ -163,7 +163,7 @@ whirl_status rows_add(rows *r, const whirl_branch *branch, size_t number, size_t
 }
 
 bool rows_go_on(const rows *r) {
-    const whirl_status status = keeper_tend(r->run->keeper);
+    const whirl_status status = run_journal_sync(r->run->journal);
     if (status.code != WHIRL_OK) tracker_fail(&r->run->tracker, &status);
     return tracker_advance(&r->run->tracker, 0.0, 0);
 }

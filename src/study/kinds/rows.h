@@ -2,7 +2,7 @@
 #ifndef STUDY_ROWS_H
 #define STUDY_ROWS_H
 
-#include "passes.h"
+#include "pass.h"
 
 typedef struct rows {
     study_run *run;

@@ -1,7 +1,7 @@
 // Results in memory, which all layers above read.
 #include "whirl/engine/result.h"
 
-#include "kept.h"
+#include "journal_blocks.h"
 #include "memory.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@ void whirl_result_free(whirl_result *result) {
         void *const arrays[] = {table->slots,  table->values, table->length_scales,
                                 table->branch, table->blocks, table->done};
         for (size_t k = 0; k < sizeof arrays / sizeof *arrays; ++k) room_drop(&table->room, arrays[k]);
-        kept_free(table->kept);
+        journal_blocks_free(table->journal_blocks);
     }
     free(result->tables);
     free(result->case_text);
@@ -42,7 +42,7 @@ const double *whirl_table_block(const whirl_table *table, size_t point) {
     if (point >= table->count) return NULL;
     if (table->source) return whirl_table_block(table->source, table->chosen[point]);
     room_pass(table->room, point);
-    if (table->kept) return kept_block(table, point);
+    if (table->journal_blocks) return journal_blocks_of(table, point);
     return table->blocks ? table->blocks + point * table->layout.size : NULL;
 }
 

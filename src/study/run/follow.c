@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "passes.h"
+#include "run.h"
 
 /// Length of a copy over the point's revolutions; doubled in every round of refinement.
 static const int first_length = 3;

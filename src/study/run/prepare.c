@@ -4,7 +4,7 @@
 
 #include "clock.h"
 #include "first_error.h"
-#include "passes.h"
+#include "run.h"
 #include "whirl/internal/film_tables.h"
 
 /// Points, over all batches, whose tables are made beforehand; other tables are made when their points are computed.

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "clock.h"
-#include "passes.h"
+#include "run.h"
 
 // ---------------------------------------------------------------- points in doubt
 

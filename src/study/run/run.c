@@ -4,9 +4,8 @@
 #include <stdlib.h>
 
 #include "attractors.h"
-#include "kinds.h"
 #include "memory.h"
-#include "passes.h"
+#include "run.h"
 
 static bool has_regime(const whirl_batch *batch) {
     whirl_analysis_set regime = 0;
@@ -260,7 +259,7 @@ static whirl_status place_all(whirl_study *study, whirl_placed *placed[WHIRL_MAX
 whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *options, whirl_result **out) {
     whirl_study chosen = *study;
     whirl_placed *placed[WHIRL_MAX_BATCHES] = {NULL};
-    study_run run = {.study = &chosen, .keeper = options->keeper, .share = options->share, .dealer = options->dealer};
+    study_run run = {.study = &chosen, .journal = options->keeper, .share = options->share, .dealer = options->dealer};
     *out = NULL;
     if (options->threads < 0) return whirl_fail(WHIRL_BAD_INPUT, "threads is %d, expected 0 or more", options->threads);
     if (run.share.count > 0 && (run.share.number < 1 || run.share.number > run.share.count))

@@ -1,7 +1,7 @@
 // Shares of a study: which of several runs computes which points.
 #include <stdlib.h>
 
-#include "kinds.h"
+#include "run.h"
 
 /// Points of a batch that stay together.
 static size_t piece_of(const whirl_batch *batch) {
@@ -16,7 +16,7 @@ bool whirl_share_has(const whirl_study *study, const whirl_share *share, size_t 
     return share->count == 0 || slot / piece_of(own) % share->count + 1 == share->number;
 }
 
-/// Returns true if a point must still be computed or confirmed; carried points count with their chain.
+/// Returns true if a point must still be computed or confirmed; carried points count together.
 static bool is_open(const study_run *run, const pass *p, size_t slot) {
     const whirl_dealer *dealer = run->dealer;
     const whirl_batch *batch = &run->study->batches[p->batch];
@@ -42,15 +42,15 @@ static bool is_own(const study_run *run, const pass *p, size_t slot) {
 }
 
 whirl_status share_pass(const study_run *run, pass *p) {
-    const size_t length = pass_chain_length(p, &run->study->batches[p->batch]), all = p->count / length;
-    size_t chains = 0;
+    const size_t length = pass_carried(p, &run->study->batches[p->batch]), all = p->count / length;
+    size_t count = 0;
     if (run->study->batches[p->batch].refine > 0) return refined_pass(run, p);
     if (run->share.count == 0 && !run->dealer) return whirl_ok();
     p->slots = calloc(all + 1, sizeof *p->slots);
     if (!p->slots) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", p->count);
     for (size_t i = 0; i < all; i++)
-        if (is_own(run, p, i * length)) p->slots[chains++] = i * length;
-    p->count = chains * length;
+        if (is_own(run, p, i * length)) p->slots[count++] = i * length;
+    p->count = count * length;
     const whirl_batch *batch = &run->study->batches[p->batch];
     const bool follows = p->confirming && batch->carry != WHIRL_CARRY_NONE;
     p->dealt = run->dealer && !follows && !batch_is_found(batch);

@@ -108,7 +108,7 @@ static void kept_points_come_back(void **state) {
 
 static void save_state(whirl_journal *journal, size_t worker, size_t slot, double revolutions, const char *text) {
     const whirl_keeper *keeper = whirl_journal_keeper(journal);
-    const whirl_kept_state states[] = {{0, slot, revolutions, text, strlen(text) + 1}, {1, 0, 5.0, "detail", 7}};
+    const whirl_point_state states[] = {{0, slot, revolutions, text, strlen(text) + 1}, {1, 0, 5.0, "detail", 7}};
     keeper->save(keeper->context, worker, states, 2);
 }
 

@@ -194,7 +194,7 @@ static void states_are_taken(void **state) {
     double revolutions = 0.0;
     size_t size;
     whirl_journal *other = begun(f, f->other);
-    const whirl_kept_state far = {0, 2, 30.0, "far", 4};
+    const whirl_point_state far = {0, 2, 30.0, "far", 4};
     whirl_journal_keeper(other)->save(whirl_journal_keeper(other)->context, 1, &far, 1);
     check(whirl_journal_close(other));
     whirl_journal *journal = begun(f, f->own);

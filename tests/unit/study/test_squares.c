@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "kinds.h"
+#include "run.h"
 
 /// Labels over a plane, and what was asked for so far.
 typedef struct field {

@@ -1,10 +1,10 @@
-#include "kinds.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "attractors.h"
-#include "kept.h"
+#include "journal_blocks.h"
+#include "run.h"
 
 struct refined_map {
     const whirl_table *table;
@@ -220,12 +220,12 @@ static void note_width(const whirl_table *table, size_t point, double width) {
     if (table->blocks)
         table->blocks[point * table->layout.size + field->offset] = width;
     else
-        kept_note_width(table, point, width);
+        journal_blocks_note_width(table, point, width);
 }
 
 static whirl_status refined_map_compact(const refined_map *map, whirl_table *table) {
     whirl_status status = table_close_up(table, map->asked);
-    if (status.code == WHIRL_OK && table->kept) status = kept_make_widths(table);
+    if (status.code == WHIRL_OK && table->journal_blocks) status = journal_blocks_make_widths(table);
     for (size_t point = 0; status.code == WHIRL_OK && point < table->count; point++)
         note_width(table, point, map->widths[table->slots[point]]);
     return status;

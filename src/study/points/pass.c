@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "clock.h"
-#include "passes.h"
+#include "pass.h"
 
 /// Displacement of a perturbed copy over the size of the state.
 static const double displacement = 1e-6;

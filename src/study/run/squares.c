@@ -1,6 +1,7 @@
-#include "kinds.h"
 
 #include <stdlib.h>
+
+#include "run.h"
 
 /// A square, whose edges the plane's may cut off.
 typedef struct square {

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "passes.h"
+#include "pass.h"
 
 whirl_status whirl_study_machine(const whirl_study *study, const whirl_batch *batch, size_t point,
                                  whirl_machine *machine) {

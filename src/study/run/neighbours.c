@@ -2,6 +2,7 @@
 // large and followed from there: each place starts from the ends of its neighbours' motions on attractors that it
 // lacks.
 #include "attractors.h"
+#include "run.h"
 
 #include <math.h>
 #include <stdlib.h>

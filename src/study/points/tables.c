@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "kept.h"
+#include "journal_blocks.h"
 #include "memory.h"
-#include "passes.h"
+#include "pass.h"
 
 static void fill_values(whirl_table *table, const whirl_batch *batch) {
     const bool found = batch_is_found(batch);
@@ -79,7 +79,7 @@ static whirl_status make_blocks(whirl_table *table, size_t large) {
 /// Returns true if a batch's blocks may stay in the journal: blocks that change later stay in memory.
 static bool may_leave(const study_run *run, size_t batch) {
     const whirl_batch *own = &run->study->batches[batch];
-    return run->keeper && !own->confirm && !study_is_refined(run->study) && !batch_is_found(own);
+    return run->journal && !own->confirm && !study_is_refined(run->study) && !batch_is_found(own);
 }
 
 whirl_status tables_fill(const study_run *run, size_t memory) {
@@ -92,7 +92,8 @@ whirl_status tables_fill(const study_run *run, size_t memory) {
         const bool large = table->count >= most / (table->layout.size + 1);
         // No state is kept for points at rest.
         const size_t dimension = whirl_analysis_kind(table->analyses)->moves ? run->dimension : 0;
-        status = large && may_leave(run, i) ? kept_new(table, run->keeper, i, dimension) : make_blocks(table, bytes);
+        status = large && may_leave(run, i) ? journal_blocks_new(table, run->journal, i, dimension)
+                                            : make_blocks(table, bytes);
     }
     return status;
 }
@@ -115,7 +116,7 @@ whirl_status table_close_up(whirl_table *table, const unsigned char *wanted) {
     for (size_t slot = 0; slot < table->count; slot++)
         if (wanted[slot]) move_point(table, point++, slot);
     table->count = count;
-    if (table->kept) kept_forget(table->kept);
+    if (table->journal_blocks) journal_blocks_forget(table->journal_blocks);
     double *blocks = table->blocks ? realloc(table->blocks, (count * table->layout.size + 1) * sizeof *blocks) : NULL;
     if (blocks) table->blocks = blocks;
     return whirl_ok();

@@ -1,18 +1,19 @@
-/// State of a run, and the passes that it makes over the points of a study.
-#ifndef STUDY_PASSES_H
-#define STUDY_PASSES_H
+/// State of a run, the passes that it makes over the points of a study, and what all kinds of points need: their
+/// fields, tables, journal and deal.
+#ifndef STUDY_PASS_H
+#define STUDY_PASS_H
 
 #include "tracker.h"
 #include "whirl/engine/study.h"
 
-/// State of a refined map (kinds.h).
+/// State of a refined map (run.h).
 typedef struct refined_map refined_map;
 
 /// Data that all passes share.
 typedef struct study_run {
     const whirl_study *study;
     whirl_result *result;
-    const whirl_keeper *keeper; ///< or NULL
+    const whirl_keeper *journal; ///< or NULL
     int threads;
     size_t dimension;
     whirl_room *room;                ///< memory of large arrays below
@@ -40,23 +41,18 @@ typedef struct pass {
     whirl_integrate_options integrate;
     whirl_record_options record;
     size_t count;  ///< points
-    size_t *slots; ///< its points or, if these are carried, the first slots of its chains; NULL: all of the batch
+    size_t *slots; ///< its points or, if these are carried, the first ones of them; NULL: all of the batch
     bool dealt;    ///< other runs take of it, too
 } pass;
 
-/// Points of a chain: each starts from the end of the one before.
-static inline size_t pass_chain_length(const pass *p, const whirl_batch *batch) {
+/// Number of points that are computed one after the other, each from the end of the one before: 1 if none is carried.
+static inline size_t pass_carried(const pass *p, const whirl_batch *batch) {
     const bool first = p->round == 0 && !p->confirming && p->copy == 0;
     return first && batch->carry != WHIRL_CARRY_NONE ? batch->count : 1;
 }
 
 /// Ratio of step errors at the first and the second tolerance: twice the steps of RK4.
 static const double confirm_factor = 16.0;
-
-// ---------------------------------------------------------------- prepare.c
-
-/// Adds the fact "film tables" (whirl_result_film_tables) to a result of the study. WHIRL_NO_MEMORY.
-whirl_status study_add_film_tables(const whirl_study *study, whirl_result *result);
 
 // ---------------------------------------------------------------- pass.c
 
@@ -90,26 +86,39 @@ size_t pass_origin(const study_run *run, size_t batch, size_t slot);
 /// Returns true after the deadline.
 bool pass_time_is_over(const study_run *run);
 
-// ---------------------------------------------------------------- keeper.c
+// ---------------------------------------------------------------- run_journal.c
 
 /// Journal entry of a finished point (whirl_keeper).
-typedef struct kept_point {
+typedef struct journal_entry {
     size_t batch, slot;
     double *block; ///< [size]
     size_t size;
-    double *end; ///< [dimension] state that is kept with the block
+    double *end; ///< [dimension] state that is stored with the block
     size_t dimension;
-} kept_point;
+} journal_entry;
 
-/// Reads, writes and saves entries of the journal; any thread may call them. Without a journal (NULL) nothing is known,
-/// kept or saved. keeper_keep: WHIRL_NO_MEMORY if memory has run out in the calling thread since errno was 0.
-bool keeper_recall(const whirl_keeper *keeper, const kept_point *point);
-whirl_status keeper_keep(const whirl_keeper *keeper, const kept_point *point);
-whirl_status keeper_tend(const whirl_keeper *keeper);
-void keeper_save(const whirl_keeper *keeper, size_t worker, const whirl_kept_state *states, size_t count);
-void *keeper_saved(const whirl_keeper *keeper, size_t batch, size_t slot, double *revolutions, size_t *size);
+/// Access to the journal of a run, for any thread. Without a journal (NULL) nothing is read or written.
+/// Reads the entry of a point; false if there is none.
+bool run_journal_read(const whirl_keeper *journal, const journal_entry *entry);
 
-// ---------------------------------------------------------------- passes.c
+/// Writes an entry. WHIRL_NO_MEMORY if memory has run out in the calling thread since errno was 0.
+whirl_status run_journal_write(const whirl_keeper *journal, const journal_entry *entry);
+
+/// Syncs entries to disk.
+whirl_status run_journal_sync(const whirl_keeper *journal);
+
+/// Returns true if the journal stores states of motions under way.
+static inline bool run_journal_saves(const whirl_keeper *journal) {
+    return journal && journal->save;
+}
+
+/// Stores the states of a worker's motions under way.
+void run_journal_save(const whirl_keeper *journal, size_t worker, const whirl_point_state *states, size_t count);
+
+/// Returns the stored state of a point that begins [*size], to be freed; NULL without one.
+void *run_journal_state(const whirl_keeper *journal, size_t batch, size_t slot, double *revolutions, size_t *size);
+
+// ---------------------------------------------------------------- batches
 
 /// Copies of each point in the table: one for every start; two if carried in both directions.
 static inline size_t batch_copies(const whirl_batch *batch) {
@@ -136,21 +145,6 @@ static inline size_t batch_room(const whirl_batch *batch) {
 static inline bool study_is_refined(const whirl_study *study) {
     return study->refine.revolutions > 0.0 || study->refine.seconds > 0.0;
 }
-
-/// Makes all passes, on all threads. The tracker reports errors and stops. WHIRL_NO_MEMORY.
-whirl_status passes_work(study_run *run, const pass *passes, size_t count);
-
-/// Outcome of a stage, after its threads have ended: WHIRL_STOPPED if a stop came before its last point.
-whirl_status passes_outcome(const study_run *run);
-
-// ---------------------------------------------------------------- share.c
-
-/// Reduces a pass over all points of a batch to those of the run's share, or to those that may be dealt to it; its
-/// slots are to be freed. WHIRL_NO_MEMORY.
-whirl_status share_pass(const study_run *run, pass *p);
-
-/// Reduces a pass that confirms carried points to the points that this run has.
-void share_confirmed(const study_run *run, pass *p);
 
 // ---------------------------------------------------------------- tables.c
 
@@ -226,20 +220,9 @@ void refine_note(const whirl_layout *layout, double *block, const pass *pass, do
 double refine_spent(const whirl_layout *layout, const double *block);
 void refine_add_spent(const whirl_layout *layout, double *block, double revolutions);
 
-// ---------------------------------------------------------------- follow.c
-
-/// Follows chaotic motions whose chaos may end, as far as the budget allows, and subtracts their cost from it. *done is
-/// how many. The tracker reports stops.
-whirl_status follow_points(study_run *run, int round, double *budget, size_t *done);
-
-// ---------------------------------------------------------------- refine.c
-
-/// Computes doubtful points again until the budget is spent or none is left. The tracker reports stops.
-whirl_status refine_points(study_run *run);
-
 // ---------------------------------------------------------------- deal
-// The pieces of a pass (chains, neighbours at rest) as they are dealt to threads and, if points are dealt out, to other
-// runs.
+// The pieces of a pass (points with those carried from them, neighbours at rest) as they are dealt to threads and, if
+// points are dealt out, to other runs.
 
 typedef struct deal {
     const whirl_dealer *dealer; ///< NULL: all pieces are this run's
