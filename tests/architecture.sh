@@ -115,7 +115,7 @@ system_only_in() { # HEADER FILE...: no other file of src includes it, and these
         grep -q "#include <$header>" "src/$file" || fail "src/$file does not use <$header> any more: mend this test"
     done
 }
-files="store/atomic_file.c store/journal/journal_file.c report/report_file.c" # reading, writing, keeping
+files="store/files/atomic_file.c store/journal/journal_file.c report/report_file.c" # reading, writing, keeping
 process="report/render/gnuplot.c report/render/print.c"
 system_only_in pthread.h base/lock.h
 system_only_in time.h base/clock.c
@@ -124,7 +124,7 @@ system_only_in fcntl.h $files $process rotor/pads/table_file.c base/input.c base
 # shellcheck disable=SC2086
 system_only_in sys/stat.h $files rotor/pads/table_file.c base/input.c report/render/gnuplot.c
 # shellcheck disable=SC2086
-system_only_in unistd.h $files store/bytes.c $process rotor/pads/table_file.c base/input.c store/journal/underway.c store/hdf5/h5driver.c base/room.c
+system_only_in unistd.h $files store/files/bytes.c $process rotor/pads/table_file.c base/input.c store/journal/underway.c store/hdf5/h5driver.c base/room.c
 system_only_in dirent.h rotor/pads/table_file.c store/journal/underway.c report/report_file.c
 system_only_in sys/file.h store/journal/journal_file.c
 system_only_in sys/wait.h $process

@@ -25,7 +25,7 @@ FAULTS = [
      "(x[1] * y[0] - x[0] * y[1])", "(x[0] * y[1] - x[1] * y[0])", TESTS),
     ("orbit", "period doublings are looked for where folds are", "src/orbit/branch/vanishing.c",
      "return product_about(orbit, -1.0);", "return product_about(orbit, 1.0);", TESTS),
-    ("analyze", "locks are lost that returns approach slowly", "src/analyze/verdict/locks.c",
+    ("analyze", "locks are lost that returns approach slowly", "src/analyze/sections/locks.c",
      "const double whole_turns = 3.0;", "const double whole_turns = 0.5;", TESTS),
     ("study, threads", "points are taken without their lock", "src/study/run/passes.c",
      "#pragma omp critical(whirl_points)\n    {\n        const size_t left", "    {\n        const size_t left", THREADS),

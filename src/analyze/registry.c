@@ -13,8 +13,7 @@ static const whirl_kind motion = {.name = "motion",
                                   .moves = true,
                                   .settles = true};
 
-#define AT_REST                                                                                                        \
-    .name = "rest", .asked = "A study of its own, in place of sweep or response.", .beside = "", .cost = 1.0
+#define AT_REST .name = "rest", .asked = "A study of its own, in place of sweep or response.", .beside = "", .cost = 1.0
 #define ABOUT_REST AT_REST, .method = "linear, about rest", .place = "about where the machine rests"
 static const whirl_kind rest = {ABOUT_REST}, still = {ABOUT_REST, .still = true};
 static const whirl_kind run = {AT_REST, .method = "in time, turn by turn", .place = "over time"};
