@@ -76,7 +76,7 @@ check-steps:
 
 sanitize-steps: sanitize-build thread-steps
 	@$(PHASE) "sanitized: a minute of fuzzing" scripts/fuzz.sh $(BUILD)/sanitize 60
-	@$(PHASE) "sanitized: tests" ctest --test-dir $(BUILD)/sanitize -j $(JOBS) -L 'unit|cli' -LE '^($(LEAVE))$$' --no-tests=error
+	@$(PHASE) "sanitized: tests" ctest --test-dir $(BUILD)/sanitize -j $(JOBS) -L 'unit|cli|compilers' -LE '^($(LEAVE))$$' --no-tests=error
 
 # Eigen's part of the library is taken as the release has compiled it, and layers that know of no threads where these are
 # looked at.

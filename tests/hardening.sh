@@ -36,7 +36,7 @@ look_at() { # BINARY
     esac
 }
 while IFS= read -r file; do look_at "$file"; done < <(
-    find "$@" -type f \( -perm -u+x -o -name '*.so*' \) -not -path '*/CMakeFiles/*' -not -path '*/compared/*' \
+    find "$@" -type f \( -perm -u+x -o -name '*.so*' \) -not -path '*/CMakeFiles/*' \
         -not -path '*/sanitize/*' -not -path '*/threads/*' -not -path '*/clang/*' -not -path '*/explorer/*' |
         sort)
 [ $seen -gt 0 ] || fail "no binary in $*"

@@ -71,8 +71,8 @@ static void forget(motions *m) {
     }
 }
 
-/// Records all motions in `lanes` lanes or a few more (0: as many as the recorder likes). Returns the revolutions that
-/// were computed.
+/// Records all motions in `lanes` lanes or a few more (0: as many as the recorder likes), or stops after the wanted
+/// save. Returns the revolutions that were computed.
 static size_t record_in(motions *m, const char *method, const whirl_record_options *options, size_t lanes) {
     whirl_integrate_options integrate = whirl_integrate_default();
     whirl_recorder *recorder;
@@ -81,7 +81,7 @@ static size_t record_in(motions *m, const char *method, const whirl_record_optio
     integrate.located = options->settle && lanes == 0; // both in one of the kinds
     integrate.steps_per_revolution = 128;
     must(whirl_recorder_new(m->tasks[0].system, &integrate, options, lanes, &recorder));
-    for (; turned > 0; sum += turned) {
+    for (; turned > 0 && !(m->wanted >= 0 && m->calls > m->wanted); sum += turned) {
         whirl_task task;
         whirl_record *record;
         must(whirl_recorder_begin(recorder));
