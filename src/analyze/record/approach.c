@@ -25,7 +25,7 @@ struct approach {
     double noise;           ///< noise of the map over the state's size: uncertainty of a revolution's end
     int next;               ///< first revolution of the next attempt by Newton's method
     double spent;           ///< revolutions by Newton's method
-    shot *orbit;            ///< NULL: no stable one was found
+    orbit_search *orbit;    ///< NULL: no stable one was found
     size_t past;            ///< revolutions of it that the motion has done
     size_t good;            ///< consecutive returns that were predicted correctly
     double far;             ///< distance before the first of them
@@ -61,7 +61,7 @@ void approach_free(approach *a) {
     free(a);
 }
 
-shot *approach_orbit(const approach *a) {
+orbit_search *approach_orbit(const approach *a) {
     return a->orbit;
 }
 
@@ -87,12 +87,12 @@ void approach_archive(approach *a, archive *to) {
     archive_count(to, &revolutions, LONGEST);
     if (revolutions == 0 || !to->sound) return;
     if (!a->orbit) {
-        a->orbit = shot_new(a->system, revolutions, NULL);
+        a->orbit = orbit_search_new(a->system, revolutions, NULL);
         if (!a->orbit || !approach_make_room(a, a->orbit->kept)) to->sound = false;
     }
     if (!to->sound) return;
     const size_t n = a->orbit->kept;
-    shot_archive(a->orbit, to);
+    orbit_search_archive(a->orbit, to);
     archive_part(to, &a->past, sizeof a->past);
     archive_part(to, &a->good, sizeof a->good);
     archive_part(to, &a->far, sizeof a->far);
@@ -171,7 +171,7 @@ static void note_return(approach *a, const double *x) {
     const size_t n = a->orbit->kept;
     const double from = metric_length(n, a->metric, a->before);
     double rest = 0.0;
-    shot_difference(a->orbit, x, a->now);
+    orbit_search_difference(a->orbit, x, a->now);
     for (size_t i = 0; i < n; i++) {
         a->rest[i] = a->now[i];
         for (size_t k = 0; k < n; k++) a->rest[i] -= a->monodromy[i * n + k] * a->before[k];
@@ -190,7 +190,7 @@ static void note_past(approach *a, const settling *s) {
     const size_t k = a->orbit->revolutions;
     size_t known = 0;
     while (settling_state(s, (known + 1) * k)) known++;
-    shot_difference(a->orbit, settling_state(s, known * k), a->before);
+    orbit_search_difference(a->orbit, settling_state(s, known * k), a->before);
     a->past = a->good = 0;
     a->last = metric_length(a->orbit->kept, a->metric, a->before);
     while (known > 0) note_return(a, settling_state(s, --known * k));
@@ -206,14 +206,14 @@ static bool approach_measure(approach *a, bool *memory) {
     *memory = room && approach_make_room(a, n);
     bool stable = *memory && a->orbit->found && (n == 0 || hypot(largest->real, largest->imaginary) < 1.0 - margin);
     if (stable) {
-        shot_monodromy(a->orbit, a->monodromy, room);
+        orbit_search_monodromy(a->orbit, a->monodromy, room);
         stable = metric_make(n, a->monodromy, a->metric, &a->least_shrinking, room);
     }
     free(room);
     return stable;
 }
 
-whirl_status approach_take(approach *a, shot *s, const settling *states, int revolution) {
+whirl_status approach_take(approach *a, orbit_search *s, const settling *states, int revolution) {
     enum { MIN_PAUSE = 8 };
     bool memory;
     a->spent += s->carried;

@@ -30,14 +30,14 @@ size_t orbits_settled_period(const whirl_record *record, const whirl_record_opti
     return orbits_pay(record->dimension, options, whole, 0.0) ? whole : 0;
 }
 
-static whirl_orbit_search orbits_outcome(const whirl_record_orbit *orbit, const shot *s) {
+static whirl_orbit_search orbits_outcome(const whirl_record_orbit *orbit, const orbit_search *s) {
     if (!s->found) return WHIRL_ORBIT_NONE;
     if (orbit->set_at > 0.0) return WHIRL_ORBIT_STABLE;
     if (orbit->distance > elsewhere) return WHIRL_ORBIT_ELSEWHERE;
     return orbit->modulus < 1.0 - neutral ? WHIRL_ORBIT_STABLE : WHIRL_ORBIT_UNSTABLE;
 }
 
-void orbits_tell(whirl_record *record, const shot *s, double distance) {
+void orbits_tell(whirl_record *record, const orbit_search *s, double distance) {
     whirl_record_orbit *orbit = &record->orbit;
     orbit->period = (int)s->revolutions;
     orbit->residual = s->residual;

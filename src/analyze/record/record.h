@@ -54,12 +54,12 @@ size_t settling_note(settling *settling, const double *x);
 /// Returns the state [dimension] so many revolutions before the last one; NULL if it is not kept. 129 are kept.
 const double *settling_state(const settling *settling, size_t back);
 
-// ---------------------------------------------------------------- shots
+// ---------------------------------------------------------------- orbit_search
 // Shooting: Newton's method on the map over k revolutions, for several motions side by side. Finds the orbits on which
 // they settle, with all their multipliers.
 
 /// A search for a motion's orbit; one block, freed by free.
-typedef struct shot {
+typedef struct orbit_search {
     const whirl_system *system; ///< borrowed
     size_t dimension, kept;     ///< coordinates, and those that do not turn
     size_t revolutions;         ///< period of the orbit
@@ -70,40 +70,41 @@ typedef struct shot {
     double volume;            ///< sum of ln|multiplier| from the divergence; NaN if the system gives none
     double carried;           ///< revolutions that were computed, with all perturbations
     bool found;
-    bool flies, done; ///< it is in a lane, or has ended
-} shot;
+    bool in_lane, done; ///< it is in a lane, or has ended
+} orbit_search;
 
 /// Makes a search from the state x [dimension], or one to be read (NULL). NULL without memory.
-shot *shot_new(const whirl_system *system, size_t revolutions, const double *x);
+orbit_search *orbit_search_new(const whirl_system *system, size_t revolutions, const double *x);
 
 /// Serializes the result; the search must be for the same system and period.
-void shot_archive(shot *s, archive *a);
+void orbit_search_archive(orbit_search *s, archive *a);
 
 /// Computes the derivative of the map over all revolutions, matrix [kept][kept]; `room` has as many.
-void shot_monodromy(const shot *s, double *matrix, double *room);
+void orbit_search_monodromy(const orbit_search *s, double *matrix, double *room);
 
 /// Computes the coordinates of x - node that do not turn: out [kept].
-void shot_difference(const shot *s, const double *x, double *out);
+void orbit_search_difference(const orbit_search *s, const double *x, double *out);
 
 /// Returns the Euclidean length of that difference.
-double shot_distance(const shot *s, const double *x);
+double orbit_search_distance(const orbit_search *s, const double *x);
 
 /// The ensemble that carries searches: machines of one structure, by their motions' method, with a tighter tolerance if
 /// it has one.
-typedef struct shooter shooter;
+typedef struct orbit_searches orbit_searches;
 
 /// Makes one. WHIRL_BAD_INPUT if the system has no Jacobian, or the method does not carry perturbations. Freed by
-/// shooter_free.
-whirl_status shooter_new(const whirl_system *system, const whirl_integrate_options *integrate, shooter **out);
-void shooter_free(shooter *s);
+/// orbit_searches_free.
+whirl_status orbit_searches_new(const whirl_system *system, const whirl_integrate_options *integrate,
+                                orbit_searches **out);
+void orbit_searches_free(orbit_searches *s);
 
 /// Number of searches that run side by side.
-size_t shooter_lanes(const shooter *s);
+size_t orbit_searches_lanes(const orbit_searches *s);
 
 /// Runs the searches [count], including those in lanes, by full Newton steps from close starts, few of them, until
 /// fewer than `least` >= 1 are left; the others are done. An orbit that closes after fewer revolutions, a divisor, gets
 /// these. Searches in lanes must not be freed before they are done. WHIRL_NO_MEMORY.
-whirl_status shooter_fire(shooter *s, shot *const *shots, size_t count, size_t least);
+whirl_status orbit_searches_run(orbit_searches *s, orbit_search *const *searches, size_t count, size_t least);
 
 // ---------------------------------------------------------------- approach
 // A motion's approach to a periodic orbit: when Newton's method is worth a try, and whether the motion itself reaches
@@ -124,7 +125,7 @@ void approach_archive(approach *a, archive *to);
 size_t approach_tries(approach *a, const settling *states, int revolution);
 
 /// Takes the result of Newton's method from that state: the approach then owns *s. WHIRL_NO_MEMORY.
-whirl_status approach_take(approach *a, shot *s, const settling *states, int revolution);
+whirl_status approach_take(approach *a, orbit_search *s, const settling *states, int revolution);
 
 /// Checks the last revolution, if an orbit is known. Called before approach_arrives.
 void approach_goes_on(approach *a, const settling *states);
@@ -134,7 +135,7 @@ void approach_goes_on(approach *a, const settling *states);
 bool approach_arrives(const approach *a, const settling *states);
 
 /// Returns the orbit that was found last, NULL without one; owned by the approach.
-shot *approach_orbit(const approach *a);
+orbit_search *approach_orbit(const approach *a);
 
 /// Returns the revolutions that Newton's method has taken.
 double approach_spent(const approach *a);
@@ -159,7 +160,7 @@ size_t orbits_settled_period(const whirl_record *record, const whirl_record_opti
 
 /// Notes in a record with known bounds the orbit that Newton's method found, or that it found none, at this distance
 /// from the motion.
-void orbits_tell(whirl_record *record, const shot *s, double distance);
+void orbits_tell(whirl_record *record, const orbit_search *s, double distance);
 
 // ---------------------------------------------------------------- record_block
 // The memory of a record.

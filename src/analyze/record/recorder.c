@@ -21,7 +21,7 @@ typedef struct motion {
     settling *settling;      ///< NULL if every transient runs to its end
     approach *approach;      ///< NULL if no orbit is searched before that
     int first_recorded;      ///< revolution
-    shot *shot;              ///< search that the motion waits for; or NULL
+    orbit_search *search;    ///< search that the motion waits for; or NULL
     double *x;               ///< [2 dimension] states of the motion and its perturbed copy
     double *perturbations;   ///< [perturbed][dimension]
     whirl_perturbations set; ///< the same while an integrator carries them, else none
@@ -33,7 +33,7 @@ struct whirl_recorder {
     const whirl_record_options *options;
     whirl_ensemble *ensemble;
     whirl_ensemble *variational; ///< carries all perturbations, next to the other one; or NULL
-    shooter *shooter;            ///< searches orbits, or NULL
+    orbit_searches *searches;    ///< searches orbits, or NULL
     size_t dimension, lane_count;
     size_t beside;           ///< perturbations of a motion that the Jacobian carries
     int first_watched, last; ///< revolutions
@@ -144,7 +144,7 @@ static void motion_free(motion *m) {
     settling_free(m->settling);
     approach_free(m->approach);
     free(m->saved);
-    free(m->shot);
+    free(m->search);
     free(m);
 }
 
@@ -162,7 +162,7 @@ static motion *motion_new(const whirl_recorder *r, const whirl_task *task) {
     if (m->record && recorder_follows(r, m)) perturbed_copy_begin(&m->copy, m->x);
     if (r->options->settle) m->settling = settling_new(task->system);
     // The smallest of all exponents are lost in a matrix's rounding, so such motions run to the end.
-    const bool approaches = m->settling && r->shooter && r->options->growth != WHIRL_GROWTH_ALL;
+    const bool approaches = m->settling && r->searches && r->options->growth != WHIRL_GROWTH_ALL;
     if (approaches) m->approach = approach_new(task->system, r->integrate, r->options);
     if (m->record && (m->settling || !r->options->settle) && (m->approach || !approaches)) return m;
     motion_free(m);
@@ -181,10 +181,10 @@ static void motion_archive(const whirl_recorder *r, motion *m, archive *a) {
     archive_part(a, m->x, (2 + r->beside) * r->dimension * sizeof *m->x); // perturbations follow
     if (m->settling) settling_archive(m->settling, a);
     if (m->approach) approach_archive(m->approach, a);
-    size_t shooting = m->shot ? m->shot->revolutions : 0;
+    size_t shooting = m->search ? m->search->revolutions : 0;
     archive_count(a, &shooting, WHIRL_MAX_PERIOD);
-    if (shooting > 0 && a->sound && !m->shot) m->shot = shot_new(m->task.system, shooting, m->x);
-    a->sound = a->sound && (shooting == 0 || m->shot);
+    if (shooting > 0 && a->sound && !m->search) m->search = orbit_search_new(m->task.system, shooting, m->x);
+    a->sound = a->sound && (shooting == 0 || m->search);
     const size_t numbers = whirl_ensemble_numbers(r->ensemble);
     size_t in_lane = m->saved != NULL;
     archive_count(a, &in_lane, 1);
@@ -246,7 +246,7 @@ static motion *motion_restored(const whirl_recorder *r, const whirl_task *task, 
 
 /// Returns true if a motion waits for a lane, and not for its orbit.
 static bool waits_for_lane(const motion *m) {
-    return recorder_waits(m) && !m->shot;
+    return recorder_waits(m) && !m->search;
 }
 
 /// Puts motions that wait into free lanes.
@@ -274,7 +274,7 @@ whirl_status whirl_recorder_add(whirl_recorder *r, const whirl_task *task, void 
     if (!m) return whirl_fail(WHIRL_NO_MEMORY, "no memory to record %d revolutions", r->options->record);
     // A motion that was saved while it waited for its orbit continues to wait.
     whirl_status status = whirl_ok();
-    if (!m->shot && r->used + lanes_needed(r, m) <= r->lane_count) status = enter_lanes(r, m);
+    if (!m->search && r->used + lanes_needed(r, m) <= r->lane_count) status = enter_lanes(r, m);
     if (status.code == WHIRL_OK)
         r->motions[r->count++] = m;
     else
@@ -444,8 +444,8 @@ static void recorder_note(whirl_recorder *r, motion *m) {
 
 /// Records the orbit of a motion that was put on it and has completed it once.
 static void close_orbit(const whirl_recorder *r, const motion *m) {
-    const shot *orbit = approach_orbit(m->approach);
-    orbits_tell(m->record, orbit, shot_distance(orbit, m->x));
+    const orbit_search *orbit = approach_orbit(m->approach);
+    orbits_tell(m->record, orbit, orbit_search_distance(orbit, m->x));
     record_repeat_orbit(m->record, r->options);
 }
 
@@ -487,12 +487,12 @@ static size_t orbit_to_try(const whirl_recorder *r, const motion *m) {
 /// Starts the searches of motions near an orbit. They leave their lanes and wait until there are enough: Newton's
 /// method is cheapest side by side.
 static whirl_status recorder_start_searches(whirl_recorder *r) {
-    for (size_t i = 0; i < r->count && r->shooter; i++) {
+    for (size_t i = 0; i < r->count && r->searches; i++) {
         motion *m = r->motions[i];
         const size_t k = orbit_to_try(r, m);
         if (k == 0) continue;
-        m->shot = shot_new(m->task.system, k, m->x);
-        if (!m->shot) return whirl_fail(WHIRL_NO_MEMORY, "no memory to look for an orbit");
+        m->search = orbit_search_new(m->task.system, k, m->x);
+        if (!m->search) return whirl_fail(WHIRL_NO_MEMORY, "no memory to look for an orbit");
         leave_lanes(r, m);
     }
     return whirl_ok();
@@ -500,7 +500,7 @@ static whirl_status recorder_start_searches(whirl_recorder *r) {
 
 /// Puts a motion on the orbit that it approaches, for one recorded period.
 static void set_on_orbit(whirl_recorder *r, motion *m) {
-    const shot *orbit = approach_orbit(m->approach);
+    const orbit_search *orbit = approach_orbit(m->approach);
     m->record->orbit.set_at = m->revolution;
     leave_copy(r, m);
     memcpy(m->x, orbit->nodes, r->dimension * sizeof *m->x);
@@ -510,12 +510,12 @@ static void set_on_orbit(whirl_recorder *r, motion *m) {
 }
 
 /// Takes the result of a motion's search.
-static whirl_status take_shot(const whirl_recorder *r, motion *m) {
-    shot *s = m->shot;
-    m->shot = NULL;
+static whirl_status take_search(const whirl_recorder *r, motion *m) {
+    orbit_search *s = m->search;
+    m->search = NULL;
     m->record->orbit.revolutions += s->carried;
     if (m->revolution < r->last) return approach_take(m->approach, s, m->settling, m->revolution);
-    orbits_tell(m->record, s, shot_distance(s, m->x));
+    orbits_tell(m->record, s, orbit_search_distance(s, m->x));
     free(s);
     return whirl_ok();
 }
@@ -523,24 +523,24 @@ static whirl_status take_shot(const whirl_recorder *r, motion *m) {
 /// Returns how many of `count` motions may wait on for Newton's method: those that fill less than half of its lanes,
 /// while several times as many motions run, and none of those that wait is over.
 static size_t may_wait(const whirl_recorder *r, size_t count) {
-    const size_t lanes = shooter_lanes(r->shooter) / 2, others = (r->count - count) / 4;
+    const size_t lanes = orbit_searches_lanes(r->searches) / 2, others = (r->count - count) / 4;
     const size_t most = lanes < others ? lanes : others;
     for (size_t i = 0; i < r->count; i++)
-        if (r->motions[i]->shot && is_over(r, r->motions[i])) return 0;
+        if (r->motions[i]->search && is_over(r, r->motions[i])) return 0;
     return most > 0 ? most - 1 : 0;
 }
 
 /// Runs the searches of the motions that wait.
 static whirl_status look_for_orbits(whirl_recorder *r) {
-    shot **shots = r->shooter ? calloc(r->count + 1, sizeof(shot *)) : NULL;
-    if (!shots) return r->shooter ? whirl_fail(WHIRL_NO_MEMORY, "no memory to look for orbits") : whirl_ok();
+    orbit_search **searches = r->searches ? calloc(r->count + 1, sizeof(orbit_search *)) : NULL;
+    if (!searches) return r->searches ? whirl_fail(WHIRL_NO_MEMORY, "no memory to look for orbits") : whirl_ok();
     size_t count = 0;
     for (size_t i = 0; i < r->count; i++)
-        if (r->motions[i]->shot) shots[count++] = r->motions[i]->shot;
-    whirl_status status = shooter_fire(r->shooter, shots, count, may_wait(r, count) + 1);
+        if (r->motions[i]->search) searches[count++] = r->motions[i]->search;
+    whirl_status status = orbit_searches_run(r->searches, searches, count, may_wait(r, count) + 1);
     for (size_t i = 0; i < r->count && status.code == WHIRL_OK; i++)
-        if (r->motions[i]->shot && r->motions[i]->shot->done) status = take_shot(r, r->motions[i]);
-    free(shots);
+        if (r->motions[i]->search && r->motions[i]->search->done) status = take_search(r, r->motions[i]);
+    free(searches);
     return status;
 }
 
@@ -548,7 +548,7 @@ static whirl_status look_for_orbits(whirl_recorder *r) {
 static void end_transients(whirl_recorder *r) {
     for (size_t i = 0; i < r->count; i++) {
         motion *m = r->motions[i];
-        const bool transient = !m->shot && m->revolution < r->options->transient && !is_on_orbit(m);
+        const bool transient = !m->search && m->revolution < r->options->transient && !is_on_orbit(m);
         if (m->approach && transient && approach_arrives(m->approach, m->settling)) set_on_orbit(r, m);
     }
 }
@@ -650,13 +650,13 @@ static whirl_status recorder_start(whirl_recorder *r, const whirl_system *system
     const whirl_status status = start_ensemble(r, system, lanes);
     if (status.code != WHIRL_OK) return status;
     if (r->options->orbits && system->tangent) {
-        const whirl_status orbits = shooter_new(system, r->integrate, &r->shooter);
+        const whirl_status orbits = orbit_searches_new(system, r->integrate, &r->searches);
         if (orbits.code == WHIRL_NO_MEMORY) return orbits;
     }
     r->lane_count = whirl_ensemble_lanes(r->ensemble);
     r->owner = calloc(r->lane_count, sizeof(motion *));
     r->recorded = calloc(r->lane_count, sizeof *r->recorded);
-    if (r->max_count == 0) r->max_count = r->shooter ? 2 * r->lane_count : r->lane_count; // some wait
+    if (r->max_count == 0) r->max_count = r->searches ? 2 * r->lane_count : r->lane_count; // some wait
     r->motions = calloc(r->max_count, sizeof(motion *));
     r->probes = system->probes;
     r->probe_count = system->probe_count;
@@ -680,7 +680,7 @@ void whirl_recorder_free(whirl_recorder *r) {
     free(r->samples);
     whirl_ensemble_free(r->ensemble);
     whirl_ensemble_free(r->variational);
-    shooter_free(r->shooter);
+    orbit_searches_free(r->searches);
     free(r);
 }
 
