@@ -11,8 +11,8 @@ enum {
     MACHINE_TURNS = 1,   ///< coefficients that turn with the shaft: no limit of speed 0, no response about rest
     MACHINE_NO_REST = 2, ///< nothing at rest or at speed 0
     MACHINE_SHARP = 4,   ///< forces that jump, or contacts that are not located: methods agree to the step alone
-    MACHINE_TWISTS = 16, ///< both stations twist, too
-    MACHINE_SLOW = 8     ///< modes so slow that growth, of a copy in some direction, is that of several still
+    MACHINE_SLOW = 8,    ///< two slow rates near each other: growth of a copy is a mean of both by its direction
+    MACHINE_TWISTS = 16  ///< both stations twist, too
 };
 
 /// A machine of one element, between a rotor and a stator on springs. In its text `@40` is an angle of 40 degrees and
