@@ -178,14 +178,26 @@ static void take_inner(split *s) {
         }
 }
 
-/// Computes the modes of the eliminated coordinates, and Psi.
+static bool solve_modes(const inner_modes *of) {
+    if (!matrix_symmetric_modes(of->inner, of->k, of->m, of->squares, of->shapes)) return false;
+    if (of->inner > 0 && !(of->squares[0] > 0.0)) return false;
+    return matrix_solve(of->inner, of->k, of->kept, of->follow);
+}
+
+/// Finds the modes of the eliminated coordinates, and Psi.
 static bool find_modes(split *s) {
+    const inner_modes all = {s->inner, s->kept, s->k, s->m, s->follow, s->squares, s->shapes};
     take_inner(s);
-    if (!matrix_symmetric_modes(s->inner, s->k, s->m, s->squares, s->shapes)) return false;
     for (size_t c = 0; c < s->kept; c++)
         for (size_t a = 0; a < s->inner; a++) s->follow[c * s->inner + a] = -s->stiffness[s->i[a] * s->n + s->b[c]];
-    if (s->inner > 0 && !(s->squares[0] > 0.0)) return false;
-    return matrix_solve(s->inner, s->k, s->kept, s->follow);
+    if (inner_modes_recall(&all)) return true;
+    double *begun = inner_modes_begin(&all);
+    const bool solved = solve_modes(&all);
+    if (solved)
+        inner_modes_keep(&all, begun);
+    else
+        free(begun);
+    return solved;
 }
 
 /// Scales a mode to a largest coordinate of one length scale; for a tilt, that at the radius of gyration.
