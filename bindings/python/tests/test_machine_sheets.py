@@ -34,7 +34,7 @@ rotor:
                     grade: 32, temperature: 50 degC, density: 860 kg/m3}}
     - tilting_pad: {{at: turned, shape: tilting-5, turned: 36 deg, clearance: 0.1 mm, radius: 50 mm, length: 60 mm,
                     kinematic_viscosity: 20 mm2/s, density: 850 kg/m3}}
-    - film: {{at: film, from: housing, clearance: 80 um, load: 4 kN}}
+    - film: {{at: film, from: housing, clearance: 80 um, load: 4 kN{supply}}}
     - squeeze: {{at: damper, from: housing, clearance: 0.15 mm, radius: 90 mm, length: 30 mm, viscosity: 10 mPa.s}}
     - spring: {{between: [damper, housing], stiffness: 12 MN/m, damping: 3 kN.s/m}}
     - spring: {{between: [ground, housing], stiffness: 100 MN/m}}
@@ -49,8 +49,8 @@ study: {{modes: {{parameter: q, values: [2 MN/m]}}}}
 """
 
 
-def machine(rotation=""):
-    return whirl.run(whirl.Case(text=MACHINE.format(rotation=rotation)), progress=False)
+def machine(rotation="", supply=""):
+    return whirl.run(whirl.Case(text=MACHINE.format(rotation=rotation, supply=supply)), progress=False)
 
 
 @pytest.fixture(scope="module")
@@ -61,6 +61,18 @@ def parts():
 def rows(result, name, units=None):
     """Rows of a sheet by station, in the units shown."""
     return {row["station"]: row for row in result.sheet(name, units).records()}
+
+
+def test_supply_of_oil_is_described_and_not_used(parts):
+    supplied = machine(supply=", supply_temperature: 40 degC, supply_pressure: 1.5 bar")
+    film = rows(supplied, "journal_bearings", "US")["film"]
+    # 40 degC is 104 degF; a psi is 0.45359237 kg 9.80665 m/s2/(25.4 mm)^2.
+    assert film["supply_temperature"] == pytest.approx(104.0)
+    assert film["supply_pressure"] == pytest.approx(1.5e5 / (0.45359237 * 9.80665 / 0.0254**2))
+    headings = [c.heading for c in supplied.sheet("journal_bearings").columns if c.key.startswith("supply")]
+    assert len(headings) == 2 and all("not used" in heading for heading in headings)
+    for field in ("modes/frequency", "modes/damping_ratio"):
+        assert np.array_equal(supplied["modes"][field], parts["modes"][field], equal_nan=True)
 
 
 def test_films(parts):

@@ -359,8 +359,8 @@ static void campbell_describe(const drawing *of, const figure_place *place, whir
         figure->caption, sizeof figure->caption,
         "Campbell diagram: damped natural frequencies over %s; blue, pointing up: the whirl goes with the rotation, "
         "orange, pointing down: against it, grey squares: to and fro; dashed: the speed of the shaft; circles: "
-        "critical speeds; crosses: thresholds of stability. Below: damping ratios of the same modes, up to 0.25, "
-        "negative where a mode grows.%s%s",
+        "critical speeds; crosses: thresholds of stability. Below: damping ratios of the same modes, without "
+        "large ones, negative where a mode grows.%s%s",
         v.table->parameter,
         v.lines.count > 0
             ? " Names count modes that go forward (F), backward (B) or to and fro (M) at the last value, by rising "

@@ -8,8 +8,8 @@ static const double two_pi = 6.283185307179586476925;
 
 /// Adds the columns of a mode.
 static void mode_columns(const finder *of, whirl_sheet *sheet) {
-    sheet_column(of, sheet, "angular_frequency", "angular frequency", WHIRL_QUANTITY_ANGULAR, 6);
-    sheet_column(of, sheet, "frequency", "frequency", WHIRL_QUANTITY_FREQUENCY, 6);
+    sheet_column(of, sheet, "angular_frequency", "angular frequency", WHIRL_QUANTITY_ANGULAR, 5);
+    sheet_column(of, sheet, "frequency", "frequency", WHIRL_QUANTITY_FREQUENCY, 5);
     sheet_column(of, sheet, "damping_ratio", "damping ratio", WHIRL_QUANTITY_NUMBER, 4);
     sheet_column(of, sheet, "decrement", "logarithmic decrement", WHIRL_QUANTITY_NUMBER, 4);
     sheet_texts(of, sheet, "whirl", "whirl");
@@ -47,9 +47,9 @@ static void find_sensitivity(const finder *of, size_t point) {
     const char zone = peak < 3.0 ? 'A' : peak < 4.0 ? 'B' : peak < 5.0 ? 'C' : 'D';
     if (!isfinite(peak)) return;
     whirl_phrase *found = find_at(of, point, "peak sensitivity of the loops of control");
-    phrase_number(of, found, WHIRL_QUANTITY_NUMBER, 7, peak);
+    phrase_number(of, found, WHIRL_QUANTITY_NUMBER, 4, peak);
     phrase_text(of, found, " at ");
-    phrase_number(of, found, WHIRL_QUANTITY_FREQUENCY, 6,
+    phrase_number(of, found, WHIRL_QUANTITY_FREQUENCY, 5,
                   point_number(of->table, point, WHIRL_FIELD_MODES_SENSITIVITY_FREQUENCY));
     if (shown_modes_growing(of->table, point) > 0)
         phrase_text(of, found, ": no zone of ISO 14839-3, as the machine is unstable");
@@ -78,15 +78,15 @@ static void find_limits(const finder *of, size_t point) {
     if (isfinite(modulo)) {
         whirl_phrase *found = find_at(of, point, "frequencies");
         phrase_text(of, found, "known but for multiples of ");
-        phrase_number(of, found, WHIRL_QUANTITY_ANGULAR, 6, modulo);
+        phrase_number(of, found, WHIRL_QUANTITY_ANGULAR, 5, modulo);
         phrase_text(of, found, ": coefficients turn with the shaft");
     }
     if (known && isfinite(known[0])) {
         whirl_phrase *found = find_at(of, point, "frequencies");
         phrase_text(of, found, frequency && isfinite(frequency[0]) ? "modes from " : "no modes from ");
-        phrase_number(of, found, WHIRL_QUANTITY_ANGULAR, 6, known[0]);
+        phrase_number(of, found, WHIRL_QUANTITY_ANGULAR, 5, known[0]);
         phrase_text(of, found, " to ");
-        phrase_number(of, found, WHIRL_QUANTITY_ANGULAR, 6, known[1]);
+        phrase_number(of, found, WHIRL_QUANTITY_ANGULAR, 5, known[1]);
         phrase_text(of, found,
                     ": coefficients of bearings are those at the damped frequency of each mode, and beyond, "
                     "tables do not know them");
@@ -143,8 +143,8 @@ static void find_critical(const finder *of) {
     size_t located = 0, changes = 0;
     whirl_sheet *sheet = find_sheet(of, "critical", "Critical speeds and thresholds of stability");
     sheet_texts(of, sheet, "what", "what");
-    sheet_values(of, sheet, "", 9);
-    if (!speeds) sheet_column(of, sheet, "speed", "speed", WHIRL_QUANTITY_SPEED, 6);
+    sheet_values(of, sheet, "", 5);
+    if (!speeds) sheet_column(of, sheet, "speed", "speed", WHIRL_QUANTITY_SPEED, 5);
     mode_columns(of, sheet);
     for (size_t point = 0; field && point < of->table->count; point++) {
         const double *row = whirl_table_field(of->table, point, WHIRL_FIELD_MODES_CRITICAL, 0);

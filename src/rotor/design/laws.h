@@ -65,6 +65,8 @@ enum {
     OIL_TEMPERATURES,
     OIL_VISCOSITIES,
     OIL_TEMPERATURE,
+    OIL_SUPPLY_TEMPERATURE, ///< this and the following describe a bearing in documents; no force depends on them
+    OIL_SUPPLY_PRESSURE,
     OIL_KEYS
 };
 
@@ -87,7 +89,11 @@ enum {
     [(first) + OIL_VISCOSITIES] = CITED_NUMBERS_KEY("viscosities", "", "Pa s", OPTIONAL, WHIRL_POSITIVE,               \
         "viscosities at these temperatures", ""),                                                                      \
     [(first) + OIL_TEMPERATURE] = NUMBER_KEY("temperature", "", "K", OPTIONAL, WHIRL_FROM_TO(233.15, 473.15),          \
-        "temperature of the oil in the film, '50 degC'; with grade or temperatures")
+        "temperature of the oil in the film, '50 degC'; with grade or temperatures"),                                  \
+    [(first) + OIL_SUPPLY_TEMPERATURE] = NUMBER_KEY("supply_temperature", "", "K", OPTIONAL,                           \
+        WHIRL_FROM_TO(233.15, 473.15), "temperature at which oil is supplied; for documents: no force depends on it"), \
+    [(first) + OIL_SUPPLY_PRESSURE] = NUMBER_KEY("supply_pressure", "", "Pa", OPTIONAL, WHIRL_NOT_NEGATIVE,            \
+        "pressure above ambient at which oil is supplied; for documents: no force depends on it")
 // clang-format on
 
 /// The values of these keys.

@@ -114,7 +114,7 @@ static whirl_status load_scale(const key_value *values, const assembly *to, doub
     const bool viscous = oil_given(&own);
     double viscosity = 0.0;
     bool oily = values[RADIUS].given || values[LENGTH].given;
-    for (int key = OIL; key < OIL + OIL_KEYS; key++) oily = oily || values[key].given;
+    for (int key = OIL; key < OIL + OIL_SUPPLY_TEMPERATURE; key++) oily = oily || values[key].given;
     if (values[LOAD].given && oily)
         return whirl_fail(WHIRL_BAD_INPUT, "has both load and viscosity, radius or length, expected one way");
     if (values[TURBULENCE].choice && (values[LOAD].given || !values[OIL + OIL_DENSITY].given))
