@@ -175,7 +175,7 @@ void found_table(const page *to, size_t index, const whirl_table *table) {
         write_confidence(to, index, table);
     }
     if (shown_kind_of(table)) {
-        page_statements(to, index, table);
+        if (page_statements(to, index, table) == 0) fputs("See its tables.", to->stream);
     } else {
         char *text = page_text(to, tell_motions, index, table);
         if (text) write_lines(to->stream, text);

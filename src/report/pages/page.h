@@ -78,8 +78,9 @@ const drawn_figure *page_main_figure(const page *to,
 // ---------------------------------------------------------------- page_findings
 // Statements and sheets.
 
-/// Writes all statements of a table, or (NULL) of the whole machine, as items of a list, a sentence each.
-void page_statements(const page *to, size_t result, const whirl_table *table);
+/// Writes all statements of a table, or (NULL) of the whole machine, as items of a list, a sentence each. Returns their
+/// number.
+size_t page_statements(const page *to, size_t result, const whirl_table *table);
 
 /// Writes all sheets of a table, or (NULL) of the whole machine.
 void page_sheets(const page *to, size_t result, const whirl_table *table);

@@ -11,7 +11,7 @@ static const char *name_of(const whirl_table *table) {
     return table ? table->name : "";
 }
 
-void page_statements(const page *to, size_t result, const whirl_table *table) {
+size_t page_statements(const page *to, size_t result, const whirl_table *table) {
     const whirl_findings *findings = to->findings[result];
     size_t count = 0;
     for (size_t i = 0; i < findings->statement_count; i++) {
@@ -23,6 +23,7 @@ void page_statements(const page *to, size_t result, const whirl_table *table) {
         fputs("</li>\n", to->stream);
     }
     if (count > 0) fputs("</ul>\n", to->stream);
+    return count;
 }
 
 static void write_row(FILE *stream, const whirl_sheet *sheet, size_t row) {
