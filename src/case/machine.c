@@ -16,7 +16,7 @@ size_t named_find(const named_list *in, const char *name) {
 
 // ---------------------------------------------------------------- parts with names
 
-/// A kind of them, as messages have it.
+/// A kind of parts, as messages name it.
 typedef struct part_kind {
     const char *one, *all;
     const whirl_group *group;
@@ -36,7 +36,7 @@ static bool is_usable(const char *name) {
 
 static void check_name(case_reader *reader, const file_node *where, const part_kind *kind) {
     if (strcmp(where->key, "ground") == 0)
-        problem_at_key(reader->problems, where, "stands for the ground itself, expected another name");
+        problem_at_key(reader->problems, where, "is the name of the ground, expected another name");
     else if (!is_name(where->key))
         problem_at_key(reader->problems, where, "is no name for a %s, expected letters, digits, '_' and '-'",
                        kind->one);
@@ -56,7 +56,7 @@ static void read_named(case_reader *reader, const file_node *where, const part_k
     reader->no_memory = reader->no_memory || !result->items || !result->names;
     if (reader->no_memory) return;
     for (const file_node *member = where->first; member; member = member->next) {
-        if (named_find(result, member->key) < result->count) continue; // a name that stands twice
+        if (named_find(result, member->key) < result->count) continue; // a duplicate name
         if (result->count == kind->most) break;
         const size_t i = result->count++;
         result->names[i] = member->key;
@@ -77,7 +77,7 @@ static void read_parts(case_reader *reader, machine_parts *result) {
     if (given[2]) read_named(reader, given[2]->place, &materials, &result->materials);
 }
 
-/// Names of shafts and materials in the settings of a part.
+/// Checks names of shafts and materials in the settings of a part.
 static bool check_names(case_reader *reader, const machine_parts *machine, const setting_list *part) {
     bool good = true;
     for (size_t i = 0; i < part->count; i++) {
@@ -145,7 +145,7 @@ static bool check_pair(case_reader *reader, const machine_parts *machine, const 
 
 static bool check_stations(case_reader *reader, const machine_parts *machine, const setting_list *element) {
     bool good = true;
-    if (machine->stations.count == 0) return true; // said already
+    if (machine->stations.count == 0) return true; // has been reported
     for (size_t i = 0; i < element->count; i++) {
         const setting *item = &element->items[i];
         if (!item->good) continue;
@@ -280,7 +280,7 @@ static whirl_status new_design(const machine_parts *machine, valuation *v, doubl
     if (speed < 0.0)
         return whirl_fail(
             WHIRL_BAD_INPUT,
-            "rotor.speed is %.10g rad/s, expected a number above 0, and rotation: clockwise for what turns "
+            "rotor.speed is %.10g rad/s, expected a number above 0, and rotation: clockwise for a rotor that turns "
             "from y to x",
             speed);
     const bool clockwise = strcmp(settings_word(&machine->rotor, "rotation"), "clockwise") == 0;
@@ -319,7 +319,7 @@ static whirl_status make_design(const machine_parts *machine, valuation *v, doub
     return status;
 }
 
-/// Ends the design.
+/// Builds the rotor and frees the design.
 static whirl_status build_and_free(whirl_status status, whirl_design *design, whirl_rotor **rotor) {
     *rotor = NULL;
     if (status.code == WHIRL_OK) status = whirl_rotor_outline(design, rotor);
@@ -366,7 +366,7 @@ whirl_status machine_build_on_springs(const machine_parts *machine, valuation *v
     return build_and_free(status, design, rotor);
 }
 
-/// Its stations, of 1 kg, and nothing else.
+/// Makes a design of the machine's stations, each with 1 kg, and nothing else.
 static whirl_status new_stations(const machine_parts *machine, valuation *v, double speed, whirl_design **design) {
     const whirl_setting mass = {.key = "mass", .number = 1.0};
     whirl_status status = new_design(machine, v, speed, design);
@@ -409,7 +409,7 @@ whirl_status machine_doubts(const machine_parts *machine, valuation *v, whirl_de
     return status;
 }
 
-/// Index of an element by kind and number, "film[2]"; the number of elements if there is none.
+/// Returns the index of an element by kind and number, "film[2]"; the number of elements if there is none.
 static size_t find_element(const machine_parts *machine, const char *element) {
     const size_t length = strcspn(element, "[");
     size_t wanted = 1;
@@ -465,7 +465,7 @@ whirl_status machine_model(const machine_parts *machine, valuation *v, whirl_mod
 
 // ---------------------------------------------------------------- checking
 
-static bool tell(case_reader *reader, const file_node *where, const whirl_status *status) {
+static bool machine_report(case_reader *reader, const file_node *where, const whirl_status *status) {
     reader->no_memory = reader->no_memory || status->code == WHIRL_NO_MEMORY;
     if (status->code != WHIRL_OK) problem_at_key(reader->problems, where, "%s", status->message);
     return status->code == WHIRL_OK;
@@ -490,7 +490,7 @@ typedef struct teller {
 static void tell_of_element(void *context, size_t element, const whirl_status *status) {
     const teller *to = context;
     const bool known = element < to->machine->element_count;
-    tell(to->reader, known ? to->machine->elements[element].place : to->machine->rotor.place, status);
+    machine_report(to->reader, known ? to->machine->elements[element].place : to->machine->rotor.place, status);
 }
 
 /// Reports settings that contradict each other, each problem at its line.
@@ -507,7 +507,7 @@ static void check_together(case_reader *reader, valuation *v, const machine_part
             if (checked.code != WHIRL_OK || problems > 0) status = checked;
         }
     }
-    tell(reader, machine->elements_place, &status);
+    machine_report(reader, machine->elements_place, &status);
     whirl_rotor_free(rotor);
     whirl_design_free(design);
 }
@@ -539,7 +539,7 @@ static whirl_status build_alone(const machine_parts *machine, const setting_list
     return status;
 }
 
-/// A table may be of the speed, which is not known here; and a part of a shaft is no rotor without the others.
+/// A table over the speed cannot be checked without the speed, nor a segment of a shaft without the others.
 static bool needs_others(const setting_list *element) {
     for (size_t k = 0; k < element->group->key_count; k++)
         if (element->group->keys[k].kind == WHIRL_KEY_NAME) return true;
@@ -555,7 +555,7 @@ void machine_check_alone(case_reader *reader, const machine_parts *machine) {
     for (size_t i = 0; usable && i < machine->element_count; i++) {
         if (!machine->elements[i].sound || needs_others(&machine->elements[i])) continue;
         const whirl_status status = build_alone(machine, &machine->elements[i]);
-        tell(reader, machine->elements[i].place, &status);
+        machine_report(reader, machine->elements[i].place, &status);
     }
 }
 

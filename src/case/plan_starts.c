@@ -1,4 +1,4 @@
-// The states that the points of a study start from.
+// The initial states of the points of a study.
 #include "plan.h"
 
 #include <math.h>
@@ -7,13 +7,13 @@
 
 #include "tree.h"
 
-/// Scale of a coordinate: the length scale, or a length scale per radian.
+/// Returns the scale of a coordinate: the length scale, or a length scale per radian.
 static double state_scale(const whirl_rotor *rotor, const char *key) {
     const double length = whirl_rotor_length_scale(rotor);
     return key[0] == 'v' ? length * whirl_rotor_clock(rotor) : length;
 }
 
-/// A number of a state in the scales of the machine.
+/// Returns a number of a state in the scales of the machine.
 static double scaled_setting(const whirl_rotor *rotor, valuation *v, const setting *given) {
     double number = NAN;
     valuation_number(v, &given->value, &number);
@@ -110,7 +110,7 @@ static void check_axes(case_reader *reader, const machine_parts *machine, size_t
 static void check_range(case_reader *reader, valuation *v, const machine_parts *machine, const whirl_rotor *rotor,
                         const plan_range *range, const setting_list *initial) {
     const double clearance = whirl_rotor_system(rotor)->probes[range->station].clearance;
-    double radius = 0.0; // of the coordinates that the initial state says, then of the furthest corner
+    double radius = 0.0; // of the coordinates of the initial state, then of the furthest corner
     for (int k = 0; k < 2; k++)
         if (initial && !settings_find(&range->low, k ? "y" : "x"))
             radius = hypot(radius, state_number(rotor, v, initial, k ? "y" : "x"));

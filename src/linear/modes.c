@@ -12,7 +12,7 @@
 /// Real and imaginary parts below this part of an eigenvalue are rounding.
 static const double rounding = 1e-13;
 
-/// An imaginary part below this part of an eigenvalue is what rounding makes of two equal real ones.
+/// An imaginary part below this part of an eigenvalue is rounding: two equal real eigenvalues became a pair.
 static const double split = 1e-7;
 
 /// An eigenvalue of the matrix, as an exponent, and its place.
@@ -36,14 +36,15 @@ static int by_real(const void *a, const void *b) {
     return p->place < q->place ? -1 : 1;
 }
 
-/// The logarithm of a multiplier over the period, an exponent; its frequency is from 0 to half of that of the period.
+/// Converts a multiplier to an exponent, its logarithm over the period; the frequency is between 0 and half that of the
+/// period.
 static void take_logarithm(double *real, double *imaginary, double period) {
     const double size = hypot(*real, *imaginary), angle = atan2(*imaginary == 0.0 ? 0.0 : *imaginary, *real);
     *real = log(size) / period;
     *imaginary = angle / period;
 }
 
-/// The shape of a root in all coordinates.
+/// Copies the shape of a root into all coordinates of the state.
 static void spread(const mean_system *m, const double *vector, double *out) {
     for (size_t i = 0; i < m->count; i++) memcpy(out + 2 * m->kept[i], vector + 2 * i, 2 * sizeof *out);
 }
@@ -60,13 +61,14 @@ whirl_modes *modes_allocate(size_t dimension, size_t count) {
     return modes;
 }
 
-/// Takes real parts for 0 that are no more than rounding, of the eigenvalue and of the matrix, noise [count].
+/// Sets real parts to 0 that are no more than rounding of the eigenvalue and of the matrix, noise [count].
 static void drop_rounding(root *roots, size_t count, const double *noise) {
     for (size_t i = 0; i < count; i++)
         if (fabs(roots[i].real) <= fmax(rounding * fabs(roots[i].imaginary), 16.0 * noise[i])) roots[i].real = 0.0;
 }
 
-/// Roots with a frequency apart from those without, of a pair the positive one. vectors [count][n][2] are theirs.
+/// Separates roots with a frequency from roots without; of a pair it keeps the positive frequency. vectors
+/// [count][n][2] belong to the roots.
 static whirl_modes *sort_out(const mean_system *m, root *roots, size_t count, double period, const double *vectors) {
     const size_t n = m->count, d = m->system->dimension;
     double twists[2 * WHIRL_MAX_PROBES];
@@ -75,6 +77,7 @@ static whirl_modes *sort_out(const mean_system *m, root *roots, size_t count, do
     whirl_modes *modes = modes_allocate(d, n);
     if (!modes) return NULL;
     modes->growth = -(double)INFINITY;
+    // Separate roots with a frequency from real ones; of a pair keep the positive frequency.
     for (size_t i = 0; i < count; i++) {
         const root own = roots[i];
         const double least = period > 0.0 ? 1e-9 : split * hypot(own.real, own.imaginary);
@@ -86,6 +89,7 @@ static whirl_modes *sort_out(const mean_system *m, root *roots, size_t count, do
     }
     qsort(roots, waves, sizeof *roots, by_imaginary);
     qsort(other, reals, sizeof *other, by_real);
+    // Copy exponents and shapes in this order.
     modes->count = waves;
     modes->real_count = reals;
     modes->period = period;
@@ -128,13 +132,13 @@ whirl_status modes_put_overdamped_last(whirl_modes *modes) {
 
 // ---------------------------------------------------------------- solving
 
-/// What matrices and roots of a system need.
+/// Workspace for the matrices and roots of a system.
 typedef struct solving {
     double *real, *imaginary, *noise; ///< [n]
     double *vectors, *room, *copy;    ///< [n][n][2], [n][2], [n][n]
     double *block;                    ///< all of these numbers
     root *roots;                      ///< [2n]
-    bool *place;                      ///< [n] coordinates that have a rate; all where none has
+    bool *place;                      ///< [n] coordinates that have a rate; all true if none has
 } solving;
 
 static bool solving_begin(size_t n, solving *s) {
@@ -163,7 +167,7 @@ static void find_places(size_t n, const double *jacobian, bool *place) {
     for (size_t i = 0; i < n && !any; i++) place[i] = true;
 }
 
-/// Vectors [left][left][2] of what is left of a matrix become those of all of it, [left][n][2].
+/// Converts the vectors [left][left][2] of the reduced matrix into vectors [left][n][2] of the whole one.
 static void put_back(size_t n, size_t left, const free_step *zeros, solving *s) {
     for (size_t i = left; i-- > 0 && left < n;) {
         double *to = s->vectors + 2 * n * i;
@@ -178,25 +182,26 @@ typedef struct sized {
     size_t place;
 } sized;
 
-static int by_size(const void *a, const void *b) {
+static int modes_by_size(const void *a, const void *b) {
     const sized *p = a, *q = b;
     if (p->size != q->size) return p->size < q->size ? -1 : 1;
     return p->place < q->place ? -1 : p->place > q->place;
 }
 
-/// Sorts roots by modulus, the slowest first; how many of them are slower than `most`, both of a pair or none.
+/// Sorts roots by modulus, the slowest first; returns how many are slower than `most`, counting both of a pair or
+/// neither.
 static size_t sort_slowest(size_t n, const double *real, const double *imaginary, double most, sized *order) {
     size_t count = 0;
     for (size_t i = 0; i < n; i++) order[i] = (sized){hypot(real[i], imaginary[i]), i};
-    qsort(order, n, sizeof *order, by_size);
+    qsort(order, n, sizeof *order, modes_by_size);
     while (count < n && order[count].size <= most) count++;
     if (count > 0 && count < n && order[count].size <= order[count - 1].size * (1.0 + 1e-12)) count++;
     return count;
 }
 
-/// Finds roots that are hardly more than rounding of the matrix [n][n], s->copy, as the largest of its inverse, and
-/// puts them in their places; but for those with hardly any damping, whose real parts rounding of the matrix itself
-/// decides. False without memory; a matrix without an inverse keeps its roots.
+/// Recomputes roots near the rounding of the matrix [n][n], s->copy, as the largest roots of its inverse. Roots with
+/// almost no damping stay, because rounding of the matrix itself decides their real parts. Returns false without
+/// memory; the roots of a singular matrix stay.
 static bool sharpen_slowest(size_t n, solving *s) {
     static const double near_rounding = 1e4;
     double *numbers = calloc(n * n + 3 * n + 1, sizeof *numbers);
@@ -213,7 +218,7 @@ static bool sharpen_slowest(size_t n, solving *s) {
     for (size_t i = 0; i < n; i++) numbers[i * n + i] = 1.0;
     const int before = exhausted_watch();
     bool good = slow > 0 && matrix_solve(n, matrix, n, numbers);
-    for (size_t i = 0; i < n && good; i++) // right-hand sides stand row by row
+    for (size_t i = 0; i < n && good; i++) // right-hand sides are stored row by row
         for (size_t k = 0; k < n; k++) matrix[k * n + i] = numbers[i * n + k];
     good = good && matrix_eigen(n, matrix, real, imaginary, NULL);
     if (good) sort_slowest(n, real, imaginary, 0.0, inverted);
@@ -230,23 +235,27 @@ static bool sharpen_slowest(size_t n, solving *s) {
     return !exhausted(before);
 }
 
-/// Of the Jacobian, or of the monodromy matrix over a period > 0; free motions are left out of the former.
-static whirl_status solve(const mean_system *m, double *matrix, double period, const double *rest, whirl_modes **out) {
+/// Computes modes from the Jacobian (period 0, without free motions), or from the monodromy matrix over a period > 0.
+static whirl_status modes_solve(const mean_system *m, double *matrix, double period, const double *rest,
+                                whirl_modes **out) {
     const size_t n = m->count;
     size_t left = n, displaced = 0;
     free_step *zeros = NULL;
     solving s = {.block = NULL};
     bool room = solving_begin(n, &s), solved = room;
+    // Remove zero eigenvalues first: their rounding could hide slow modes.
     if (room && period == 0.0) {
         find_places(n, matrix, s.place);
         room = solved = free_motions_take_out(n, matrix, s.place, &left, &displaced, &zeros);
     }
     if (solved) memcpy(s.copy, matrix, left * left * sizeof *matrix);
+    // Eigenvalues of the rest; the slowest of them again by the inverse.
     const int before = exhausted_watch();
     solved = solved && matrix_eigen_rounding(left, matrix, s.real, s.imaginary, s.vectors, s.noise);
     const bool no_memory = exhausted(before);
     if (solved && period == 0.0) room = solved = sharpen_slowest(left, &s);
     if (solved) put_back(n, left, zeros, &s);
+    // Exponents, and modes from them.
     for (size_t i = 0; i < left && solved; i++) {
         if (period > 0.0) take_logarithm(&s.real[i], &s.imaginary[i], period);
         s.roots[i] = (root){s.real[i], s.imaginary[i], i};
@@ -265,9 +274,9 @@ static whirl_status solve(const mean_system *m, double *matrix, double period, c
     return modes ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the modes of %zu coordinates", n);
 }
 
-/// About x, which, unless it is held, becomes the equilibrium, or the periodic motion at t = 0. matrix [count][count]
-/// is workspace.
-static whirl_status find(mean_system *m, bool held, double *x, double *matrix, whirl_modes **out) {
+/// Finds the modes about x. Unless `held`, x becomes the equilibrium, or the state of the periodic motion at t = 0.
+/// matrix [count][count] is workspace.
+static whirl_status modes_find_all(mean_system *m, bool held, double *x, double *matrix, whirl_modes **out) {
     double period = 0.0;
     whirl_status status = held ? whirl_ok() : rest_find(m, x);
     if (status.code != WHIRL_OK) return status;
@@ -277,7 +286,7 @@ static whirl_status find(mean_system *m, bool held, double *x, double *matrix, w
         mean_leave_idle(m, x);
         mean_jacobian(m, x, matrix);
     }
-    return status.code == WHIRL_OK ? solve(m, matrix, period, x, out) : status;
+    return status.code == WHIRL_OK ? modes_solve(m, matrix, period, x, out) : status;
 }
 
 whirl_status modes_about(const whirl_system *system, const double *start, bool held, whirl_modes **out) {
@@ -290,7 +299,7 @@ whirl_status modes_about(const whirl_system *system, const double *start, bool h
     double *x = malloc((d + d * d + 1) * sizeof *x);
     if (x) {
         memcpy(x, start, d * sizeof *x);
-        status = find(&mean, held, x, x + d, out);
+        status = modes_find_all(&mean, held, x, x + d, out);
     } else {
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the modes of %zu coordinates", d);
     }

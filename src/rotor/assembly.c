@@ -219,7 +219,7 @@ double assembly_force_scale(const assembly *of, size_t coordinate) {
     return of->inertia[coordinate] * of->clock * of->clock * of->unit[coordinate];
 }
 
-/// Grows a list [count] of items of `size` bytes by one; NULL without memory, which is noted.
+/// Grows a list [count] of items of `size` bytes by one; NULL without memory, and then to->no_memory is set.
 static void *room_for_one(assembly *to, void *list, size_t count, size_t *room, size_t size) {
     if (count < *room) return list;
     void *longer = realloc(list, (2 * count + 64) * size);
@@ -355,14 +355,14 @@ void assembly_runout(assembly *to, size_t station, whirl_runout seen) {
     to->runouts[to->runout_count++] = (station_runout){station, seen};
 }
 
-/// Adds the weight of a shaft at a node, besides that of stations of the design.
+/// Adds the weight of a shaft at a node, without the weight of stations of the design.
 static void pull_node(assembly *to, const assembly_station *at, double x, double y) {
     const double force[] = {x * at->mass, y * at->mass, x * at->pull_moment, y * at->pull_moment};
     for (axis along = at->hidden ? AXIS_X : AXIS_TILT_X; along <= AXIS_TILT_Y; along++)
         body_add(&to->body, at->coordinate[along], 0, (body_kind){BODY_ONE, RATE_STATIC, BODY_STEADY}, force[along]);
 }
 
-static int by_size(const void *a, const void *b) {
+static int assembly_by_size(const void *a, const void *b) {
     const double *p = a, *q = b;
     return (*p > *q) - (*p < *q);
 }
@@ -383,7 +383,7 @@ whirl_status assembly_frequencies(assembly *to, size_t count, const double *freq
     double *all = realloc(to->frequencies, (before + count) * sizeof *all);
     if (!all) return whirl_fail(WHIRL_NO_MEMORY, "no memory for frequencies of whirl");
     memcpy(all + before, frequencies, count * sizeof *all);
-    qsort(all, before + count, sizeof *all, by_size);
+    qsort(all, before + count, sizeof *all, assembly_by_size);
     to->frequencies = all;
     to->frequency_count = 0;
     for (size_t i = 0; i < before + count; i++)

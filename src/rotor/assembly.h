@@ -15,7 +15,7 @@
 #include "whirl/engine/system.h"
 #include "whirl/status.h"
 
-// Elements outside the library find these by names of the library.
+// Symbols that elements outside the library use have names of the library.
 #define assembly_find whirl_assembly_find
 #define assembly_find_plane whirl_assembly_find_plane
 #define assembly_inertia whirl_assembly_inertia
@@ -63,7 +63,7 @@ typedef struct linear_term {
     double number;
 } linear_term;
 
-/// Coupling of accelerations by mass, besides the coordinates' own inertia: kg, kg m or kg m2.
+/// Coupling of accelerations by mass, in addition to the coordinates' own inertia: kg, kg m or kg m2.
 typedef struct mass_term {
     size_t row, by;
     double mass;
@@ -88,13 +88,13 @@ typedef struct assembly_station {
     double shaft_polar;            ///< kg m2 of the shaft, against twist alone
     double fluid;                  ///< kg of fluid that is moved along; inertia without weight or unbalance
     bool moves_x, moves_y, twists;
-    size_t geared_to;        ///< station whose twist it has, times `gear`; NO_STATION: it has its own
+    size_t geared_to;        ///< station whose twist, times `gear`, is its own; NO_STATION: it has its own coordinate
     double gear;             ///< its twist over that of the coordinate, 1 without a rigid gear
-    size_t shaft;            ///< shaft of finite elements that it is a node of; NO_SHAFT
+    size_t shaft;            ///< shaft of finite elements of which it is a node; NO_SHAFT: none
     double ratio;            ///< speed of that shaft over the rotor's; 1
-    double position;         ///< along it, m
-    double pull_moment;      ///< kg m by which gravity tilts it, from the shaft's weight between its nodes
-    bool hidden;             ///< a node that is no station of the design
+    double position;         ///< position along that shaft, m
+    double pull_moment;      ///< kg m, moment of the shaft's weight between its nodes, over gravity
+    bool hidden;             ///< a node of the mesh that is not a station of the design
     size_t place;            ///< index among the stations that move in x and y
     size_t coordinate[AXES]; ///< NO_COORDINATE for directions in which it does not move
 } assembly_station;
@@ -123,9 +123,9 @@ typedef struct assembly {
     size_t runout_count, runout_room;
     station_runout *runouts; ///< runout of probes
     size_t turning_count, turning_room;
-    turning_inertia *turnings; ///< of the rotor's own shaft
+    turning_inertia *turnings; ///< inertias that turn with the rotor's own shaft
     double pull[2];            ///< m/s2, gravity across the shafts
-    shaft_drive drive;         ///< what turns the shaft, if its speed is a state
+    shaft_drive drive;         ///< motor and load of a shaft whose speed is a state
     double stages;             ///< factor of the stages' cross couplings
     double cross_coupling;     ///< N/m, the sum of cross couplings, each counted once
     bool balanced;             ///< unbalance and skew are ignored
@@ -177,7 +177,7 @@ double assembly_force_scale(const assembly *of, size_t coordinate);
 void assembly_stiffness(assembly *to, size_t row, size_t by, double stiffness);
 void assembly_damping(assembly *to, size_t row, size_t by, double damping);
 
-/// The same for a spring or damper between two coordinates, one of them perhaps NO_COORDINATE, the ground.
+/// Adds a spring or damper between two coordinates, one of them perhaps NO_COORDINATE, the ground.
 void assembly_spring(assembly *to, size_t one, size_t other, double stiffness);
 void assembly_damper(assembly *to, size_t one, size_t other, double damping);
 
@@ -189,7 +189,7 @@ void assembly_inertance(assembly *to, size_t row, size_t by, double mass);
 /// m/rad and N m s/rad. Nothing where neither twists.
 void assembly_twist(assembly *to, size_t one, size_t other, double stiffness, double damping);
 
-/// The same for a mass that resists the acceleration of one coordinate from another (an inerter: Smith 2002), one of
+/// Adds a mass that resists the acceleration of one coordinate relative to another (an inerter: Smith 2002), one of
 /// them perhaps NO_COORDINATE, the ground.
 void assembly_inerter(assembly *to, size_t one, size_t other, double mass);
 
@@ -214,8 +214,8 @@ void assembly_inertial(assembly *to, size_t x, size_t y, double moment, double a
 /// Adds an unbalance of `moment` (kg m) at `angle` (rad, from the x axis at tau = 0).
 void assembly_unbalance(assembly *to, size_t station, double moment, double angle);
 
-/// Registers frequencies of whirl [count], rising, of a coefficient table. Of several tables those frequencies are kept
-/// that all of them cover. WHIRL_BAD_INPUT if there is no common range.
+/// Registers frequencies of whirl [count], rising, of a coefficient table. With several tables, the frequencies that
+/// all of them cover are kept. WHIRL_BAD_INPUT if there is no common range.
 whirl_status assembly_frequencies(assembly *to, size_t count, const double *frequencies);
 
 /// Adds a harmonic (m) of the runout at a station to what probes see there.
@@ -227,7 +227,8 @@ void assembly_pull(assembly *to, double x, double y);
 /// Adds damping (N s/m) between a station and the ground.
 void assembly_ground_damping(assembly *to, size_t station, double damping);
 
-/// Sorts the terms row by row, and adds those of one place. False if one was lost.
+/// Sorts the terms by row and merges terms of one row, column and kind. Returns false if a term was lost for lack of
+/// memory.
 bool assembly_finish(assembly *to);
 
 #endif

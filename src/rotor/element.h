@@ -17,7 +17,7 @@
 #include "whirl/engine/stop.h"
 #include "whirl/status.h"
 
-// Elements outside the library find these by names of the library.
+// Symbols that elements outside the library use have names of the library.
 #define element_on whirl_element_on
 #define element_between whirl_element_between
 #define element_beside_none whirl_element_beside_none
@@ -154,12 +154,12 @@ typedef struct whirl_element_type {
     /// may stay. False without such a balance (a wall is touched).
     bool (*settle)(const element *own, const double *q, double *states, bool *idle);
 
-    /// Optional: which of its states only tells the time, from its start on; own->states: none does. Linear analyses
-    /// leave it at its start.
+    /// Optional: returns the index of a state that is only a clock; own->states if no state is. Linear analyses leave
+    /// it at its start.
     size_t (*clock)(const element *own);
 
-    /// Optional: sees to it that what its kernels read beside its numbers is there until `release`; gives up where
-    /// *stop becomes true (NULL: never). WHIRL_NO_MEMORY, WHIRL_STOPPED: then nothing is held.
+    /// Optional: provides tables that its kernels read in addition to its numbers, until `release`; gives up if *stop
+    /// becomes true (NULL: never). WHIRL_NO_MEMORY, WHIRL_STOPPED: then nothing needs `release`.
     whirl_status (*hold)(const element *own, const whirl_stop *stop);
     void (*release)(const element *own);
 
@@ -189,22 +189,22 @@ typedef struct whirl_element_type {
     void (*loop)(const element *own, const double *q, const double *states, size_t index, double *acceleration,
                  double *slope, double *sensed);
 
-    /// It carries the rotor; it is a seal or an impeller. A key `role` can decide this for a single element: bearing,
-    /// or another word.
+    /// carries: elements of this type are bearings; drags: they are seals or impellers. A key `role` can decide this
+    /// for a single element: bearing, or another word.
     bool carries, drags;
 
     /// For bearings and seals: the radial clearance in length scales around its station, as assembled.
     double (*bearing_clearance)(const element *own);
 
-    /// Optional: that around the ring whose ports are 2 and 3. The first film then lies between ports 0, 1 and 4, 5,
-    /// this one between 2, 3 and 6, 7.
+    /// Optional: the radial clearance around the ring whose ports are 2 and 3. The inner film then lies between ports
+    /// 0, 1 and 4, 5, the outer one between 2, 3 and 6, 7.
     double (*ring_clearance)(const element *own);
 
-    /// What holds its journal moves, though the housing may stand: the journal has no wall in any place.
+    /// A part between journal and housing moves (a ring, a damper), so that no fixed wall limits the journal.
     bool yields;
 
-    /// Optional, with a clearance: `least`, `wall` and pads of its film with the journal at rest where q [MAX_PORTS]
-    /// and its states say. NULL: the wall is a circle of the clearance.
+    /// Optional, with a clearance: sets `least`, `wall` and pads of its film for a journal at rest at q [MAX_PORTS]
+    /// with these states. NULL: the wall is a circle of the clearance.
     void (*film)(const element *own, const double *q, const double *states, element_film *out);
 
     /// Optional: returns order `index` (from 0) that may show in spectra, and its name; false beyond the last. Its
@@ -231,10 +231,10 @@ void doubt_value(const doubt_teller *to, const char *key, const char *format, ..
 /// both tilts (AXIS_TILT_X), NO_COORDINATE for directions in which it does not move.
 void element_on(const key_value *at, const assembly *to, axis first, element *out);
 
-/// The ports of an element between the two stations of its key `between`, one of them perhaps the ground: the first
-/// one's coordinates along `axes` [count], then the other's (AXES: none), with NO_COORDINATE for the ground's and for
-/// those along which a station does not move (`moves`), where it is held as the ground is; and the station where it
-/// sits. WHIRL_BAD_INPUT where both are one, a station does not tilt along one of the axes, or neither moves along any.
+/// Sets the station of an element between the two stations of its key `between`, and its ports: the first station's
+/// coordinates along `axes` [count], then the other's (AXES: none). A port is NO_COORDINATE for the ground, and for an
+/// axis along which a station does not move (`moves`). WHIRL_BAD_INPUT if both stations are the same, a station does
+/// not tilt along one of the axes, or neither moves along any.
 whirl_status element_between(const key_value *between, const assembly *to, const axis *axes, size_t count,
                              element *out);
 

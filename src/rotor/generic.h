@@ -1,5 +1,5 @@
-/// The passes of an element between two places, made from its kernel alone: accelerations, and what its derivative by
-/// duals makes of perturbations.
+/// The passes of an element between two places, generated from its kernel: accelerations, and the effect on
+/// perturbations by the kernel's derivative (dual numbers).
 ///
 /// The including file defines
 ///
@@ -44,7 +44,7 @@
 enum { KERNEL_PORTS = 2 * KERNEL_AXES, DUAL_INPUTS = 2 * KERNEL_AXES + KERNEL_STATES + KERNEL_PHASED };
 _Static_assert(2 * KERNEL_AXES <= (int)MAX_PORTS, "an element sees at most MAX_PORTS coordinates");
 
-/// Arguments of a kernel besides its motion.
+/// Arguments of a kernel in addition to its motion.
 typedef struct kernel_view {
     size_t stride;
     const vec *number;                               ///< number n of the element is number[n * stride]
@@ -67,7 +67,7 @@ static inline dual phase_dual(const kernel_view *view, int value) {
 }
 #include KERNEL_FILE
 
-/// Part of a state or a perturbation that an element sees.
+/// Inputs of an element from a state or a perturbation.
 typedef struct kernel_inputs {
     vec d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1], phase;
 } kernel_inputs;
@@ -282,7 +282,7 @@ static double unit_of(const element *own, int port) {
 #endif
 }
 
-/// The derivatives of a switching function by what the element sees.
+/// Computes the derivatives of a switching function by the inputs of the element.
 static void generic_gradient(const element *own, const element_place *at, size_t index, element_place *by) {
     const kernel_view view = {.stride = 1, .number = own->number};
     dual d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1], value[KERNEL_SWITCHES];

@@ -86,17 +86,17 @@ void rotor_lanes_fill(whirl_rotor *rotor);
 /// Fills in the functions of the rotor's system (rotor_system.c).
 void rotor_system_fill(whirl_rotor *rotor);
 
-/// As the rotor's system does, with other numbers [lanes.number_count] in the place of its own: the machine at another
-/// speed.
+/// Functions of the rotor's system with other numbers [lanes.number_count] in place of its own, those of the machine at
+/// another speed.
 void rotor_flow_with(const whirl_rotor *rotor, const double *numbers, const double *forcing, const double *sides,
                      const double *x, double *dxdt);
 void rotor_switches_with(const whirl_rotor *rotor, const double *numbers, const double *x, double *values);
 void rotor_contacts_with(const whirl_rotor *rotor, const double *numbers, const double *x, double *normal_force,
                          double *friction);
-/// The derivatives of switch `index` by x, gradient [dimension].
+/// Writes the derivatives of switch `index` by x, gradient [dimension].
 void rotor_gradient_with(const whirl_rotor *rotor, double *numbers, const double *x, size_t index, double *gradient);
 
-/// The rotor of a system, NULL where it is another machine.
+/// Returns the rotor of a system; NULL if the system is not a rotor's.
 const whirl_rotor *rotor_of_system(const whirl_system *system);
 
 // ---------------------------------------------------------------- repeats

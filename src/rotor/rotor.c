@@ -57,7 +57,7 @@ static size_t count_contacts(const building *b) {
 }
 
 /// Lays the parts of a rotor out in a block and returns the block's size.
-static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
+static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) {
     const size_t stations = b->design->station_count, contacts = count_contacts(b);
     const size_t coupled = coupling_count(&b->assembly);
     const body_panels *shafts = &b->panels;
@@ -167,7 +167,7 @@ static void add_runouts(whirl_rotor *rotor, const assembly *from) {
     }
 }
 
-/// Groups coordinates whose sizes are measured together: both displacements of a station, both of its tilts, each
+/// Groups coordinates whose sizes are measured together: the two displacements of a station, its two tilts, and each
 /// twist.
 static void add_groups(whirl_rotor *rotor, const assembly *from) {
     size_t lone = from->twist_count;
@@ -304,10 +304,12 @@ static void add_phase(whirl_rotor *rotor, const building *b) {
 }
 
 static whirl_rotor *finish(building *b) {
+    // One block for the rotor and its arrays.
     scale_body(&b->assembly);
-    whirl_rotor *rotor = body_gather(&b->assembly.body, &b->panels) ? calloc(1, lay_out(NULL, NULL, b)) : NULL;
+    whirl_rotor *rotor = body_gather(&b->assembly.body, &b->panels) ? calloc(1, rotor_lay_out(NULL, NULL, b)) : NULL;
     if (!rotor) return NULL;
-    lay_out(rotor, (char *)rotor, b);
+    rotor_lay_out(rotor, (char *)rotor, b);
+    // Copy from the assembly.
     rotor->speed = b->assembly.speed;
     rotor->way = assembly_stands(&b->assembly) ? 0.0 : !b->keyphasor && b->assembly.turn < 0.0 ? -1.0 : 1.0;
     rotor->clock = b->assembly.clock;
@@ -331,6 +333,7 @@ static whirl_rotor *finish(building *b) {
     memcpy(rotor->unit, b->assembly.unit, b->assembly.degrees * sizeof *rotor->unit);
     memcpy(rotor->pull, b->assembly.pull, sizeof rotor->pull);
     rotor->drive = b->assembly.drive;
+    // Stations, numbers and elements.
     add_probes(rotor, b);
     add_twists(rotor, &b->assembly);
     add_runouts(rotor, &b->assembly);
@@ -341,6 +344,7 @@ static whirl_rotor *finish(building *b) {
         return NULL;
     }
     add_elements_to(rotor, b);
+    // Functions of lanes and of the system.
     rotor->lanes.degrees = b->assembly.degrees;
     rotor->lanes.states = b->state_count;
     rotor->lanes.number_count = total_numbers(b);
@@ -359,7 +363,7 @@ static whirl_status check_states(const building *b) {
                       b->state_count, MAX_OWN_STATES);
 }
 
-static whirl_status check(const whirl_rotor *rotor) {
+static whirl_status rotor_check_model(const whirl_rotor *rotor) {
     // Contacts are at most as many as elements.
     _Static_assert((int)WHIRL_MAX_ELEMENTS <= (int)WHIRL_MAX_CONTACTS, "a contact for every element");
     if (rotor->lanes.switch_count > WHIRL_MAX_SWITCHES)
@@ -390,6 +394,7 @@ whirl_status whirl_rotor_outline(const whirl_design *design, whirl_rotor **out) 
     *out = NULL;
     if (design->station_count == 0)
         return whirl_fail(WHIRL_BAD_INPUT, "the rotor has no station, expected at least one");
+    // Assemble; once more in the order of stations that a structure with loops of its own requires.
     whirl_status status = building_assemble(&b, design, NULL);
     if (status.code == WHIRL_OK && find_instance(&b, order, &found) && !in_order(&b, order)) {
         building_end(&b);
@@ -403,7 +408,7 @@ whirl_status whirl_rotor_outline(const whirl_design *design, whirl_rotor **out) 
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu stations", design->station_count);
     if (status.code == WHIRL_OK) status = coupling_fill(&rotor->coupled, &b.assembly);
     building_end(&b);
-    if (status.code == WHIRL_OK) status = check(rotor);
+    if (status.code == WHIRL_OK) status = rotor_check_model(rotor);
     if (status.code == WHIRL_OK)
         *out = rotor;
     else

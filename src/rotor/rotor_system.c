@@ -12,7 +12,7 @@ static lanes_view view_of(const whirl_rotor *rotor, const double *forcing, const
         .model = rotor, .stride = 1, .vectors = 1, .numbers = rotor->numbers, .forcing = forcing, .sides = sides};
 }
 
-/// The view of one state.
+/// Returns a view of one state as a lane of the kernels.
 static lanes_view view_at(const whirl_rotor *rotor, const double *forcing, const double *sides, const double *x) {
     lanes_view view = view_of(rotor, forcing, sides);
     view.q = x;
@@ -47,8 +47,8 @@ static void forcing_at(const void *model, double t, double *forcing) {
     machine_forcing_scalar(model, 1, 1, &t, forcing);
 }
 
-static void rhs_on_sides(const void *model, double t, const double *forcing, const double *x, const double *sides,
-                         double *dxdt) {
+static void rotor_rhs_on_sides(const void *model, double t, const double *forcing, const double *x, const double *sides,
+                               double *dxdt) {
     const whirl_rotor *rotor = model;
     const size_t degrees = rotor->lanes.degrees;
     lanes_view view = view_at(rotor, forcing, sides, x);
@@ -58,22 +58,22 @@ static void rhs_on_sides(const void *model, double t, const double *forcing, con
     machine_flow_scalar(&view);
 }
 
-static void rhs(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
-    rhs_on_sides(model, t, forcing, x, NULL, dxdt);
+static void rotor_rhs(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
+    rotor_rhs_on_sides(model, t, forcing, x, NULL, dxdt);
 }
 
-static void switches(const void *model, double t, const double *x, double *values) {
+static void rotor_switches(const void *model, double t, const double *x, double *values) {
     const lanes_view view = view_at(model, NULL, NULL, x);
     (void)t;
     machine_switches_scalar(&view, values, NULL);
 }
 
-static void contacts(const void *model, const double *x, double *normal_force) {
+static void rotor_contact_forces(const void *model, const double *x, double *normal_force) {
     const lanes_view view = view_at(model, NULL, NULL, x);
     machine_contacts_scalar(&view, normal_force, NULL);
 }
 
-static void friction(const void *model, const double *x, double *friction) {
+static void rotor_friction(const void *model, const double *x, double *friction) {
     const lanes_view view = view_at(model, NULL, NULL, x);
     double normal_force[WHIRL_MAX_CONTACTS];
     machine_contacts_scalar(&view, normal_force, friction);
@@ -85,20 +85,20 @@ typedef struct group {
 } group;
 
 /// Copies state or perturbation x to place n of the group's positions and of the rest.
-static void put(const whirl_rotor *rotor, double *q, double *v, size_t n, const double *x) {
+static void rotor_put(const whirl_rotor *rotor, double *q, double *v, size_t n, const double *x) {
     const size_t degrees = rotor->lanes.degrees, rows = degrees + rotor->lanes.states;
     memcpy(q + n * degrees, x, degrees * sizeof *x);
     memcpy(v + n * rows, x + degrees, rows * sizeof *x);
 }
 
-static void get(const whirl_rotor *rotor, const group *g, size_t n, double *slope) {
+static void rotor_get(const whirl_rotor *rotor, const group *g, size_t n, double *slope) {
     const size_t degrees = rotor->lanes.degrees, rows = degrees + rotor->lanes.states;
     memcpy(slope, g->v + n * rows, degrees * sizeof *slope);
     memcpy(slope + degrees, g->a + n * rows, rows * sizeof *slope);
 }
 
-static void tangent(const void *model, double t, const double *forcing, const double *x, const double *sides,
-                    size_t count, const double *dx, double *ddxdt) {
+static void rotor_tangent(const void *model, double t, const double *forcing, const double *x, const double *sides,
+                          size_t count, const double *dx, double *ddxdt) {
     const whirl_rotor *rotor = model;
     const size_t dimension = rotor->system.dimension;
     const size_t degrees = rotor->lanes.degrees, rows = degrees + rotor->lanes.states;
@@ -110,12 +110,12 @@ static void tangent(const void *model, double t, const double *forcing, const do
     view.q = g.q;
     view.v = g.v;
     view.a = g.a;
-    put(rotor, g.q, g.v, 0, x);
+    rotor_put(rotor, g.q, g.v, 0, x);
     for (size_t first = 0; first < count; first += most) {
         view.tangents = count - first < most ? count - first : most;
-        for (size_t k = 0; k < view.tangents; k++) put(rotor, g.q, g.v, k + 1, dx + (first + k) * dimension);
+        for (size_t k = 0; k < view.tangents; k++) rotor_put(rotor, g.q, g.v, k + 1, dx + (first + k) * dimension);
         machine_flow_scalar(&view);
-        for (size_t k = 0; k < view.tangents; k++) get(rotor, &g, k + 1, ddxdt + (first + k) * dimension);
+        for (size_t k = 0; k < view.tangents; k++) rotor_get(rotor, &g, k + 1, ddxdt + (first + k) * dimension);
     }
 }
 
@@ -130,7 +130,7 @@ static double divergence_at(const void *model, double t, const double *forcing, 
     return divergence;
 }
 
-/// The element that has switch *index, which becomes its own index there.
+/// Returns the element that has switch *index, and sets *index to the switch's index in that element.
 static const element *owner_of(const whirl_rotor *rotor, size_t *index) {
     const element *own = rotor->elements;
     for (;; own++) {
@@ -155,7 +155,7 @@ static element_place see(const whirl_rotor *rotor, const element *own, const dou
     return seen;
 }
 
-/// Converts a derivative by what an element sees into one by the state.
+/// Converts a derivative by the inputs of an element into one by the state.
 static void spread(const whirl_rotor *rotor, const element *own, const element_place *by, double *out) {
     const size_t degrees = rotor->lanes.degrees;
     memset(out, 0, rotor->system.dimension * sizeof *out);
@@ -196,14 +196,15 @@ static void switch_curvature(const void *model, double t, const double *x, size_
     spread(model, own, &by, out);
 }
 
-/// The first switch of what has a gap all around; all of springs and looseness.
+/// Returns true if a contact begins at a switch: the first one of elements with a gap all around, every one of springs
+/// and looseness.
 static bool switch_touches(const void *model, size_t index) {
     const element *own = owner_of(model, &index);
     if (own->type->touches) return own->type->touches(own, index);
     return !own->type->contact_gap || index == 0;
 }
 
-static bool named_order(const void *model, size_t index, whirl_named_order *out) {
+static bool rotor_named_order(const void *model, size_t index, whirl_named_order *out) {
     const whirl_rotor *rotor = model;
     for (size_t i = 0; i < rotor->element_count; i++) {
         const element *own = &rotor->elements[i];
@@ -235,7 +236,7 @@ static element_seen see_extremes(const whirl_rotor *rotor, const element *own, c
     return seen;
 }
 
-static bool range(const void *model, size_t index, const whirl_extremes *seen, whirl_law_range *out) {
+static bool rotor_range(const void *model, size_t index, const whirl_extremes *seen, whirl_law_range *out) {
     static const double none[MAX_OWN_STATES];
     const whirl_rotor *rotor = model;
     const element_seen nothing = {.radius = NAN, .state_low = none, .state_high = none};
@@ -265,7 +266,7 @@ static size_t count_loops(const whirl_rotor *rotor) {
     return count;
 }
 
-static void loop(const void *model, const double *x, size_t index, double *input, double *sensed) {
+static void rotor_loop(const void *model, const double *x, size_t index, double *input, double *sensed) {
     const whirl_rotor *rotor = model;
     const size_t degrees = rotor->lanes.degrees;
     const element *own = rotor->elements;
@@ -290,7 +291,7 @@ static bool tells_time(const element *own) {
     return own->type->clock && own->type->clock(own) < own->states;
 }
 
-static bool settle(const void *model, double *x, whirl_settled *kinds) {
+static bool rotor_settle(const void *model, double *x, whirl_settled *kinds) {
     const whirl_rotor *rotor = model;
     bool balanced = true;
     for (size_t i = 0; i < rotor->system.dimension; i++) kinds[i] = WHIRL_NOT_SETTLED;
@@ -307,7 +308,7 @@ static bool settle(const void *model, double *x, whirl_settled *kinds) {
     return balanced;
 }
 
-/// The station that moves with any of two ports; station_count where none does.
+/// Returns the station that moves with one of two ports; station_count if none does.
 static size_t station_of_ports(const whirl_rotor *rotor, const size_t port[2]) {
     size_t station = 0;
     for (; station < rotor->station_count; station++)
@@ -316,7 +317,7 @@ static size_t station_of_ports(const whirl_rotor *rotor, const size_t port[2]) {
     return station;
 }
 
-/// The film of an element between journal ports 2 index, 2 index + 1 and those of its housing.
+/// Returns the film of an element between journal ports 2 index, 2 index + 1 and the ports of its housing.
 static element_film film_of(const whirl_rotor *rotor, const element *own, const double *x, size_t index) {
     const element_type *type = own->type;
     const element_place at = see(rotor, own, x);
@@ -357,9 +358,9 @@ static const element *counterpart(const whirl_rotor *rotor, const element *own, 
     return NULL;
 }
 
-static void adopt(const void *model, double *x, const whirl_system *other, const double *y) {
+static void rotor_adopt(const void *model, double *x, const whirl_system *other, const double *y) {
     const whirl_rotor *rotor = model, *from = other->model;
-    if (other->adopt != adopt) return;
+    if (other->adopt != rotor_adopt) return;
     for (size_t i = 0; i < rotor->element_count; i++) {
         const element *own = &rotor->elements[i], *same = own->states > 0 ? counterpart(rotor, own, from) : NULL;
         if (!same || same->states != own->states) continue;
@@ -367,7 +368,7 @@ static void adopt(const void *model, double *x, const whirl_system *other, const
     }
 }
 
-static double twist(const void *model, const double *v, double *shape) {
+static double rotor_twist(const void *model, const double *v, double *shape) {
     const whirl_rotor *rotor = model;
     double twists = 0.0, all = 0.0;
     for (size_t d = 0; d < rotor->lanes.degrees; d++) {
@@ -385,14 +386,14 @@ static double twist(const void *model, const double *v, double *shape) {
     return all > 0.0 ? twists / all : 0.0;
 }
 
-static bool settles(const whirl_rotor *rotor) {
+static bool rotor_settles(const whirl_rotor *rotor) {
     for (size_t i = 0; i < rotor->element_count; i++)
         if (rotor->elements[i].type->settle || tells_time(&rotor->elements[i])) return true;
     return false;
 }
 
 const whirl_rotor *rotor_of_system(const whirl_system *system) {
-    return system->rhs == rhs ? system->model : NULL;
+    return system->rhs == rotor_rhs ? system->model : NULL;
 }
 
 void rotor_system_fill(whirl_rotor *rotor) {
@@ -403,30 +404,30 @@ void rotor_system_fill(whirl_rotor *rotor) {
                                    .turns = rotor->turning ? rotor->turns : NULL,
                                    .repeats = rotor->repeats,
                                    .forcing = forcing_at,
-                                   .rhs = rhs,
+                                   .rhs = rotor_rhs,
                                    .switch_count = rotor->lanes.switch_count,
-                                   .switches = switches,
-                                   .rhs_on_sides = rhs_on_sides,
-                                   .tangent = tangent,
+                                   .switches = rotor_switches,
+                                   .rhs_on_sides = rotor_rhs_on_sides,
+                                   .tangent = rotor_tangent,
                                    .divergence = divergence_at,
                                    .switch_gradient = switch_gradient,
                                    .switch_curvature = switch_curvature,
                                    .switch_touches = switch_touches,
-                                   .named_order = named_order,
+                                   .named_order = rotor_named_order,
                                    .contact_count = rotor->contact_count,
-                                   .contacts = contacts,
-                                   .friction = rotor->lanes.rubs || !rotor->mute ? friction : NULL,
+                                   .contacts = rotor_contact_forces,
+                                   .friction = rotor->lanes.rubs || !rotor->mute ? rotor_friction : NULL,
                                    .frequency_count = rotor->frequency_count,
                                    .frequencies = rotor->frequencies,
                                    .probe_count = rotor->station_count,
                                    .probes = rotor->probes,
                                    .loop_count = count_loops(rotor),
-                                   .loop = loop,
-                                   .range = range,
-                                   .settle = settles(rotor) ? settle : NULL,
+                                   .loop = rotor_loop,
+                                   .range = rotor_range,
+                                   .settle = rotor_settles(rotor) ? rotor_settle : NULL,
                                    .film = film,
-                                   .adopt = adopt,
-                                   .twist = rotor->twist_count > 0 ? twist : NULL,
+                                   .adopt = rotor_adopt,
+                                   .twist = rotor->twist_count > 0 ? rotor_twist : NULL,
                                    .model = rotor,
                                    .lanes = &rotor->lanes};
 }

@@ -8,57 +8,60 @@
 #include "machine.h"
 #include "matrix.h"
 
-/// Powers of the speed that numbers are sums of, from -2 on.
+/// Number of powers of the speed in a sum that represents a number; the lowest power is -2.
 enum { POWERS = 5, LOWEST_POWER = -2 };
 
-/// Speeds at which machines are made: those that powers are found from, and at once checked at.
+/// Number of speeds at which machines are made to find the powers, and to check the sum.
 enum { POWER_SPEEDS = 11 };
 
-/// Speeds of the nodes of splines, and of the checks between them.
+/// Nodes of splines, speeds of the nodes and of the checks between them, and stored numbers of a spline.
 enum { SPLINE_NODES = 33, SPLINE_SPEEDS = 2 * SPLINE_NODES - 1, SPLINE_NUMBERS = 2 * SPLINE_NODES };
 
-/// Numbers count as a sum of powers where they are one to this share of their largest value.
+/// Error, over its largest value, below which a number counts as a sum of powers.
 static const double power_error = 2e-12;
 
-/// The least speed, over the unit, that numbers are taken at: laws divide by the speed, and slower shafts stand.
+/// Least speed, over the unit, at which numbers are evaluated: laws divide by the speed. A slower shaft counts as
+/// standing.
 static const double slowest = 1e-6;
 
-/// A number that changes with the speed w: sum of power[k] w^(k - 2), or of splines of it times w^2.
+/// A number of the machine that changes with the speed w: the sum of power[k] w^(k - 2), or a spline over w^2.
 typedef struct number_of_speed {
     size_t index;
     double power[POWERS];
-    double *value, *curvature; ///< [SPLINE_NODES] of w^2 times the number, NULL: powers hold
+    double *value, *curvature; ///< [SPLINE_NODES] spline of w^2 times the number; NULL: the sum of powers holds
 } number_of_speed;
 
-/// A running rotor.
+/// A rotor whose speed changes.
 typedef struct running_rotor {
-    whirl_running shown;   ///< first, so that it is this
-    whirl_machine machine; ///< at the unit of speed, whose structure all have
+    whirl_running shown;   ///< the public part; first, so that a pointer to it is one to this struct
+    whirl_machine machine; ///< the machine at the unit of speed; machines of all speeds have its structure
     const whirl_rotor *rotor;
     double unit;
     whirl_turning how;
-    double *numbers; ///< [number_count] at the speed *at, workspace
+    double *numbers; ///< [number_count] numbers at the speed *at, workspace
     double *at;
     size_t varying_count;
     number_of_speed *varying;
     double *splines; ///< all of them
     double lowest_node, node_distance;
-    /// [degrees] of unbalances that turn: accelerations by C and S at a speed of 1 unit, and forces, kg or kg m2 of a
-    /// unit of the coordinate; of those that are lost the same.
+    /// [degrees] effect of turning unbalances on each coordinate, by the values of time C and S: accelerations at a
+    /// speed of 1 unit (own_), and forces over the square of the speed, kg or kg m2 of a unit of the coordinate
+    /// (force_). The same for the unbalances of `lose` (lost_).
     double *own_cos, *own_sin, *force_cos, *force_sin;
     double *lost_cos, *lost_sin, *lost_force_cos, *lost_force_sin;
-    double *lever_force, *lever_acceleration; ///< [degrees] workspace: of a coordinate by a unit of theta''
-    double *pull;                             ///< [degrees] m/s2, of gravity; 0 for tilts and nodes between stations
-    double *block;                            ///< these
-    double *place, *slope;                    ///< [dimension] workspace
-    double *friction;                         ///< [contact_count][3] workspace
+    double *lever_force, *lever_acceleration; ///< [degrees] workspace: levers of theta'' on a coordinate
+    double *pull;          ///< [degrees] m/s2, pull of gravity; 0 for tilts and nodes between stations
+    double *block;         ///< all arrays from own_cos on
+    double *place, *slope; ///< [dimension] workspace
+    double *friction;      ///< [contact_count][3] workspace
     whirl_system by_angle, by_time;
-    double from; ///< where the part of a revolution begins
+    double from; ///< angle at which the current part of a revolution begins
 } running_rotor;
 
 // ---------------------------------------------------------------- numbers over the speed
 
-/// Solves for the powers `of` [count] that give y [count] at w [count]. False where they do not tell them apart.
+/// Solves for the factors out [count] of the powers `of` [count] of w [count] whose sum is y [count]. Returns false if
+/// the equations are singular.
 static bool running_fit_powers(size_t count, const int *of, const double *w, const double *y, double *out) {
     double a[POWERS * POWERS];
     for (size_t i = 0; i < count; i++)
@@ -67,7 +70,7 @@ static bool running_fit_powers(size_t count, const int *of, const double *w, con
     return matrix_solve(count, a, 1, out);
 }
 
-/// Finds the fewest powers whose sum the number is, at all of w [POWER_SPEEDS]. False where it is none.
+/// Finds the fewest powers whose sum is y at all speeds w [POWER_SPEEDS]. Returns false if no such sum exists.
 static bool running_find_powers(const double *w, const double *y, double power[POWERS]) {
     double largest = 0.0;
     for (size_t i = 0; i < POWER_SPEEDS; i++) largest = fmax(largest, fabs(y[i]));
@@ -80,7 +83,7 @@ static bool running_find_powers(const double *w, const double *y, double power[P
             for (int k = 0; k < POWERS; k++)
                 if (set >> k & 1) of[size++] = k + LOWEST_POWER;
             if (size != count) continue;
-            // Every second speed or so, over all of the range.
+            // Fit at about every second speed, over the whole range; the others check the fit.
             for (size_t i = 0; i < count; i++) {
                 const size_t pick = count == 1 ? 0 : i * (POWER_SPEEDS - 1) / (count - 1);
                 at[i] = w[pick];
@@ -100,7 +103,7 @@ static bool running_find_powers(const double *w, const double *y, double power[P
     return false;
 }
 
-/// Second derivatives of the cubic spline through y at equal distances h, with parabolas at its ends.
+/// Computes the second derivatives of the cubic spline through y at equal distances h, with parabolas at its ends.
 static void spline_bend(double h, const double *y, double *curvature) {
     double diagonal[SPLINE_NODES], right[SPLINE_NODES];
     const size_t last = SPLINE_NODES - 1;
@@ -134,7 +137,7 @@ static double running_number_at(const running_rotor *r, const number_of_speed *o
     return ((c[0] / w + c[1]) / w + c[2]) + w * (c[3] + w * c[4]);
 }
 
-/// Brings the numbers, which are workspace, to a speed.
+/// Evaluates the numbers at a speed, into workspace.
 static double *running_numbers_at(const running_rotor *r, double w) {
     const double bounded = fmax(w, slowest);
     for (size_t i = 0; i < r->varying_count && bounded != *r->at; i++)
@@ -175,7 +178,7 @@ static whirl_status running_check_machine(const running_rotor *r, const whirl_ma
     return whirl_ok();
 }
 
-/// Writes the numbers of the machine at speeds w [count], over the unit: out [count][number_count].
+/// Makes the machine at speeds w [count], over the unit, and writes its numbers, out [count][number_count].
 static whirl_status running_sample(const running_rotor *r, whirl_machine_at *make, const void *context, size_t count,
                                    const double *w, double *out) {
     const size_t numbers = r->rotor->lanes.number_count;
@@ -192,7 +195,8 @@ static whirl_status running_sample(const running_rotor *r, whirl_machine_at *mak
     return status;
 }
 
-/// Those that are no sums of powers, as splines: y [SPLINE_SPEEDS][number_count].
+/// Fits splines to the numbers that are not sums of powers, from y [SPLINE_SPEEDS][number_count], and notes the largest
+/// error half way between nodes.
 static void running_fit_splines(running_rotor *r, const double *w, const double *y) {
     const size_t numbers = r->rotor->lanes.number_count;
     double *next = r->splines;
@@ -230,11 +234,12 @@ static whirl_status running_add_splines(running_rotor *r, whirl_machine_at *make
 
 static whirl_status running_find_numbers(running_rotor *r, whirl_machine_at *make, const void *context) {
     static const double share[POWER_SPEEDS] = {1.0, 0.91, 0.78, 0.65, 0.55, 0.42, 0.33, 0.24, 0.15, 0.08, 0.0};
-    const double low = fmax(r->lowest_node, 0.17); // powers hold below it, too
+    const double low = fmax(r->lowest_node, 0.17); // lower speeds add nothing to the fit: sums of powers hold there too
     double w[POWER_SPEEDS];
     const size_t numbers = r->rotor->lanes.number_count;
     double *y = malloc((POWER_SPEEDS * numbers + 1) * sizeof *y);
     size_t splines = 0;
+    // Numbers of the machine at a few speeds.
     for (size_t i = 0; i < POWER_SPEEDS; i++) w[i] = low + share[i] * (1.0 - low);
     r->numbers = calloc(numbers + 1, sizeof *r->numbers);
     r->at = r->numbers ? r->numbers + numbers : NULL;
@@ -242,11 +247,12 @@ static whirl_status running_find_numbers(running_rotor *r, whirl_machine_at *mak
     whirl_status status = y && r->numbers && r->varying
                               ? whirl_ok()
                               : whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine over its speed");
-    if (status.code == WHIRL_OK) { // the first speed is that of the machine at hand
+    if (status.code == WHIRL_OK) { // the first speed is the one of the machine that exists already
         memcpy(r->numbers, r->rotor->numbers, numbers * sizeof *r->numbers);
         memcpy(y, r->rotor->numbers, numbers * sizeof *y);
         status = running_sample(r, make, context, POWER_SPEEDS - 1, w + 1, y + numbers);
     }
+    // Each number that varies is a sum of powers, or else a spline.
     for (size_t n = 0; n < numbers && status.code == WHIRL_OK; n++) {
         number_of_speed own = {.index = n};
         double values[POWER_SPEEDS];
@@ -257,7 +263,7 @@ static whirl_status running_find_numbers(running_rotor *r, whirl_machine_at *mak
         }
         if (!varies) continue;
         if (!running_find_powers(w, values, own.power)) {
-            own.value = r->numbers; // says that there is one, until it is made
+            own.value = r->numbers; // not NULL: running_fit_splines replaces it
             splines++;
         }
         r->varying[r->varying_count++] = own;
@@ -269,7 +275,7 @@ static whirl_status running_find_numbers(running_rotor *r, whirl_machine_at *mak
 
 // ---------------------------------------------------------------- what turns with the shaft
 
-/// Finds the accelerations that forces give coordinates, where masses couple by all of them.
+/// Computes accelerations from forces, including mass coupling between coordinates.
 static void running_accelerate(const whirl_rotor *rotor, const double *force, double *out) {
     const coupling *by = &rotor->coupled;
     const size_t degrees = rotor->lanes.degrees;
@@ -341,7 +347,7 @@ static void running_lose(whirl_running *running, size_t count, const whirl_place
 
 // ---------------------------------------------------------------- the equation of the shaft
 
-/// What turns the shaft: the motor and its load, without what the rotor does.
+/// Computes the torques of the motor and of its load at a speed.
 static void running_drive_at(const running_rotor *r, double w, whirl_torques *out) {
     const shaft_drive *drive = &r->rotor->drive;
     const double speed = w * r->unit;
@@ -361,7 +367,7 @@ static double running_friction_at(const running_rotor *r, const double *x, const
     return torque;
 }
 
-/// Finds the levers: force and acceleration of every coordinate by a unit of theta'', with the values of time C and S.
+/// Computes the levers: force and acceleration of every coordinate by a unit of theta'', at the values of time C and S.
 static void running_find_levers(const running_rotor *r, const double *forcing) {
     const double way = r->rotor->way, c = way * forcing[COS_TAU], s = way * forcing[SIN_TAU];
     for (size_t i = 0; i < r->rotor->lanes.degrees; i++) {
@@ -373,8 +379,8 @@ static void running_find_levers(const running_rotor *r, const double *forcing) {
     }
 }
 
-/// Gives theta'' over the square of the unit of speed, at the speed `exact`, with numbers of the speed w. a [degrees]:
-/// accelerations by the angle without it. torques: those that a drive has, else nothing is written.
+/// Returns theta'' over the square of the unit of speed, at the speed `exact`, with the numbers of the speed w. a
+/// [degrees]: accelerations by the angle without theta''. torques: written for a shaft with a drive only.
 static double running_faster(const running_rotor *r, double exact, double w, const double *numbers, const double *x,
                              const double *a, whirl_torques *torques) {
     const whirl_rotor *rotor = r->rotor;
@@ -393,8 +399,8 @@ static double running_faster(const running_rotor *r, double exact, double w, con
     return ((torques->motor + torques->load + torques->friction) / square + reaction) / inertia;
 }
 
-/// Finds the levers, and the slopes of the rotor by the angle at a speed that is held, x by the angle: dxdt [dimension
-/// of the rotor]. Gives the numbers of that speed.
+/// Computes the levers, and the slopes dxdt [dimension of the rotor] by the angle for a constant speed w, from x by the
+/// angle. Returns the numbers at w.
 static const double *running_flow(const running_rotor *r, double w, const double *forcing, const double *sides,
                                   const double *x, double *dxdt) {
     const double *numbers = running_numbers_at(r, w);
@@ -415,9 +421,11 @@ static void running_rhs_by_angle(const void *model, double t, const double *give
     double forcing[FORCING_COUNT];
     whirl_torques torques;
     (void)given;
+    // The rotor at constant speed, then theta'' by the torques.
     rotor->system.forcing(rotor, angle, forcing);
     const double *numbers = running_flow(r, w, forcing, sides, x, dxdt);
     const double faster = running_faster(r, w, w, numbers, x, dxdt + n, &torques), share = faster / (w * w);
+    // By the angle q'' = (d2q/dt2 - theta'' q')/theta'^2, with the unbalances' force by theta''.
     for (size_t i = 0; i < n; i++) dxdt[n + i] += share * (r->lever_acceleration[i] - x[n + i]);
     dxdt[d] = faster / w;
     dxdt[d + 1] = 1.0 / w;
@@ -429,7 +437,7 @@ static void running_scale_to_angle(const running_rotor *r, double *x) {
     for (size_t i = n; i < 2 * n; i++) x[i] /= w;
 }
 
-/// A state by time as one by the angle, in the workspace.
+/// Returns a state with derivatives by time as one with derivatives by the angle, in workspace.
 static const double *running_placed_by_angle(const running_rotor *r, const double *x) {
     memcpy(r->place, x, (r->rotor->system.dimension + 2) * sizeof *r->place);
     running_scale_to_angle(r, r->place);
@@ -445,10 +453,12 @@ static void running_rhs_by_time(const void *model, double t, const double *given
     double forcing[FORCING_COUNT];
     whirl_torques torques;
     (void)given, (void)t;
+    // The rotor at constant speed by the angle, then theta'' by the torques.
     rotor->system.forcing(rotor, x[d + 1], forcing);
     const double *place = running_placed_by_angle(r, x);
     const double *numbers = running_flow(r, w, forcing, sides, place, dxdt);
     const double faster = running_faster(r, x[d], w, numbers, place, dxdt + n, &torques);
+    // Derivatives by the angle become derivatives by time.
     for (size_t i = 0; i < n; i++) {
         dxdt[i] = x[n + i];
         dxdt[n + i] = w * w * dxdt[n + i] + faster * r->lever_acceleration[i];
@@ -479,7 +489,8 @@ static void running_switches_by_time(const void *model, double t, const double *
     running_switches_by_angle(r, t, running_placed_by_angle(r, x), values);
 }
 
-/// By the speed, too: a quotient of differences, since switches go with it by numbers.
+/// Writes the gradient of a switch; by the speed as a difference quotient, since switches depend on the speed through
+/// the numbers.
 static void running_gradient_at(const running_rotor *r, const double *x, size_t index, double *gradient) {
     const size_t d = r->rotor->system.dimension;
     const double w = x[d], step = 1e-6 * fmax(w, slowest);
@@ -593,6 +604,7 @@ whirl_status whirl_running_new(whirl_machine_at *make, const void *context, doub
     if (!r) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine whose speed changes");
     r->unit = highest;
     r->lowest_node = fmin(fmax(lowest / highest, 1.0 / 256.0), 0.999);
+    // The machine at the highest speed, and its numbers as functions of the speed.
     whirl_status status = make(context, highest, &r->machine);
     if (status.code == WHIRL_OK) status = running_check_machine(r, &r->machine);
     if (status.code == WHIRL_OK) {
@@ -605,6 +617,7 @@ whirl_status whirl_running_new(whirl_machine_at *make, const void *context, doub
         return status;
     }
     running_fill_systems(r);
+    // Members of the public struct.
     r->shown.by_angle = &r->by_angle;
     r->shown.by_time = &r->by_time;
     r->shown.unit = highest;

@@ -72,7 +72,7 @@ typedef struct whirl_kind {
     const char *name;   ///< "motion", "rest", "branch", "torus"
     const char *asked;  ///< the way a case asks for its analyses, a sentence
     const char *method; ///< the method of finding its points; NULL: integration, by the method of their options
-    const char *place;  ///< where points at rest are: "about where the machine rests"; NULL for other kinds
+    const char *place; ///< words for the state of points at rest: "about where the machine rests"; NULL for other kinds
     const char *begins; ///< the start from which its points are followed; NULL: values of the parameter
     const char *beside; ///< remark after the name of that method, or ""
     /// True if its points are motions: with a start, a transient, a record and a verdict, and so with several starts,

@@ -54,12 +54,12 @@ size_t whirl_trace_torus_nodes(const whirl_trace_options *options);
 /// without a part.
 const whirl_member *whirl_trace_members(void);
 
-/// How a machine runs up or down.
+/// Options of a run-up or coast-down.
 typedef struct whirl_runup_options {
     double from, to;               ///< rad/s, speed at the beginning (0: at rest) and at the end of the rate (0: none)
     double rate;                   ///< rad/s2, size of the rate; 0: the machine's drive turns the shaft
     double duration;               ///< s; 0: until the speed `to` is reached
-    double angle;                  ///< rad, of the shaft at the beginning
+    double angle;                  ///< rad, angle of the shaft at the beginning
     char begin[WHIRL_NAME_SIZE];   ///< "rest", "centre" or "steady"
     double settle;                 ///< turns at the first speed before a "steady" beginning
     double trip_time, trip_speed;  ///< s and rad/s at which the motor is lost; 0: never

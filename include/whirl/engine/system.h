@@ -1,4 +1,4 @@
-/// Systems: all that integrators and analyses know of a machine. Rotors provide one; users of the library can write
+/// Systems: the interface of machines for integrators and analyses. Rotors provide one; users of the library can write
 /// their own (see examples/duffing.c).
 ///
 ///     dx/dt = f(t, x),   f(t + period, x) = f(t, x)
@@ -118,7 +118,7 @@ typedef enum whirl_settled {
 /// A system's data for vector lanes; private to the library.
 typedef struct whirl_lanes whirl_lanes;
 
-/// A system: all that integrators and analyses know of a machine.
+/// A system: the interface of a machine for integrators and analyses.
 typedef struct whirl_system {
     size_t dimension; ///< length of x
     double period;    ///< period of the forcing, and of Poincare sections, in units of t ("one revolution")

@@ -1,5 +1,5 @@
-// Steps of one motion: slopes, interpolant, and where a step must end. The formulas, their errors and lengths are the
-// kernels'.
+// Steps of one motion: slopes, interpolant, and the point at which a step must end. Formulas, error estimates and step
+// lengths are those of the kernels.
 #include "stepper.h"
 
 #include <float.h>
@@ -17,8 +17,8 @@ static void forcing_at(const void *model, size_t stride, size_t vectors, const v
     *(double *)forcing = *(const double *)t;
 }
 
-/// Applies the Jacobian to unit vectors, by differences of order 2, good to 1e-10: for systems that give none, and for
-/// motions along switches.
+/// Applies the Jacobian to unit vectors by differences of order 2, exact to 1e-10: for systems without a Jacobian, and
+/// for motions along switches.
 static void difference_columns(const stepper *c, double t, const double *at, double *columns) {
     const size_t n = c->dimension;
     double *x = c->slot->end_v, *below = c->slot->end_slope; // not yet in use
@@ -36,7 +36,7 @@ static void difference_columns(const stepper *c, double t, const double *at, dou
     }
 }
 
-static void flow(const lanes_view *view) {
+static void stepper_system_flow(const lanes_view *view) {
     const stepper *c = view->model;
     const double t = *(const double *)view->forcing, *x = view->v, *vectors = x + c->dimension;
     double *slope = view->a, *columns = slope + c->dimension;
@@ -50,7 +50,7 @@ static void flow(const lanes_view *view) {
 
 // ---------------------------------------------------------------- memory
 
-/// Lets the sizes of two coordinates be measured together, with all that are measured with either.
+/// Joins the groups of two coordinates, so that their sizes are measured together.
 static void join(size_t *mates, size_t a, size_t b) {
     for (size_t i = mates[a]; i != a; i = mates[i])
         if (i == b) return;
@@ -60,8 +60,8 @@ static void join(size_t *mates, size_t a, size_t b) {
     mates[b] = next;
 }
 
-/// A coordinate that passes zero is not small for that: those of one probe, or of one of a rotor's groups, count
-/// together.
+/// A coordinate that passes zero need not be more exact for that: coordinates of one probe, or of a group of a rotor,
+/// count together.
 static void find_mates(size_t *mates, const whirl_system *system) {
     const whirl_lanes *lanes = system->lanes;
     for (size_t d = 0; d < system->dimension; d++) mates[d] = d;
@@ -80,12 +80,12 @@ static void find_mates(size_t *mates, const whirl_system *system) {
 
 static const size_t no_groups[] = {0};
 
-/// The kernel's slot; false where there is no memory.
+/// Makes the kernel's slot; returns false without memory.
 static bool make_slot(stepper *c, const whirl_system *system) {
     find_mates(c->mates, system);
     adaptive_lanes *slot = adaptive_lanes_make(&(adaptive_lanes){.method = c->method,
                                                                  .model = c,
-                                                                 .flow = flow,
+                                                                 .flow = stepper_system_flow,
                                                                  .forcing_at = forcing_at,
                                                                  .stride = 1,
                                                                  .slots = 1,
@@ -122,7 +122,7 @@ stepper *stepper_new(const lanes_method *own, const whirl_system *system, const 
                    .rtol = options->rtol,
                    .atol = options->atol,
                    .limit = options->limit,
-                   .fixed = rk4_one_of(flow, c, n),
+                   .fixed = rk4_one_of(stepper_system_flow, c, n),
                    .dense_count = CUBIC};
     double *row = (double *)(c + 1);
     double **const parts[] = {&c->x,     &c->start,    &c->end,      &c->first,   &c->last,
@@ -148,8 +148,8 @@ void stepper_free(stepper *c) {
 
 // ---------------------------------------------------------------- one step
 
-/// Tries a step of length h from `start`, whose first slope is known: end, slope at the end; gives the norm of its
-/// error over the tolerance, not a number where the step leaves the equations' domain.
+/// Tries a step of length h from `start`, whose first slope is known: end, slope at the end; returns the norm of its
+/// error over the tolerance, NaN if the step leaves the equations' domain.
 static double try_step(stepper *c, double h) {
     adaptive_lanes *slot = c->slot;
     c->length = h;
@@ -170,8 +170,8 @@ static double try_varied(stepper *c) {
     return c->method ? c->method->try_varied(c) : rk4_try_varied(c);
 }
 
-/// The same for the perturbations that go along: they are as sure as the state. Where they have no error that is a
-/// number the state decides.
+/// Includes the errors of perturbations in the norm, so that they are as exact as the state. If their error is NaN the
+/// state decides.
 static double try_all(stepper *c, double h) {
     const double error = try_step(c, h);
     if (!(error <= 1.0)) return error;
@@ -240,8 +240,9 @@ static void observe(void *context, double theta, double *values) {
     stepper_guarded(c, c->begin + theta * c->length, c->stage, values);
 }
 
-/// Takes the step anew so that it ends where function `which` is zero: at theta of its length by the interpolant, then
-/// nearer by what is left. Shares bend, most of all near the end of a contact: their slope is the last two steps'.
+/// Takes the step again so that it ends where function `which` is zero: first at theta of its length by the
+/// interpolant, then corrected by the remaining value. Shares of sliding are curved, most of all near the end of a
+/// contact: their slope is taken from the last two steps.
 static void land(stepper *c, double theta, size_t which) {
     const int tries = c->sliding[which] ? 12 : 4;
     const double whole = c->length, nudge = 1e-4;
@@ -283,7 +284,7 @@ static bool is_clear(stepper *c) {
     return true;
 }
 
-/// The beginning of a step, up to a share of it.
+/// A part of a step, from its beginning up to a share of its length.
 typedef struct beginning {
     stepper *c;
     double share;
@@ -294,8 +295,8 @@ static void observe_beginning(void *context, double theta, double *values) {
     observe(part->c, part->share * theta, values);
 }
 
-/// Near the end of a contact the share of a friction that is slid along runs off between the places at which a whole
-/// step is looked at: looks at what comes before a zero once more, until nothing nearer is found.
+/// Searches the part before a zero again, until no earlier one is found. Near the end of a contact the share of a
+/// sliding friction changes rapidly, between the points at which a whole step is sampled.
 static void look_closer(stepper *c, double *theta, size_t *which) {
     enum { LOOKS = 8 };
     const double same = 1.0 - 1e-9;
@@ -311,7 +312,7 @@ static void look_closer(stepper *c, double *theta, size_t *which) {
     }
 }
 
-/// Finds where the step just tried must end; at its beginning where theta is 0.
+/// Finds the theta at which the step just tried must end; 0 is its beginning.
 static bool meets_switch(stepper *c, double *theta, size_t *which) {
     // Within a few roundings of the time no crossing has a place: what the interpolant finds there is rounding.
     const bool sliver = c->length <= 2.0 * DBL_EPSILON * fmax(fabs(c->begin), 1.0);
@@ -326,7 +327,7 @@ static bool meets_switch(stepper *c, double *theta, size_t *which) {
     return true;
 }
 
-/// Lets the motion go on at the end of the step.
+/// Moves the motion to the end of the step.
 static void go_on(stepper *c, double t) {
     c->t = t;
     memcpy(c->x, c->end, c->dimension * sizeof *c->x);
@@ -334,7 +335,7 @@ static void go_on(stepper *c, double t) {
     if (c->sliding_count > 0) stepper_project(c, c->x);
 }
 
-/// A length for the step from t: no sliver is left before `until`.
+/// Returns a length for the step from t that leaves no tiny step before `until`.
 static double next_length(const stepper *c, double until) {
     const double left = until - c->t;
     if (!c->slot) return left;
@@ -343,7 +344,7 @@ static double next_length(const stepper *c, double until) {
     return left < 2.0 * most ? 0.5 * left : most;
 }
 
-/// Tries steps, shorter and shorter, until one keeps the tolerance.
+/// Tries steps of decreasing length until one meets the tolerance.
 static whirl_motion accept(stepper *c, double until) {
     adaptive_lanes *slot = c->slot;
     if (!slot) return try_all(c, next_length(c, until)) <= 1.0 ? WHIRL_BOUNDED : WHIRL_DIVERGED;
@@ -388,7 +389,7 @@ whirl_motion stepper_step(stepper *c, double until) {
         }
         stepper_cross_varied(c, which);
         if (theta > 0.0) return judge(c);
-        // The state is so near to the switch that the interpolant, good to the tolerance, contradicts the derivatives
+        // The state is so near to the switch that the interpolant, exact to the tolerance, contradicts the derivatives
         // there.
         if (stays >= MAX_STAYS && c->held[which] > 0) c->held[which] = CROSSING_ALONG;
     }

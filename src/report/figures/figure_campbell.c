@@ -25,7 +25,7 @@ typedef struct view {
     const drawing *of;
     const whirl_table *table;
     speed_unit unit;  ///< unit of frequencies
-    double top;       ///< up to there, as shown
+    double top;       ///< largest frequency shown, in its unit
     double size;      ///< one unit of the parameter, in SI
     mode_lines lines; ///< empty if modes were not followed
 } view;
@@ -35,7 +35,7 @@ static const double *frequencies_of(const view *v, size_t point) {
                                              : NULL;
 }
 
-/// A mode's frequency as it is shown, or a number of a field.
+/// Returns a mode's frequency in its shown unit, or a number of a field.
 static double height_of(const view *v, const char *field, size_t point, size_t mode) {
     const bool frequency = strcmp(field, WHIRL_FIELD_MODES_FREQUENCY) == 0;
     return whirl_table_field(v->table, point, field, 0)[mode] / (frequency ? v->unit.size : 1.0);
@@ -47,8 +47,8 @@ static size_t modes_of(const view *v) {
 
 // ---------------------------------------------------------------- ranges
 
-/// Highest frequency to show: above all crossings and all frequencies below twice the largest speed, if the parameter
-/// is a speed.
+/// Returns the highest frequency to show. If the parameter is a speed, it is above all crossings, and above all
+/// frequencies below twice the largest speed.
 static double top_of(const view *v) {
     double fastest = 0.0, highest = 0.0, lowest = (double)INFINITY, near = 0.0;
     for (size_t point = 0; v->unit.of_speed && point < v->table->count; point++)
@@ -88,7 +88,7 @@ static span damping_of(const view *v, const char *field, double most) {
 
 // ---------------------------------------------------------------- modes
 
-/// Dots of modes in the colours of their whirl, and marks on some of them.
+/// Adds dots of modes in the colours of their whirl, and marks on some of them.
 static void add_modes(whirl_figure *figure, whirl_panel *panel, const view *v, const char *field) {
     const size_t few = v->table->count / 25 + 1;
     for (size_t d = 0; d < sizeof directions / sizeof *directions; d++) {
@@ -101,7 +101,7 @@ static void add_modes(whirl_figure *figure, whirl_panel *panel, const view *v, c
             for (size_t i = 0; frequency && i < modes_of(v) && isfinite(frequency[i]); i++) {
                 const int way = units_way(direction[i]);
                 const size_t own = mode_is_torsional(v->table, point, i) ? 3 : way > 0 ? 0 : way < 0 ? 1 : 2;
-                if (mode_is_overdamped(v->table, point, i)) break; // the others stand before
+                if (mode_is_overdamped(v->table, point, i)) break; // overdamped modes are the last
                 if (own != d || height_of(v, WHIRL_FIELD_MODES_FREQUENCY, point, i) > v->top) continue;
                 const double x = v->table->values[point] / v->size, y = height_of(v, field, point, i);
                 series_add(figure, dots, x, y);
@@ -113,7 +113,7 @@ static void add_modes(whirl_figure *figure, whirl_panel *panel, const view *v, c
 
 /// End of a line at the largest parameter, for its name.
 typedef struct line_end {
-    size_t line, points; ///< shown points of it
+    size_t line, points; ///< number of its shown points
     double at, number, height;
     double step; ///< the number rounded to invisible steps, so that rounding does not change the order of names
     const char *name, *colour;
@@ -142,7 +142,7 @@ static void spread_names(const whirl_panel *panel, line_end *ends, size_t count,
         ends[i].height = fmin(ends[i].height, i + 1 < count ? ends[i + 1].height - apart : high);
 }
 
-/// Names of lines that end at the right edge, as many as there is room for, each with a stroke from its line.
+/// Adds the names of lines that end at the right edge, as many as there is room for, each with a stroke from its line.
 static void add_names(whirl_figure *figure, whirl_panel *panel, line_end *ends, size_t count) {
     const double apart = 0.29 / panel->height * (panel->y.high - panel->y.low); // 0.29 cm
     const double stroke = 0.02 * (panel->x.high - panel->x.low);
@@ -181,8 +181,8 @@ static line_end add_line(whirl_figure *figure, whirl_series *series, const view 
     return end;
 }
 
-/// All lines in colours of their own, dashed of modes that do not go forward, with their names; or thin ones, with
-/// names at the right edge alone.
+/// Adds all lines in colours of their own with their names, dashed for modes that do not whirl forward; or thin lines
+/// with names at the right edge only.
 static void add_lines(whirl_figure *figure, whirl_panel *panel, const view *v, const char *field, bool coloured,
                       bool named) {
     const double edge = fmax(v->table->values[0], v->table->values[v->table->count - 1]) / v->size;
@@ -197,7 +197,7 @@ static void add_lines(whirl_figure *figure, whirl_panel *panel, const view *v, c
         if (!named || !(end.number >= panel->y.low && end.number <= panel->y.high)) continue;
         if (end.at == edge) ends[count++] = end;
         if (!coloured || end.at == edge) continue;
-        if (end.points == 1) // a line of its own would not be seen
+        if (end.points == 1) // a line of one point would be invisible
             series_add(figure, panel_series(figure, panel, WHIRL_DOTS, colour, 2.2), end.at, end.number);
         whirl_series *name = panel_series(figure, panel, WHIRL_TEXTS, colour, 1.0);
         if (name) name->side = WHIRL_BESIDE;
@@ -270,7 +270,7 @@ static size_t gather_critical(const whirl_table *table, size_t room, const doubl
     return count;
 }
 
-/// Side of a value next to its mark: right, or left if the next mark or the edge is near.
+/// Returns the side of a mark on which its value is written: right, or left if the next mark or the edge is near.
 static whirl_side side_of(const whirl_table *table, const double *const *rows, size_t count, size_t i) {
     const double first = table->values[0], last = table->values[table->count - 1];
     const double near = 0.1 * fabs(last - first);
@@ -312,15 +312,15 @@ static void campbell_list(figure_list *to, const drawing *of, const whirl_table 
         list_figure(to, &place, "campbell", "Campbell diagram over %s", table->parameter);
 }
 
-/// Range of the parameter, with room at the right for names of followed modes.
-static span range_of(const view *v) {
+/// Returns the range of the parameter, with room at the right for names of followed modes.
+static span campbell_range(const view *v) {
     span range = span_empty();
     for (size_t i = 0; i < v->table->count; i++) span_widen(&range, v->table->values[i] / v->size);
     if (v->lines.count > 0) range.high += 0.07 * (range.high - range.low);
     return span_with_margin(range, 0.0, 1e-300);
 }
 
-/// Its lines are to be freed.
+/// Makes the view of a table; the caller frees its lines.
 static view view_of(const drawing *of, const whirl_table *table) {
     view v = {.of = of, .table = table, .unit = speed_unit_of(of, table, WHIRL_FIELD_MODES_SPEED)};
     v.size = whirl_shown_parameter(of->units, table->parameter).size;
@@ -337,8 +337,8 @@ static void campbell_describe(const drawing *of, const figure_place *place, whir
     symbol_parameter(of->units, v.table->parameter, damping->x.label, sizeof damping->x.label);
     frequency->x = damping->x;
     frequency->x.shown = false;
-    axis_show(&frequency->x, range_of(&v));
-    axis_show(&damping->x, range_of(&v));
+    axis_show(&frequency->x, campbell_range(&v));
+    axis_show(&damping->x, campbell_range(&v));
     axis_show(&frequency->y, (span){0.0, v.top});
     axis_show(&damping->y, damping_of(&v, WHIRL_FIELD_MODES_DAMPING_RATIO, 0.25));
     snprintf(frequency->y.label, sizeof frequency->y.label, "damped frequency (%.40s)", v.unit.name);
@@ -394,7 +394,7 @@ static void describe_decrement(const drawing *of, const figure_place *place, whi
     v.top = INFINITY; // all modes, whatever their frequency
     symbol_parameter(of->units, v.table->parameter, panel->x.label, sizeof panel->x.label);
     snprintf(panel->y.label, sizeof panel->y.label, "logarithmic decrement");
-    axis_show(&panel->x, range_of(&v));
+    axis_show(&panel->x, campbell_range(&v));
     axis_show(&panel->y, damping_of(&v, WHIRL_FIELD_MODES_DECREMENT, 1.6));
     whirl_series *zero = panel_level(figure, panel, 0.0, "#9A9A9A", 0.4);
     whirl_series *asked = panel_level(figure, panel, asked_decrement, "#9A9A9A", 0.4);

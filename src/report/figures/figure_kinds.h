@@ -1,5 +1,4 @@
-/// The figures that results have: one file a kind in this folder, a line in the registry and
-/// one below.
+/// Kinds of figures of results: one file for each kind in this folder, a line in the registry and one below.
 #ifndef REPORT_FIGURE_KINDS_H
 #define REPORT_FIGURE_KINDS_H
 
@@ -16,22 +15,22 @@
 /// Input of figures.
 typedef struct drawing {
     const whirl_result *result;
-    const whirl_shown_units *units; ///< units of its numbers
-    const whirl_case *machine;      ///< its machine (report_parts.h), or NULL
+    const whirl_shown_units *units; ///< units of the figure's numbers
+    const whirl_case *machine;      ///< case of the result (report_parts.h), or NULL
 } drawing;
 
 typedef struct figure_kind figure_kind;
 
 enum { NO_POINT = -1 };
 
-/// A figure that there is.
+/// A figure that can be made.
 typedef struct figure_place {
     const figure_kind *kind;
     const whirl_table *table; ///< its table
-    long point;               ///< or NO_POINT
+    long point;               ///< point of the table; or NO_POINT
     size_t station, which;    ///< index among several alike
     const whirl_field *field; ///< field shown by a figure of fields
-    size_t column;            ///< its column; `which` is the station or contact
+    size_t column;            ///< column of the field; `which` is the station or contact
     whirl_figure_name name;
     char within[176]; ///< name within its table
 } figure_place;
@@ -45,7 +44,7 @@ typedef struct figure_list {
 struct figure_kind {
     /// Adds the figures of a table, if it has any of this kind.
     void (*list)(figure_list *list, const drawing *of, const whirl_table *table);
-    /// Makes one of them; name and title are there.
+    /// Makes one of these figures, whose name and title are already set.
     void (*describe)(const drawing *of, const figure_place *place, whirl_figure *figure);
     /// Optional: adds a figure that is not on the list but can be made on request. WHIRL_BAD_INPUT if the name is of
     /// this kind but no such figure can be made.
@@ -65,21 +64,21 @@ void shown_label(const drawing *of, const figure_place *place, char *label, size
 void shown_quantity(const figure_place *place, char *text, size_t size);
 const char *shown_owner(const drawing *of, const figure_place *place);
 
-/// A map of a field's numbers.
+/// Draws a map of a field's numbers.
 void map_describe(const drawing *of, const figure_place *place, whirl_figure *figure);
 
-/// Adds one; `name` is made a file name that no other has.
+/// Adds a figure to the list; `name` becomes a unique file name.
 void list_figure(figure_list *list, const figure_place *place, const char *name, const char *title, ...)
     __attribute__((format(printf, 4, 5)));
 
-/// All of a result, to be freed by free. WHIRL_NO_MEMORY.
+/// Lists all figures of a result; the caller frees the list by free(). WHIRL_NO_MEMORY.
 whirl_status figures_list(const drawing *of, figure_list *list);
 
-/// Makes one of them. WHIRL_NO_MEMORY, and WHIRL_BAD_INPUT for panels that it has not.
+/// Makes a figure of the list. WHIRL_NO_MEMORY, and WHIRL_BAD_INPUT for panels that it does not have.
 whirl_status figure_make(const drawing *of, const figure_place *place, const whirl_figure_options *options,
                          whirl_figure **figure);
 
-/// "#0072B2", "#D55E00", ...: the colours of lines, by their number.
+/// Returns the colour of a line by its number: "#0072B2", "#D55E00", ...
 const char *line_colour(size_t number);
 
 /// Returns true if a table has a field.
@@ -125,8 +124,8 @@ bool layout_has_station(const machine_layout *l, size_t station);
 double layout_largest_radius(const machine_layout *l, size_t shaft);
 double layout_rim_radius(const machine_layout *l, size_t station);
 
-/// The radius of a steel disc of a station's mass and polar inertia, of a mass without one that of a cube; its width.
-/// m.
+/// Computes radius and width (m) of a steel disc with a station's mass and polar inertia; for a mass without inertia,
+/// of a cube.
 double layout_disc_radius(const whirl_model_mass *of);
 double layout_disc_width(const whirl_model_mass *of);
 
@@ -139,7 +138,7 @@ typedef struct layout_disc {
 } layout_disc;
 layout_disc layout_disc_of(const machine_layout *l, size_t station);
 
-/// Places of both ends of a shaft; an empty span without sections.
+/// Returns the positions of both ends of a shaft; an empty span without sections.
 span layout_shaft_ends(const machine_layout *l, size_t shaft);
 
 /// layout_unit: unit of places along shafts in m. layout_label: label of their axis. Inches if lengths are in mils or
@@ -154,7 +153,7 @@ const char *layout_label(const whirl_shown_units *units);
 /// on different axes follow one another; stations on no shaft come last. Without shafts stations are spaced evenly.
 typedef struct machine_along {
     machine_layout *layout;                               ///< layout of the machine, to scale; NULL: none
-    bool shafts;                                          ///< there are any
+    bool shafts;                                          ///< the machine has shafts of finite elements
     size_t aside;                                         ///< number of stations on no shaft, if there are shafts
     double unit;                                          ///< m of one unit
     span range;                                           ///< in units, or numbers of stations
@@ -162,7 +161,7 @@ typedef struct machine_along {
     double at[WHIRL_MAX_PROBES], start[WHIRL_MAX_SHAFTS]; ///< positions of stations; of place 0 of shafts
 } machine_along;
 
-/// Finds it; its layout is freed by layout_free.
+/// Finds the positions along a figure; the caller frees `layout` by layout_free.
 void along_place(const drawing *of, machine_along *out);
 
 /// Sets up the horizontal axis of a panel: places along shafts, or names of stations without shafts.
@@ -185,13 +184,13 @@ typedef struct shaft_bends shaft_bends;
 shaft_bends *bends_new(const drawing *of, const whirl_table *table, size_t point);
 void bends_free(shaft_bends *bends);
 
-/// Its line, and the length scale of the machine, m.
+/// Return the shaft line, and the length scale of the machine in m.
 const whirl_shaft_line *bends_line(const shaft_bends *bends);
 double bends_length(const shaft_bends *bends);
 
-/// Fill moved [places][4] with x_cos, x_sin, y_cos, y_sin of the shaft line: of a mode as in `modes/shape`, of the
-/// unbalance response as lengths. Return false if the shape differs from the result's stations by more than 1e-6 of its
-/// largest value.
+/// Fill moved [places][4] with x_cos, x_sin, y_cos, y_sin of the shaft line: for a mode scaled as `modes/shape`, for
+/// the unbalance response as lengths. Return false if the shape differs from the result's stations by more than 1e-6 of
+/// its largest value.
 bool bends_mode(shaft_bends *bends, size_t mode, double *moved);
 bool bends_response(shaft_bends *bends, double *moved);
 
@@ -223,15 +222,15 @@ typedef struct bifurcation {
     size_t station;
     span parameter, x, y, exponent, radius;
     bool rub, confidence, both;
-    bool shaded;             ///< contact is shaded, where there is any but not everywhere
-    bool present[MAX_KINDS]; ///< kinds of points
+    bool shaded;             ///< ranges with contact are shaded: some points have contact, but not all
+    bool present[MAX_KINDS]; ///< kinds of points that occur
     size_t attractors; ///< number of attractors with a strip or colour; 0: one start at each place, kinds are regimes
     const whirl_shown_units *units;
     double length, value; ///< factors from SI to shown displacements and parameter values
     double share;         ///< largest share of the time in contact, with a margin
-    double gap;           ///< radius of contact with a stator; 0 if there is none near or it changes
+    double gap;           ///< radius of contact with a stator; 0 if none is near, or it changes
     double clearance;     ///< bearing clearance; 0 if there is none or it changes
-    bool ratios;          ///< the points have equal ratios: the axis is logarithmic
+    bool ratios;          ///< parameter values have equal ratios: the axis is logarithmic
 } bifurcation;
 
 /// Kinds of points: classes of regimes, or attractors if there are several starts at a place.
@@ -243,11 +242,11 @@ void bifurcation_kind_name(const bifurcation *of, size_t kind, char text[WHIRL_N
 /// Fills in ranges and flags from result, table, machine, station, units, length and value.
 void bifurcation_survey(bifurcation *of);
 
-/// Part of the axis that belongs to a point, in SI: half-way to its neighbours in its branch.
+/// Returns the part of the axis that belongs to a point, in SI: half-way to its neighbours in its branch.
 void bifurcation_edges(const bifurcation *of, size_t i, double *low, double *high);
 
 // ---------------------------------------------------------------- map_cells
-// Cells of a plane of a map: every point of its grid stands for the part of the plane that is nearest to it.
+// Cells of a plane of a map: a point of its grid represents the part of the plane nearest to it.
 
 typedef struct map_cells {
     size_t plane, columns, rows;
@@ -260,15 +259,15 @@ typedef struct map_cells {
     size_t *cover_of_planes; ///< covers of all planes; `cover` is a part of it
 } map_cells;
 
-/// Lays out the cells of a plane of a table with rows; of a partial one, too. False without memory. Freed by
+/// Lays out the cells of a plane of a table with rows, also of a partial result. Returns false without memory. Freed by
 /// map_cells_free.
 bool map_cells_make(const whirl_shown_units *units, const whirl_table *table, size_t plane, map_cells *cells);
 void map_cells_free(map_cells *cells);
 
 /// Cells of one value that are drawn as one: in a refined map neighbours in a row. Starts as {0}.
 typedef struct map_run {
-    size_t next;  ///< cell after them
-    double value; ///< theirs
+    size_t next;  ///< first cell after the run
+    double value; ///< value of the cells
     span x, y;
 } map_run;
 
@@ -294,7 +293,7 @@ speed_unit speed_unit_of(const drawing *of, const whirl_table *table, const char
 // ---------------------------------------------------------------- tori
 // Tori in the figures of branches.
 
-/// Returns the result's table of tori; NULL if there is none, or no torus in it.
+/// Returns the result's table of tori; NULL if there is none, or it has no torus.
 const whirl_table *tori_table(const whirl_result *result);
 
 /// Adds the bands covered by a coordinate (0: x, 1: y) of a station's section, starting from the orbits where tori

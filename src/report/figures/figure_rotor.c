@@ -18,7 +18,7 @@ typedef struct pen {
     machine_layout *l;
     double unit;
     double upright; ///< 0 for a horizontal machine; 1 or -1 if x points up or down
-    double cm;      ///< m a cm of the drawing, or so
+    double cm;      ///< approximate m for each cm of the drawing
 } pen;
 
 static void reach(machine_layout *l, double x, double low, double high) {
@@ -27,7 +27,7 @@ static void reach(machine_layout *l, double x, double low, double high) {
     l->bottom = fmin(l->bottom, low);
 }
 
-/// Panel coordinates of a place, in units; for a vertical machine x is the height.
+/// Returns the panel coordinates of a place, in units; for a vertical machine x is the height.
 static double pen_x(const pen *p, double x, double y) {
     return (p->upright != 0.0 ? y : x) / p->unit;
 }
@@ -82,7 +82,7 @@ static void pen_fill(const pen *p, whirl_series *area, span x, const double inne
     for (size_t i = 0; i < count; i++) {
         span along = x;
         const double c = at[i];
-        // A slanted edge cuts off the end at which the wall does not reach so far.
+        // A slanted edge cuts off the end that the wall does not reach at this radius.
         for (int edge = 0; edge < 2; edge++) {
             const double *r = edge ? outer : inner;
             if (r[0] == r[1] || c < fmin(r[0], r[1]) || c > fmax(r[0], r[1])) continue;
@@ -95,7 +95,7 @@ static void pen_fill(const pen *p, whirl_series *area, span x, const double inne
     series_break(p->figure, area);
 }
 
-/// One wall of a section, between radii of its ends, above (side 1) or below the axis.
+/// Draws one wall of a section, between the radii of its ends, above (side 1) or below the axis.
 static void pen_wall(const pen *p, whirl_series *area, whirl_series *edge, const whirl_model_section *s, int side) {
     const machine_layout *l = p->l;
     const double axis = l->axis[s->shaft], from = l->offset[s->shaft] + s->from, to = l->offset[s->shaft] + s->to;
@@ -127,7 +127,7 @@ static void draw_shafts(const pen *p) {
     }
 }
 
-/// Discs and masses, with a hole for the shaft that they sit on.
+/// Draws discs and masses, with a hole for their shaft.
 static void draw_masses(const pen *p) {
     machine_layout *l = p->l;
     whirl_series *discs = NULL;
@@ -148,7 +148,7 @@ static void draw_masses(const pen *p) {
     }
 }
 
-/// The ground below a place: a line with hatches.
+/// Draws the ground below a place: a line with hatches.
 static void draw_ground(const pen *p, whirl_series *to, double x, double y) {
     const double u = p->l->symbol;
     pen_line(p, to, x - 0.8 * u, y, x + 0.8 * u, y);
@@ -191,7 +191,7 @@ static void draw_symbol(const pen *p, const symbol *what) {
     }
 }
 
-/// A zigzag from one height down to another.
+/// Draws a spring, a zigzag from one height down to another.
 static void draw_spring(const pen *p, whirl_series *to, double x, double high, double low) {
     enum { BENDS = 6 };
     pen_point(p, to, x, high);
@@ -215,7 +215,7 @@ static void draw_supports(const pen *p) {
     }
 }
 
-/// Elements between two stations: a bar between places along the axis, a spring between places below one another.
+/// Draws elements between two stations: a bar along the axis, or a spring between places below one another.
 static void draw_links(const pen *p) {
     machine_layout *l = p->l;
     whirl_series *bars = NULL;
@@ -246,7 +246,7 @@ static bool has_probe(const whirl_result *result, size_t station) {
     return false;
 }
 
-/// Marks above stations: planes of unbalance, and probes.
+/// Draws marks above stations: planes of unbalance, and probes.
 static void draw_marks(const pen *p) {
     machine_layout *l = p->l;
     whirl_series *planes = NULL, *seen = NULL;
@@ -279,7 +279,7 @@ static int by_place(const void *a, const void *b) {
 /// their places.
 static void spread_labels(label *labels, size_t count, double step) {
     size_t sizes[WHIRL_MAX_PROBES], groups = 0;
-    double middles[WHIRL_MAX_PROBES]; // where a group's first label would stand, were all of them at one place
+    double middles[WHIRL_MAX_PROBES]; // position of a group's first label if all labels were at one place
     for (size_t i = 0; i < count; i++) {
         middles[groups] = labels[i].x - (double)i * step;
         sizes[groups++] = 1;
@@ -314,7 +314,7 @@ static void name_axis(const pen *p, double axis, double high, double step) {
     }
 }
 
-/// Height at which names begin above an axis, over all of its parts.
+/// Returns the height at which names begin above an axis, over all of its parts.
 static double axis_top(const machine_layout *l, double axis) {
     double high = axis;
     for (size_t k = 0; k < l->model.station_count && k < WHIRL_MAX_PROBES; k++)
@@ -346,7 +346,7 @@ static void name_housings(const pen *p) {
     }
 }
 
-/// Half of the width of a station's hot spot: its parts, up to half-way to its neighbours.
+/// Returns half of the width of a station's hot spot: its parts, up to half-way to its neighbours.
 static double spot_half(const machine_layout *l, size_t station) {
     double half = 1.5 * l->symbol;
     if (layout_mass(&l->model.stations[station]) > 0.0 && l->to_scale)
@@ -378,17 +378,17 @@ static void rotor_list(figure_list *to, const drawing *of, const whirl_table *ta
     if (of->machine && of->result->station_count > 0) list_figure(to, &place, "rotor", "The machine");
 }
 
-/// Height of the names above a horizontal machine, cm.
+/// Returns the height of the names above a horizontal machine, cm.
 static double names_height(const pen *p) {
     return 0.87 * figure_text_width(p->figure, layout_longest_name(p->l->result)) + 0.25;
 }
 
-/// The range of the panel, of one scale both ways, and its height in cm.
+/// Sets the ranges of the panel, with one scale on both axes, and its height in cm.
 static void fit_lying(const pen *p) {
     const machine_layout *l = p->l;
     const double across = p->figure->width - 1.2, margin = 0.03 * (l->along.high - l->along.low);
     const double width = l->along.high - l->along.low + 2.0 * margin;
-    const double cm = width / across; // m a cm
+    const double cm = width / across; // m for each cm
     const double low = l->bottom - margin, high = l->top + names_height(p) * cm;
     p->panel->height = fmin(fmax((high - low) / cm, 2.5), 14.0);
     axis_show(&p->panel->x, (span){(l->along.low - margin) / p->unit, (l->along.high + margin) / p->unit});
@@ -405,7 +405,7 @@ static void fit_standing(const pen *p) {
     const double up = p->upright * (p->upright > 0.0 ? l->along.low - margin : l->along.high + margin);
     const double length = l->along.high - l->along.low + 2.0 * margin, wide = l->top - l->bottom + 2.0 * margin;
     const double names = figure_text_width(p->figure, layout_longest_name(l->result)) + 0.3, numbers = 2.2;
-    const double cm = fmax(length / HEIGHT, wide / (WIDTH - names - numbers)); // m a cm
+    const double cm = fmax(length / HEIGHT, wide / (WIDTH - names - numbers)); // m for each cm
     p->panel->height = length / cm;
     p->figure->width = fmax(wide / cm + names + numbers, 7.0);
     axis_show(&p->panel->x, (span){(l->bottom - margin) / p->unit, (l->top + margin + names * cm) / p->unit});
@@ -428,7 +428,7 @@ static void draw(const pen *p) {
     for (size_t i = 0; i < sizeof symbols / sizeof *symbols; i++) draw_symbol(p, &symbols[i]);
     draw_supports(p);
     draw_marks(p);
-    // Names of every axis go above its own parts.
+    // The names of an axis are above its own parts.
     const double step = 0.42 * p->cm;
     double done = HUGE_VAL;
     for (size_t s = 0; s < (l->to_scale ? l->model.shaft_count : 1); s++) {

@@ -5,7 +5,7 @@
 
 #include "figure_kinds.h"
 
-/// Density by which masses and inertias become discs, kg/m3: steel.
+/// Density for discs drawn from masses and inertias, kg/m3: steel.
 static const double steel = 7850.0;
 
 static const double pi = 3.14159265358979323846;
@@ -14,7 +14,7 @@ bool layout_has_station(const machine_layout *l, size_t station) {
     return station < l->model.station_count && station < WHIRL_MAX_PROBES;
 }
 
-/// Outer radius of a shaft at a place along it, the larger one at a step; 0 beyond its ends.
+/// Returns the outer radius of a shaft at a position along it, the larger one at a step; 0 beyond its ends.
 static double layout_shaft_radius(const machine_layout *l, size_t shaft, double at) {
     double radius = 0.0;
     for (size_t i = 0; i < l->model.section_count; i++) {
@@ -99,7 +99,7 @@ static void layout_place_shafts(machine_layout *l) {
     }
 }
 
-/// The radius of a steel disc of a polar inertia alone, which is half as wide as its radius.
+/// Computes the radius of a steel disc with a polar inertia; its width is half its radius.
 static double layout_torsional_radius(double polar) {
     return pow(4.0 * polar / (steel * pi), 0.2);
 }
@@ -109,7 +109,7 @@ double layout_mass(const whirl_model_mass *of) {
     return of->mass > 0.0 ? of->mass : 0.5 * steel * pi * r * r * r;
 }
 
-/// The radius of a steel disc of a station's mass and polar inertia; of a mass without one that of a cube.
+/// Computes the radius of a steel disc with a station's mass and polar inertia; without inertia, of a cube.
 double layout_disc_radius(const whirl_model_mass *of) {
     if (!(of->mass > 0.0)) return layout_torsional_radius(of->polar);
     return of->polar > 0.0 ? sqrt(2.0 * of->polar / of->mass) : 0.5 * cbrt(of->mass / steel);
@@ -126,13 +126,13 @@ layout_disc layout_disc_of(const machine_layout *l, size_t station) {
                          .radius = fmax(layout_disc_radius(own), l->radius[station] + 0.3 * l->symbol)};
 }
 
-/// Radius of a station's disc, or of its shaft if that is larger.
+/// Returns the radius of a station's disc, or of its shaft if that is larger.
 double layout_rim_radius(const machine_layout *l, size_t station) {
     const whirl_model_mass *own = &l->model.stations[station];
     return own->shaft < l->model.shaft_count ? fmax(layout_disc_radius(own), l->radius[station]) : l->radius[station];
 }
 
-/// Places a station that is on no shaft below the station that an element joins it to.
+/// Places a station without a shaft below the station to which an element joins it.
 static bool layout_hang_station(machine_layout *l, size_t station) {
     for (size_t i = 0; i < l->model.element_count; i++) {
         const whirl_model_element *e = &l->model.elements[i];

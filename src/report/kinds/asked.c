@@ -37,7 +37,7 @@ asked_stability asked_stability_at(const whirl_table *table, size_t point) {
     return at;
 }
 
-void asked_stability_told(const asked_stability *at, char text[ASKED_TEXT]) {
+void asked_stability_text(const asked_stability *at, char text[ASKED_TEXT]) {
     const char *const with = at->level_one == WHIRL_HOLDS ? "seals and impellers" : "them";
     char whole[ASKED_TEXT / 2];
     if (at->level_two == WHIRL_NOT_KNOWN)
@@ -97,6 +97,7 @@ static void ask_margin(const finder *of) {
     const margin_tally all = margin_count(of->result, of->table);
     const margin_row *const peak = &all.worst;
     whirl_statement *own = find_judgement(of, "separation margin", "SP6.8.2.10", all.verdict);
+    // Requirement and finding: those of the worst peak.
     if (all.told > 0) {
         phrase_number(of, &own->asked, WHIRL_QUANTITY_PERCENT, 3, peak->asked);
         phrase_text(of, &own->asked, " (amplification %.3g)", peak->amplification);
@@ -109,9 +110,10 @@ static void ask_margin(const finder *of) {
         phrase_text(of, &own->found, ": %s at ", of->result->stations[all.station].name);
         phrase_number(of, &own->found, WHIRL_QUANTITY_SPEED, 5, peak->speed);
     } else if (!all.lacks) {
-        phrase_text(of, &own->found, "no amplification of 2.5 or more%s at the speeds that were looked at",
+        phrase_text(of, &own->found, "no amplification of 2.5 or more%s at the computed speeds",
                     *of->table->record.probes_at ? " at a probe" : "");
     }
+    // Reason of the verdict.
     if (all.verdict == WHIRL_FAILS)
         phrase_text(of, &own->told, ": %zu of %zu peaks%s", all.told - all.held, all.told,
                     all.lacks ? " that were found" : "");
@@ -165,6 +167,7 @@ void ask_response(const finder *of) {
 void ask_stability(const finder *of) {
     const asked_stability_tally all = asked_stability_count(of->table);
     if (all.points == 0) return;
+    // Level I, if a cross coupling is anticipated.
     if (all.coupled.stages) {
         whirl_statement *one = find_judgement(of, "stability, Level I", "SP6.8.5", all.level_one);
         phrase_text(of, &one->asked,
@@ -186,6 +189,7 @@ void ask_stability(const finder *of) {
                         all.screened);
         if (all.level_one != WHIRL_HOLDS) phrase_text(of, &one->told, ": Level II decides");
     }
+    // Level II.
     whirl_statement *two = find_judgement(of, "stability, Level II", "SP6.8.6", all.level_two);
     phrase_text(of, &two->asked, "decrement above %g with seals and impellers", asked_decrement);
     if (all.without < all.points) {

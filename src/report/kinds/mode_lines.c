@@ -6,12 +6,12 @@
 #include "shown_kinds.h"
 #include "whirl/engine/analyze.h"
 
-/// The point at which a line was last seen; it determines the line's name.
+/// Last point of a line so far; it determines the line's name.
 typedef struct line_end {
     size_t line, point;
     double frequency;
     int way;   ///< units_way; 2: torsional
-    bool seen; ///< a mode of it swings anywhere
+    bool seen; ///< the line has an oscillating mode at some point
 } line_end;
 
 /// Orders lines: visible ones first, then by their last point (those that reach the end first), then by frequency.
@@ -31,7 +31,7 @@ static bool follows(const whirl_table *table, size_t point) {
 
 /// Assigns every mode of every point to a line; ends [points x modes] are the lines' ends. There are no lines if
 /// frequencies are known only modulo the speed, since they fold.
-static void follow(const whirl_table *table, mode_lines *out, line_end *ends) {
+static void mode_lines_follow(const whirl_table *table, mode_lines *out, line_end *ends) {
     const size_t modes = out->modes;
     for (size_t point = 0; point < table->count; point++) {
         size_t *const own = out->line + point * modes;
@@ -39,11 +39,11 @@ static void follow(const whirl_table *table, mode_lines *out, line_end *ends) {
         const double *direction = whirl_table_field(table, point, WHIRL_FIELD_MODES_DIRECTION, 0);
         const double *before = whirl_table_field(table, point, WHIRL_FIELD_MODES_BEFORE, 0);
         const bool folds = isfinite(whirl_table_number(table, point, WHIRL_FIELD_MODES_MODULO, 0));
-        const bool follow = follows(table, point);
+        const bool joined = follows(table, point);
         for (size_t i = 0; i < modes; i++) {
             own[i] = SIZE_MAX;
             if (!whirl_table_done(table, point) || !isfinite(frequency[i]) || folds) continue;
-            if (follow && before[i] >= 1.0 && before[i] <= (double)modes)
+            if (joined && before[i] >= 1.0 && before[i] <= (double)modes)
                 own[i] = out->line[(point - 1) * modes + (size_t)before[i] - 1];
             if (own[i] == SIZE_MAX) {
                 own[i] = out->count++;
@@ -87,7 +87,8 @@ bool mode_lines_of(const whirl_table *table, mode_lines *out) {
                                          WHIRL_FIELD_MODES_DIRECTION};
     *out = (mode_lines){.modes = SIZE_MAX};
     for (size_t i = 0; i < sizeof needed / sizeof *needed; i++) {
-        const whirl_field *field = whirl_layout_field(&table->layout, needed[i]); // results of old have not all
+        const whirl_field *field =
+            whirl_layout_field(&table->layout, needed[i]); // results of older versions may lack fields
         out->modes = !field ? 0 : field->rows < out->modes ? field->rows : out->modes;
     }
     const size_t most = table->count * out->modes;
@@ -96,7 +97,7 @@ bool mode_lines_of(const whirl_table *table, mode_lines *out) {
     out->line = calloc(most, sizeof *out->line);
     out->names = calloc(most, sizeof *out->names);
     if (ends && out->line && out->names) {
-        follow(table, out, ends);
+        mode_lines_follow(table, out, ends);
         name_lines(table, out, ends);
     }
     free(ends);

@@ -1,5 +1,5 @@
-/// Views of tables whose points are no motions: one file a kind in this folder, one line in the registry. Tables of
-/// motions are shown by summary, figures and pages.
+/// Views of tables whose points are not motions: one file for each kind in this folder, one line in the registry.
+/// Tables of motions are shown by summary, figures and pages.
 #ifndef REPORT_SHOWN_KINDS_H
 #define REPORT_SHOWN_KINDS_H
 
@@ -11,8 +11,8 @@
 typedef struct shown_kind {
     const char *field;         ///< field that only its tables have
     const char *anchor, *name; ///< anchor and name of its section
-    const char *about;         ///< introduction to all of its sections, written once; NULL: none
-    const char *held; ///< treatment of closed contacts by its numbers; NULL: small motions leave them as they are
+    const char *about;         ///< introduction to all sections of the kind, written once; NULL: none
+    const char *held; ///< how its numbers treat closed contacts, a clause; NULL: small motions leave them as they are
     void (*find)(const finder *of); ///< finds the findings of a table
 } shown_kind;
 
@@ -25,7 +25,7 @@ void find_machine(const finder *of);
 /// Finds spectral lines of motions along a parameter, below and above the synchronous one.
 void find_lines(const finder *of);
 
-/// Stability of the modes at a point: 1 if one grows, -1 if all decay, 0 if the largest growth is rounding.
+/// Returns the stability of the modes at a point: 1 if one grows, -1 if all decay, 0 if the largest growth is rounding.
 int shown_modes_growing(const whirl_table *table, size_t point);
 
 extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance, shown_critical_speeds,
@@ -58,7 +58,7 @@ typedef struct mode_lines {
 bool mode_lines_of(const whirl_table *table, mode_lines *out);
 void mode_lines_free(mode_lines *lines);
 
-/// Name of a mode at a point; "" if it is on no line.
+/// Returns the name of a mode at a point; "" if it is on no line.
 const char *mode_lines_name(const mode_lines *lines, size_t point, size_t mode);
 
 // ---------------------------------------------------------------- asked
@@ -67,7 +67,7 @@ const char *mode_lines_name(const mode_lines *lines, size_t point, size_t mode);
 
 enum { ASKED_TEXT = 320 };
 
-/// Required logarithmic decrement.
+/// Returns the required logarithmic decrement.
 extern const double asked_decrement;
 
 /// Stability at a point. Numbers that were not found are NaN.
@@ -76,8 +76,8 @@ typedef struct asked_stability {
     double anticipated, limit; ///< cross coupling, N/m; a limit of NaN: at no less than 1000 times the anticipated
     double ratio, factor;      ///< limit over anticipated, and its required value: 10 in region B, else 2
     double region;             ///< region of the screening diagram: 0: A, 1: B
-    double decrement;          ///< with bearings and stages
-    double complete;           ///< with seals and impellers, too
+    double decrement;          ///< least decrement with bearings and stages
+    double complete;           ///< least decrement with seals and impellers too
     whirl_judgement level_one; ///< for bearings and stages; WHIRL_NOT_ASKED without stages
     bool decides;              ///< seals and impellers are to be counted (Level II): Level I does not hold
     whirl_judgement level_two; ///< for the whole machine: the verdict of the point
@@ -86,12 +86,12 @@ typedef struct asked_stability {
 asked_stability asked_stability_at(const whirl_table *table, size_t point);
 
 /// Writes "decrement above 0.1 and limit above 2 times the anticipated: holds by Level I".
-void asked_stability_told(const asked_stability *at, char text[ASKED_TEXT]);
+void asked_stability_text(const asked_stability *at, char text[ASKED_TEXT]);
 
 /// Stability at all points of a table.
 typedef struct asked_stability_tally {
     size_t points, without; ///< done points, and those of them whose modes are all backward
-    size_t screened, dense; ///< in the screening diagram, and in its region B
+    size_t screened, dense; ///< points in the screening diagram, and in its region B
     asked_stability
         least; ///< point of least decrement with seals and impellers; its decrement is NaN if no point has one
     asked_stability coupled; ///< point at which the limit of the cross coupling fails most; none without stages
@@ -104,7 +104,7 @@ asked_stability_tally asked_stability_count(const whirl_table *table);
 /// Judges a response with running speeds: margins, vibration, clearances.
 void ask_response(const finder *of);
 
-/// Judges stability.
+/// Judges the stability at all points of a table.
 void ask_stability(const finder *of);
 
 // ---------------------------------------------------------------- margins
@@ -131,7 +131,7 @@ typedef struct margin_row {
     double amplitude;      ///< m, zero to peak
     double amplification;  ///< factor
     char way[MARGIN_TEXT]; ///< "half power", ...; "half power, of 1.2 points: compute more there"
-    bool told, holds;      ///< margin required; margin met
+    bool told, holds;      ///< margin required; margin met (holds)
     double had, asked;     ///< margins in %; NaN without running speeds or probe, or within these speeds
     const char *side;      ///< "above", "below" or "within" the running speeds; "" without these
     const char *verdict;   ///< "holds", "at none of probes_at: not judged", ...; "" without running speeds
@@ -147,8 +147,8 @@ size_t margin_response(const whirl_result *result, const whirl_table *table, siz
 size_t margin_rows(const whirl_result *result, const whirl_table *table, size_t station,
                    margin_row rows[2 * MARGIN_PEAKS]);
 
-/// All peaks of a response with a required margin. `verdict` is that of the response: unknown if all known peaks have
-/// their margin but others may have been missed.
+/// All peaks of a response with a required margin. `verdict` applies to the response: unknown if all known peaks have
+/// their margin, but others may have been missed.
 typedef struct margin_tally {
     whirl_judgement verdict;
     const char *lacks; ///< reason why peaks may have been missed (margin_lacks); NULL: none, or nothing is required
@@ -169,11 +169,11 @@ margin_tally margin_count(const whirl_result *result, const whirl_table *table);
 typedef struct scaled {
     double limit;   ///< vibration limit, min(25.4, 25.4 sqrt(12000/N)) um, N rpm the highest running speed
     double largest; ///< largest response at any probe between the running speeds
-    size_t station; ///< at which
+    size_t station; ///< station of the largest response
     double factor;  ///< limit over largest, 6 at most
-    bool beyond;    ///< the largest is beyond the limit: the factor is below 1
+    bool beyond;    ///< the largest response exceeds the limit: the factor is below 1
     double trip;    ///< rad/s, highest speed at which clearances are checked; 0: not given, all speeds
-    bool reaches;   ///< points reach over the trip speed
+    bool reaches;   ///< points reach beyond the trip speed
 } scaled;
 
 /// Scaled response of a station compared with its clearance.
@@ -181,21 +181,22 @@ typedef struct scaled_row {
     size_t station;
     double axis;      ///< m, the largest scaled major axis at any point, peak to peak
     double speed;     ///< rad/s, at that axis
-    double clearance; ///< m, the diametral one there
-    bool holds;       ///< the axis is at most 75 % of it
+    double clearance; ///< m, diametral clearance there
+    bool holds;       ///< the axis is at most 75 % of the clearance
 } scaled_row;
 
 /// Returns true for the stations that are checked: those with probes (probes_at), a clearance or an unbalance by rule;
 /// all stations if probes_at is not given.
 bool scaled_watches(const whirl_result *result, const whirl_table *table, size_t station);
 
-/// Reason for a failure of scaled_of in a table with running speeds.
+/// Returns the reason for a failure of scaled_of in a table with running speeds.
 extern const char *const scaled_lacks;
 
-/// Returns false if the table gives no running speeds, or its points do not cover them.
+/// Finds the scale of a table's responses. Returns false if the table gives no running speeds, or its points do not
+/// cover them.
 bool scaled_of(const whirl_result *result, const whirl_table *table, scaled *out);
 
-/// Rows [station count] of all stations with a clearance; how many.
+/// Fills rows [station count] for all stations with a clearance; returns how many.
 size_t scaled_rows(const whirl_result *result, const whirl_table *table, const scaled *by, scaled_row *rows);
 
 /// Finds the first of the rows with the largest share of its clearance. Returns false if there is none.

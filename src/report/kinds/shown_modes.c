@@ -6,7 +6,7 @@
 
 static const double two_pi = 6.283185307179586476925;
 
-/// Adds the columns of a mode.
+/// Adds the columns of a mode to a sheet.
 static void mode_columns(const finder *of, whirl_sheet *sheet) {
     sheet_column(of, sheet, "angular_frequency", "angular frequency", WHIRL_QUANTITY_ANGULAR, 5);
     sheet_column(of, sheet, "frequency", "frequency", WHIRL_QUANTITY_FREQUENCY, 5);
@@ -34,14 +34,14 @@ int shown_modes_growing(const whirl_table *table, size_t point) {
 
 // ---------------------------------------------------------------- statements of a point
 
-/// A statement of a point.
+/// Begins a statement about a point.
 static whirl_phrase *find_at(const finder *of, size_t point, const char *what) {
     whirl_statement *own = find_statement(of, what);
     if (*of->table->parameter) phrase_value(of, &own->at, 6, of->table->values[point]);
     return &own->found;
 }
 
-/// The peak of loops of control, and the zone that it is in; an unstable machine is in none.
+/// Reports the sensitivity peak of control loops and its zone; an unstable machine has no zone.
 static void find_sensitivity(const finder *of, size_t point) {
     const double peak = point_number(of->table, point, WHIRL_FIELD_MODES_SENSITIVITY);
     const char zone = peak < 3.0 ? 'A' : peak < 4.0 ? 'B' : peak < 5.0 ? 'C' : 'D';
@@ -95,10 +95,10 @@ static void find_limits(const finder *of, size_t point) {
 
 // ---------------------------------------------------------------- along the parameter
 
-enum { MAX_TOLD = 6 };
+enum { MAX_LOCATED = 6 };
 
-/// A row of WHIRL_FIELD_MODES_CRITICAL in a sentence: "2753.2 rpm", "unstable from 6100 rpm", or, of a parameter that
-/// is not the speed, "unstable from q = 1e+07 N/m".
+/// Writes a row of WHIRL_FIELD_MODES_CRITICAL: "2753.2 rpm", "unstable from 6100 rpm" or, for a parameter other than
+/// the speed, "unstable from q = 1e+07 N/m".
 static void phrase_change(const finder *of, whirl_phrase *found, const double *row) {
     phrase_text(of, found, "%s%s", found->count ? ", " : "",
                 row[0] < 1.5   ? ""
@@ -138,7 +138,7 @@ static void find_critical(const finder *of) {
     static const char *const names[] = {"", "critical speed", "instability begins", "instability ends",
                                         "torsional frequency at the speed"};
     const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_CRITICAL);
-    const bool speeds = units_of_speed(of->table, WHIRL_FIELD_MODES_SPEED); // it need not be told beside the parameter
+    const bool speeds = units_of_speed(of->table, WHIRL_FIELD_MODES_SPEED); // then the speed needs no column of its own
     whirl_phrase told = {.count = 0};
     size_t located = 0, changes = 0;
     whirl_sheet *sheet = find_sheet(of, "critical", "Critical speeds and thresholds of stability");
@@ -152,7 +152,7 @@ static void find_critical(const finder *of) {
             if (!(row[0] >= WHIRL_CRITICAL_SPEED && row[0] <= WHIRL_TORSIONAL_SPEED)) continue;
             const bool torsional = row[0] == WHIRL_TORSIONAL_SPEED;
             changes += row[0] == WHIRL_ONSET || row[0] == WHIRL_RECOVERY;
-            if (!torsional && located++ < MAX_TOLD) phrase_change(of, &told, row);
+            if (!torsional && located++ < MAX_LOCATED) phrase_change(of, &told, row);
             sheet_row(of, sheet);
             cell_text(of, sheet, names[(int)row[0]]);
             cell_number(of, sheet, row[1]);
@@ -161,7 +161,7 @@ static void find_critical(const finder *of) {
         }
     }
     find_sheet_end(of);
-    if (located > MAX_TOLD) phrase_text(of, &told, " and %zu more", located - MAX_TOLD);
+    if (located > MAX_LOCATED) phrase_text(of, &told, " and %zu more", located - MAX_LOCATED);
     if (changes == 0) phrase_unstable(of, &told);
     if (told.count == 0)
         phrase_text(of, &told,

@@ -24,7 +24,7 @@ static void find_levels(const finder *of) {
         char text[ASKED_TEXT];
         if (!whirl_table_done(of->table, point)) continue;
         const asked_stability at = asked_stability_at(of->table, point);
-        asked_stability_told(&at, text);
+        asked_stability_text(&at, text);
         sheet_row(of, sheet);
         cell_value(of, sheet, point);
         cell_number(of, sheet, at.stages ? at.anticipated : (double)NAN);

@@ -29,7 +29,7 @@ static size_t most_numbers(const element_type *type) {
     return type->number_count > other ? type->number_count : other;
 }
 
-static whirl_status begin(building *b, const whirl_design *design) {
+static whirl_status building_begin(building *b, const whirl_design *design) {
     size_t numbers = 1;
     for (size_t i = 0; i < design->element_count; i++) numbers += most_numbers(design->elements[i].type);
     b->design = design;
@@ -63,7 +63,8 @@ const key_value *building_value(const design_element *own, const char *key) {
     return NULL;
 }
 
-/// Role of an element in the rotor. Bearing elements have a key for it (bearing.c), and without stiffness are none.
+/// Role of an element in the rotor. Bearing elements have a key for it (bearing.c); without stiffness they are not
+/// bearings.
 typedef enum role { ROLE_BEARING, ROLE_DRAG, ROLE_OTHER } role;
 
 static role role_of(const design_element *own) {
@@ -153,7 +154,7 @@ static whirl_status check_spin(const building *b, const design_element *own) {
     return whirl_ok();
 }
 
-/// Adds springs at both places of a bearing; but not between two shafts of one another.
+/// Adds springs at both ends of a bearing, unless the bearing lies between two shafts.
 static whirl_status add_springs(building *b, const key_value *at, const key_value *from, double stiffness) {
     element place = {.type = NULL};
     const whirl_status status = element_in_housing(at, from, &b->assembly, &place);
@@ -204,7 +205,7 @@ static whirl_status add_elements(building *b, const element_type *type) {
 }
 
 whirl_status building_assemble(building *b, const whirl_design *design, const size_t *order) {
-    whirl_status status = begin(b, design);
+    whirl_status status = building_begin(b, design);
     if (status.code == WHIRL_OK && b->problems == 0) status = add_inertia(b);
     if (b->problems > 0) return status; // without its inertia, further problems would be consequences only
     size_t culprit = WHIRL_NO_ELEMENT;

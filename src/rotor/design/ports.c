@@ -61,7 +61,7 @@ whirl_status element_in_housing(const key_value *at, const key_value *from, cons
     const size_t housing = from->given ? from->station[0] : GROUND;
     out->station = at->station[0];
     if (housing == out->station)
-        return whirl_fail(WHIRL_BAD_INPUT, "stands between a station and itself, expected another station");
+        return whirl_fail(WHIRL_BAD_INPUT, "is between a station and itself, expected another station");
     const whirl_status status = find_place(to, out->station, plane, 2, out->port, out->share);
     return status.code == WHIRL_OK ? find_place(to, housing, plane, 2, out->port + 2, out->share + 2) : status;
 }

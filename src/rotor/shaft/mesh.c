@@ -67,7 +67,7 @@ static whirl_status check_bore(const key_value *values) {
     return whirl_ok();
 }
 
-/// Puts the station at an end of a segment there.
+/// Sets the position of a station that is the end of a segment.
 static whirl_status place_station(meshing *m, const key_value *value, size_t shaft, double z) {
     if (!value->given) return whirl_ok();
     const size_t station = value->station[0];
@@ -191,7 +191,7 @@ static whirl_status too_many_nodes(void) {
                       WHIRL_MAX_STATIONS);
 }
 
-/// Equal pieces of a stretch, no longer than the finest.
+/// Adds breaks that divide a stretch into equal pieces, no longer than `finest`.
 static whirl_status refine_stretch(meshing *m, double from, double to, double finest) {
     const double pieces = ceil((to - from) / finest - 1e-9);
     whirl_status status = whirl_ok();
@@ -233,7 +233,7 @@ static whirl_status find_breaks(meshing *m, size_t shaft, double from, double to
     return status;
 }
 
-/// The design's station at z, or a hidden one.
+/// Adds a node at z: the design's station there, or else a hidden one.
 static whirl_status add_node(meshing *m, size_t shaft, double z, double length) {
     mesh *out = m->out;
     size_t station = m->design->station_count + out->hidden;
@@ -323,7 +323,7 @@ static whirl_status mesh_shaft(meshing *m, size_t shaft) {
     return status;
 }
 
-static whirl_status prepare(meshing *m, const whirl_design *design, mesh *out) {
+static whirl_status mesh_prepare(meshing *m, const whirl_design *design, mesh *out) {
     size_t segments = 1;
     for (size_t i = 0; i < design->element_count; i++) segments += design->elements[i].type == &segment_element;
     out->shaft_count = design->shaft_count;
@@ -341,7 +341,7 @@ whirl_status mesh_make(const whirl_design *design, mesh *out, size_t *culprit) {
     meshing m = {.design = design, .out = out, .culprit = culprit};
     *out = (mesh){0};
     *culprit = WHIRL_NO_ELEMENT;
-    whirl_status status = prepare(&m, design, out);
+    whirl_status status = mesh_prepare(&m, design, out);
     if (status.code == WHIRL_OK) status = add_positions(&m);
     if (status.code == WHIRL_OK) status = add_spans(&m);
     for (size_t s = 0; s < design->shaft_count && status.code == WHIRL_OK; s++) status = mesh_shaft(&m, s);

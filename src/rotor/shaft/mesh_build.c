@@ -73,7 +73,7 @@ static void average(const matrix4 *one, const matrix4 *other, double sign, matri
 /// Half the difference of both principal stiffnesses turns with the shaft, twice as fast: the normal of the flats,
 /// along which it is softer, is at angle + tau.
 static void add_unequal(const laying *l, double angle, const matrix4 *difference) {
-    const double c = -cos(2.0 * angle), s = -sin(2.0 * angle); // of the softer direction, hence below 0
+    const double c = -cos(2.0 * angle), s = -sin(2.0 * angle); // minus: the direction is the softer one
     const body_kind cosine = {BODY_PLACE, RATE_STATIC, COS_2TAU}, sine = {BODY_PLACE, RATE_STATIC, SIN_2TAU};
     for (size_t plane = 0; plane < 2; plane++) {
         const double sign = plane == 0 ? 1.0 : -1.0;

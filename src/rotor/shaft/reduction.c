@@ -32,7 +32,7 @@ static bool blend_room(blend *b, size_t count) {
     return b->of && b->weight;
 }
 
-static whirl_status no_memory(void) {
+static whirl_status reduction_no_memory(void) {
     return whirl_fail(WHIRL_NO_MEMORY, "no memory to reduce a shaft");
 }
 
@@ -87,7 +87,7 @@ static void find_kept(reducing *r, const element *elements, size_t count) {
 static whirl_status number_kept(reducing *r) {
     for (size_t d = 0; d < r->of->degrees; d++) {
         if (!r->kept[d]) continue;
-        if (!blend_room(&r->old[d], 1)) return no_memory();
+        if (!blend_room(&r->old[d], 1)) return reduction_no_memory();
         r->old[d].of[0] = r->degrees;
         r->old[d].weight[0] = 1.0;
         r->inertia[r->degrees] = r->of->inertia[d];
@@ -228,10 +228,10 @@ static double modal_mass(const split *s, const double *shape) {
     return sum;
 }
 
-/// The new coordinates of a shaft's modes, x and y of each; and its nodes in terms of these.
+/// Adds the new coordinates of a shaft's modes, x and y of each, and expresses its nodes in terms of these.
 static bool blend_nodes(reducing *r, split *s) {
     const size_t first = r->degrees;
-    double *psi = s->k; // which is no longer needed
+    double *psi = s->k; // the matrix is no longer needed
     memcpy(psi, s->follow, s->inner * s->kept * sizeof *psi);
     for (size_t k = 0; k < s->modes; k++) {
         double *shape = s->shapes + k * s->inner;
@@ -248,7 +248,7 @@ static bool blend_nodes(reducing *r, split *s) {
     }
     for (size_t a = 0; a < s->inner; a++)
         for (size_t plane = 0; plane < 2; plane++) {
-            // The coordinate across stands behind that along x, of displacements and of tilts.
+            // The coordinate along y follows the one along x, for displacements and for tilts.
             blend *own = &r->old[s->coordinate[s->i[a]] + plane];
             if (!blend_room(own, s->kept + s->modes)) return false;
             for (size_t c = 0; c < s->kept; c++) {
@@ -274,7 +274,8 @@ static whirl_status reduce_shaft(reducing *r, size_t shaft, reduction *out) {
     size_t nodes = 0;
     split s = {0};
     for (size_t i = 0; i < r->mesh->node_count; i++) nodes += r->mesh->nodes[i].shaft == shaft;
-    whirl_status status = split_room(&s, nodes) ? whirl_ok() : no_memory();
+    whirl_status status = split_room(&s, nodes) ? whirl_ok() : reduction_no_memory();
+    // Matrices of a plane, split into kept and eliminated coordinates, and the modes of these.
     if (status.code == WHIRL_OK) {
         reduction_nodes(r->mesh, r->of, shaft, s.coordinate);
         reduction_matrices(r->of, s.n, s.coordinate, s.stiffness, s.mass);
@@ -288,10 +289,11 @@ static whirl_status reduce_shaft(reducing *r, size_t shaft, reduction *out) {
             status = whirl_fail(WHIRL_BAD_INPUT, "shaft %zu gives way between its stations: its axial force buckles it",
                                 shaft + 1);
     }
+    // Kept modes become new coordinates.
     if (status.code == WHIRL_OK) {
         s.modes = count_modes(&s, &r->mesh->shafts[shaft]);
         *out = (reduction){s.modes, s.inner, s.modes > 0 ? sqrt(s.squares[s.modes - 1]) : 0.0, r->degrees};
-        if (!blend_nodes(r, &s)) status = no_memory();
+        if (!blend_nodes(r, &s)) status = reduction_no_memory();
     }
     split_clear(&s);
     return status;
@@ -320,7 +322,7 @@ static void find_largest(const double *matrix, size_t n, double *largest) {
     }
 }
 
-/// The terms of one kind, which become `done` [count].
+/// Transforms the terms of one kind, and sets their `done` [count].
 static void reduce_kind(const reducing *r, const body *old, body_kind kind, bool *done, double *matrix,
                         double *largest) {
     const size_t n = r->degrees;
@@ -353,7 +355,7 @@ static void reduce_body(reducing *r, double *matrix, double *largest) {
     body_clear(&old);
 }
 
-/// Transforms the mass matrix without the kept coordinates' own inertia; z has none.
+/// Transforms the mass matrix without the kept coordinates' own inertia; modal coordinates have none.
 static void reduce_masses(reducing *r, double *matrix) {
     assembly *of = r->of;
     const size_t n = r->degrees, count = of->mass_count;
@@ -396,7 +398,7 @@ static void reduce_terms(reducing *r) {
     free(old);
 }
 
-/// Inertia that turns with the shaft, as forces are.
+/// Transforms the inertia that turns with the shaft, as forces are transformed.
 static void reduce_turnings(reducing *r) {
     assembly *of = r->of;
     const size_t count = of->turning_count;
@@ -447,7 +449,7 @@ static whirl_status reduce(reducing *r, element *elements, size_t element_count,
     const whirl_status status = reduce_shafts(r, out);
     if (status.code != WHIRL_OK) return status;
     double *matrix = calloc(r->degrees * r->degrees + r->degrees + 1, sizeof *matrix);
-    if (!matrix) return no_memory();
+    if (!matrix) return reduction_no_memory();
     reduce_body(r, matrix, matrix + r->degrees * r->degrees);
     reduce_masses(r, matrix);
     reduce_terms(r);
@@ -464,7 +466,7 @@ static whirl_status reduce(reducing *r, element *elements, size_t element_count,
 /// Writes the old coordinates [old_degrees] in terms of the new ones.
 static whirl_status tell_blends(const reducing *r, size_t old_degrees, double **follow) {
     *follow = calloc(old_degrees * r->degrees + 1, sizeof **follow);
-    if (!*follow) return no_memory();
+    if (!*follow) return reduction_no_memory();
     for (size_t d = 0; d < old_degrees; d++)
         for (size_t k = 0; k < r->old[d].count; k++) (*follow)[d * r->degrees + r->old[d].of[k]] = r->old[d].weight[k];
     return whirl_ok();
@@ -481,7 +483,7 @@ whirl_status reduction_make(const mesh *from, assembly *of, element *elements, s
     r.inertia = calloc(2 * degrees + 1, sizeof *r.inertia);
     r.unit = r.inertia + degrees;
     whirl_status status =
-        r.kept && r.old && r.inertia ? reduce(&r, elements, element_count, out ? out : ignored) : no_memory();
+        r.kept && r.old && r.inertia ? reduce(&r, elements, element_count, out ? out : ignored) : reduction_no_memory();
     if (status.code == WHIRL_OK && follow) status = tell_blends(&r, degrees, follow);
     for (size_t d = 0; d < degrees && r.old; d++) {
         free(r.old[d].of);

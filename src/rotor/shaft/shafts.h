@@ -126,7 +126,7 @@ typedef struct shaft_settings {
     double modes_to; ///< Hz, in place of their number; 0: not said
 } shaft_settings;
 
-/// WHIRL_BAD_INPUT where keys contradict each other.
+/// Reads a material from its keys. WHIRL_BAD_INPUT if keys contradict each other.
 whirl_status material_from(const key_value *values, material *out);
 whirl_status shaft_settings_from(const key_value *values, shaft_settings *out);
 

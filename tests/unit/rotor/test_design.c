@@ -75,7 +75,7 @@ static void test_shaft_beside_segments(void **state) {
         if (apart)
             assert_int_equal(whirl_rotor_new(design, &rotor).code, WHIRL_OK); // from shaft to a disc beside it
         else
-            refused(whirl_rotor_new(design, &rotor), "beside the segments that join 'a' and 'b'");
+            refused(whirl_rotor_new(design, &rotor), "parallel to the segments that join 'a' and 'b'");
         if (apart) whirl_rotor_free(rotor);
         whirl_design_free(design);
     }

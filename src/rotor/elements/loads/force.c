@@ -96,7 +96,7 @@ bool harmonic_order(const element *own, size_t index, double *order) {
     return index == 0 && *order > 1.0;
 }
 
-static bool named_order(const element *own, size_t index, double *order, const char **name) {
+static bool force_named_order(const element *own, size_t index, double *order, const char **name) {
     *name = "force";
     return harmonic_order(own, index, order);
 }
@@ -118,7 +118,7 @@ static whirl_status find_ports(const key_value *values, const assembly *to, elem
     return tilts ? assembly_find(to, out->station, AXIS_TILT_X, &out->port[0]) : whirl_ok();
 }
 
-static whirl_status check(const key_value *values) {
+static whirl_status force_check(const key_value *values) {
     const bool force = values[AMPLITUDE].given || values[STEADY_FORCE].given, moment = values[MOMENT].given;
     if (force + moment + is_torque(values) != 1)
         return whirl_fail(WHIRL_BAD_INPUT,
@@ -145,10 +145,10 @@ static void add_steady(const key_value *values, assembly *to, const element *out
     }
 }
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status force_build(const key_value *values, assembly *to, element *out) {
     const double per_hertz = 6.283185307179586476925 / to->pace;
     const double rate = values[FREQUENCY].given ? values[FREQUENCY].number * per_hertz : values[RATIO].number;
-    whirl_status status = check(values);
+    whirl_status status = force_check(values);
     if (status.code == WHIRL_OK) status = find_ports(values, to, out);
     if (status.code == WHIRL_OK) status = harmonic_check_rate(to, rate);
     if (status.code != WHIRL_OK) return status;
@@ -165,7 +165,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
-static double keyphasor(const key_value *values, double speed) {
+static double force_keyphasor(const key_value *values, double speed) {
     if (!values[KEYPHASOR].choice) return 0.0;
     return values[FREQUENCY].given ? values[FREQUENCY].number * 6.283185307179586476925 : values[RATIO].number * speed;
 }
@@ -178,9 +178,9 @@ const element_type force_element = {
     .state_count = KERNEL_STATES,
     .turning = 1,
     .rounds = harmonic_rounds,
-    .named_order = named_order,
+    .named_order = force_named_order,
     .kernels = harmonic_kernels,
-    .build = build,
-    .keyphasor = keyphasor,
+    .build = force_build,
+    .keyphasor = force_keyphasor,
 };
 #endif

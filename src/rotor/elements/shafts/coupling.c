@@ -92,7 +92,7 @@ static whirl_status join_twists(const key_value *values, assembly *to) {
     return whirl_ok();
 }
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status coupling_build(const key_value *values, assembly *to, element *out) {
     enum { PLANE = 2 };
     static const axis axes[] = {AXIS_X, AXIS_Y, AXIS_TILT_X, AXIS_TILT_Y};
     const bool tilts = values[TILT].number > 0.0 || values[TILT_DAMPING].number > 0.0;
@@ -121,6 +121,6 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 const element_type coupling_element = {
     .group = {"coupling", "a flexible coupling between the ends of two shafts; its bores and faces may run out",
               "Friswell et al. 2010, sec. 5.4", keys, KEY_COUNT, NULL, NULL},
-    .build = build,
+    .build = coupling_build,
 };
 #endif

@@ -6,7 +6,7 @@
 #define KERNEL_SWITCHES 4
 #define KERNEL_TILTS
 
-/// In newtons and length scales; of tilts in N m and the unit of the first one.
+/// Numbers in newtons and length scales; for tilts in N m and the unit of the first tilt.
 enum { SPRING_STIFFNESS, SPRING_DAMPING, SPRING_GAP, SPRING_NUMBERS };
 
 #include "elements/along.h"
@@ -31,7 +31,7 @@ static const whirl_key keys[KEY_COUNT] = {
     [GAP_ANGLE] = NUMBER_KEY("gap_angle", "", "rad", OPTIONAL, WHIRL_NOT_NEGATIVE, "the same for tilts and for twist"),
 };
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status spring_build(const key_value *values, assembly *to, element *out) {
     const double stiffness = values[STIFFNESS].number, damping = values[DAMPING].number;
     const int along = values[ALONG].choice;
     whirl_status status = check_along(&keys[GAP], &values[GAP], false, along);
@@ -55,7 +55,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 }
 
 /// With damping the force jumps as the play ends.
-static bool jumps(const element *own) {
+static bool spring_jumps(const element *own) {
     return own->law != 0;
 }
 
@@ -66,8 +66,8 @@ const element_type spring_element = {
               "", keys, KEY_COUNT, NULL, NULL},
     .number_count = KERNEL_NUMBERS + 2 * KERNEL_PORTS,
     .kernels = kernels,
-    .build = build,
-    .jumps = jumps,
+    .build = spring_build,
+    .jumps = spring_jumps,
     GENERIC_SWITCHES,
 };
 #endif
