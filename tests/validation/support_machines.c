@@ -143,7 +143,7 @@ const element_machine element_machines[] = {
     {"gear",
      TWISTING "force: {at: rotor, steady_torque: 30 N.m, torque: 20 N.m, ratio: 2, phase: 20 deg}\n"
               "    - gear: {between: [rotor, stator], base_radii: [80 mm, 200 mm], pressure_angle: ~20 deg, "
-              "direction: @40, stiffness: 3 MN/m, damping: 200 N.s/m, backlash: 200 um, teeth: 2, error: 20 um, "
+              "direction: @40, stiffness: 3 MN/m, damping: 200 N.s/m, teeth: 2, error: 20 um, "
               "error_angle: 50 deg}",
      MACHINE_TWISTS},
     {"gear", TWISTING "gear: {between: [rotor, stator], base_radii: [80 mm, 200 mm]}", MACHINE_TWISTS},

@@ -142,7 +142,7 @@ static double allowed_of_growth(const place *one, const whirl_field *field, cons
 }
 
 static bool is_shape(const whirl_field *field) {
-    return strcmp(field->name, WHIRL_FIELD_MODES_SHAPE) == 0 ||
+    return strcmp(field->name, WHIRL_FIELD_MODES_SHAPE) == 0 || strcmp(field->name, WHIRL_FIELD_MODES_TWIST) == 0 ||
            strcmp(field->name, WHIRL_FIELD_CRITICAL_SPEEDS_SHAPE) == 0;
 }
 

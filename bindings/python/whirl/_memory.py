@@ -20,7 +20,7 @@ from ._library import (
 )
 
 _STATION_NUMBERS = ("clearance", "gap", "position")
-_STATION_WHOLES = ("x", "y", "vx", "vy", "shaft", "along_y", "clockwise")
+_STATION_WHOLES = ("x", "y", "vx", "vy", "shaft", "along_y", "twists", "clockwise")
 
 
 class _Owner:

@@ -58,6 +58,7 @@ class Station:
     shaft: int = 0  #: number of its shaft of finite elements, from 1; 0 for none
     position: float = 0.0  #: position along that shaft, m
     along_y: int = 0  #: 1 if the station moves along y only; then `x` is the index of that coordinate too
+    twists: int = 0  #: 1 where the station only turns about the shaft's axis: displacements in m are rad
     clockwise: int = 0  #: 1 if the rotor turns clockwise, from y to x
 
 

@@ -89,6 +89,9 @@ static const field_plan fields[FIELD_COUNT] = {
                WHIRL_PER_STATION, 2, modes_that_twist},
 };
 
+/// A share of twists in the kinetic energy below which they are rounding.
+static const double untwisted = 1e-18;
+
 /// Fills in the twists of a mode, at the instant at which the largest of them peaks.
 static void fill_twist(const whirl_system *system, const double *v, size_t row, const block_view *view) {
     double shape[2 * WHIRL_MAX_PROBES], largest = 0.0, c = 1.0, s = 0.0;
@@ -159,7 +162,8 @@ static whirl_status modes_compute(const whirl_resting *point, const whirl_record
     for (size_t i = 0; i < modes->count && i < most; i++) {
         const double *shape = modes->vectors + 2 * i * modes->dimension;
         fill_shape(point->system, shape, i, SHAPE, view);
-        if (view_numbers(view, TWIST, 0)) fill_twist(point->system, shape, i, view);
+        if (view_numbers(view, TWIST, 0) && modes->modes[i].torsion > untwisted)
+            fill_twist(point->system, shape, i, view);
     }
     fill_critical(point, most + 1, view);
     return status;

@@ -95,8 +95,10 @@ static const whirl_key keys[KEY_COUNT] = {
                          "Kahraman, Blankenship 1997"),
     [SHARE] = NUMBER_KEY("contact_share", "d", "1", DEFAULT("0.5"), WHIRL_FROM_TO(0.001, 0.999),
                          "share of a tooth's period with more pairs: contact ratio less its whole part"),
-    [ERROR] = NUMBER_KEY("error", "e", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
-                         "amplitude of the transmission error along the line of action, once a tooth"),
+    [ERROR] =
+        NUMBER_KEY("error", "e", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                   "amplitude of the transmission error along the line of action, once a tooth, in the sense of the "
+                   "rotation"),
     [ERROR_ANGLE] = ANGLE_KEY("error_angle", "phi", "error", "phase of the error where more pairs begin to touch"),
 };
 
@@ -159,8 +161,10 @@ static void gear_set_numbers(const key_value *values, const assembly *to, elemen
     number[GEAR_DAMPING] = values[DAMPING].number * to->length * to->clock;
     number[GEAR_GAP] = 0.5 * values[BACKLASH].number / to->length;
     number[GEAR_SHARE] = pi * values[SHARE].number;
-    number[GEAR_ERROR_COS] = values[ERROR].number / to->length * cos(values[ERROR_ANGLE].number);
-    number[GEAR_ERROR_SIN] = values[ERROR].number / to->length * sin(values[ERROR_ANGLE].number);
+    // The error counts along the rotation, so that a mirror changes nothing.
+    const double error = copysign(values[ERROR].number / to->length, to->turn);
+    number[GEAR_ERROR_COS] = error * cos(values[ERROR_ANGLE].number);
+    number[GEAR_ERROR_SIN] = error * sin(values[ERROR_ANGLE].number);
 }
 
 extern const element_type gear_turning;
