@@ -51,7 +51,7 @@ whirl_status element_beside_none(const key_value *between, const assembly *to) {
         return whirl_ok();
     return whirl_fail(
         WHIRL_BAD_INPUT,
-        "would lie next to the segments that join '%s' and '%s' and add its stiffness to theirs, expected "
+        "would lie parallel to the segments that join '%s' and '%s' and add its stiffness to theirs, expected "
         "stations that no shaft of finite elements joins (segments have flats and diameters of their own)",
         to->stations[one].name, to->stations[other].name);
 }
