@@ -242,7 +242,9 @@ static void stiff_mesh_becomes_rigid(void **state) {
                  known, 1e-12);
     whirl_modes_free(modes);
     whirl_rotor_free(rigid);
-    for (double mesh = 1e10; mesh < 1e13; mesh *= 10.0) {
+    double mesh = 1e9;
+    for (int i = 0; i < 3; i++) {
+        mesh *= 10.0;
         whirl_rotor *rotor = pair_rotor(0.0, mesh);
         require_ok(whirl_modes_new(whirl_rotor_system(rotor), start, &modes));
         // Supports give way, so that what is left does not vanish; it falls with the mesh.

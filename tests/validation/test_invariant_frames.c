@@ -26,8 +26,8 @@ static const char in_motion[] =
     "  keep: {waveform: 1, samples: 16, highest_order: 3}\n"
     "  analyze: [poincare, orbit, rub, spectrum, lyapunov, regime, winding, evidence, floquet]\n";
 
-/// Revolutions over which motions have a perturbed copy. Rates that differ by less than 1 / revolutions have not parted,
-/// and a copy in another direction has another mean of them (MACHINE_SLOW; test_slow.c has its closed form).
+/// Revolutions over which motions have a perturbed copy. Rates that differ by less than 1 / revolutions have not
+/// parted, and a copy in another direction has another mean of them (MACHINE_SLOW; test_slow.c has its closed form).
 static const double watched = 60.0;
 
 static whirl_result *run(const element_machine *of, machine_view as, const char *study) {
