@@ -313,9 +313,9 @@ static void refusals(void **unused) {
         const char *sentence;
     } wrong[] = {
         {{"spring", {{"between", 0.0, "one, other"}, {"along", 0.0, "tilts"}, {"gap", 0.1, NULL}}},
-         "has gap, in m, and acts along tilts, expected along: xy, x or y"},
+         "has gap, in m, and acts along angles, expected along: xy, x or y"},
         {{"friction", {{"between", 0.0, "one, other"}, {"along", 0.0, "x"}, {"moment", 0.1, NULL}}},
-         "has moment, in N m, and acts along displacements, expected along: tilts, tilt_x or tilt_y"},
+         "has moment, in N m, and acts along displacements, expected along: tilts, tilt_x, tilt_y or twist"},
         {{"friction", {{"between", 0.0, "one, other"}, {"along", 0.0, "x"}}}, "has no force, expected one in N"},
         {{"friction", {{"between", 0.0, "one, other"}, {"force", 1.0, NULL}}},
          "has no slip_speed, expected one along two axes, where friction is not sharp"}};
