@@ -416,10 +416,9 @@ static void refused(void **unused) {
         if (i) require_ok(whirl_design_element(design, "unbalance", turning, 4));
         const whirl_status status = whirl_rotor_new(design, &rotor);
         assert_int_equal(status.code, WHIRL_BAD_INPUT);
-        assert_string_equal(status.message,
-                            i ? "unbalance is a second keyphasor, expected one"
-                              : "unbalance does not turn, expected a speed above 0 of what sections are "
-                                "taken by");
+        assert_string_equal(status.message, i ? "unbalance is a second keyphasor, expected one"
+                                              : "unbalance does not turn, expected a speed above 0 of the phase that "
+                                                "defines sections");
         whirl_design_free(design);
     }
 }
