@@ -19,7 +19,7 @@ assert(sheet.cells{2, at}, speeds(2) * 30 / pi, -1e-9);
 assert(sheet.cells{1, strcmp(sheet.keys, 'what')}, 'critical speed');
 assert(isnan(sheet.matrix(1, strcmp(sheet.keys, 'what'))));
 assert(size(sheet.cells), [2, numel(sheet.headings)]);
-assert(sheet.texts(:, at), {'1909.85932'; '3019.75273'});
+assert(sheet.texts(:, at), {'1909.9'; '3019.8'});
 sheet = whirl_table(result, 'modes/critical', 'units', 'rad/s');
 assert(sheet.units{at}, 'rad/s');
 assert(sheet.matrix(:, at), speeds, -1e-9);

@@ -38,7 +38,7 @@ export class Topbar {
         { value: 'um', text: '\u00b5m' },
         { value: 'mil', text: 'mil' },
         { value: 'scale', text: 'c', title: 'length scales of the case' },
-        { value: 'own', text: '' },
+        { value: 'own', text: 'own', title: 'as the report shows it' },
       ],
       (value) => ({ length: value as LengthUnit }),
     );
@@ -55,7 +55,7 @@ export class Topbar {
       [
         { value: 'order', text: 'X', title: 'orders of the running speed' },
         { value: 'Hz', text: 'Hz' },
-        { value: 'own', text: '' },
+        { value: 'own', text: 'own', title: 'as the report shows it' },
       ],
       (value) => ({ frequency: value as FrequencyUnit }),
     );

@@ -237,7 +237,7 @@ test('a case tells its parameters, stations and study', async () => {
   assert.ok(Math.abs(told.speed - 200 * Math.PI) < 1e-10);
   assert.equal(omega.comment, 'rotation speed');
   assert.equal(omega.uses.find((use) => use.alone).path, 'rotor.speed');
-  const common = { shaft: 0, position: 0, along_y: false, clockwise: false };
+  const common = { shaft: 0, position: 0, along_y: false, twists: false, clockwise: false };
   assert.deepEqual(told.stations, [
     { ...common, name: 'disc', clearance: 0, gap: 1.2, x: 0, y: 1, vx: 4, vy: 5 },
     { ...common, name: 'journal', clearance: 1, gap: 0, x: 2, y: 3, vx: 6, vy: 7 },

@@ -306,6 +306,8 @@ bool whirl_recorder_drop(whirl_recorder *recorder, whirl_task *task);
 /// Returns the states of all unfinished motions [*count], so that a later run can continue them: no bit of a record
 /// depends on it. NULL without motions, or without memory. Freed by whirl_motion_states_free.
 whirl_motion_state *whirl_recorder_save(whirl_recorder *recorder, size_t *count);
+
+/// Frees the states [count] of whirl_recorder_save; accepts NULL.
 void whirl_motion_states_free(whirl_motion_state *states, size_t count);
 
 /// Frees a recorder; accepts NULL.
