@@ -82,9 +82,9 @@ static size_t torsion_sheet(const finder *of, const mode_lines *lines, separatio
     size_t count = 0;
     whirl_sheet *sheet = find_sheet(of, "interference", "Torsional modes and excitations");
     sheet_texts(of, sheet, "name", "mode");
-    sheet_column(of, sheet, "frequency", "frequency", WHIRL_QUANTITY_FREQUENCY, 6);
+    sheet_column(of, sheet, "frequency", "frequency", WHIRL_QUANTITY_FREQUENCY, 5);
     sheet_texts(of, sheet, "excitation", "excitation");
-    sheet_column(of, sheet, "speed", "they meet at", WHIRL_QUANTITY_SPEED, 6);
+    sheet_column(of, sheet, "speed", "they meet at", WHIRL_QUANTITY_SPEED, 5);
     if (running) {
         sheet_column(of, sheet, "separation", "separation", WHIRL_QUANTITY_PERCENT, 3);
         sheet_texts(of, sheet, "side", "of the excitation");
@@ -117,7 +117,7 @@ static void torsion_judge(const finder *of, const mode_lines *lines, const separ
     phrase_text(of, &own->asked, " from every excitation");
     phrase_number(of, &own->found, WHIRL_QUANTITY_PERCENT, 3, least->had);
     phrase_text(of, &own->found, " %s: mode %s at ", least->side, lines->names[least->line]);
-    phrase_number(of, &own->found, WHIRL_QUANTITY_FREQUENCY, 6, least->frequency);
+    phrase_number(of, &own->found, WHIRL_QUANTITY_FREQUENCY, 5, least->frequency);
     phrase_text(of, &own->found, " and %s", torsion_excitation_name(of, least->by));
     if (isfinite(least->speed)) {
         phrase_text(of, &own->found, ", which meet at ");
@@ -130,7 +130,7 @@ static void torsion_shapes(const finder *of, const mode_lines *lines, size_t poi
     const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_TORSION);
     whirl_sheet *sheet = find_sheet(of, "twists", "Shapes of torsional modes: twists of the stations");
     sheet_texts(of, sheet, "name", "mode");
-    sheet_column(of, sheet, "frequency", "frequency", WHIRL_QUANTITY_FREQUENCY, 6);
+    sheet_column(of, sheet, "frequency", "frequency", WHIRL_QUANTITY_FREQUENCY, 5);
     sheet_texts(of, sheet, "station", "station");
     sheet_column(of, sheet, "twist", "twist", WHIRL_QUANTITY_NUMBER, 4);
     for (size_t i = 0; i < field->rows; i++) {
