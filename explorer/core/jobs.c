@@ -161,7 +161,7 @@ static whirl_status revolve(job *j, size_t *turned) {
 }
 
 EXPORTED double explorer_job_turn(job *j) {
-    size_t turned;
+    size_t turned = 0;
     whirl_status status = revolve(j, &turned);
     if (status.code == WHIRL_OK && turned == 0 && j->unlike) {
         status = turn_to_structure(j, j->values[j->begun]);

@@ -79,7 +79,8 @@ double *inner_modes_begin(const inner_modes *of) {
 static void inner_modes_forget_oldest(void) {
     number_count -= inner_modes_size(shafts[0].inner, shafts[0].kept);
     free(shafts[0].numbers);
-    memmove(shafts, shafts + 1, --shaft_count * sizeof *shafts);
+    shaft_count--;
+    for (size_t i = 0; i < shaft_count; i++) shafts[i] = shafts[i + 1];
 }
 
 void inner_modes_keep(const inner_modes *of, double *numbers) {
