@@ -263,23 +263,6 @@ void assembly_damper(assembly *to, size_t one, size_t other, double damping) {
     assembly_damping(to, other, other, damping);
 }
 
-void assembly_twist(assembly *to, size_t one, size_t other, double stiffness, double damping) {
-    const size_t station[2] = {one, other};
-    size_t coordinate[2] = {NO_COORDINATE, NO_COORDINATE};
-    double share[2] = {0.0, 0.0};
-    for (size_t i = 0; i < 2; i++) {
-        if (station[i] == NO_STATION) continue;
-        coordinate[i] = to->stations[station[i]].coordinate[AXIS_TWIST];
-        if (coordinate[i] != NO_COORDINATE) root_of_gears(to, station[i], &share[i]);
-    }
-    share[1] = 0.0 - share[1];
-    for (size_t i = 0; i < 2; i++)
-        for (size_t j = 0; j < 2; j++) {
-            assembly_stiffness(to, coordinate[i], coordinate[j], share[i] * share[j] * stiffness);
-            assembly_damping(to, coordinate[i], coordinate[j], share[i] * share[j] * damping);
-        }
-}
-
 void assembly_inertance(assembly *to, size_t row, size_t by, double mass) {
     if (row == NO_COORDINATE || by == NO_COORDINATE || mass == 0.0) return;
     mass_term *masses = room_for_one(to, to->masses, to->mass_count, &to->mass_room, sizeof *masses);
@@ -292,6 +275,31 @@ void assembly_inerter(assembly *to, size_t one, size_t other, double mass) {
     assembly_inertance(to, one, one, mass);
     assembly_inertance(to, one, other, -mass);
     assembly_inertance(to, other, other, mass);
+}
+
+void assembly_join(assembly *to, const size_t coordinate[2], const double share[2], const joining *by) {
+    const double moved[2] = {share[0], 0.0 - share[1]};
+    for (size_t i = 0; i < 2; i++)
+        for (size_t j = 0; j < 2; j++) {
+            const double both = moved[i] * moved[j];
+            assembly_stiffness(to, coordinate[i], coordinate[j], both * by->stiffness);
+            assembly_damping(to, coordinate[i], coordinate[j], both * by->damping);
+            // An entry of the mass matrix counts for both ways round, unless both are one coordinate.
+            if (i <= j || coordinate[0] == coordinate[1])
+                assembly_inertance(to, coordinate[i], coordinate[j], both * by->inertance);
+        }
+}
+
+void assembly_twist(assembly *to, size_t one, size_t other, const joining *by) {
+    const size_t station[2] = {one, other};
+    size_t coordinate[2] = {NO_COORDINATE, NO_COORDINATE};
+    double share[2] = {1.0, 1.0};
+    for (size_t i = 0; i < 2; i++) {
+        if (station[i] == NO_STATION) continue;
+        coordinate[i] = to->stations[station[i]].coordinate[AXIS_TWIST];
+        share[i] = assembly_share(to, station[i], AXIS_TWIST);
+    }
+    assembly_join(to, coordinate, share, by);
 }
 
 void assembly_forcing(assembly *to, size_t row, size_t value, double force) {

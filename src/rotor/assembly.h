@@ -25,6 +25,7 @@
 #define assembly_damping whirl_assembly_damping
 #define assembly_spring whirl_assembly_spring
 #define assembly_share whirl_assembly_share
+#define assembly_join whirl_assembly_join
 #define assembly_twist whirl_assembly_twist
 #define assembly_damper whirl_assembly_damper
 #define assembly_inertance whirl_assembly_inertance
@@ -45,7 +46,7 @@
 #define NO_STATION ((size_t)-1)
 
 /// Directions in which a station can move: along x and y, the slopes dx/dz and dy/dz of its axis, z along the shaft,
-/// and the twist about z, from x towards y, beside the steady rotation.
+/// and the twist about z, from x towards y, without the steady rotation.
 typedef enum axis { AXIS_X, AXIS_Y, AXIS_TILT_X, AXIS_TILT_Y, AXIS_TWIST, AXES } axis;
 
 /// Numbers of a station that moves in x and y which do not depend on its place; see station_kernel.h.
@@ -157,7 +158,7 @@ whirl_status assembly_find(const assembly *of, size_t station, axis along, size_
 double assembly_share(const assembly *of, size_t station, axis along);
 
 /// Makes the twist of one station that of another one times `ratio` (rigid gears), before coordinates are numbered.
-/// WHIRL_BAD_INPUT where a station does not twist, or follows itself or two others.
+/// WHIRL_BAD_INPUT where the station follows another one already.
 whirl_status assembly_gear(assembly *to, size_t station, size_t other, double ratio);
 
 /// Finds the coordinates along x and y, port[0] and port[1].
@@ -185,13 +186,21 @@ void assembly_damper(assembly *to, size_t one, size_t other, double damping);
 /// way round: an entry of the mass matrix. In kg, or with tilts kg m, kg m2. Nothing where one is NO_COORDINATE.
 void assembly_inertance(assembly *to, size_t row, size_t by, double mass);
 
-/// Adds a spring and a damper between the twists of two stations, one of them perhaps NO_STATION, the ground, in N
-/// m/rad and N m s/rad. Nothing where neither twists.
-void assembly_twist(assembly *to, size_t one, size_t other, double stiffness, double damping);
-
 /// Adds a mass that resists the acceleration of one coordinate relative to another (an inerter: Smith 2002), one of
 /// them perhaps NO_COORDINATE, the ground.
 void assembly_inerter(assembly *to, size_t one, size_t other, double mass);
+
+/// What joins two places: N/m, N s/m and kg, of angles N m/rad, N m s/rad and kg m2.
+typedef struct joining {
+    double stiffness, damping, inertance;
+} joining;
+
+/// Joins two places, one of them perhaps the ground, whose coordinate is NO_COORDINATE. share: the motion of each place
+/// over that of its coordinate (assembly_share).
+void assembly_join(assembly *to, const size_t coordinate[2], const double share[2], const joining *by);
+
+/// Joins the twists of two stations, one of them perhaps NO_STATION, the ground. Nothing where neither twists.
+void assembly_twist(assembly *to, size_t one, size_t other, const joining *by);
 
 /// Adds a term that is already scaled.
 void assembly_term(assembly *to, linear_term term);

@@ -49,6 +49,17 @@ double *view_numbers(const block_view *view, size_t field, size_t which);
 /// its probes, if any.
 void fill_seen(const whirl_record *record, size_t probe, size_t count, double *seen);
 
+/// The largest of some amplitudes of a motion Re(x exp(i w t)) and its phase; 0, 1, 0 before any.
+typedef struct shape_peak {
+    double size, cos, sin;
+} shape_peak;
+
+/// Takes an amplitude x [2] into account; of equal ones the first is the peak.
+void shape_peak_note(shape_peak *peak, const double *x);
+
+/// Writes an amplitude relative to the peak, at the instant of it and a quarter of a period later, out [2].
+void shape_peak_write(const shape_peak *peak, const double *x, double *out);
+
 /// Writes row `row` of a field of shapes (x_cos, x_sin, y_cos, y_sin of every station) of a motion Re(v exp(i w t)), v
 /// [dimension][2]: the largest displacement of any station is 1, at the instant of its peak.
 void fill_shape(const whirl_system *system, const double *v, size_t row, size_t field, const block_view *view);

@@ -42,25 +42,30 @@ void fill_seen(const whirl_record *record, size_t probe, size_t count, double *s
     }
 }
 
+void shape_peak_note(shape_peak *peak, const double *x) {
+    const double size = hypot(x[0], x[1]);
+    if (size > (1.0 + 1e-9) * peak->size) *peak = (shape_peak){size, x[0] / size, x[1] / size};
+}
+
+/// x cos(w t) + y sin(w t) of Re(X exp(i w t)).
+void shape_peak_write(const shape_peak *peak, const double *x, double *out) {
+    out[0] = (x[0] * peak->cos + x[1] * peak->sin) / peak->size;
+    out[1] = -(x[1] * peak->cos - x[0] * peak->sin) / peak->size;
+}
+
 void fill_shape(const whirl_system *system, const double *v, size_t row, size_t field, const block_view *view) {
-    double largest = 0.0, c = 1.0, s = 0.0;
+    shape_peak peak = {0.0, 1.0, 0.0};
     for (size_t p = 0; p < 2 * system->probe_count; p++) {
         const whirl_probe *probe = &system->probes[p / 2];
-        const double *x = v + 2 * (p % 2 ? probe->y : probe->x);
-        const double size = hypot(x[0], x[1]);
-        if (size > (1.0 + 1e-9) * largest) largest = size, c = x[0] / size, s = x[1] / size;
+        shape_peak_note(&peak, v + 2 * (p % 2 ? probe->y : probe->x));
     }
-    for (size_t p = 0; p < 2 * system->probe_count && largest > 0.0; p++) {
+    for (size_t p = 0; p < 2 * system->probe_count && peak.size > 0.0; p++) {
         const whirl_probe *probe = &system->probes[p / 2];
-        const double *x = v + 2 * (p % 2 ? probe->y : probe->x);
         double *out = view_numbers(view, field, p / 2) + 4 * row + 2 * (p % 2);
-        if (!whirl_probe_sees(probe, p % 2)) {
+        if (whirl_probe_sees(probe, p % 2))
+            shape_peak_write(&peak, v + 2 * (p % 2 ? probe->y : probe->x), out);
+        else
             out[0] = out[1] = 0.0;
-            continue;
-        }
-        // x cos(w t) + y sin(w t) of Re(X exp(i w t)).
-        out[0] = (x[0] * c + x[1] * s) / largest;
-        out[1] = -(x[1] * c - x[0] * s) / largest;
     }
 }
 

@@ -94,18 +94,12 @@ static const double untwisted = 1e-18;
 
 /// Fills in the twists of a mode, at the instant at which the largest of them peaks.
 static void fill_twist(const whirl_system *system, const double *v, size_t row, const block_view *view) {
-    double shape[2 * WHIRL_MAX_PROBES], largest = 0.0, c = 1.0, s = 0.0;
+    double shape[2 * WHIRL_MAX_PROBES];
+    shape_peak peak = {0.0, 1.0, 0.0};
     system->twist(system->model, v, shape);
-    for (size_t p = 0; p < system->probe_count; p++) {
-        const double *own = shape + 2 * p, size = hypot(own[0], own[1]);
-        if (size > (1.0 + 1e-9) * largest) largest = size, c = own[0] / size, s = own[1] / size;
-    }
-    for (size_t p = 0; p < system->probe_count && largest > 0.0; p++) {
-        const double *own = shape + 2 * p;
-        double *out = view_numbers(view, TWIST, p) + 2 * row;
-        out[0] = (own[0] * c + own[1] * s) / largest;
-        out[1] = -(own[1] * c - own[0] * s) / largest;
-    }
+    for (size_t p = 0; p < system->probe_count; p++) shape_peak_note(&peak, shape + 2 * p);
+    for (size_t p = 0; p < system->probe_count && peak.size > 0.0; p++)
+        shape_peak_write(&peak, shape + 2 * p, view_numbers(view, TWIST, p) + 2 * row);
 }
 
 static void fill_modes(const whirl_resting *point, const whirl_modes *modes, size_t most, const block_view *view) {

@@ -216,28 +216,28 @@ static void add_synchronous(whirl_figure *figure, whirl_panel *panel, const view
                        whirl_table_number(v->table, point, WHIRL_FIELD_MODES_SPEED, 0) / v->unit.size);
 }
 
-/// Adds what excites torsion: higher orders of the speed, the frequency of the line and twice that, each with its name
-/// where it ends; and the running speeds.
+/// Adds what excites torsion, but for 1X, each excitation with its name where it ends.
 static void add_excitations(whirl_figure *figure, whirl_panel *panel, const view *v) {
-    const int orders = v->table->record.orders;
-    const double line_frequency = 6.283185307179586476925 * v->table->record.line_frequency;
-    for (int k = 1; k < orders + 2; k++) {
-        const bool of_line = k >= orders;
-        if (of_line && !(line_frequency > 0.0)) continue;
+    for (int k = 0; k < torsion_excitation_count(v->table); k++) {
+        const torsion_excitation by = torsion_excitation_at(v->table, k);
+        if (!by.line && by.order == 1) continue;
         whirl_series *line = panel_series(figure, panel, WHIRL_LINE, "#9A9A9A", 0.3);
         whirl_series *name = panel_series(figure, panel, WHIRL_TEXTS, "#606060", 1.0);
         double x = NAN, y = NAN;
         for (size_t point = 0; point < v->table->count; point++) {
             if (!whirl_table_done(v->table, point)) continue;
             const double speed = whirl_table_number(v->table, point, WHIRL_FIELD_MODES_SPEED, 0);
-            const double height = (of_line ? (k - orders + 1) * line_frequency : (k + 1) * speed) / v->unit.size;
+            const double height = torsion_excitation_frequency(v->table, by, speed) / v->unit.size;
             if (height > v->top) continue;
             x = v->table->values[point] / v->size;
             y = height;
             series_add(figure, line, x, y);
         }
         char text[24];
-        snprintf(text, sizeof text, of_line ? k == orders ? "line" : "2 x line" : "%dX", k + 1);
+        if (by.line)
+            snprintf(text, sizeof text, "%sline", by.order == 1 ? "" : "2 x ");
+        else
+            snprintf(text, sizeof text, "%dX", by.order);
         if (line) line->dashed = true;
         if (name) name->side = WHIRL_LEFT;
         if (name) name->movable = true;

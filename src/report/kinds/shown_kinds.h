@@ -34,6 +34,19 @@ extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance
 /// Finds torsional modes in a table of modes: their excitations, separations and shapes.
 void find_torsion(const finder *of);
 
+/// An excitation of torsion: so many times the speed of the shaft, or so many times the frequency of the line.
+typedef struct torsion_excitation {
+    int order;
+    bool line;
+} torsion_excitation;
+
+/// Returns the number of excitations of a table: its orders, then the frequency of the line and twice that, if any.
+int torsion_excitation_count(const whirl_table *table);
+torsion_excitation torsion_excitation_at(const whirl_table *table, int index);
+
+/// Returns the frequency of an excitation at a speed, both in rad/s.
+double torsion_excitation_frequency(const whirl_table *table, torsion_excitation by, double speed);
+
 /// Returns true for a mode with more than half of its kinetic energy in twists.
 bool mode_is_torsional(const whirl_table *table, size_t point, size_t mode);
 

@@ -10,24 +10,26 @@ static const double two_pi = 6.283185307179586476925;
 /// Required separation of a torsional mode from an excitation, %.
 static const double asked_separation = 10.0;
 
-/// An excitation: so many times the speed of the shaft, or so many times the frequency of the line.
-typedef struct excitation {
-    int order;
-    bool line;
-} excitation;
-
 /// Separation of a line of modes from an excitation.
 typedef struct separation {
     size_t line;
-    excitation by;
+    torsion_excitation by;
     double frequency; ///< rad/s of the mode, where it is nearest to the excitation
     double speed;     ///< rad/s at which they meet; NaN for the line's
     double had;       ///< %, of the excitation; 0 within
     const char *side; ///< of the mode: "above", "below", "within"
 } separation;
 
-/// Frequency of the excitation at a speed, rad/s.
-static double torsion_excited(const whirl_table *table, excitation by, double speed) {
+int torsion_excitation_count(const whirl_table *table) {
+    return table->record.orders + (table->record.line_frequency > 0.0 ? 2 : 0);
+}
+
+torsion_excitation torsion_excitation_at(const whirl_table *table, int index) {
+    const int orders = table->record.orders;
+    return index < orders ? (torsion_excitation){index + 1, false} : (torsion_excitation){index - orders + 1, true};
+}
+
+double torsion_excitation_frequency(const whirl_table *table, torsion_excitation by, double speed) {
     return by.order * (by.line ? two_pi * table->record.line_frequency : speed);
 }
 
@@ -48,9 +50,10 @@ static bool torsion_separate(const whirl_table *table, const mode_lines *lines, 
         for (size_t i = 0; i < lines->modes; i++) {
             if (lines->line[point * lines->modes + i] != own->line) continue;
             const double frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0)[i];
-            const double at = torsion_excited(table, own->by, speed);
-            const double apart = torsion_apart(frequency, running ? torsion_excited(table, own->by, low) : at,
-                                               running ? torsion_excited(table, own->by, high) : at);
+            const double at = torsion_excitation_frequency(table, own->by, speed);
+            const double apart =
+                torsion_apart(frequency, running ? torsion_excitation_frequency(table, own->by, low) : at,
+                              running ? torsion_excitation_frequency(table, own->by, high) : at);
             if (!(fabs(apart) < nearest)) continue;
             nearest = fabs(apart);
             own->frequency = frequency;
@@ -69,7 +72,7 @@ static bool torsion_of_line(const whirl_table *table, const mode_lines *lines, s
     return false;
 }
 
-static const char *torsion_excitation_name(const finder *of, excitation by) {
+static const char *torsion_excitation_name(const finder *of, torsion_excitation by) {
     if (!by.line) return find_text(of->findings, "%dX", by.order);
     return by.order == 1 ? "line frequency" : "twice line frequency";
 }
@@ -77,8 +80,7 @@ static const char *torsion_excitation_name(const finder *of, excitation by) {
 /// The sheet of all separations, and the least of them.
 static size_t torsion_sheet(const finder *of, const mode_lines *lines, separation *least) {
     double low, high;
-    const bool running = margin_running(of->table, &low, &high), line = of->table->record.line_frequency > 0.0;
-    const int orders = of->table->record.orders;
+    const bool running = margin_running(of->table, &low, &high);
     size_t count = 0;
     whirl_sheet *sheet = find_sheet(of, "interference", "Torsional modes and excitations");
     sheet_texts(of, sheet, "name", "mode");
@@ -90,9 +92,10 @@ static size_t torsion_sheet(const finder *of, const mode_lines *lines, separatio
         sheet_texts(of, sheet, "side", "of the excitation");
         sheet_texts(of, sheet, "verdict", "10 % asked for");
     }
-    for (size_t i = 0; i < lines->count; i++)
-        for (int k = 0; k < orders + (line ? 2 : 0) && torsion_of_line(of->table, lines, i); k++) {
-            separation own = {.line = i, .by = {k < orders ? k + 1 : k - orders + 1, k >= orders}};
+    for (size_t i = 0; i < lines->count; i++) {
+        if (!torsion_of_line(of->table, lines, i)) continue;
+        for (int k = 0; k < torsion_excitation_count(of->table); k++) {
+            separation own = {.line = i, .by = torsion_excitation_at(of->table, k)};
             if (!torsion_separate(of->table, lines, &own)) continue;
             if (count++ == 0 || own.had < least->had) *least = own;
             sheet_row(of, sheet);
@@ -105,6 +108,7 @@ static size_t torsion_sheet(const finder *of, const mode_lines *lines, separatio
             cell_text(of, sheet, own.side);
             cell_text(of, sheet, own.had >= asked_separation ? "holds" : "fails");
         }
+    }
     find_sheet_end(of);
     return count;
 }

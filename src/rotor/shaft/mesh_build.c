@@ -122,28 +122,21 @@ static void add_mass(const laying *l, const piece_matrices *matrices) {
     if (l->shaft->gyroscopic) add_across(l, BODY_VELOCITY, RATE_GYRO, l->shaft->ratio, &polar);
 }
 
-/// Adds the damping of twist that is proportional to the inertia.
-static void add_twist_damping(const mesh_piece *own, const piece_matrices *matrices, const size_t station[2],
-                              assembly *to) {
-    const double alpha = own->settings.alpha, coupled = matrices->twist_inertia[1];
-    for (size_t end = 0; end < 2; end++)
-        assembly_twist(to, station[end], NO_STATION, 0.0, alpha * (matrices->twist_inertia[2 * end] + coupled));
-    assembly_twist(to, station[0], station[1], 0.0, -alpha * coupled);
-}
-
-/// Adds stiffness, damping and the coupling part of the inertia against twist.
+/// Adds stiffness, damping and the coupling part of the inertia against twist. The damping that is proportional to the
+/// inertia acts on both ends from the ground and, where the inertia couples them, between them.
 static void add_twist(const mesh_piece *own, const piece_matrices *matrices, const mesh *from, assembly *to) {
-    const double stiffness = matrices->twist_stiffness, inertia = matrices->twist_inertia[1];
-    const size_t station[2] = {from->nodes[own->node[0]].station, from->nodes[own->node[1]].station};
-    assembly_twist(to, station[0], station[1], stiffness, (own->settings.beta + own->settings.viscous) * stiffness);
-    add_twist_damping(own, matrices, station, to);
-    if (own->settings.lumped) return;
-    size_t coordinate[2];
-    for (size_t end = 0; end < 2; end++) coordinate[end] = to->stations[station[end]].coordinate[AXIS_TWIST];
-    const double share[2] = {assembly_share(to, station[0], AXIS_TWIST), assembly_share(to, station[1], AXIS_TWIST)};
-    assembly_inertance(to, coordinate[0], coordinate[1], share[0] * share[1] * inertia);
-    for (size_t end = 0; end < 2; end++)
-        assembly_inertance(to, coordinate[end], coordinate[end], share[end] * share[end] * -inertia);
+    const double stiffness = matrices->twist_stiffness, coupled = matrices->twist_inertia[1];
+    const shaft_settings *shaft = &own->settings;
+    const joining between = {.stiffness = stiffness,
+                             .damping = (shaft->beta + shaft->viscous) * stiffness - shaft->alpha * coupled,
+                             .inertance = shaft->lumped ? 0.0 : 0.0 - coupled};
+    size_t station[2];
+    for (size_t end = 0; end < 2; end++) {
+        const joining to_ground = {.damping = shaft->alpha * (matrices->twist_inertia[2 * end] + coupled)};
+        station[end] = from->nodes[own->node[end]].station;
+        assembly_twist(to, station[end], NO_STATION, &to_ground);
+    }
+    assembly_twist(to, station[0], station[1], &between);
 }
 
 void mesh_build(const mesh *from, assembly *to) {

@@ -88,7 +88,8 @@ static whirl_status join_twists(const key_value *values, assembly *to) {
         const whirl_status status = assembly_find(to, station[i], AXIS_TWIST, &coordinate);
         if (status.code != WHIRL_OK) return status;
     }
-    assembly_twist(to, station[0], station[1], values[TWIST].number, values[TWIST_DAMPING].number);
+    const joining by = {.stiffness = values[TWIST].number, .damping = values[TWIST_DAMPING].number};
+    assembly_twist(to, station[0], station[1], &by);
     return whirl_ok();
 }
 

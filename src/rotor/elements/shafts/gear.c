@@ -106,7 +106,9 @@ static bool gear_is_rigid(const key_value *values) {
     return !values[STIFFNESS].given;
 }
 
-static whirl_status gear_check(const key_value *values, const assembly *to) {
+/// Checks keys that contradict each other. Stations that do not twist are found where coordinates are numbered or
+/// looked up.
+static whirl_status gear_check(const key_value *values) {
     static const int of_meshes[] = {DAMPING,        BACKLASH,  VARIATION, SHARE, ERROR,
                                     PRESSURE_ANGLE, DIRECTION, HELIX,     TEETH};
     if (values[RADII].count != 2)
@@ -120,18 +122,10 @@ static whirl_status gear_check(const key_value *values, const assembly *to) {
     const bool varies = values[VARIATION].number > 0.0 || values[ERROR].number > 0.0;
     if (varies && !values[TEETH].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has a variation or an error and no teeth, expected their number");
-    for (size_t i = 0; i < 2; i++) {
-        const size_t station = values[BETWEEN].station[i];
-        if (station == GROUND && gear_is_rigid(values))
-            return whirl_fail(WHIRL_BAD_INPUT, "is rigid and joins the ground, expected two stations that twist");
-        if (station != GROUND && !to->stations[station].twists)
-            return whirl_fail(WHIRL_BAD_INPUT,
-                              "needs stations that twist, and '%s' does not, expected moves: twist or "
-                              "all, or a shaft with twist: yes",
-                              to->stations[station].name);
-    }
-    if (values[BETWEEN].station[0] == values[BETWEEN].station[1])
-        return whirl_fail(WHIRL_BAD_INPUT, "between names one station twice, expected two");
+    const size_t *station = values[BETWEEN].station;
+    if (gear_is_rigid(values) && (station[0] == GROUND || station[1] == GROUND))
+        return whirl_fail(WHIRL_BAD_INPUT, "is rigid and joins the ground, expected two stations that twist");
+    if (station[0] == station[1]) return whirl_fail(WHIRL_BAD_INPUT, "between names one station twice, expected two");
     return whirl_ok();
 }
 
@@ -171,7 +165,7 @@ extern const element_type gear_turning;
 
 static whirl_status gear_build(const key_value *values, assembly *to, element *out) {
     static const axis axes[KERNEL_AXES] = {AXIS_X, AXIS_Y, AXIS_TWIST};
-    whirl_status status = gear_check(values, to);
+    whirl_status status = gear_check(values);
     out->lumped = gear_is_rigid(values);
     if (status.code != WHIRL_OK || out->lumped) return status;
     status = element_between(&values[BETWEEN], to, axes, KERNEL_AXES, out);

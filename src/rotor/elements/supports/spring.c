@@ -40,11 +40,10 @@ static whirl_status spring_build(const key_value *values, assembly *to, element 
     if (status.code != WHIRL_OK) return status;
     const key_value *gap = &values[along_tilts(along) ? GAP_ANGLE : GAP];
     out->lumped = !gap->given;
-    if (out->lumped && along == ALONG_TWIST)
-        assembly_twist(to, values[BETWEEN].station[0], values[BETWEEN].station[1], stiffness, damping);
-    for (size_t a = 0; out->lumped && along != ALONG_TWIST && a < KERNEL_AXES; a++) {
-        assembly_spring(to, out->port[a], out->port[KERNEL_AXES + a], stiffness);
-        assembly_damper(to, out->port[a], out->port[KERNEL_AXES + a], damping);
+    for (size_t a = 0; out->lumped && a < KERNEL_AXES; a++) {
+        const size_t coordinate[2] = {out->port[a], out->port[KERNEL_AXES + a]};
+        const double share[2] = {out->share[a], out->share[KERNEL_AXES + a]};
+        assembly_join(to, coordinate, share, &(joining){.stiffness = stiffness, .damping = damping});
     }
     const double unit = generic_tilts(out, to);
     out->law = values[DAMPING].given;
