@@ -91,6 +91,7 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
         .samples_per_revolution = (size_t)whirl_record_samples(options, integrate->steps_per_revolution),
         .at_rest = is_at_rest(set),
         .twists = system->twist != NULL,
+        .torque_count = system->torque_count,
         .options = options,
     };
     for (size_t p = 0; p < system->probe_count; p++) shape.runout_count += system->probes[p].runout_count;
@@ -127,7 +128,8 @@ whirl_status whirl_layout_known(whirl_layout *layout) {
                                  .switch_count = 2,
                                  .probes = probes,
                                  .range = two_ranges,
-                                 .twist = no_twist};
+                                 .twist = no_twist,
+                                 .torque_count = 2};
     const whirl_integrate_options integrate = whirl_integrate_default();
     whirl_record_options options = whirl_record_default();
     options.spectra = true;

@@ -74,8 +74,8 @@ static whirl_status make_statics(const case_content *content, const whirl_batch 
 static whirl_status check_runup(const whirl_rotor *rotor, const whirl_runup_options *options) {
     double highest = 0.0;
     const bool driven = whirl_rotor_drive(rotor, &highest);
-    const whirl_status status = whirl_running_check(whirl_rotor_system(rotor));
-    return status.code == WHIRL_OK ? whirl_runup_check(options, driven, highest) : status;
+    const whirl_status status = whirl_runup_check(options, driven, highest);
+    return status.code == WHIRL_OK ? whirl_running_check(whirl_rotor_system(rotor), options->rate == 0.0) : status;
 }
 
 static whirl_status make_member(const case_content *content, const whirl_batch *batch, double value, member *m) {

@@ -36,6 +36,8 @@ void assembly_clear(assembly *to) {
     free(to->frequencies);
     free(to->runouts);
     free(to->turnings);
+    free(to->torques);
+    free(to->links);
     body_clear(&to->body);
 }
 
@@ -277,8 +279,23 @@ void assembly_inerter(assembly *to, size_t one, size_t other, double mass) {
     assembly_inertance(to, other, other, mass);
 }
 
+static bool is_twist(const assembly *of, size_t coordinate) {
+    return coordinate != NO_COORDINATE && coordinate - of->first_twist < of->twist_count;
+}
+
+/// Notes a spring between two twists.
+static void note_link(assembly *to, const size_t coordinate[2], const double share[2], const joining *by) {
+    if (!is_twist(to, coordinate[0]) || !is_twist(to, coordinate[1])) return;
+    twist_link *list = room_for_one(to, to->links, to->link_count, &to->link_room, sizeof *list);
+    if (!list) return;
+    to->links = list;
+    to->links[to->link_count++] =
+        (twist_link){{coordinate[0], coordinate[1]}, {share[0], share[1]}, by->stiffness, by->damping};
+}
+
 void assembly_join(assembly *to, const size_t coordinate[2], const double share[2], const joining *by) {
     const double moved[2] = {share[0], 0.0 - share[1]};
+    note_link(to, coordinate, share, by);
     for (size_t i = 0; i < 2; i++)
         for (size_t j = 0; j < 2; j++) {
             const double both = moved[i] * moved[j];
@@ -300,6 +317,15 @@ void assembly_twist(assembly *to, size_t one, size_t other, const joining *by) {
         share[i] = assembly_share(to, station[i], AXIS_TWIST);
     }
     assembly_join(to, coordinate, share, by);
+}
+
+whirl_status assembly_torque(assembly *to, const shaft_torque *torque) {
+    if (!to->torques) to->torques = calloc(MAX_TORQUES, sizeof *to->torques);
+    if (!to->torques) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the torques of a rotor");
+    if (to->torque_count == MAX_TORQUES)
+        return whirl_fail(WHIRL_BAD_INPUT, "is one torque too many, expected at most %d", MAX_TORQUES);
+    to->torques[to->torque_count++] = *torque;
+    return whirl_ok();
 }
 
 void assembly_forcing(assembly *to, size_t row, size_t value, double force) {

@@ -27,6 +27,7 @@
 #define assembly_share whirl_assembly_share
 #define assembly_join whirl_assembly_join
 #define assembly_twist whirl_assembly_twist
+#define assembly_torque whirl_assembly_torque
 #define assembly_damper whirl_assembly_damper
 #define assembly_inertance whirl_assembly_inertance
 #define assembly_inerter whirl_assembly_inerter
@@ -83,6 +84,13 @@ typedef struct turning_inertia {
     double cos, sin; ///< kg m, of tilts kg m2
 } turning_inertia;
 
+/// A spring between two twists: their coordinates, and the twist of each place over that of its coordinate.
+typedef struct twist_link {
+    size_t coordinate[2];
+    double share[2];
+    double stiffness, damping; ///< N m/rad, N m s/rad
+} twist_link;
+
 typedef struct assembly_station {
     const char *name;
     double mass, diametral, polar; ///< kg, kg m2; a station with a diametral inertia tilts
@@ -127,11 +135,15 @@ typedef struct assembly {
     turning_inertia *turnings; ///< inertias that turn with the rotor's own shaft
     double pull[2];            ///< m/s2, gravity across the shafts
     shaft_drive drive;         ///< motor and load of a shaft whose speed is a state
-    double stages;             ///< factor of the stages' cross couplings
-    double cross_coupling;     ///< N/m, the sum of cross couplings, each counted once
-    bool balanced;             ///< unbalance and skew are ignored
-    const char *aside;         ///< station with an unbalance that turns with the rotor, on a shaft of another speed
-    bool no_memory;            ///< a term was lost
+    size_t torque_count;
+    shaft_torque *torques; ///< [torque_count] other torques on such a shaft
+    size_t link_count, link_room;
+    twist_link *links;     ///< [link_count] what joins twists
+    double stages;         ///< factor of the stages' cross couplings
+    double cross_coupling; ///< N/m, the sum of cross couplings, each counted once
+    bool balanced;         ///< unbalance and skew are ignored
+    const char *aside;     ///< station with an unbalance that turns with the rotor, on a shaft of another speed
+    bool no_memory;        ///< a term was lost
 } assembly;
 
 /// Makes an assembly of stations that move in x and y and have no mass yet; WHIRL_NO_MEMORY. Freed by assembly_clear.
@@ -201,6 +213,9 @@ void assembly_join(assembly *to, const size_t coordinate[2], const double share[
 
 /// Joins the twists of two stations, one of them perhaps NO_STATION, the ground. Nothing where neither twists.
 void assembly_twist(assembly *to, size_t one, size_t other, const joining *by);
+
+/// Adds a torque that acts while the speed of the shaft is a state. WHIRL_BAD_INPUT for one too many.
+whirl_status assembly_torque(assembly *to, const shaft_torque *torque);
 
 /// Adds a term that is already scaled.
 void assembly_term(assembly *to, linear_term term);

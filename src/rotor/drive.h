@@ -1,4 +1,4 @@
-/// The drive of a shaft whose speed is a state of the machine: a motor's torque over the speed, and a load.
+/// What turns a shaft whose speed is a state of the machine: motors, loads and other torques.
 #ifndef ROTOR_DRIVE_H
 #define ROTOR_DRIVE_H
 
@@ -7,13 +7,15 @@
 
 #include "whirl/engine/descriptor.h"
 
-/// SI. Torques and speeds count in the sense of the rotation.
+/// The drive: a motor's torque over the speed, and a load. SI. Torques and speeds count in the sense of the rotation.
 typedef struct shaft_drive {
     bool given;
-    double inertia; ///< kg m2, inertia of all turning parts about axes through their centres of mass
-    double torque;  ///< N m of the motor at standstill
-    double no_load; ///< rad/s at which the torque has fallen linearly to 0; 0: the torque is constant
-    size_t count;   ///< rows of the table that replaces torque and no_load; 0: no table
+    size_t at, load_at; ///< stations of the motor and of its load; NO_STATION: the shaft as a whole
+    double inertia;     ///< kg m2, of all turning parts about axes through their centres of mass; 0: that of twisting
+                        ///< stations
+    double torque;      ///< N m of the motor at standstill
+    double no_load;     ///< rad/s at which the torque has fallen linearly to 0; 0: the torque is constant
+    size_t count;       ///< rows of the table that replaces torque and no_load; 0: no table
     double speeds[WHIRL_MAX_LIST], torques[WHIRL_MAX_LIST];
     double load, linear, quadratic; ///< N m, N m s, N m s2: the load is load + linear w + quadratic w |w|
 } shaft_drive;
@@ -28,5 +30,37 @@ double drive_load(const shaft_drive *drive, double speed);
 /// Returns the highest speed for which the motor is described, rad/s: its no-load speed, or the end of its table; 0:
 /// unlimited.
 double drive_highest(const shaft_drive *drive);
+
+/// Most torques of a rotor, states of one, and numbers of its law.
+enum { MAX_TORQUES = 16, TORQUE_STATES = 4, TORQUE_NUMBERS = 8 };
+
+/// Where and when a torque acts: SI, in the sense of its station's rotation.
+typedef struct torque_place {
+    double time;         ///< s
+    double speed, angle; ///< rad/s and rad, of its station
+    const double *state; ///< states of the torque
+} torque_place;
+
+/// A torque on a station of a shaft whose speed changes, by time, speed and angle.
+typedef struct shaft_torque {
+    const struct torque_law *law;
+    size_t station;                ///< NO_STATION: the shaft as a whole
+    double number[TORQUE_NUMBERS]; ///< of the law
+    size_t count;                  ///< columns of its table
+    double table[3][WHIRL_MAX_LIST];
+} shaft_torque;
+
+/// A law of torques.
+typedef struct torque_law {
+    const char *name; ///< of its element
+    size_t states;    ///< first-order states, which begin at 0
+    bool motor;       ///< a trip ends it
+    /// Returns the torque, N m, and writes the slopes of its states by time unless NULL.
+    double (*torque)(const shaft_torque *own, const torque_place *at, double *slopes);
+    /// Optional: returns the speed of its station without load, rad/s.
+    double (*highest)(const shaft_torque *own);
+    /// Optional: returns the instant, s, at which the torque begins; there it may jump.
+    double (*begins)(const shaft_torque *own);
+} torque_law;
 
 #endif

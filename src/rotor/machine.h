@@ -58,7 +58,17 @@ struct whirl_rotor {
     turning_inertia *turnings; ///< [turning_count] as in the assembly
     double pull[2];            ///< m/s2, gravity across the shafts
     shaft_drive drive;         ///< as in the assembly
-    size_t *contacts;          ///< [contact_count] indices of elements
+    size_t torque_count;
+    shaft_torque *torques; ///< [torque_count] as in the assembly
+    size_t link_count;
+    twist_link *links; ///< [link_count] as in the assembly
+    /// [degrees] of twists: the twist in a rigid turn of the shaft over the shaft's own, positive about z, and the
+    /// angular momentum of that turn, kg m2 (NULL: nothing twists).
+    double *rigid, *momentum;
+    size_t driver; ///< station whose turn is the shaft's, of its motor; the number of stations: none twists
+    /// Station that nothing joins to the others' twists; NO_STATION: all turn together.
+    size_t aside;
+    size_t *contacts; ///< [contact_count] indices of elements
     char (*contact_text)[WHIRL_NAME_SIZE + 32];
     const char **contact_names;
 };
@@ -82,6 +92,15 @@ FOR_EVERY_ISA(lanes_contacts, machine_contacts);
 
 /// Fills in the other members for lanes.h (rotor_lanes.c), after the rotor's parts.
 void rotor_lanes_fill(whirl_rotor *rotor);
+
+/// Finds the rigid turn of a rotor whose stations twist, from its links and its elements (turn.c).
+void rotor_find_turn(whirl_rotor *rotor, const assembly *from);
+
+/// Returns the number of torques that a run-up watches: its own, and of springs between twists.
+size_t rotor_watched_count(const whirl_rotor *rotor);
+
+/// Returns the speed of a station in a rigid turn over that of the shaft, at least 0; 1 if it does not twist.
+double rotor_turns(const whirl_rotor *rotor, size_t station);
 
 /// Fills in the functions of the rotor's system (rotor_system.c).
 void rotor_system_fill(whirl_rotor *rotor);

@@ -38,7 +38,11 @@
     X(unbalance_grade)                                                                                                 \
     X(runout)                                                                                                          \
     X(drive)                                                                                                           \
-    X(gear)
+    X(gear)                                                                                                            \
+    X(induction_motor)                                                                                                 \
+    X(synchronous_start)                                                                                               \
+    X(short_circuit)                                                                                                   \
+    X(timed_torque)
 
 #define DECLARE(name) extern const element_type name##_element;
 ELEMENTS(DECLARE)

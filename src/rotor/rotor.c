@@ -86,7 +86,11 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
                            cut(block, &used, b->assembly.degrees * sizeof *rotor->inertia),
                            cut(block, &used, b->assembly.degrees * sizeof *rotor->unit),
                            cut(block, &used, b->assembly.turning_count * sizeof *rotor->turnings),
-                           cut(block, &used, stations * sizeof *rotor->twists)};
+                           cut(block, &used, stations * sizeof *rotor->twists),
+                           cut(block, &used, b->assembly.torque_count * sizeof *rotor->torques),
+                           cut(block, &used, b->assembly.link_count * sizeof *rotor->links),
+                           cut(block, &used, b->assembly.degrees * sizeof *rotor->rigid),
+                           cut(block, &used, b->assembly.degrees * sizeof *rotor->momentum)};
     if (!rotor) return used;
     rotor->elements = parts[0];
     rotor->numbers = parts[1];
@@ -113,6 +117,10 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
     rotor->unit = parts[22];
     rotor->turnings = parts[23];
     rotor->twists = parts[24];
+    rotor->torques = parts[25];
+    rotor->links = parts[26];
+    rotor->rigid = parts[27];
+    rotor->momentum = parts[28];
     return used;
 }
 
@@ -333,6 +341,10 @@ static whirl_rotor *finish(building *b) {
     memcpy(rotor->unit, b->assembly.unit, b->assembly.degrees * sizeof *rotor->unit);
     memcpy(rotor->pull, b->assembly.pull, sizeof rotor->pull);
     rotor->drive = b->assembly.drive;
+    rotor->torque_count = b->assembly.torque_count;
+    if (b->assembly.torques) memcpy(rotor->torques, b->assembly.torques, rotor->torque_count * sizeof *rotor->torques);
+    rotor->link_count = b->assembly.link_count;
+    if (b->assembly.links) memcpy(rotor->links, b->assembly.links, rotor->link_count * sizeof *rotor->links);
     // Stations, numbers and elements.
     add_probes(rotor, b);
     add_twists(rotor, &b->assembly);
@@ -344,6 +356,7 @@ static whirl_rotor *finish(building *b) {
         return NULL;
     }
     add_elements_to(rotor, b);
+    rotor_find_turn(rotor, &b->assembly);
     // Functions of lanes and of the system.
     rotor->lanes.degrees = b->assembly.degrees;
     rotor->lanes.states = b->state_count;
@@ -476,8 +489,13 @@ double whirl_rotor_length_scale(const whirl_rotor *rotor) {
     return rotor->length;
 }
 bool whirl_rotor_drive(const whirl_rotor *rotor, double *highest) {
+    const bool driven = rotor->drive.given || rotor->torque_count > 0;
     *highest = rotor->drive.given ? drive_highest(&rotor->drive) : 0.0;
-    return rotor->drive.given;
+    for (size_t i = 0; i < rotor->torque_count; i++) {
+        const shaft_torque *own = &rotor->torques[i];
+        if (own->law->highest) *highest = fmax(*highest, own->law->highest(own) / rotor_turns(rotor, own->station));
+    }
+    return driven;
 }
 double whirl_rotor_clock(const whirl_rotor *rotor) {
     return rotor->clock;

@@ -428,6 +428,7 @@ void rotor_system_fill(whirl_rotor *rotor) {
                                    .film = film,
                                    .adopt = rotor_adopt,
                                    .twist = rotor->twist_count > 0 ? rotor_twist : NULL,
+                                   .torque_count = rotor_watched_count(rotor),
                                    .model = rotor,
                                    .lanes = &rotor->lanes};
 }

@@ -53,7 +53,14 @@ typedef struct running_rotor {
     double *pull;          ///< [degrees] m/s2, pull of gravity; 0 for tilts and nodes between stations
     double *block;         ///< all arrays from own_cos on
     double *place, *slope; ///< [dimension] workspace
+    double *evaluations;   ///< of the equations, so far
     double *friction;      ///< [contact_count][3] workspace
+    /// [degrees] workspace: torques on twists, N m, and the accelerations that they give.
+    double *torque, *torque_acceleration;
+    size_t own;          ///< number of states of torques
+    size_t at_speed;     ///< index of the speed among the states, after the rotor's and these
+    double turn_inertia; ///< kg m2, of all that turns
+    bool driven;         ///< torques drive the machine
     whirl_system by_angle, by_time;
     double from; ///< angle at which the current part of a revolution begins
 } running_rotor;
@@ -146,7 +153,35 @@ static double *running_numbers_at(const running_rotor *r, double w) {
     return r->numbers;
 }
 
-whirl_status whirl_running_check(const whirl_system *system) {
+/// Checks the torques of a machine and what they turn.
+static whirl_status running_check_torques(const whirl_rotor *rotor) {
+    size_t stations[MAX_TORQUES + 2], count = 0;
+    const bool twists = rotor->twist_count > 0;
+    if (twists && rotor->aside != NO_STATION)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "nothing joins the twist of station '%s' to the shaft that is driven, expected a coupling, "
+                          "a gear or a spring",
+                          rotor->probes[rotor->aside].name);
+    if (twists && rotor->drive.inertia > 0.0)
+        return whirl_fail(
+            WHIRL_BAD_INPUT,
+            "the drive has an inertia and stations twist, whose own inertia counts, expected one of them");
+    if (!twists && !(rotor->drive.inertia > 0.0))
+        return whirl_fail(WHIRL_BAD_INPUT, "torques turn the shaft and its inertia is not known, expected an element "
+                                           "drive with inertia");
+    if (!twists) return whirl_ok();
+    if (rotor->drive.given) stations[count++] = rotor->drive.at;
+    if (rotor->drive.given) stations[count++] = rotor->drive.load_at;
+    for (size_t i = 0; i < rotor->torque_count; i++) stations[count++] = rotor->torques[i].station;
+    for (size_t i = 0; i < count; i++)
+        if (stations[i] == NO_STATION || rotor->twists[stations[i]].coordinate == NO_COORDINATE)
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "stations twist and a torque acts on the shaft as a whole, expected a station that "
+                              "twists (at)");
+    return whirl_ok();
+}
+
+whirl_status whirl_running_check(const whirl_system *system, bool driven) {
     const whirl_rotor *rotor = rotor_of_system(system);
     if (!rotor)
         return whirl_fail(WHIRL_BAD_INPUT,
@@ -155,15 +190,16 @@ whirl_status whirl_running_check(const whirl_system *system) {
         return whirl_fail(WHIRL_BAD_INPUT,
                           "sections of the machine are taken by the %s, expected those of its shaft (keyphasor: no)",
                           rotor->keyphasor);
+    if (driven) return running_check_torques(rotor);
     if (rotor->twist_count > 0)
         return whirl_fail(WHIRL_BAD_INPUT,
-                          "the machine has stations that twist, and the speed of its shaft changes, expected stations "
-                          "without twist (moves: xy, x or y)");
+                          "the machine has stations that twist, and a rate changes its speed, expected a drive, whose "
+                          "torque twists them, or stations without twist (moves: xy, x or y)");
     return whirl_ok();
 }
 
 static whirl_status running_check_machine(const running_rotor *r, const whirl_machine *machine) {
-    const whirl_status status = whirl_running_check(machine->system);
+    const whirl_status status = whirl_running_check(machine->system, r->driven);
     if (status.code != WHIRL_OK) return status;
     const whirl_rotor *rotor = rotor_of_system(machine->system);
     if (machine->system->frequency_count > 0)
@@ -298,17 +334,19 @@ static bool running_probe_moves(const whirl_probe *probe, size_t way) {
 
 static whirl_status running_add_turnings(running_rotor *r) {
     const whirl_rotor *rotor = r->rotor;
-    const size_t n = rotor->lanes.degrees, d = rotor->system.dimension;
-    r->block = calloc(11 * n + 2 * (d + 2) + 3 * rotor->contact_count + 1, sizeof *r->block);
+    const size_t n = rotor->lanes.degrees;
+    r->block = calloc(13 * n + 2 * (r->at_speed + 2) + 3 * rotor->contact_count + 1, sizeof *r->block);
     if (!r->block) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine whose speed changes");
     double **const parts[] = {
-        &r->own_cos,        &r->own_sin,        &r->force_cos,   &r->force_sin,          &r->lost_cos, &r->lost_sin,
-        &r->lost_force_cos, &r->lost_force_sin, &r->lever_force, &r->lever_acceleration, &r->pull};
+        &r->own_cos,  &r->own_sin,        &r->force_cos,          &r->force_sin,   &r->lost_cos,
+        &r->lost_sin, &r->lost_force_cos, &r->lost_force_sin,     &r->lever_force, &r->lever_acceleration,
+        &r->pull,     &r->torque,         &r->torque_acceleration};
     enum { PARTS = sizeof parts / sizeof *parts };
     for (size_t i = 0; i < PARTS; i++) *parts[i] = r->block + i * n;
     r->place = r->block + PARTS * n;
-    r->slope = r->place + d + 2;
-    r->friction = r->slope + d + 2;
+    r->slope = r->place + r->at_speed + 2;
+    r->friction = r->slope + r->at_speed + 2;
+    r->evaluations = r->friction + 3 * rotor->contact_count;
     for (size_t i = 0; i < rotor->turning_count; i++) {
         r->force_cos[rotor->turnings[i].row] += rotor->turnings[i].cos;
         r->force_sin[rotor->turnings[i].row] += rotor->turnings[i].sin;
@@ -347,24 +385,97 @@ static void running_lose(whirl_running *running, size_t count, const whirl_place
 
 // ---------------------------------------------------------------- the equation of the shaft
 
-/// Computes the torques of the motor and of its load at a speed.
-static void running_drive_at(const running_rotor *r, double w, whirl_torques *out) {
-    const shaft_drive *drive = &r->rotor->drive;
-    const double speed = w * r->unit;
-    out->motor = r->how.tripped ? 0.0 : drive_torque(drive, speed);
-    out->load = -drive_load(drive, speed);
+/// Returns whether torques on a station twist it; else they turn the shaft as a whole.
+static bool running_twists(const running_rotor *r, size_t station) {
+    return r->rotor->twist_count > 0 && station != NO_STATION && r->rotor->twists[station].coordinate != NO_COORDINATE;
 }
 
-static double running_friction_at(const running_rotor *r, const double *x, const double *numbers) {
+/// A state by the angle: the speed `exact` of the shaft, the speed w by which derivatives by the angle were taken (at
+/// least `slowest`), the angle, and the state.
+typedef struct running_state {
+    double exact, w, angle;
+    const double *x;
+} running_state;
+
+/// Finds the time, and the speed and angle of a station in the sense of its rotation.
+static torque_place running_place_of(const running_rotor *r, size_t station, const running_state *s) {
+    const double *x = s->x;
+    torque_place at = {.time = x[r->at_speed + 1] / r->unit, .speed = s->exact * r->unit, .angle = s->angle};
+    if (!running_twists(r, station)) return at;
+    const whirl_rotor *rotor = r->rotor;
+    const station_twist *own = &rotor->twists[station];
+    const double turns = rotor->rigid[own->coordinate] * own->share, sense = copysign(1.0, turns);
+    const double twist = sense * own->share * rotor->unit[own->coordinate];
+    at.speed = (fabs(turns) * s->exact + twist * x[rotor->lanes.degrees + own->coordinate] * s->w) * r->unit;
+    at.angle = fabs(turns) * s->angle + twist * x[own->coordinate];
+    return at;
+}
+
+/// Adds a torque on a station, in the sense of its rotation. Returns the part that turns the shaft as a whole.
+static double running_add_torque(const running_rotor *r, size_t station, double torque) {
+    if (!running_twists(r, station)) return torque;
+    const station_twist *own = &r->rotor->twists[station];
+    const double turns = r->rotor->rigid[own->coordinate] * own->share;
+    r->torque[own->coordinate] += copysign(own->share, own->share * turns) * torque;
+    return 0.0;
+}
+
+/// Returns the torque of the drive's motor, and of its load.
+static double running_motor_at(const running_rotor *r, const running_state *s) {
+    const shaft_drive *drive = &r->rotor->drive;
+    return drive->given && !r->how.tripped ? drive_torque(drive, running_place_of(r, drive->at, s).speed) : 0.0;
+}
+static double running_load_at(const running_rotor *r, const running_state *s) {
+    const shaft_drive *drive = &r->rotor->drive;
+    return drive->given ? -drive_load(drive, running_place_of(r, drive->load_at, s).speed) : 0.0;
+}
+
+/// Returns another torque; writes the slopes of its states by time unless NULL.
+static double running_torque_at(const running_rotor *r, size_t index, const double *state, const running_state *s,
+                                double *slopes) {
+    const shaft_torque *own = &r->rotor->torques[index];
+    torque_place at = running_place_of(r, own->station, s);
+    at.state = state;
+    const double torque = own->law->torque(own, &at, slopes);
+    return own->law->motor && r->how.tripped ? 0.0 : torque;
+}
+
+/// Adds the friction of contacts. Returns the part that turns the shaft as a whole.
+static double running_add_friction(const running_rotor *r, const double *x, const double *numbers, double *sum) {
     const size_t contacts = r->rotor->contact_count;
-    double torque = 0.0;
-    if (contacts == 0) return torque;
+    double whole = 0.0;
+    *sum = 0.0;
+    if (contacts == 0) return 0.0;
     rotor_contacts_with(r->rotor, numbers, x, r->friction, r->friction + contacts);
     for (size_t c = 0; c < contacts; c++) {
         const double own = r->friction[contacts + 2 * c];
-        if (isfinite(own)) torque -= own;
+        if (!isfinite(own)) continue;
+        *sum -= own;
+        whole += running_add_torque(r, r->rotor->elements[r->rotor->contacts[c]].station, -own);
     }
-    return torque;
+    return whole;
+}
+
+/// Finds all torques with the numbers of the speed w: those on twists in workspace. Writes the slopes of their states
+/// by time unless NULL. Returns the part that turns the shaft as a whole.
+static double running_find_torques(const running_rotor *r, const double *numbers, const running_state *s,
+                                   double *slopes, whirl_torques *out) {
+    const whirl_rotor *rotor = r->rotor;
+    const double *state = s->x + rotor->system.dimension;
+    memset(r->torque, 0, rotor->lanes.degrees * sizeof *r->torque);
+    out->motor = running_motor_at(r, s);
+    out->load = running_load_at(r, s);
+    double whole = running_add_torque(r, rotor->drive.given ? rotor->drive.at : NO_STATION, out->motor) +
+                   running_add_torque(r, rotor->drive.given ? rotor->drive.load_at : NO_STATION, out->load);
+    for (size_t i = 0; i < rotor->torque_count; i++) {
+        const torque_law *law = rotor->torques[i].law;
+        const double torque = running_torque_at(r, i, state, s, slopes);
+        *(law->motor ? &out->motor : &out->load) += torque;
+        whole += running_add_torque(r, rotor->torques[i].station, torque);
+        state += law->states;
+        if (slopes) slopes += law->states;
+    }
+    return whole + running_add_friction(r, s->x, numbers, &out->friction);
 }
 
 /// Computes the levers: force and acceleration of every coordinate by a unit of theta'', at the values of time C and S.
@@ -379,24 +490,50 @@ static void running_find_levers(const running_rotor *r, const double *forcing) {
     }
 }
 
-/// Returns theta'' over the square of the unit of speed, at the speed `exact`, with the numbers of the speed w. a
-/// [degrees]: accelerations by the angle without theta''. torques: written for a shaft with a drive only.
-static double running_faster(const running_rotor *r, double exact, double w, const double *numbers, const double *x,
-                             const double *a, whirl_torques *torques) {
+/// theta'' over the square of the unit of speed: all of it, and the part by torques on twists.
+typedef struct faster {
+    double all, twisted;
+} faster;
+
+/// Returns theta'' with the numbers of the speed w. a [degrees]: accelerations by the angle without theta'', to which
+/// those of torques on twists are added. slopes: of the states of torques by time, or NULL. torques: written for a
+/// shaft that torques drive only.
+static faster running_faster(const running_rotor *r, const double *numbers, const running_state *s, double *a,
+                             double *slopes, whirl_torques *torques) {
     const whirl_rotor *rotor = r->rotor;
-    const double square = r->unit * r->unit;
-    if (!r->how.driven) return r->how.rate / square;
-    double reaction = 0.0, inertia = rotor->drive.inertia;
+    const double square = r->unit * r->unit, w = s->w;
+    const bool driven = r->how.driven, twists = rotor->twist_count > 0;
+    double whole = 0.0, reaction = 0.0, inertia = r->turn_inertia, turned = 0.0;
+    if (driven)
+        whole = running_find_torques(r, numbers, s, slopes, torques);
+    else if (slopes)
+        memset(slopes, 0, r->own * sizeof *slopes);
+    // All that twists changes the angular momentum of the rigid turn.
+    if (driven && twists) running_accelerate(rotor, r->torque, r->torque_acceleration);
+    for (size_t i = rotor->first_twist; i < rotor->first_twist + rotor->twist_count; i++) {
+        if (driven) a[i] += r->torque_acceleration[i] / (square * w * w);
+        turned += rotor->momentum[i] * rotor->unit[i] * w * w * a[i];
+    }
+    if (!driven) return (faster){r->how.rate / square, twists ? turned / inertia : 0.0};
+    // Unbalances as levers.
     for (size_t i = 0; i < rotor->lanes.degrees; i++) {
         const double u = r->lever_force[i];
         if (u == 0.0) continue;
         reaction += u * (rotor->unit[i] * w * w * a[i] - r->pull[i] / square);
         inertia += u * (u / rotor->inertia[i] - rotor->unit[i] * r->lever_acceleration[i]);
     }
-    running_drive_at(r, exact, torques);
-    torques->friction = running_friction_at(r, x, numbers);
     torques->rotor = reaction * square;
-    return ((torques->motor + torques->load + torques->friction) / square + reaction) / inertia;
+    return (faster){(whole / square + turned + reaction) / inertia, turned / r->turn_inertia};
+}
+
+/// Adds to the accelerations by the angle a [degrees], with velocities v: q'' = (d2q/dt2 - theta'' q')/theta'^2, with
+/// the force of unbalances by theta'' and the inertia of twists, which count from the turning shaft.
+static void running_add_faster(const running_rotor *r, faster by, double w, const double *v, double *a) {
+    const whirl_rotor *rotor = r->rotor;
+    const double share = by.all / (w * w), twisted = by.twisted / (w * w);
+    for (size_t i = 0; i < rotor->lanes.degrees; i++) a[i] += share * (r->lever_acceleration[i] - v[i]);
+    for (size_t i = rotor->first_twist; i < rotor->first_twist + rotor->twist_count; i++)
+        a[i] -= twisted * rotor->rigid[i] / rotor->unit[i];
 }
 
 /// Computes the levers, and the slopes dxdt [dimension of the rotor] by the angle for a constant speed w, from x by the
@@ -405,6 +542,7 @@ static const double *running_flow(const running_rotor *r, double w, const double
                                   const double *x, double *dxdt) {
     const double *numbers = running_numbers_at(r, w);
     const size_t n = r->rotor->lanes.degrees;
+    *r->evaluations += 1.0;
     running_find_levers(r, forcing);
     rotor_flow_with(r->rotor, numbers, forcing, sides, x, dxdt);
     for (size_t i = 0; i < n && r->how.lost; i++)
@@ -416,30 +554,30 @@ static void running_rhs_by_angle(const void *model, double t, const double *give
                                  double *dxdt) {
     const running_rotor *r = model;
     const whirl_rotor *rotor = r->rotor;
-    const size_t n = rotor->lanes.degrees, d = rotor->system.dimension;
-    const double w = x[d], angle = r->from + t;
+    const size_t n = rotor->lanes.degrees, d = rotor->system.dimension, at = r->at_speed;
+    const double w = x[at], angle = r->from + t;
     double forcing[FORCING_COUNT];
     whirl_torques torques;
     (void)given;
     // The rotor at constant speed, then theta'' by the torques.
     rotor->system.forcing(rotor, angle, forcing);
     const double *numbers = running_flow(r, w, forcing, sides, x, dxdt);
-    const double faster = running_faster(r, w, w, numbers, x, dxdt + n, &torques), share = faster / (w * w);
-    // By the angle q'' = (d2q/dt2 - theta'' q')/theta'^2, with the unbalances' force by theta''.
-    for (size_t i = 0; i < n; i++) dxdt[n + i] += share * (r->lever_acceleration[i] - x[n + i]);
-    dxdt[d] = faster / w;
-    dxdt[d + 1] = 1.0 / w;
+    const faster by = running_faster(r, numbers, &(running_state){w, w, angle, x}, dxdt + n, dxdt + d, &torques);
+    running_add_faster(r, by, w, x + n, dxdt + n);
+    for (size_t i = d; i < at; i++) dxdt[i] /= w * r->unit;
+    dxdt[at] = by.all / w;
+    dxdt[at + 1] = 1.0 / w;
 }
 
 static void running_scale_to_angle(const running_rotor *r, double *x) {
     const size_t n = r->rotor->lanes.degrees;
-    const double w = fmax(x[r->rotor->system.dimension], slowest);
+    const double w = fmax(x[r->at_speed], slowest);
     for (size_t i = n; i < 2 * n; i++) x[i] /= w;
 }
 
 /// Returns a state with derivatives by time as one with derivatives by the angle, in workspace.
 static const double *running_placed_by_angle(const running_rotor *r, const double *x) {
-    memcpy(r->place, x, (r->rotor->system.dimension + 2) * sizeof *r->place);
+    memcpy(r->place, x, (r->at_speed + 2) * sizeof *r->place);
     running_scale_to_angle(r, r->place);
     return r->place;
 }
@@ -448,24 +586,29 @@ static void running_rhs_by_time(const void *model, double t, const double *given
                                 double *dxdt) {
     const running_rotor *r = model;
     const whirl_rotor *rotor = r->rotor;
-    const size_t n = rotor->lanes.degrees, d = rotor->system.dimension;
-    const double w = fmax(x[d], slowest);
+    const size_t n = rotor->lanes.degrees, d = rotor->system.dimension, at = r->at_speed;
+    const double w = fmax(x[at], slowest), angle = x[at + 2];
     double forcing[FORCING_COUNT];
     whirl_torques torques;
     (void)given, (void)t;
     // The rotor at constant speed by the angle, then theta'' by the torques.
-    rotor->system.forcing(rotor, x[d + 1], forcing);
+    rotor->system.forcing(rotor, angle, forcing);
     const double *place = running_placed_by_angle(r, x);
     const double *numbers = running_flow(r, w, forcing, sides, place, dxdt);
-    const double faster = running_faster(r, x[d], w, numbers, place, dxdt + n, &torques);
+    const faster by =
+        running_faster(r, numbers, &(running_state){x[at], w, angle, place}, dxdt + n, dxdt + d, &torques);
     // Derivatives by the angle become derivatives by time.
     for (size_t i = 0; i < n; i++) {
         dxdt[i] = x[n + i];
-        dxdt[n + i] = w * w * dxdt[n + i] + faster * r->lever_acceleration[i];
+        dxdt[n + i] = w * w * dxdt[n + i] + by.all * r->lever_acceleration[i];
     }
+    for (size_t i = rotor->first_twist; i < rotor->first_twist + rotor->twist_count; i++)
+        dxdt[n + i] -= by.twisted * rotor->rigid[i] / rotor->unit[i];
     for (size_t i = 2 * n; i < d; i++) dxdt[i] *= w;
-    dxdt[d] = faster;
-    dxdt[d + 1] = x[d];
+    for (size_t i = d; i < at; i++) dxdt[i] /= r->unit;
+    dxdt[at] = by.all;
+    dxdt[at + 1] = 1.0;
+    dxdt[at + 2] = x[at];
 }
 
 static void running_free_by_angle(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
@@ -481,7 +624,7 @@ static void running_free_by_time(const void *model, double t, const double *forc
 static void running_switches_by_angle(const void *model, double t, const double *x, double *values) {
     const running_rotor *r = model;
     (void)t;
-    rotor_switches_with(r->rotor, running_numbers_at(r, x[r->rotor->system.dimension]), x, values);
+    rotor_switches_with(r->rotor, running_numbers_at(r, x[r->at_speed]), x, values);
 }
 
 static void running_switches_by_time(const void *model, double t, const double *x, double *values) {
@@ -492,14 +635,14 @@ static void running_switches_by_time(const void *model, double t, const double *
 /// Writes the gradient of a switch; by the speed as a difference quotient, since switches depend on the speed through
 /// the numbers.
 static void running_gradient_at(const running_rotor *r, const double *x, size_t index, double *gradient) {
-    const size_t d = r->rotor->system.dimension;
-    const double w = x[d], step = 1e-6 * fmax(w, slowest);
+    const size_t at = r->at_speed;
+    const double w = x[at], step = 1e-6 * fmax(w, slowest);
     double values[2][WHIRL_MAX_SWITCHES];
     rotor_gradient_with(r->rotor, running_numbers_at(r, w), x, index, gradient);
     rotor_switches_with(r->rotor, running_numbers_at(r, w + step), x, values[0]);
     rotor_switches_with(r->rotor, running_numbers_at(r, w - step), x, values[1]);
-    gradient[d] = (values[0][index] - values[1][index]) / (2.0 * step);
-    gradient[d + 1] = 0.0;
+    for (size_t i = r->rotor->system.dimension; i < at + 2; i++) gradient[i] = 0.0;
+    gradient[at] = (values[0][index] - values[1][index]) / (2.0 * step);
 }
 
 static void running_gradient_by_angle(const void *model, double t, const double *x, size_t index, double *gradient,
@@ -512,13 +655,14 @@ static void running_gradient_by_angle(const void *model, double t, const double 
 static void running_gradient_by_time(const void *model, double t, const double *x, size_t index, double *gradient,
                                      double *by_time) {
     const running_rotor *r = model;
-    const size_t n = r->rotor->lanes.degrees, d = r->rotor->system.dimension;
-    const double w = fmax(x[d], slowest);
+    const size_t n = r->rotor->lanes.degrees, at = r->at_speed;
+    const double w = fmax(x[at], slowest);
     (void)t;
     *by_time = 0.0;
     running_gradient_at(r, running_placed_by_angle(r, x), index, gradient);
+    gradient[at + 2] = 0.0;
     for (size_t i = n; i < 2 * n; i++) {
-        gradient[d] -= gradient[i] * x[i] / (w * w);
+        gradient[at] -= gradient[i] * x[i] / (w * w);
         gradient[i] /= w;
     }
 }
@@ -532,7 +676,7 @@ static bool running_touches(const void *model, size_t index) {
 
 static void running_fill_systems(running_rotor *r) {
     const whirl_system *own = &r->rotor->system;
-    whirl_system both = {.dimension = own->dimension + 2,
+    whirl_system both = {.dimension = r->at_speed + 2,
                          .period = own->period,
                          .kinked = own->kinked,
                          .switch_count = own->switch_count,
@@ -541,6 +685,7 @@ static void running_fill_systems(running_rotor *r) {
                          .probes = own->probes,
                          .model = r};
     r->by_angle = r->by_time = both;
+    r->by_time.dimension = r->at_speed + 3;
     r->by_angle.rhs = running_free_by_angle;
     r->by_angle.rhs_on_sides = running_rhs_by_angle;
     r->by_angle.switches = running_switches_by_angle;
@@ -567,13 +712,88 @@ static void running_to_angle(const whirl_running *running, double *x) {
 
 static void running_torques(const whirl_running *running, const double *x, double angle, whirl_torques *out) {
     const running_rotor *r = (const running_rotor *)running;
-    const double w = x[r->rotor->system.dimension], bounded = fmax(w, slowest);
+    const double exact = x[r->at_speed], w = fmax(exact, slowest);
     double forcing[FORCING_COUNT];
     *out = (whirl_torques){.motor = NAN, .load = NAN, .friction = NAN, .rotor = NAN};
     r->rotor->system.forcing(r->rotor, angle, forcing);
-    const double *numbers = running_flow(r, bounded, forcing, NULL, x, r->slope);
-    out->acceleration =
-        r->unit * r->unit * running_faster(r, w, bounded, numbers, x, r->slope + r->rotor->lanes.degrees, out);
+    const double *numbers = running_flow(r, w, forcing, NULL, x, r->slope);
+    const faster by =
+        running_faster(r, numbers, &(running_state){exact, w, angle, x}, r->slope + r->rotor->lanes.degrees, NULL, out);
+    out->acceleration = r->unit * r->unit * by.all;
+}
+
+/// Returns the torque of a spring between twists, positive where its first place drives the second along the rotation.
+static double running_link_torque(const running_rotor *r, const twist_link *own, const running_state *s) {
+    const whirl_rotor *rotor = r->rotor;
+    double twist = 0.0, rate = 0.0;
+    for (size_t end = 0; end < 2; end++) {
+        const size_t c = own->coordinate[end];
+        const double share = (end == 0 ? 1.0 : -1.0) * own->share[end] * rotor->unit[c];
+        twist += share * s->x[c];
+        rate += share * s->x[rotor->lanes.degrees + c] * s->w * r->unit;
+    }
+    return copysign(1.0, rotor->rigid[own->coordinate[0]] * own->share[0]) *
+           (own->stiffness * twist + own->damping * rate);
+}
+
+static void running_watch(const whirl_running *running, const double *x, double angle, double *torque) {
+    const running_rotor *r = (const running_rotor *)running;
+    const running_state s = {x[r->at_speed], fmax(x[r->at_speed], slowest), angle, x};
+    const double *state = x + r->rotor->system.dimension;
+    for (size_t i = 0; i < r->rotor->torque_count; i++) {
+        *torque++ = running_torque_at(r, i, state, &s, NULL);
+        state += r->rotor->torques[i].law->states;
+    }
+    for (size_t i = 0; i < r->rotor->link_count; i++)
+        if (r->rotor->links[i].stiffness > 0.0) *torque++ = running_link_torque(r, &r->rotor->links[i], &s);
+}
+
+/// Returns the station at an end of a spring between twists.
+static size_t running_end_of(const running_rotor *r, const twist_link *own, size_t end) {
+    size_t found = r->rotor->station_count;
+    for (size_t s = r->rotor->station_count; s-- > 0;)
+        if (r->rotor->twists[s].coordinate == own->coordinate[end] && r->rotor->twists[s].share == own->share[end])
+            found = s;
+    return found;
+}
+
+static void running_watched(const whirl_running *running, size_t index, size_t station[2], const char **name) {
+    const running_rotor *r = (const running_rotor *)running;
+    const whirl_rotor *rotor = r->rotor;
+    station[0] = station[1] = rotor->station_count;
+    if (index < rotor->torque_count) {
+        if (rotor->torques[index].station != NO_STATION) station[0] = rotor->torques[index].station;
+        *name = rotor->torques[index].law->name;
+        return;
+    }
+    index -= rotor->torque_count;
+    for (size_t i = 0; i < rotor->link_count; i++) {
+        if (!(rotor->links[i].stiffness > 0.0) || index-- > 0) continue;
+        for (size_t end = 0; end < 2; end++) station[end] = running_end_of(r, &rotor->links[i], end);
+        break;
+    }
+    *name = "twist";
+}
+
+static void running_speeds(const whirl_running *running, const double *x, double *speed) {
+    const running_rotor *r = (const running_rotor *)running;
+    const running_state s = {x[r->at_speed], fmax(x[r->at_speed], slowest), 0.0, x};
+    for (size_t p = 0; p < r->rotor->station_count; p++) speed[p] = running_place_of(r, p, &s).speed;
+}
+
+static double running_evaluations(const whirl_running *running) {
+    return *((const running_rotor *)running)->evaluations;
+}
+
+static double running_begins(const whirl_running *running, double time) {
+    const whirl_rotor *rotor = ((const running_rotor *)running)->rotor;
+    double next = INFINITY;
+    for (size_t i = 0; i < rotor->torque_count; i++) {
+        const shaft_torque *own = &rotor->torques[i];
+        const double begins = own->law->begins ? own->law->begins(own) : 0.0;
+        if (begins > time) next = fmin(next, begins);
+    }
+    return next;
 }
 
 static size_t running_switch(const whirl_running *running, size_t contact) {
@@ -584,7 +804,7 @@ static size_t running_switch(const whirl_running *running, size_t contact) {
 static void running_contacts(const whirl_running *running, const double *x, double *normal_force) {
     const running_rotor *r = (const running_rotor *)running;
     if (r->rotor->contact_count == 0) return;
-    rotor_contacts_with(r->rotor, running_numbers_at(r, x[r->rotor->system.dimension]), x, normal_force, NULL);
+    rotor_contacts_with(r->rotor, running_numbers_at(r, x[r->at_speed]), x, normal_force, NULL);
 }
 
 static void running_release(whirl_running *running) {
@@ -597,18 +817,34 @@ static void running_release(whirl_running *running) {
     free(r);
 }
 
-whirl_status whirl_running_new(whirl_machine_at *make, const void *context, double lowest, double highest,
+/// Counts the states of torques and what is watched, and finds the inertia of all that turns.
+static void running_count(running_rotor *r) {
+    const whirl_rotor *rotor = r->rotor;
+    const size_t torques = r->driven ? rotor->torque_count : 0;
+    for (size_t i = 0; i < torques; i++) r->own += rotor->torques[i].law->states;
+    r->at_speed = rotor->system.dimension + r->own;
+    r->turn_inertia = rotor->drive.inertia;
+    for (size_t i = rotor->first_twist; i < rotor->first_twist + rotor->twist_count; i++)
+        r->turn_inertia += rotor->momentum[i] * rotor->rigid[i];
+    r->shown.in_time = torques > 0 || rotor->twist_count > 0;
+    r->shown.driver = rotor->driver;
+    r->shown.watched_count = r->driven ? rotor->system.torque_count : 0;
+}
+
+whirl_status whirl_running_new(whirl_machine_at *make, const void *context, double lowest, double highest, bool driven,
                                whirl_running **out) {
     running_rotor *r = calloc(1, sizeof *r);
     *out = NULL;
     if (!r) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine whose speed changes");
     r->unit = highest;
+    r->driven = driven;
     r->lowest_node = fmin(fmax(lowest / highest, 1.0 / 256.0), 0.999);
     // The machine at the highest speed, and its numbers as functions of the speed.
     whirl_status status = make(context, highest, &r->machine);
     if (status.code == WHIRL_OK) status = running_check_machine(r, &r->machine);
     if (status.code == WHIRL_OK) {
         r->rotor = rotor_of_system(r->machine.system);
+        running_count(r);
         status = running_find_numbers(r, make, context);
     }
     if (status.code == WHIRL_OK) status = running_add_turnings(r);
@@ -627,6 +863,11 @@ whirl_status whirl_running_new(whirl_machine_at *make, const void *context, doub
     r->shown.part = running_part;
     r->shown.to_angle = running_to_angle;
     r->shown.torques = running_torques;
+    r->shown.watch = running_watch;
+    r->shown.watched = running_watched;
+    r->shown.speeds = running_speeds;
+    r->shown.begins = running_begins;
+    r->shown.evaluations = running_evaluations;
     r->shown.contacts = running_contacts;
     r->shown.contact_switch = running_switch;
     r->shown.release = running_release;

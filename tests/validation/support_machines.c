@@ -150,6 +150,13 @@ const element_machine element_machines[] = {
     {"coupling", TWISTING "coupling: {between: [rotor, stator], twist: 900 N.m/rad, twist_damping: 2 N.m.s/rad}",
      MACHINE_TWISTS},
     {"drive", "drive: {inertia: 2 kg.m2, torque: 10 N.m, no_load_speed: 900 rad/s}", 0},
+    {"induction_motor",
+     "induction_motor: {voltage: 220 V, frequency: 60 Hz, poles: 4, stator_resistance: 0.4 ohm, stator_reactance: 0.7 "
+     "ohm, magnetizing_reactance: 26 ohm, rotor_reactance: 0.7 ohm, rotor_resistance: 0.8 ohm}",
+     0},
+    {"synchronous_start", "synchronous_start: {frequency: 50 Hz, poles: 4, mean: 40 N.m, pulsating: 20 N.m}", 0},
+    {"short_circuit", "short_circuit: {torque: 40 N.m, frequency: 50 Hz, first: 7, decay: 80 ms}", 0},
+    {"timed_torque", "timed_torque: {times: [0, 1 s], torques: [0, 5 N.m]}", 0},
     {"runout", "runout: {at: rotor, amplitude: 10 um, angle: @70}", 0},
     {"segment",
      "disc: {at: rotor, outer: 200 mm, width: 10 mm}\n    - disc: {at: stator, outer: 100 mm, width: 10 mm}\n"

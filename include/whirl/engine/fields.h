@@ -260,6 +260,10 @@
 #define WHIRL_FIELD_RUNUP_SHARE "runup/share"
 #define WHIRL_FIELD_RUNUP_CONTACT "runup/contact"
 #define WHIRL_FIELD_RUNUP_CONTACT_NUMBER "runup/contact_number"
+#define WHIRL_FIELD_RUNUP_TORQUE_OF "runup/torque_of"
+#define WHIRL_FIELD_RUNUP_TORQUE_EXTREME "runup/torque_extreme"
+#define WHIRL_FIELD_RUNUP_TORQUE_COURSE "runup/torque_course"
+#define WHIRL_FIELD_RUNUP_STATION_SPEED "runup/station_speed"
 
 #define WHIRL_FIELD_MAP_SECOND "map/second"
 #define WHIRL_FIELD_MAP_THIRD "map/third"

@@ -34,9 +34,10 @@ typedef struct whirl_turning {
 
 /// Torques on the shaft, N m, in the sense of the rotation.
 typedef struct whirl_torques {
-    double motor, load, friction; ///< load and friction of contacts below 0 where they brake; NaN at a given rate
-    double rotor;                 ///< torque of unbalances, by the rotor's motion and by their weight
-    double acceleration;          ///< rad/s2
+    double motor;          ///< of all motors; NaN at a given rate, as the next two
+    double load, friction; ///< of the load and all other torques, and of friction in contacts; below 0 where they brake
+    double rotor;          ///< torque of unbalances, by the rotor's motion and by their weight
+    double acceleration;   ///< rad/s2
 } whirl_torques;
 
 /// A machine whose speed changes; not to be shared between threads.
@@ -44,13 +45,18 @@ typedef struct whirl_running whirl_running;
 
 /// Equations and functions of a machine whose speed changes.
 struct whirl_running {
-    /// The equations by the angle, [dimension]: the rotor's state, with derivatives by the angle, then the speed and
-    /// the time. Their period is the part that was last set, their time the angle from its beginning.
+    /// The equations by the angle, [dimension]: the rotor's state, with derivatives by the angle, states of motors,
+    /// then the speed and the time. Their period is the part that was last set, their time the angle from its
+    /// beginning.
     const whirl_system *by_angle;
-    const whirl_system *by_time; ///< by time: the rotor's state, with derivatives by time, then the speed and the angle
-    double unit;                 ///< rad/s in units of which speeds are counted; its inverse is the unit of time
-    double error;                ///< relative interpolation error of numbers between the speeds of the tables; 0: exact
-    size_t contact_count;        ///< number of contacts
+    /// By time, [dimension + 1]: the same with derivatives by time, and the angle as the last number.
+    const whirl_system *by_time;
+    bool in_time;         ///< the angle is no variable for this machine: torques depend on time, or stations twist
+    double unit;          ///< rad/s in units of which speeds are counted; its inverse is the unit of time
+    double error;         ///< relative interpolation error of numbers between the speeds of the tables; 0: exact
+    size_t driver;        ///< station of the first motor, whose speed events tell; the number of stations: none twists
+    size_t contact_count; ///< number of contacts
+    size_t watched_count; ///< number of torques that are watched: of motors and others, then between twists
 
     /// Sets how the shaft turns from now on.
     void (*turn)(whirl_running *running, const whirl_turning *how);
@@ -68,6 +74,24 @@ struct whirl_running {
     /// Finds the torques on the shaft in a state by the angle, at that angle.
     void (*torques)(const whirl_running *running, const double *x, double angle, whirl_torques *out);
 
+    /// Writes the torques that are watched, N m, in a state by the angle, at that angle: of a motor in the sense of its
+    /// station's rotation, between twists positive where the first station drives the second.
+    void (*watch)(const whirl_running *running, const double *x, double angle, double *torque);
+
+    /// Gives the stations of a torque that is watched, and the name of its element; the second station is NO station
+    /// (the number of stations) for one that acts on a station alone.
+    void (*watched)(const whirl_running *running, size_t index, size_t station[2], const char **name);
+
+    /// Writes the speed of every station, rad/s in the sense of the rotation of its shaft, in a state by the angle; the
+    /// speed of the shaft where a station does not twist.
+    void (*speeds)(const whirl_running *running, const double *x, double *speed);
+
+    /// Gives how often the equations were evaluated so far.
+    double (*evaluations)(const whirl_running *running);
+
+    /// Gives the next instant after `time`, s, at which a torque begins; infinite without one.
+    double (*begins)(const whirl_running *running, double time);
+
     /// Writes normal forces of contacts, N, in a state by the angle.
     void (*contacts)(const whirl_running *running, const double *x, double *normal_force);
 
@@ -81,16 +105,17 @@ struct whirl_running {
 /// Makes the machine at a speed in rad/s, above 0. All have one structure and length scale.
 typedef whirl_status whirl_machine_at(const void *context, double speed, whirl_machine *machine);
 
-/// Checks that the speed of a system's shaft can change. WHIRL_BAD_INPUT with a sentence for systems that are no
-/// rotors, have a phase of their own, or have stations that twist.
-whirl_status whirl_running_check(const whirl_system *system);
+/// Checks that the speed of a system's shaft can change. driven: by the torques of the machine. WHIRL_BAD_INPUT with a
+/// sentence for systems that are no rotors, have a phase of their own, no inertia, or stations that twist and no drive
+/// for them.
+whirl_status whirl_running_check(const whirl_system *system, bool driven);
 
-/// Finds how the numbers of a rotor go with its speed, from `lowest` (>= 0) to `highest` rad/s: as powers from -2 to 2
-/// where they do so to rounding, else as cubic splines (whirl_running.error). WHIRL_BAD_INPUT with a sentence where
-/// machines are no rotors, change their structure with the speed, or have a phase of their own; WHIRL_NO_MEMORY; errors
-/// of `machine`. Freed by its `release`.
+/// Finds how the numbers of a rotor, which torques drive or not, go with its speed, from `lowest` (>= 0) to `highest`
+/// rad/s: as powers from -2 to 2 where they do so to rounding, else as cubic splines (whirl_running.error).
+/// WHIRL_BAD_INPUT with a sentence where machines are no rotors, change their structure with the speed, or have a phase
+/// of their own; WHIRL_NO_MEMORY; errors of `machine`. Freed by its `release`.
 whirl_status whirl_running_new(whirl_machine_at *machine, const void *context, double lowest, double highest,
-                               whirl_running **out);
+                               bool driven, whirl_running **out);
 
 #ifdef __cplusplus
 }

@@ -237,6 +237,8 @@ typedef struct whirl_system {
     /// motion Re(v exp(i w t)), v [dimension][2], to shape [probe_count][2], and returns the share of all twists in the
     /// kinetic energy, with masses lumped: 1 for a torsional mode.
     double (*twist)(const void *model, const double *v, double *shape);
+
+    size_t torque_count; ///< torques that a run-up by the machine's own torques watches (whirl_running.watch)
 } whirl_system;
 
 /// An unbalance that turns with the rotor.

@@ -16,8 +16,9 @@ typedef struct block_shape {
     size_t dimension, station_count, contact_count, touch_count, range_count;
     size_t runout_count; ///< for all probes
     size_t samples_per_revolution;
-    bool at_rest; ///< points are of machines at rest
-    bool twists;  ///< stations twist
+    bool at_rest;        ///< points are of machines at rest
+    bool twists;         ///< stations twist
+    size_t torque_count; ///< as in the system
     const whirl_record_options *options;
 } block_shape;
 

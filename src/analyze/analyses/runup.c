@@ -32,6 +32,10 @@ enum {
     SHARE,
     CONTACT,
     CONTACT_NUMBER,
+    TORQUE_OF,
+    TORQUE_EXTREME,
+    TORQUE_COURSE,
+    STATION_SPEED,
     FIELD_COUNT
 };
 
@@ -41,6 +45,20 @@ enum { ORDER_COLUMNS = 2 * RUNUP_ORDERS };
 static size_t runup_every_row(const block_shape *shape) {
     return (size_t)shape->options->runup.rows;
 }
+
+static size_t runup_every_torque(const block_shape *shape) {
+    return shape->options->runup.rate > 0.0 ? 0 : shape->torque_count;
+}
+static size_t runup_every_torque_and_row(const block_shape *shape) {
+    return runup_every_torque(shape) * runup_every_row(shape);
+}
+static size_t runup_every_row_with_torques(const block_shape *shape) {
+    return runup_every_torque(shape) > 0 ? runup_every_row(shape) : 0;
+}
+
+/// Elements by number in the field of torques.
+static const char *const torque_kinds[] = {"twist", "induction_motor", "synchronous_start", "short_circuit",
+                                           "timed_torque"};
 
 static const field_plan fields[FIELD_COUNT] = {
     [END] =
@@ -93,13 +111,27 @@ static const field_plan fields[FIELD_COUNT] = {
                  WHIRL_PER_CONTACT, 3, NULL},
     [CONTACT_NUMBER] = {WHIRL_FIELD_RUNUP_CONTACT_NUMBER, "1", "of times that the contact closed", WHIRL_PER_CONTACT, 1,
                         NULL},
+    [TORQUE_OF] = {WHIRL_FIELD_RUNUP_TORQUE_OF, "1",
+                   "kind, first, second (0 between the twists of two stations, 1 of an induction motor, 2 of a "
+                   "synchronous start, 3 of a short circuit, 4 over time; indices of stations from 0, -1: the shaft as "
+                   "a whole, or between stations)",
+                   WHIRL_PER_POINT, 3, runup_every_torque},
+    [TORQUE_EXTREME] = {WHIRL_FIELD_RUNUP_TORQUE_EXTREME, "1",
+                        "largest, at, least, at (N m and s, of each torque in the run; located)", WHIRL_PER_POINT, 4,
+                        runup_every_torque},
+    [TORQUE_COURSE] = {WHIRL_FIELD_RUNUP_TORQUE_COURSE, "N m",
+                       "least, largest (since the row before: all rows of the first torque, then of the next)",
+                       WHIRL_PER_POINT, 2, runup_every_torque_and_row},
+    [STATION_SPEED] = {WHIRL_FIELD_RUNUP_STATION_SPEED, "rad/s",
+                       "of the station at the end of the row, in the sense of its rotation", WHIRL_PER_STATION, 1,
+                       runup_every_row_with_torques},
 };
 
 /// Rows as they fill.
 typedef struct filling {
     const block_view *view;
     const whirl_system *system;
-    size_t rows, contacts;
+    size_t rows, contacts, torques;
     double duration, way;
     double *radius, *force; ///< [probes], [contacts] largest since the row before
     size_t row;             ///< of the last turn
@@ -126,11 +158,26 @@ static void runup_fill_station(const filling *f, const runup_turn *turn, size_t 
     }
 }
 
+static size_t runup_row_at(const filling *f, double time) {
+    const double place = time / f->duration * (double)f->rows;
+    return place >= (double)f->rows ? f->rows - 1 : place > 0.0 ? (size_t)place : 0;
+}
+
+static void runup_fill_torques(void *context, double time, const double *torque, const double *speed) {
+    const filling *f = context;
+    const size_t row = runup_row_at(f, time);
+    for (size_t t = 0; t < f->torques; t++) {
+        double *own = view_numbers(f->view, TORQUE_COURSE, 0) + 2 * (t * f->rows + row);
+        own[0] = fmin(own[0], torque[t]); // of NaN the other number
+        own[1] = fmax(own[1], torque[t]);
+    }
+    for (size_t p = 0; p < f->system->probe_count; p++) view_numbers(f->view, STATION_SPEED, p)[row] = speed[p];
+}
+
 static void runup_fill_row(void *context, const runup_turn *turn) {
     filling *f = context;
     const size_t probes = f->system->probe_count;
-    const double place = turn->end / f->duration * (double)f->rows;
-    const size_t row = place >= (double)f->rows ? f->rows - 1 : place > 0.0 ? (size_t)place : 0;
+    const size_t row = runup_row_at(f, turn->end);
     if (row != f->row || isnan(*runup_at_row(f, TIME, 0, 1))) {
         for (size_t p = 0; p < probes; p++) f->radius[p] = 0.0;
         for (size_t c = 0; c < f->contacts; c++) f->force[c] = 0.0;
@@ -167,15 +214,14 @@ static double runup_lowest_speed(const whirl_runup_options *o) {
     return o->rate > 0.0 && o->to == 0.0 ? o->from : fmin(o->from, o->to);
 }
 
-/// Where the run begins: derivatives by time over the unit of speed.
+/// Where the run begins: derivatives by time over the unit of speed, start [*count].
 static whirl_status runup_find_start(const whirl_resting *point, const whirl_runup_options *o, double unit,
-                                     double *start) {
+                                     double *start, size_t *count) {
     whirl_machine machine;
     whirl_status status =
         point->at_speed(point->context, o->from > 0.0 ? o->from : unit / 256.0, WHIRL_AS_GIVEN, 0.0, &machine);
     if (status.code != WHIRL_OK) return status;
-    const size_t d = machine.system->dimension;
-    memset(start, 0, d * sizeof *start);
+    const size_t d = *count = machine.system->dimension;
     if (strcmp(o->begin, "centre") != 0) {
         memcpy(start, machine.start, d * sizeof *start);
         status = whirl_equilibrium(machine.system, start);
@@ -188,6 +234,23 @@ static size_t runup_station_named(const whirl_system *system, const char *name) 
     size_t p = 0;
     while (p + 1 < system->probe_count && strcmp(system->probes[p].name, name) != 0) p++;
     return p;
+}
+
+static void runup_fill_extremes(const filling *f, const whirl_running *running, const runup_run *run) {
+    for (size_t t = 0; t < f->torques; t++) {
+        const char *name;
+        size_t station[2];
+        double *of = view_numbers(f->view, TORQUE_OF, 0) + 3 * t;
+        double *extreme = view_numbers(f->view, TORQUE_EXTREME, 0) + 4 * t;
+        running->watched(running, t, station, &name);
+        for (size_t k = 0; k < sizeof torque_kinds / sizeof *torque_kinds; k++)
+            if (strcmp(name, torque_kinds[k]) == 0) of[0] = (double)k;
+        for (size_t end = 0; end < 2; end++)
+            of[1 + end] = station[end] < f->system->probe_count ? (double)station[end] : -1.0;
+        if (!isfinite(run->torques[t].largest.value)) continue;
+        extreme[0] = run->torques[t].largest.value, extreme[1] = run->torques[t].largest.time;
+        extreme[2] = run->torques[t].least.value, extreme[3] = run->torques[t].least.time;
+    }
 }
 
 static void runup_fill_end(const filling *f, const runup_run *run) {
@@ -217,14 +280,22 @@ static whirl_status runup_run_machine(whirl_running *running, const whirl_restin
                                       double highest, const block_view *view) {
     const whirl_system *system = running->by_angle;
     const size_t d = system->dimension, probes = system->probe_count, contacts = running->contact_count;
+    const size_t torques = running->in_time ? running->watched_count : 0;
     double *numbers = calloc(2 * d + probes + contacts + 1, sizeof *numbers);
+    runup_torque *extremes = calloc(torques + 1, sizeof *extremes);
     runup_peak *peaks = calloc(probes + 1, sizeof *peaks);
     runup_contact *touched = calloc(contacts + 1, sizeof *touched);
-    runup_run run = {.peaks = peaks, .contacts = touched, .last = numbers};
-    filling f = {.view = view, .system = system, .rows = (size_t)o->rows, .contacts = contacts, .way = 1.0};
-    runup_plan plan = {
-        .options = o, .integrate = whirl_integrate_default(), .angle = o->angle, .see = runup_fill_row, .context = &f};
-    whirl_status status = numbers && peaks && touched ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for a run");
+    runup_run run = {.peaks = peaks, .contacts = touched, .torques = extremes, .last = numbers};
+    filling f = {
+        .view = view, .system = system, .rows = (size_t)o->rows, .contacts = contacts, .torques = torques, .way = 1.0};
+    runup_plan plan = {.options = o,
+                       .integrate = whirl_integrate_default(),
+                       .angle = o->angle,
+                       .see = runup_fill_row,
+                       .watch = runup_fill_torques,
+                       .context = &f};
+    whirl_status status =
+        numbers && peaks && touched && extremes ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for a run");
     if (status.code == WHIRL_OK) {
         f.radius = numbers + 2 * d;
         f.force = f.radius + probes;
@@ -236,7 +307,7 @@ static whirl_status runup_run_machine(whirl_running *running, const whirl_restin
         plan.integrate.atol = 1e-3 * o->rtol;
         plan.integrate.limit = 1e300; // time grows without bounds; what is not finite diverges
         memcpy(plan.integrate.method, o->method, sizeof plan.integrate.method);
-        status = runup_find_start(point, o, highest, numbers + d);
+        status = runup_find_start(point, o, highest, numbers + d, &plan.start_count);
     }
     if (status.code == WHIRL_OK && *o->loss_at) {
         const whirl_placed lost = {runup_station_named(system, o->loss_at), o->loss_moment, o->loss_angle};
@@ -245,7 +316,9 @@ static whirl_status runup_run_machine(whirl_running *running, const whirl_restin
     if (status.code == WHIRL_OK) status = runup_carry(running, &plan, &run);
     if (status.code == WHIRL_OK && run.end == RUNUP_STOPPED) status = whirl_fail(WHIRL_STOPPED, "stopped");
     if (status.code == WHIRL_OK) runup_fill_end(&f, &run);
+    if (status.code == WHIRL_OK) runup_fill_extremes(&f, running, &run);
     free(numbers);
+    free(extremes);
     free(peaks);
     free(touched);
     return status;
@@ -256,7 +329,7 @@ static whirl_status runup_compute(const whirl_resting *point, const whirl_record
     const whirl_runup_options *o = &options->runup;
     const double highest = runup_highest_speed(point, o);
     whirl_running *running = NULL;
-    whirl_status status = point->running(point->context, runup_lowest_speed(o), highest, &running);
+    whirl_status status = point->running(point->context, runup_lowest_speed(o), highest, o->rate == 0.0, &running);
     if (status.code == WHIRL_OK) {
         *view_numbers(view, NUMBERS_ERROR, 0) = running->error;
         status = runup_run_machine(running, point, o, highest, view);

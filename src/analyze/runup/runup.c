@@ -1,4 +1,5 @@
-// A run turn by turn: from standstill by time to the first whole turn, from then on by the angle; events are landed on.
+// A run turn by turn: the first turn from standstill by time, from then on by the angle; machines whose torques depend
+// on time, or whose stations twist, by time throughout. Events are landed on.
 #include "runup.h"
 
 #include <math.h>
@@ -13,22 +14,33 @@ static const double located = 1e-14;
 typedef struct runner {
     whirl_running *machine;
     const runup_plan *plan;
-    const whirl_system *system; ///< by the angle
-    whirl_integrator *turn, *part, *timed;
-    size_t rotor, dimension; ///< of the rotor's state, and with speed and time
-    size_t probes, contacts;
+    bool by_time;               ///< the variable is the time, not the angle
+    const whirl_system *system; ///< of that variable
+    whirl_integrator *seen[2];  ///< by the angle, by time: with all samples
+    whirl_integrator *part[2];  ///< by the angle, by time
+    size_t rotor;               ///< length of the state before speed and time (and, by time, the angle)
+    size_t dimension, most;     ///< of the state now, and by time
+    size_t probes, contacts, torques;
     double unit;
     whirl_turning how;
-    double *x;                       ///< [dimension] now
-    double *begin;                   ///< [dimension] at the beginning of the turn
-    double *samples;                 ///< [samples + 1][dimension] of the turn
-    double *scratch;                 ///< [3][dimension]
-    double *force;                   ///< [samples + 1][contacts] normal forces of the turn
+    double leg;                      ///< length by time of the next part of a turn, in units of time
+    double *x;                       ///< [most] now
+    double *begin;                   ///< [most] at the beginning of the turn
+    double *samples;                 ///< [samples + 1][dimension] of the part
+    double *scratch;                 ///< [3][most]
+    double *placed;                  ///< [most] a state by the angle
+    double *change;                  ///< [2][most] slopes, and a state next to another one
+    double *force;                   ///< [samples + 1][contacts] normal forces of the part
+    double *torque;                  ///< [torques] at an instant
+    double *speed;                   ///< [probes] at an instant
     double *largest, *share;         ///< [contacts] of the turn
     runup_station *stations;         ///< [probes] of the turn
-    double turns, angle0;            ///< whole turns behind, and the angle of the first state
-    double *peak_state;              ///< [probes][dimension] the sample before the largest radius
+    double turns, angle0;            ///< turns behind, and the angle of the first state
+    double *peak_state;              ///< [probes][most] the sample before the largest radius
     double *peak_from, *peak_length; ///< [probes] its angle, and how far the sample after it is
+    bool *peak_by_time;              ///< [probes] that is a time
+    double *torque_state;            ///< [torques][2][most] the samples before the largest and the least torque
+    double *torque_length;           ///< [torques][2] how far the samples after them are
     runup_run *run;
 } runner;
 
@@ -37,6 +49,26 @@ static double runup_speed_of(const runner *r, const double *x) {
 }
 static double runup_time_of(const runner *r, const double *x) {
     return x[r->rotor + 1] / r->unit;
+}
+
+/// The angle of a state since the beginning of the run; by the angle that of the beginning of its turn.
+static double runup_angle_of(const runner *r, const double *x) {
+    return r->by_time ? x[r->rotor + 2] : r->angle0;
+}
+
+/// Chooses the variable.
+static void runup_go_by(runner *r, bool time) {
+    r->by_time = time;
+    r->system = time ? r->machine->by_time : r->machine->by_angle;
+    r->dimension = r->system->dimension;
+}
+
+/// Returns a state with derivatives by the angle; in workspace where it has derivatives by time.
+static const double *runup_placed(const runner *r, const double *x) {
+    if (!r->by_time) return x;
+    memcpy(r->placed, x, r->dimension * sizeof *x);
+    r->machine->to_angle(r->machine, r->placed);
+    return r->placed;
 }
 
 static bool runup_stopped(const runner *r) {
@@ -56,11 +88,11 @@ static void runup_keep_sample(void *context, double t, const double *x) {
     memcpy(s->r->samples + s->next++ * s->r->dimension, x, s->r->dimension * sizeof *x);
 }
 
-/// Carries x from an angle over a length.
+/// Carries x over a length; by the angle, from `from` on.
 static whirl_motion runup_carry_part(runner *r, double from, double length, double *x) {
     if (length <= 0.0) return WHIRL_BOUNDED;
     r->machine->part(r->machine, from, length);
-    return whirl_integrator_revolve(r->part, x, NULL, NULL);
+    return whirl_integrator_revolve(r->part[r->by_time], x, NULL, NULL);
 }
 
 /// The same with all samples.
@@ -68,7 +100,7 @@ static whirl_motion runup_carry_seen(runner *r, double from, double length, doub
     sampler s = {r, 1};
     memcpy(r->samples, x, r->dimension * sizeof *x);
     r->machine->part(r->machine, from, length);
-    return whirl_integrator_revolve(r->turn, x, runup_keep_sample, &s);
+    return whirl_integrator_revolve(r->seen[r->by_time], x, runup_keep_sample, &s);
 }
 
 /// A number of a state: of its station or switch `which`, where it has one.
@@ -138,7 +170,8 @@ static void runup_see_radii(runner *r, double from, double step, size_t count) {
             if (!(radius > peak->radius)) continue;
             const size_t before = k - 1, span = k < count ? 2 : 1;
             *peak = (runup_peak){radius, runup_time_of(r, runup_sample(r, k)), runup_speed_of(r, runup_sample(r, k))};
-            memcpy(r->peak_state + p * r->dimension, runup_sample(r, before), r->dimension * sizeof *r->x);
+            memcpy(r->peak_state + p * r->most, runup_sample(r, before), r->dimension * sizeof *r->x);
+            r->peak_by_time[p] = r->by_time;
             r->peak_from[p] = from + (double)before * step;
             r->peak_length[p] = (double)span * step;
         }
@@ -160,7 +193,7 @@ static double runup_find_change(runner *r, size_t contact, const double *state, 
 
 static void runup_see_contacts(runner *r, double from, double step, size_t count) {
     for (size_t k = 0; k <= count && r->contacts > 0; k++)
-        r->machine->contacts(r->machine, runup_sample(r, k), r->force + k * r->contacts);
+        r->machine->contacts(r->machine, runup_placed(r, runup_sample(r, k)), r->force + k * r->contacts);
     for (size_t c = 0; c < r->contacts; c++) {
         runup_contact *own = &r->run->contacts[c];
         for (size_t k = 0; k < count; k++) {
@@ -188,20 +221,24 @@ static double runup_weight(size_t k, size_t count) {
     return from_end < sizeof ends / sizeof *ends ? ends[from_end] : 1.0;
 }
 
-/// Means and orders of a whole turn.
-static void runup_see_orders(runner *r, size_t count) {
+/// Adds a part of a turn, of samples that are `step` apart, to the means and orders; `passed`: the angle of its first
+/// sample within the turn.
+static void runup_add_orders(runner *r, double passed, double step, size_t count) {
     for (size_t p = 0; p < r->probes; p++) {
         runup_station *own = &r->stations[p];
         const whirl_probe *probe = &r->system->probes[p];
-        *own = (runup_station){.radius = own->radius};
         for (size_t k = 0; k <= count; k++) {
-            const double share = runup_weight(k, count) / (double)count;
-            const double x = share * whirl_probe_value(probe, runup_sample(r, k), 0);
-            const double y = share * whirl_probe_value(probe, runup_sample(r, k), 1);
+            const double *sample = runup_sample(r, k);
+            const double length = step * (r->by_time ? sample[r->rotor] : 1.0);
+            const double angle =
+                passed + (r->by_time ? sample[r->rotor + 2] - r->samples[r->rotor + 2] : (double)k * step);
+            const double share = runup_weight(k, count) * length / two_pi;
+            const double x = share * whirl_probe_value(probe, sample, 0);
+            const double y = share * whirl_probe_value(probe, sample, 1);
             own->mean[0] += x;
             own->mean[1] += y;
             for (size_t order = 1; order <= RUNUP_ORDERS; order++) {
-                const double complex turned = 2.0 * cexp(-I * two_pi * (double)(order * k % count) / (double)count);
+                const double complex turned = 2.0 * cexp(-I * (double)order * angle);
                 own->x[order - 1] += turned * x;
                 own->y[order - 1] += turned * y;
             }
@@ -209,8 +246,66 @@ static void runup_see_orders(runner *r, size_t count) {
     }
 }
 
+// ---------------------------------------------------------------- torques
+
+/// Torques that are watched, at a sample.
+static void runup_watch(const runner *r, const double *x) {
+    const double *placed = runup_placed(r, x);
+    r->machine->watch(r->machine, placed, runup_angle_of(r, x), r->torque);
+}
+
+/// Notes a sample of torques: extremes, and the samples around them.
+static void runup_note_torques(runner *r, double step, size_t k, size_t count) {
+    const double time = runup_time_of(r, runup_sample(r, k));
+    for (size_t t = 0; t < r->torques; t++)
+        for (size_t side = 0; side < 2; side++) {
+            runup_extreme *own = side == 0 ? &r->run->torques[t].largest : &r->run->torques[t].least;
+            if (side == 0 ? !(r->torque[t] > own->value) : !(r->torque[t] < own->value)) continue;
+            const size_t before = k > 0 ? k - 1 : 0, after = k < count ? k + 1 : count;
+            *own = (runup_extreme){r->torque[t], time};
+            memcpy(r->torque_state + (2 * t + side) * r->most, runup_sample(r, before), r->dimension * sizeof *r->x);
+            r->torque_length[2 * t + side] = (double)(after - before) * step;
+        }
+}
+
+static void runup_see_torques(runner *r, double step, size_t count) {
+    if (r->torques == 0) return;
+    for (size_t k = 0; k <= count; k++) {
+        const double *sample = runup_sample(r, k);
+        runup_watch(r, sample);
+        runup_note_torques(r, step, k, count);
+        r->machine->speeds(r->machine, runup_placed(r, sample), r->speed);
+        if (r->plan->watch) r->plan->watch(r->plan->context, runup_time_of(r, sample), r->torque, r->speed);
+    }
+}
+
+/// Slope of a torque by time, by a difference along the motion.
+static double runup_torque_slope(const runner *r, const double *x, size_t which) {
+    double values[2], *slope = r->change, *next = r->change + r->most;
+    const double apart = 1e-2 * r->torque_length[which];
+    r->system->rhs(r->system->model, 0.0, NULL, x, slope);
+    for (size_t side = 0; side < 2; side++) {
+        for (size_t i = 0; i < r->dimension; i++) next[i] = x[i] + (side == 0 ? -apart : apart) * slope[i];
+        runup_watch(r, next);
+        values[side] = r->torque[which / 2];
+    }
+    return (values[1] - values[0]) / (2.0 * apart);
+}
+
+// ---------------------------------------------------------------- turns that are seen
+
+/// Shows all that happens in a part of a turn. from: its angle (by time: 0); passed: the same within the turn.
+static void runup_see_part(runner *r, double from, double passed, double length) {
+    const size_t count = (size_t)r->plan->options->samples;
+    const double step = length / (double)count;
+    runup_see_radii(r, from, step, count);
+    runup_see_contacts(r, from, step, count);
+    runup_see_torques(r, step, count);
+    runup_add_orders(r, passed, step, count);
+}
+
 static void runup_begin_turn(runner *r) {
-    for (size_t p = 0; p < r->probes; p++) r->stations[p].radius = 0.0;
+    for (size_t p = 0; p < r->probes; p++) r->stations[p] = (runup_station){.radius = 0.0};
     for (size_t c = 0; c < r->contacts; c++) r->largest[c] = r->share[c] = 0.0;
 }
 
@@ -225,47 +320,66 @@ static void runup_show_turn(runner *r, bool whole) {
                        .force = r->largest,
                        .share = r->share};
     for (size_t c = 0; c < r->contacts; c++) r->share[c] = end > begin ? r->share[c] / (end - begin) : 0.0;
-    r->machine->torques(r->machine, r->x, r->angle0, &turn.torques);
+    r->machine->torques(r->machine, runup_placed(r, r->x), runup_angle_of(r, r->x), &turn.torques);
     if (r->plan->see) r->plan->see(r->plan->context, &turn);
 }
 
 // ---------------------------------------------------------------- events
 
 /// What happens next.
-typedef enum event { EVENT_NONE, EVENT_END, EVENT_DWELL, EVENT_TRIP, EVENT_LOSS } event;
+typedef enum event { EVENT_NONE, EVENT_TURN, EVENT_END, EVENT_DWELL, EVENT_TRIP, EVENT_LOSS, EVENT_TORQUE } event;
+
+enum { MOST_COMING = 8 };
 
 /// Something that happens when a quantity passes a target.
 typedef struct coming {
     event what;
     quantity *of;
     double target;
+    size_t which; ///< of the quantity
 } coming;
 
 static double runup_time_quantity(const runner *r, const double *x, size_t which) {
     (void)which;
     return runup_time_of(r, x);
 }
+/// The speed of the motor's station where it twists, else of the shaft.
 static double runup_speed_quantity(const runner *r, const double *x, size_t which) {
     (void)which;
-    return runup_speed_of(r, x);
+    if (r->machine->driver >= r->probes) return runup_speed_of(r, x);
+    r->machine->speeds(r->machine, runup_placed(r, x), r->speed);
+    return r->speed[r->machine->driver];
+}
+
+static double runup_angle_quantity(const runner *r, const double *x, size_t which) {
+    (void)which;
+    return x[r->rotor + 2];
+}
+
+/// The angle at which the present turn ends.
+static double runup_turn_end(const runner *r) {
+    return r->angle0 + two_pi * (floor(r->turns + 1e-9) + 1.0);
 }
 
 /// All that may come in the state that the run is in.
-static size_t runup_list_coming(const runner *r, coming list[6]) {
+static size_t runup_list_coming(const runner *r, coming list[MOST_COMING]) {
     const whirl_runup_options *o = r->plan->options;
+    const double torque = r->machine->begins(r->machine, runup_time_of(r, r->x));
     size_t count = 0;
-    if (o->duration > 0.0) list[count++] = (coming){EVENT_END, runup_time_quantity, o->duration};
+    if (r->by_time) list[count++] = (coming){EVENT_TURN, runup_angle_quantity, runup_turn_end(r), 0};
+    if (isfinite(torque)) list[count++] = (coming){EVENT_TORQUE, runup_time_quantity, torque, 0};
+    if (o->duration > 0.0) list[count++] = (coming){EVENT_END, runup_time_quantity, o->duration, 0};
     if (o->to > 0.0 && (r->how.driven || r->how.rate != 0.0))
         list[count++] =
-            (coming){!r->how.driven && o->duration > 0.0 ? EVENT_DWELL : EVENT_END, runup_speed_quantity, o->to};
+            (coming){!r->how.driven && o->duration > 0.0 ? EVENT_DWELL : EVENT_END, runup_speed_quantity, o->to, 0};
     if (r->how.driven && !r->how.tripped && o->trip_time > 0.0)
-        list[count++] = (coming){EVENT_TRIP, runup_time_quantity, o->trip_time};
+        list[count++] = (coming){EVENT_TRIP, runup_time_quantity, o->trip_time, 0};
     if (r->how.driven && !r->how.tripped && o->trip_speed > 0.0)
-        list[count++] = (coming){EVENT_TRIP, runup_speed_quantity, o->trip_speed};
+        list[count++] = (coming){EVENT_TRIP, runup_speed_quantity, o->trip_speed, 0};
     if (*o->loss_at && !r->how.lost && o->loss_speed > 0.0)
-        list[count++] = (coming){EVENT_LOSS, runup_speed_quantity, o->loss_speed};
+        list[count++] = (coming){EVENT_LOSS, runup_speed_quantity, o->loss_speed, 0};
     if (*o->loss_at && !r->how.lost && o->loss_speed == 0.0)
-        list[count++] = (coming){EVENT_LOSS, runup_time_quantity, o->loss_time};
+        list[count++] = (coming){EVENT_LOSS, runup_time_quantity, o->loss_time, 0};
     return count;
 }
 
@@ -276,6 +390,7 @@ static bool runup_passes(double target, double before, double after) {
 /// Lets it happen.
 static void runup_happen(runner *r, event what) {
     const double time = runup_time_of(r, r->x);
+    if (what == EVENT_NONE || what == EVENT_TURN || what == EVENT_TORQUE) return;
     switch (what) {
     case EVENT_DWELL:
         r->how.rate = 0.0;
@@ -297,7 +412,7 @@ static void runup_happen(runner *r, event what) {
 
 /// Lets all happen that comes where the run is now. Returns whether it ends.
 static bool runup_happen_now(runner *r) {
-    coming list[6];
+    coming list[MOST_COMING];
     const size_t count = runup_list_coming(r, list);
     bool ends = false;
     for (size_t i = 0; i < count; i++) {
@@ -311,7 +426,7 @@ static bool runup_happen_now(runner *r) {
 /// The first event between two states, over a length of the angle; where it is, and the state there.
 static event runup_find_event(runner *r, const double *begin, double from, double length, const double *end, double *at,
                               double *there) {
-    coming list[6];
+    coming list[MOST_COMING];
     const size_t count = runup_list_coming(r, list);
     event first = EVENT_NONE;
     *at = length;
@@ -330,119 +445,109 @@ static event runup_find_event(runner *r, const double *begin, double from, doubl
 
 // ---------------------------------------------------------------- turns
 
+/// Whether the shaft stands: it turned and came to rest, or turned back.
+static bool runup_stands(const runner *r, const double *x) {
+    const double speed = x[r->rotor];
+    return isnan(speed) || speed < -0.02 || (speed < 1e-3 && r->turns >= 1.0);
+}
+
 static runup_end runup_end_of(const runner *r, whirl_motion motion) {
     if (runup_stopped(r)) return RUNUP_STOPPED;
     if (motion == WHIRL_DIVERGED) return RUNUP_DIVERGED;
     return r->x[r->rotor] < 1e-3 || isnan(r->x[r->rotor]) ? RUNUP_STALLED : RUNUP_STUCK;
 }
 
+/// The most evaluations of the equations by time for which the samples of a part show each of its steps.
+static double runup_most_evaluations(const runner *r) {
+    enum { SAMPLES_OF_STEP = 4, STAGES = 12 };
+    const double steps = fmax(4.0, (double)r->plan->options->samples / SAMPLES_OF_STEP);
+    const bool implicit = strcmp(r->plan->options->method, "rodas5p") == 0; // with differences for its Jacobian
+    return steps * (STAGES + (implicit ? 2.0 * (double)r->most : 0.0));
+}
+
+/// Carries `end` over the next part of a turn, of at most *length, with all samples. Writes its length to *length: by
+/// time a part has as many steps as its samples can show.
+static whirl_motion runup_carry_next(runner *r, double from, double *length, double *end) {
+    enum { TRIES = 20 };
+    const double most = runup_most_evaluations(r);
+    for (int tries = 1;; tries++) {
+        const double before = r->machine->evaluations(r->machine);
+        memcpy(end, r->x, r->dimension * sizeof *end);
+        const whirl_motion motion = runup_carry_seen(r, from, *length, end);
+        const double used = (r->machine->evaluations(r->machine) - before) / most;
+        if (!r->by_time) return motion;
+        r->leg = *length * fmin(2.0, fmax(0.1, 0.8 / used));
+        if (tries == TRIES || runup_stopped(r) || (motion == WHIRL_BOUNDED && used <= 1.5)) return motion;
+        *length = fmin(r->leg, 0.5 * *length);
+    }
+}
+
 /// Carries the run over the next turn. True while it goes on.
 static bool runup_turn_on(runner *r) {
-    const size_t count = (size_t)r->plan->options->samples;
-    double *end = r->scratch + r->dimension, *there = r->scratch + 2 * r->dimension;
+    double *end = r->scratch + r->most, *there = r->scratch + 2 * r->most;
     double angle = 0.0; // within the turn
-    bool whole = true;  // no event parts it
     memcpy(r->begin, r->x, r->dimension * sizeof *r->x);
     runup_begin_turn(r);
-    while (angle < two_pi) {
-        const double length = two_pi - angle, from = r->angle0 + angle;
-        double at;
-        memcpy(end, r->x, r->dimension * sizeof *end);
-        whirl_motion motion = runup_carry_seen(r, from, length, end);
-        if (motion != WHIRL_BOUNDED || !(end[r->rotor] > 0.0)) {
+    for (bool turning = true; turning;) {
+        const double from = r->by_time ? 0.0 : r->angle0 + angle;
+        double length = r->by_time ? r->leg : two_pi - angle, at;
+        whirl_motion motion = runup_carry_next(r, from, &length, end);
+        if (motion != WHIRL_BOUNDED || (r->by_time ? runup_stands(r, end) : !(end[r->rotor] > 0.0))) {
             memcpy(r->x, end, r->dimension * sizeof *end);
             r->run->end = runup_end_of(r, motion);
             return false;
         }
-        const event what = runup_find_event(r, r->x, from, length, end, &at, there);
+        event what = runup_find_event(r, r->x, from, length, end, &at, there);
         if (what != EVENT_NONE) {
-            whole = false;
             memcpy(end, r->x, r->dimension * sizeof *end);
             if (at > 0.0) motion = runup_carry_seen(r, from, at, end);
             memcpy(end, there, r->dimension * sizeof *end);
         }
-        if (at > 0.0) {
-            runup_see_radii(r, from, at / (double)count, count);
-            runup_see_contacts(r, from, at / (double)count, count);
-        }
-        if (whole) runup_see_orders(r, count);
+        if (at > 0.0) runup_see_part(r, from, angle, at);
+        const double passed = r->by_time ? end[r->rotor + 2] - r->x[r->rotor + 2] : at;
         memcpy(r->x, end, r->dimension * sizeof *end);
-        angle = what == EVENT_NONE ? two_pi : angle + at;
-        r->turns += (what == EVENT_NONE ? length : at) / two_pi;
+        if (!r->by_time && what == EVENT_NONE) what = EVENT_TURN;
+        r->turns = what == EVENT_TURN ? floor(r->turns + 1e-9) + 1.0 : r->turns + passed / two_pi;
+        angle += passed;
+        turning = what != EVENT_TURN;
         runup_happen(r, what);
         if (runup_happen_now(r) || what == EVENT_END) {
             runup_show_turn(r, false);
             r->run->end = RUNUP_DONE;
             return false;
         }
+        if (runup_stopped(r)) return false;
     }
-    runup_show_turn(r, whole);
+    runup_show_turn(r, true);
     return true;
-}
-
-// ---------------------------------------------------------------- from standstill
-
-/// Carries x by time.
-static whirl_motion runup_carry_time(runner *r, double length, double *x) {
-    r->machine->part(r->machine, 0.0, length);
-    return whirl_integrator_revolve(r->timed, x, NULL, NULL);
 }
 
 /// From a shaft that stands, by time, to the end of the first turn. False where there is none.
 static bool runup_start_turning(runner *r) {
-    const size_t d = r->rotor;
-    const double last = r->plan->options->duration > 0.0 ? r->plan->options->duration * r->unit : INFINITY;
     whirl_torques torques;
-    double time = 0.0, passed = 0.0, *x = r->scratch + r->dimension, *before = r->scratch + 2 * r->dimension;
-    memcpy(x, r->x, r->dimension * sizeof *x);
-    x[d + 1] = r->angle0;
     r->machine->torques(r->machine, r->x, r->angle0, &torques);
-    const double faster = fabs(torques.acceleration) / (r->unit * r->unit);
-    double step = faster > 0.0 ? 0.05 * sqrt(2.0 * two_pi / faster) : 0.0;
     r->run->end = RUNUP_STALLED;
-    if (!(torques.acceleration > 0.0)) return false;
-    while (x[d + 1] < r->angle0 + two_pi) {
-        if (runup_stopped(r)) return r->run->end = RUNUP_STOPPED, false;
-        if (x[d] < 0.0) return false;
-        if (time >= last) { // at its end in its first turn
-            r->turns = (x[d + 1] - r->angle0) / two_pi;
-            r->machine->to_angle(r->machine, x);
-            x[d + 1] = last;
-            memcpy(r->x, x, r->dimension * sizeof *x);
-            return r->run->end = RUNUP_DONE, false;
-        }
-        memcpy(before, x, r->dimension * sizeof *x);
-        step = fmin(step, last - time);
-        passed = time;
-        if (runup_carry_time(r, step, x) != WHIRL_BOUNDED) return r->run->end = RUNUP_DIVERGED, false;
-        time = step < last - time ? time + step : last;
-    }
-    // Back to the end of the turn, by Newton's method: the slope of the angle is the speed.
-    double part = step * (r->angle0 + two_pi - before[d + 1]) / (x[d + 1] - before[d + 1]);
-    time = passed;
-    for (int i = 0; i < 12; i++) {
-        memcpy(x, before, r->dimension * sizeof *x);
-        runup_carry_time(r, part, x);
-        const double miss = (r->angle0 + two_pi - x[d + 1]) / x[d];
-        if (i > 0 && fabs(miss) <= located * step) break;
-        part += miss;
-    }
-    r->machine->to_angle(r->machine, x);
-    x[d + 1] = time + part;
-    memcpy(r->x, x, r->dimension * sizeof *x);
-    r->turns = 1.0;
-    return true;
+    // The torque of a motor whose currents build up begins at 0.
+    if (r->machine->in_time ? torques.acceleration < 0.0 : !(torques.acceleration > 0.0)) return false;
+    return runup_turn_on(r);
+}
+
+/// Goes on by the angle after the first turn from standstill.
+static void runup_go_by_angle(runner *r) {
+    r->machine->to_angle(r->machine, r->x);
+    runup_go_by(r, false);
 }
 
 /// Turns at the first speed until the motion has settled, before time begins.
 static bool runup_settle(runner *r) {
     const whirl_turning how = r->how;
+    const double turn = r->by_time ? two_pi * r->unit / r->plan->options->from : two_pi;
     r->how.driven = r->how.lost = false;
     r->how.rate = 0.0;
     r->machine->turn(r->machine, &r->how);
     const size_t turns = (size_t)r->plan->options->settle;
-    for (size_t turn = 0; turn < turns; turn++) {
-        const whirl_motion motion = runup_carry_part(r, r->angle0, two_pi, r->x);
+    for (size_t i = 0; i < turns; i++) {
+        const whirl_motion motion = runup_carry_part(r, r->angle0, turn, r->x);
         if (motion != WHIRL_BOUNDED || runup_stopped(r)) {
             r->run->end = runup_end_of(r, motion);
             return false;
@@ -450,6 +555,7 @@ static bool runup_settle(runner *r) {
     }
     r->x[r->rotor] = r->plan->options->from / r->unit;
     r->x[r->rotor + 1] = 0.0;
+    if (r->by_time) r->x[r->rotor + 2] = r->angle0;
     r->how = how;
     r->machine->turn(r->machine, &r->how);
     return true;
@@ -460,9 +566,10 @@ static bool runup_settle(runner *r) {
 /// The tops of radii between samples.
 static void runup_locate_peaks(runner *r) {
     for (size_t p = 0; p < r->probes; p++) {
-        const double *state = r->peak_state + p * r->dimension;
-        double *there = r->scratch + r->dimension;
+        const double *state = r->peak_state + p * r->most;
+        double *there = r->scratch + r->most;
         if (!(r->peak_length[p] > 0.0)) continue;
+        runup_go_by(r, r->peak_by_time[p]);
         memcpy(there, state, r->dimension * sizeof *there);
         if (runup_carry_part(r, r->peak_from[p], r->peak_length[p], there) != WHIRL_BOUNDED) continue;
         const double low = runup_radial_slope(r, state, p), high = runup_radial_slope(r, there, p);
@@ -474,75 +581,120 @@ static void runup_locate_peaks(runner *r) {
     }
 }
 
+/// The tops and bottoms of torques between samples.
+static void runup_locate_torques(runner *r) {
+    double *there = r->scratch + r->most;
+    runup_go_by(r, true);
+    for (size_t which = 0; which < 2 * r->torques; which++) {
+        runup_torque *torque = &r->run->torques[which / 2];
+        runup_extreme *own = which % 2 == 0 ? &torque->largest : &torque->least;
+        const double *state = r->torque_state + which * r->most, length = r->torque_length[which];
+        if (!(length > 0.0)) continue;
+        memcpy(there, state, r->dimension * sizeof *there);
+        if (runup_carry_part(r, 0.0, length, there) != WHIRL_BOUNDED) continue;
+        const double low = runup_torque_slope(r, state, which), high = runup_torque_slope(r, there, which);
+        if (!(low * high < 0.0)) continue;
+        runup_find_passage(r, runup_torque_slope, which, 0.0, state, 0.0, length, low, high, there);
+        runup_watch(r, there);
+        const double value = r->torque[which / 2];
+        if (which % 2 == 0 ? value >= own->value : value <= own->value)
+            *own = (runup_extreme){value, runup_time_of(r, there)};
+    }
+}
+
 static void runup_run_all(runner *r) {
     const whirl_runup_options *o = r->plan->options;
     const bool steady = strcmp(o->begin, "steady") == 0;
     bool going = !steady || runup_settle(r);
-    if (going && o->from == 0.0) going = runup_start_turning(r);
     if (going && *o->loss_at && o->loss_speed == 0.0 && o->loss_time == 0.0) runup_happen(r, EVENT_LOSS);
+    if (going && o->from == 0.0) going = runup_start_turning(r);
+    if (going && o->from == 0.0 && !r->machine->in_time) runup_go_by_angle(r);
     while (going) going = !runup_stopped(r) && runup_turn_on(r);
     if (runup_stopped(r)) r->run->end = RUNUP_STOPPED;
-    if (r->run->end == RUNUP_DONE || r->run->end == RUNUP_STALLED) runup_locate_peaks(r);
     r->run->time = runup_time_of(r, r->x);
     r->run->speed = runup_speed_of(r, r->x);
     r->run->turns = r->turns;
-    memcpy(r->run->last, r->x, r->dimension * sizeof *r->x);
+    memcpy(r->run->last, runup_placed(r, r->x), (r->rotor + 2) * sizeof *r->x);
+    if (r->run->end == RUNUP_DONE || r->run->end == RUNUP_STALLED) {
+        runup_locate_peaks(r);
+        if (r->torques > 0) runup_locate_torques(r);
+    }
 }
 
 static whirl_status runup_open(runner *r) {
-    const size_t d = r->dimension, samples = (size_t)r->plan->options->samples;
-    const size_t numbers = d * (2 + samples + 1 + 3 + r->probes) + r->contacts * (samples + 3) + 2 * r->probes;
+    const size_t d = r->most, samples = (size_t)r->plan->options->samples;
+    const size_t numbers = d * (2 + samples + 1 + 3 + 1 + 2 + r->probes + 2 * r->torques) +
+                           r->contacts * (samples + 3) + 3 * r->probes + 3 * r->torques;
     whirl_integrate_options options = r->plan->integrate;
     r->x = calloc(numbers + 1, sizeof *r->x);
     r->stations = calloc(r->probes + 1, sizeof *r->stations);
-    if (!r->x || !r->stations) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a run");
-    r->begin = r->x + d;
-    r->samples = r->begin + d;
-    r->scratch = r->samples + (samples + 1) * d;
-    r->peak_state = r->scratch + 3 * d;
-    r->force = r->peak_state + r->probes * d;
-    r->largest = r->force + (samples + 1) * r->contacts;
-    r->share = r->largest + r->contacts;
-    r->peak_from = r->share + r->contacts;
-    r->peak_length = r->peak_from + r->probes;
-    options.steps_per_revolution = (int)samples;
-    whirl_status status = whirl_integrator_new(r->system, &options, &r->turn);
-    options.steps_per_revolution = 1;
-    if (status.code == WHIRL_OK) status = whirl_integrator_new(r->system, &options, &r->part);
-    if (status.code == WHIRL_OK) status = whirl_integrator_new(r->machine->by_time, &options, &r->timed);
+    r->peak_by_time = calloc(r->probes + 1, sizeof *r->peak_by_time);
+    if (!r->x || !r->stations || !r->peak_by_time) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a run");
+    double *next = r->x + d;
+    r->begin = next, next += d;
+    r->samples = next, next += (samples + 1) * d;
+    r->scratch = next, next += 3 * d;
+    r->placed = next, next += d;
+    r->change = next, next += 2 * d;
+    r->peak_state = next, next += r->probes * d;
+    r->torque_state = next, next += 2 * r->torques * d;
+    r->force = next, next += (samples + 1) * r->contacts;
+    r->largest = next, next += r->contacts;
+    r->share = next, next += r->contacts;
+    r->peak_from = next, next += r->probes;
+    r->peak_length = next, next += r->probes;
+    r->speed = next, next += r->probes;
+    r->torque = next, next += r->torques;
+    r->torque_length = next;
+    whirl_status status = whirl_ok();
+    for (size_t time = 0; time < 2 && status.code == WHIRL_OK; time++) {
+        const whirl_system *system = time ? r->machine->by_time : r->machine->by_angle;
+        options.steps_per_revolution = (int)samples;
+        status = whirl_integrator_new(system, &options, &r->seen[time]);
+        options.steps_per_revolution = 1;
+        if (status.code == WHIRL_OK) status = whirl_integrator_new(system, &options, &r->part[time]);
+    }
     return status;
 }
 
 static void runup_close(runner *r) {
-    whirl_integrator_free(r->turn);
-    whirl_integrator_free(r->part);
-    whirl_integrator_free(r->timed);
+    for (size_t time = 0; time < 2; time++) {
+        whirl_integrator_free(r->seen[time]);
+        whirl_integrator_free(r->part[time]);
+    }
     free(r->x);
     free(r->stations);
+    free(r->peak_by_time);
 }
 
 whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_run *run) {
     const whirl_runup_options *o = plan->options;
-    const whirl_system *system = running->by_angle;
     runner r = {.machine = running,
                 .plan = plan,
-                .system = system,
-                .dimension = system->dimension,
-                .rotor = system->dimension - 2,
-                .probes = system->probe_count,
+                .rotor = running->by_angle->dimension - 2,
+                .most = running->by_time->dimension,
+                .probes = running->by_angle->probe_count,
                 .contacts = running->contact_count,
+                .torques = running->in_time ? running->watched_count : 0,
+                .leg = 0.05 * two_pi,
                 .unit = running->unit,
                 .angle0 = plan->angle,
                 .run = run};
     r.how = (whirl_turning){.driven = o->rate == 0.0, .rate = o->to > 0.0 && o->to < o->from ? -o->rate : o->rate};
     run->trip = run->loss = (double)NAN;
     for (size_t p = 0; p < r.probes; p++) run->peaks[p] = (runup_peak){0.0, NAN, NAN};
+    for (size_t t = 0; t < r.torques; t++)
+        run->torques[t] = (runup_torque){{-(double)INFINITY, NAN}, {(double)INFINITY, NAN}};
     for (size_t c = 0; c < r.contacts; c++) run->contacts[c] = (runup_contact){NAN, NAN, 0.0, 0.0};
     whirl_status status = runup_open(&r);
     if (status.code == WHIRL_OK) {
-        memcpy(r.x, plan->start, r.rotor * sizeof *r.x);
+        runup_go_by(&r, running->in_time || o->from == 0.0);
+        memcpy(r.x, plan->start, plan->start_count * sizeof *r.x);
         r.x[r.rotor] = o->from / r.unit;
-        if (o->from > 0.0) running->to_angle(running, r.x);
+        if (r.by_time)
+            r.x[r.rotor + 2] = r.angle0;
+        else
+            running->to_angle(running, r.x);
         running->turn(running, &r.how);
         runup_run_all(&r);
     }

@@ -33,7 +33,7 @@ typedef struct runup_turn {
     double time, speed;            ///< s, rad/s, at its middle
     double end;                    ///< s, at its end
     double turns;                  ///< of the shaft since the beginning
-    bool whole;                    ///< no event parts it: means and orders count
+    bool whole;                    ///< the run does not end within it: means and orders count
     whirl_torques torques;         ///< at its end
     const runup_station *stations; ///< [probe_count]
     const double *force;           ///< [contact_count] N, largest normal force
@@ -51,29 +51,45 @@ typedef struct runup_peak {
     double radius, time, speed;
 } runup_peak;
 
+/// The largest or least value of a torque, N m, and when that was, s.
+typedef struct runup_extreme {
+    double value, time;
+} runup_extreme;
+
+/// The extremes of a torque that was watched.
+typedef struct runup_torque {
+    runup_extreme largest, least;
+} runup_torque;
+
 typedef struct runup_run {
     runup_end end;
     double time, speed, turns; ///< when it ended
     double trip, loss;         ///< s, when these happened; NaN: never
     runup_peak *peaks;         ///< [probe_count] located
     runup_contact *contacts;   ///< [contact_count] located
-    double *last;              ///< [dimension of the rotor + 2] the last state: by the angle, then speed and time
+    runup_torque *torques;     ///< [watched_count] located
+    double *last;              ///< [dimension by the angle] the last state
 } runup_run;
 
 /// Is shown a turn.
 typedef void runup_see(void *context, const runup_turn *turn);
 
+/// Is shown torques [watched_count], N m, and speeds of stations [probe_count], rad/s, at instants that resolve them.
+typedef void runup_watch_at(void *context, double time, const double *torque, const double *speed);
+
 /// How it is run.
 typedef struct runup_plan {
     const whirl_runup_options *options;
     whirl_integrate_options integrate;
-    const double *start; ///< [dimension of the rotor] displacements and velocities by time over the unit of speed
-    double angle;        ///< rad of the first state
+    const double *start; ///< [start_count] the rotor's displacements and velocities by time over the unit of speed
+    size_t start_count;
+    double angle; ///< rad of the first state
     runup_see *see;
+    runup_watch_at *watch; ///< of machines that are run by time; NULL: nobody
     void *context;
 } runup_plan;
 
-/// Runs it. peaks, contacts and last are the caller's. WHIRL_NO_MEMORY, and errors of integrators.
+/// Runs it. peaks, contacts, torques and last are the caller's. WHIRL_NO_MEMORY, and errors of integrators.
 whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_run *run);
 
 #endif

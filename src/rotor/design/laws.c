@@ -163,6 +163,12 @@ static double slope_at(size_t count, const double *x, const double *y, size_t i)
     return (a + b) / (a / before + b / after);
 }
 
+bool table_rises(size_t count, const double *x) {
+    for (size_t i = 1; i < count; i++)
+        if (!(x[i] > x[i - 1])) return false;
+    return true;
+}
+
 double table_value(size_t count, const double *x, const double *y, double at) {
     size_t i = 0;
     while (i + 2 < count && at > x[i + 1]) i++;

@@ -2,7 +2,11 @@
 #ifndef ROTOR_TABLE_H
 #define ROTOR_TABLE_H
 
+#include <stdbool.h>
 #include <stddef.h>
+
+/// Returns true if each of the numbers x [count] is greater than the one before.
+bool table_rises(size_t count, const double *x);
 
 /// Returns the value at `at`, from x[0] to x[count - 1], of the piecewise cubic through the points (x, y) [count >= 2],
 /// x rising: smooth, and monotone where the points are (Fritsch, Carlson 1980; slopes after Fritsch, Butland 1984).

@@ -424,6 +424,9 @@ static void rename_all(reducing *r, element *elements, size_t count) {
     for (size_t s = 0; s < r->of->station_count; s++)
         for (axis along = AXIS_X; along < AXES; along++)
             r->of->stations[s].coordinate[along] = renamed(r, r->of->stations[s].coordinate[along]);
+    for (size_t i = 0; i < r->of->link_count; i++)
+        for (size_t end = 0; end < 2; end++)
+            r->of->links[i].coordinate[end] = renamed(r, r->of->links[i].coordinate[end]);
     for (size_t i = 0; i < count; i++)
         for (size_t p = 0; p < MAX_PORTS; p++) elements[i].port[p] = renamed(r, elements[i].port[p]);
 }

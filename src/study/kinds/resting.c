@@ -94,8 +94,9 @@ static whirl_status as_given(const void *context, double speed, whirl_machine *m
     return at_speed(context, speed, WHIRL_AS_GIVEN, 0.0, machine);
 }
 
-static whirl_status make_running(const void *context, double lowest, double highest, whirl_running **running) {
-    return whirl_running_new(as_given, context, lowest, highest, running);
+static whirl_status make_running(const void *context, double lowest, double highest, bool driven,
+                                 whirl_running **running) {
+    return whirl_running_new(as_given, context, lowest, highest, driven, running);
 }
 
 /// Returns true if other equilibria are looked for: for turning machines with their own bearings.

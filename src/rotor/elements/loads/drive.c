@@ -6,11 +6,13 @@
 
 #include "table.h"
 
-enum { INERTIA, TORQUE, NO_LOAD, SPEEDS, TORQUES, LOAD, LINEAR, QUADRATIC, KEY_COUNT };
+enum { INERTIA, AT, TORQUE, NO_LOAD, SPEEDS, TORQUES, LOAD_AT, LOAD, LINEAR, QUADRATIC, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [INERTIA] = NUMBER_KEY("inertia", "J", "kg m2", REQUIRED, WHIRL_POSITIVE,
-                           "polar moment of inertia of all that turns, about axes through its centres of mass"),
+    [INERTIA] = NUMBER_KEY("inertia", "J", "kg m2", OPTIONAL, WHIRL_POSITIVE,
+                           "polar moment of inertia of all that turns, about axes through its centres of mass; "
+                           "required unless stations twist, whose own inertia counts"),
+    [AT] = STATION_KEY("at", OPTIONAL, "station of the motor; required if stations twist, else it turns the shaft"),
     [TORQUE] = NUMBER_KEY("torque", "T", "N m", OPTIONAL, WHIRL_ANY, "torque of the motor at standstill"),
     [NO_LOAD] = CITED_NUMBER_KEY("no_load_speed", "", "rad/s", OPTIONAL, WHIRL_POSITIVE,
                                  "speed at which that torque has fallen to 0 along a line; it stays where absent",
@@ -20,18 +22,13 @@ static const whirl_key keys[KEY_COUNT] = {
                           "rising, at which `torques` are given, in place of torque; between them monotone cubics",
                           "Fritsch, Butland 1984"),
     [TORQUES] = CITED_NUMBERS_KEY("torques", "", "N m", OPTIONAL, WHIRL_ANY, "of the motor at these speeds", ""),
+    [LOAD_AT] = STATION_KEY("load_at", OPTIONAL, "station of the load; absent: that of the motor"),
     [LOAD] =
         NUMBER_KEY("load", "", "N m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "torque of dry friction against the rotation"),
     [LINEAR] = NUMBER_KEY("load_linear", "", "N m s", DEFAULT("0"), WHIRL_ANY, "load torque over the speed"),
     [QUADRATIC] = NUMBER_KEY("load_quadratic", "b", "N m s2", DEFAULT("0"), WHIRL_ANY,
                              "load torque over the square of the speed, as of fans and pumps"),
 };
-
-static bool rises(const key_value *list) {
-    for (size_t i = 1; i < list->count; i++)
-        if (!(list->list[i] > list->list[i - 1])) return false;
-    return true;
-}
 
 static whirl_status drive_build(const key_value *values, assembly *to, element *out) {
     const key_value *speeds = &values[SPEEDS], *torques = &values[TORQUES];
@@ -44,15 +41,19 @@ static whirl_status drive_build(const key_value *values, assembly *to, element *
     if (speeds->given && (values[TORQUE].given || values[NO_LOAD].given))
         return whirl_fail(WHIRL_BAD_INPUT, "has %s and a table of torques, expected one of them",
                           values[TORQUE].given ? "torque" : "no_load_speed");
-    if (speeds->given && (speeds->count < 2 || speeds->count != torques->count || speeds->rows > 1 || !rises(speeds)))
+    if (speeds->given && (speeds->count < 2 || speeds->count != torques->count || speeds->rows > 1 ||
+                          !table_rises(speeds->count, speeds->list)))
         return whirl_fail(WHIRL_BAD_INPUT,
                           "has %zu speeds and %zu torques, expected as many of both, at least 2, the "
                           "speeds rising",
                           speeds->count, torques->count);
     if (values[NO_LOAD].given && !values[TORQUE].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has no_load_speed without torque, expected both");
+    const size_t at = values[AT].given ? values[AT].station[0] : NO_STATION;
     *drive = (shaft_drive){.given = true,
-                           .inertia = values[INERTIA].number,
+                           .at = at,
+                           .load_at = values[LOAD_AT].given ? values[LOAD_AT].station[0] : at,
+                           .inertia = values[INERTIA].given ? values[INERTIA].number : 0.0,
                            .torque = values[TORQUE].given ? values[TORQUE].number : 0.0,
                            .no_load = values[NO_LOAD].given ? values[NO_LOAD].number : 0.0,
                            .count = speeds->given ? speeds->count : 0,
