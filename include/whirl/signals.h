@@ -30,10 +30,11 @@ extern "C" {
 
 /// Limits of the arguments.
 enum {
-    WHIRL_SIGNALS_MAX = 1000000000,       ///< largest count of numbers of an array
-    WHIRL_SIGNALS_HIGHEST_ORDER = 9,      ///< highest order of the interpolating polynomials
-    WHIRL_SIGNALS_MIN_REVOLUTIONS = 4,    ///< fewest revolutions of a spectrum
-    WHIRL_SIGNALS_MAX_RECURRENCES = 20000 ///< most points for whirl_signals_recurrence
+    WHIRL_SIGNALS_MAX = 1000000000,        ///< largest count of numbers of an array
+    WHIRL_SIGNALS_HIGHEST_ORDER = 9,       ///< highest order of the interpolating polynomials
+    WHIRL_SIGNALS_MIN_REVOLUTIONS = 4,     ///< fewest revolutions of a spectrum
+    WHIRL_SIGNALS_MAX_RECURRENCES = 20000, ///< most points for whirl_signals_recurrence
+    WHIRL_SIGNALS_MAX_TRACKED = 16         ///< most orders that whirl_signals_vold_kalman solves together
 };
 
 /// Finds levels for whirl_signals_pulses: the threshold halfway between the lowest and the highest voltage [count], the
@@ -80,6 +81,35 @@ whirl_status whirl_signals_resample(const double *time, const double *values, si
 /// the probes are within 0.01 rad of one line.
 whirl_status whirl_signals_axes(const double *u, const double *v, size_t count, double first, double second, double *x,
                                 double *y);
+
+/// Finds the angle of the shaft at `time` [count], rad from the first pulse, by the cubic of whirl_signals_section: the
+/// inverse of whirl_signals_resample. WHIRL_BAD_INPUT for a time outside of the pulses.
+whirl_status whirl_signals_angle(const double *instants, size_t pulses, const double *time, size_t count,
+                                 double *angle);
+
+/// Finds the weight r of a Vold-Kalman filter with 1 or 2 `poles` whose gain is -3 dB at the edges of a full width
+/// `bandwidth`: the gain at a distance f from the order is 1/(1 + r^2 (2 sin(pi f/rate))^(2 poles)) (Tuma 2005). The
+/// bandwidth has the unit of the `rate` of samples. WHIRL_BAD_INPUT for a bandwidth that is not above 0 and below the
+/// rate, or so narrow that rounding would cost more than seven digits.
+whirl_status whirl_signals_vold_kalman_weight(double bandwidth, double rate, int poles, double *weight);
+
+/// Tracks orders by a Vold-Kalman filter of the second generation (Vold and Leuridan 1993): complex amplitudes a_k that
+/// vary slowly, with values = Re sum_k a_k e^(i phase_k), for all orders together. Orders that cross are separated if
+/// their distance is wider than the band in most of the record.
+/// - `values` [count] at a constant `rate` of samples per unit of time.
+/// - `phases` [tracked][count], rad: an order times the angle of its shaft at each sample, or any phase that is known,
+///   2 pi f t for a fixed frequency. Slow oscillations of the shaft's angle belong into it.
+/// - `bandwidths` [tracked], full widths at -3 dB in the unit of `rate`.
+/// - `poles` 1 (amplitudes nearly constant) or 2 (nearly straight lines; flatter in its band, steeper outside).
+/// - `amplitudes` [tracked][count][2], real and imaginary part of a_k, zero to peak: a peak lags behind the angle 0 by
+///   -arg a_k.
+///
+/// Amplitudes are worse within about 1/bandwidth of the ends, where samples are on one side only: the error by noise
+/// grows to 1.4 (1 pole) or 2 times (2 poles) that in the middle, and with 1 pole slopes are lost. WHIRL_BAD_INPUT for
+/// a phase that turns by pi or more between samples (half the rate is the highest frequency), for orders that cannot be
+/// told apart, and for count tracked^2 (poles + 1) above 1e8, which would need 1.6 GB.
+whirl_status whirl_signals_vold_kalman(const double *values, size_t count, double rate, const double *phases,
+                                       size_t tracked, const double *bandwidths, int poles, double *amplitudes);
 
 /// Columns of a row of a spectrum, and most lines of it.
 enum { WHIRL_SIGNALS_COLUMNS = 5, WHIRL_SIGNALS_LINES = 16 };

@@ -247,6 +247,47 @@ def test_series_and_masks_and_integers():
         signals.Record(time, masked, pulses=time_of(np.arange(70))).section()
 
 
+# ---------------------------------------------------------------- orders over time
+
+
+def two_orders():
+    """The run-up of tests/unit/analyze/test_vold_kalman.c: time, angle, signal."""
+    time = np.arange(80) / 200
+    angle = 2 * np.pi * (5 * time + 10 * time**2)
+    line = 0.2 * np.cos(2 * np.pi * 17 * time)
+    return time, angle, (1 + 0.5 * time) * np.cos(angle + 0.3) + 0.4 * np.cos(2 * angle - 1.1) + line
+
+
+@pytest.mark.parametrize("poles", [1, 2])
+def test_vold_kalman_solves_the_dense_equations(poles):
+    """NumPy's least squares of all rows, without normal equations."""
+    time, angle, values = two_orders()
+    found = signals.vold_kalman(values, angle, [1, 2], rate=200.0, bandwidth=2.0, poles=poles)
+    weight = np.sqrt((np.sqrt(2) - 1) / (2 * np.sin(np.pi * 2.0 / 400.0)) ** (2 * poles))
+    smooth = weight * np.diff(np.eye(80), poles, axis=0)
+    measured = np.hstack([np.diag(np.exp(1j * k * angle)) for k in (1, 2)])
+    rows = np.vstack([np.kron(np.eye(2), smooth), measured])
+    dense = np.linalg.lstsq(rows, np.append(np.zeros(len(rows) - 80), values), rcond=None)[0].reshape(2, 80)
+    assert np.allclose(found.vectors, [2 * dense], rtol=0, atol=1e-10)
+    assert np.allclose(found.amplitude * np.exp(-1j * np.radians(found.lag)), found.vectors)
+    assert found.near_end.shape == (2, 80) and found.near_end.all()  # a record of 0.4 s, a band of 2 Hz
+
+
+def test_vold_kalman_of_a_record_with_a_line_of_the_mains():
+    """Amplitudes over a run-up through 35 turns a second, where the first order crosses a line of 35 Hz."""
+    time, turns, time_of = run_up()
+    angle, line = 2 * np.pi * turns, 2 * np.pi * 35.0 * time
+    signal = 3.0 * np.cos(angle - 0.7) + np.cos(3 * angle) + 0.5 * np.cos(line)
+    record = signals.Record(time, signal, pulses=time_of(np.arange(70)))
+    found = record.vold_kalman([1, 3], bandwidth=2.0, phases=line)
+    inside = ~found.near_end.any(axis=0)
+    assert found.time[0] == 0.0 and found.time[-1] <= record.pulses[-1] and inside.sum() > 4000
+    expected = np.array([3.0 * np.exp(-0.7j), 1.0, 0.5])[:, None]
+    assert np.abs(found.vectors[0][:, inside] - expected).max() < 1e-2
+    alone = record.vold_kalman([1, 3], bandwidth=2.0)
+    assert np.abs(alone.vectors[0, 0, inside] - expected[0]).max() > 0.2
+
+
 # ---------------------------------------------------------------- what is refused
 
 T = np.arange(200) * 0.05
@@ -285,6 +326,20 @@ V = np.sin(6 * T)
         (lambda: signals.Record(T, V, pulses=[1, 2]).full_spectrum(), "there is no channel 1, expected 0 to 0"),
         (lambda: signals.Record(T, V, pulses=[1, 2]).plot.spectrum("z"), "there is no channel 'z', expected one of: x"),
         (lambda: signals.Record(T, V, pulses=[1, 2]).zero_one(), "there are 2 points, expected at least 100"),
+        (lambda: signals.vold_kalman(V, rate=20, bandwidth=1), "there is nothing to track, expected an angle, or phases"),
+        (lambda: signals.vold_kalman(V, T[:9], rate=20, bandwidth=1), "the angle has 9 samples, the signals have 200"),
+        (lambda: signals.vold_kalman(V, T, [1, 1], rate=20, bandwidth=1), "the orders are 1, 1, expected different"),
+        (lambda: signals.vold_kalman(V, T, 0, rate=20, bandwidth=1), "the orders are 0, expected different ones above"),
+        (lambda: signals.vold_kalman(V, T, [], rate=20, bandwidth=1), "the orders are , expected different ones above"),
+        (lambda: signals.vold_kalman(V, T, rate=20, bandwidth=[1, 2]), "there are 2 bandwidths, expected one for all"),
+        (lambda: signals.vold_kalman(V, T, rate=20, bandwidth=-1), "the bandwidth is -1, expected above 0"),
+        (lambda: signals.vold_kalman(V, T, rate=20, bandwidth=1, poles=3), "there are 3 poles, expected 1 or 2"),
+        (lambda: signals.vold_kalman(V, 9 * T, 7, rate=20, bandwidth=1), "order 0 turns by 3.15 rad from sample 0 to 1"),
+        (lambda: signals.vold_kalman(V, phases=T[:9], rate=20, bandwidth=1), "the phases have 9 samples"),
+        (
+            lambda: signals.Record(T + 1e-3 * (T > 5), V, pulses=np.arange(1, 10)).vold_kalman(bandwidth=1),
+            "samples 100 and 101 are 0.051 apart, others 0.0500063: expected a constant rate",
+        ),
         (lambda: signals.zero_one([]), "there are 0 samples"),
         (lambda: signals.zero_one(np.ones(100)), "the size of the motion is 0"),
         (lambda: signals.recurrence(np.arange(20001.0)), "there are 20001 points, expected at most 20000"),

@@ -147,6 +147,11 @@ whirl_status whirl_signals_resample(const double *time, const double *values, si
                                     double *resampled);
 whirl_status whirl_signals_axes(const double *u, const double *v, size_t count, double first, double second, double *x,
                                 double *y);
+whirl_status whirl_signals_angle(const double *instants, size_t pulses, const double *time, size_t count,
+                                 double *angle);
+whirl_status whirl_signals_vold_kalman_weight(double bandwidth, double rate, int poles, double *weight);
+whirl_status whirl_signals_vold_kalman(const double *values, size_t count, double rate, const double *phases,
+                                       size_t tracked, const double *bandwidths, int poles, double *amplitudes);
 size_t whirl_signals_orders(size_t count, size_t samples, double highest_order);
 whirl_status whirl_signals_spectrum(const double *x, const double *y, size_t count, size_t samples,
                                     double highest_order, double *orders, double *lines, size_t *line_count,

@@ -29,7 +29,9 @@ __all__ = [
     "Spectrum",
     "FullSpectrum",
     "Recurrence",
+    "Envelopes",
     "find_pulses",
+    "vold_kalman",
     "motion_size",
     "zero_one",
     "recurrence",
@@ -74,6 +76,26 @@ class Recurrence(NamedTuple):
     determinism: float  #: share of these pairs in diagonal lines; NaN without any
     laminarity: float  #: share of the near points in vertical lines
     longest: int  #: points of the longest diagonal line other than the main diagonal
+
+
+class Envelopes(NamedTuple):
+    """Amplitudes of orders at every sample, by a Vold-Kalman filter."""
+
+    #: [channels][orders][count] complex, zero to peak: the part of an order is ``real(vectors * exp(1j * phase))``
+    vectors: np.ndarray
+    time: np.ndarray  #: [count] of the samples
+    #: [orders][count] True within 1/bandwidth of the ends, where samples are on one side only and values are worse
+    near_end: np.ndarray
+
+    @property
+    def amplitude(self) -> np.ndarray:
+        """[channels][orders][count] zero to peak, in the unit of the signals."""
+        return np.abs(self.vectors)
+
+    @property
+    def lag(self) -> np.ndarray:
+        """[channels][orders][count] degrees by which a peak of the order lags behind its phase 0, 0 to 360."""
+        return np.degrees(-np.angle(self.vectors)) % 360.0
 
 
 # ---------------------------------------------------------------- arrays
@@ -157,6 +179,72 @@ def find_pulses(
     levels = float(threshold), float(hysteresis)
     check(lib.whirl_signals_pulses(_at(time), _at(voltage), time.size, *levels, edge == "rising", _at(instants), found))
     return instants[: found[0]].copy()
+
+
+def vold_kalman(
+    values: ArrayLike,
+    angle: Optional[ArrayLike] = None,
+    orders: "float | Sequence[float]" = (1.0,),
+    *,
+    rate: float,
+    bandwidth: "float | Sequence[float]",
+    poles: int = 2,
+    phases: Optional[ArrayLike] = None,
+) -> Envelopes:
+    """Tracks orders by a Vold-Kalman filter of the second generation (Vold and Leuridan 1993), all of them together.
+
+    Orders that cross are separated if their distance is wider than the band in most of the record. Values within
+    1/bandwidth of the ends are worse: ``near_end`` marks them.
+
+    Parameters
+    ----------
+    values : array_like
+        [count] or [channels][count].
+    angle : array_like, optional
+        [count] rad that the shaft has turned at each sample, with its slow oscillations.
+    orders : float or sequence of float
+        Multiples of the angle to track.
+    rate : float
+        Samples per unit of time, constant.
+    bandwidth : float or sequence of float
+        Full width at -3 dB in the unit of the rate, one for all or one for each of orders and phases.
+    poles : int
+        1 or 2. Two poles are flatter within the band and steeper outside, and follow slopes.
+    phases : array_like, optional
+        [others][count] rad: further components with phases of their own, after the orders, such as ``2 * pi * 50 *
+        time``, or an order of another shaft.
+    """
+    values = np.asarray(values) if not np.ma.isMaskedArray(values) else values
+    channels = _numbers(values if values.ndim > 1 else values.reshape(1, -1), "the signals", 2)
+    count = channels.shape[1]
+    if angle is None and phases is None:
+        raise BadInput("there is nothing to track, expected an angle, or phases")
+    tracked = np.empty((0, count))
+    if angle is not None:
+        angle = _numbers(angle, "the angle")
+        if angle.size != count:
+            raise BadInput(f"the angle has {angle.size} samples, the signals have {count}")
+        orders = _numbers(np.atleast_1d(orders), "the orders")
+        if not (np.all(orders > 0.0) and len(set(orders)) == len(orders) > 0):
+            raise BadInput(f"the orders are {', '.join(f'{k:g}' for k in orders)}, expected different ones above 0")
+        tracked = np.outer(orders, angle)
+    if phases is not None:
+        others = _numbers(np.atleast_2d(phases), "the phases", 2)
+        if others.shape[1] != count:
+            raise BadInput(f"the phases have {others.shape[1]} samples, the signals have {count}")
+        tracked = np.vstack([tracked, others])
+    tracked = np.ascontiguousarray(tracked)
+    widths = _numbers(np.atleast_1d(bandwidth), "the bandwidths")
+    if len(widths) not in (1, len(tracked)):
+        raise BadInput(f"there are {len(widths)} bandwidths, expected one for all or one for each of {len(tracked)}")
+    widths = np.ascontiguousarray(np.broadcast_to(widths, len(tracked)))
+    poles, out = _whole(poles, "the number of poles"), np.empty((len(channels), len(tracked), count, 2))
+    for channel, found in zip(channels, out):
+        arrays = _at(tracked), len(tracked), _at(widths), poles, _at(found)
+        check(lib.whirl_signals_vold_kalman(_at(channel), count, float(rate), *arrays))
+    time = np.arange(count) / float(rate)
+    near_end = np.minimum(time, time[-1] - time) < 1.0 / widths[:, None]
+    return Envelopes(out[..., 0] + 1j * out[..., 1], time, near_end)
 
 
 def motion_size(channels: ArrayLike) -> float:
@@ -455,6 +543,48 @@ class Record:
         out = np.empty_like(pair)
         check(lib.whirl_signals_axes(_at(pair[0]), _at(pair[1]), pair[0].size, first, second, _at(out[0]), _at(out[1])))
         return out
+
+    # ---------------------------------------------------------------- orders over time
+
+    def vold_kalman(
+        self,
+        orders: "float | Sequence[float]" = (1.0,),
+        *,
+        bandwidth: "float | Sequence[float]",
+        poles: int = 2,
+        phases: Optional[ArrayLike] = None,
+    ) -> Envelopes:
+        """Orders of all channels at every sample between the first and the last pulse (:func:`vold_kalman`).
+
+        Samples must be equally far apart. ``phases`` are [others][count], at every sample of the record.
+        """
+        inside = self._inside()
+        time = self.time[inside]
+        step = (time[-1] - time[0]) / max(1, len(time) - 1)
+        uneven = np.flatnonzero(np.abs(np.diff(time) - step) > 0.01 * step)
+        if len(uneven) > 0:
+            raise BadInput(
+                f"samples {inside.start + uneven[0]} and {inside.start + uneven[0] + 1} are "
+                f"{time[uneven[0] + 1] - time[uneven[0]]:.6g} apart, others {step:.6g}: expected a constant rate"
+            )
+        if phases is not None:
+            phases = np.atleast_2d(phases)
+            if phases.shape[1] != len(self.time):
+                raise BadInput(f"the phases have {phases.shape[1]} samples, the record has {len(self.time)}")
+            phases = phases[:, inside]
+        given = dict(rate=1.0 / step, bandwidth=bandwidth, poles=poles, phases=phases)
+        return vold_kalman(self.channels[:, inside], self._angle(time), orders, **given)._replace(time=time)
+
+    def _inside(self) -> slice:
+        """Returns the samples from the first to the last pulse."""
+        first = np.searchsorted(self.time, self.pulses[0], side="left")
+        return slice(int(first), int(np.searchsorted(self.time, self.pulses[-1], side="right")))
+
+    def _angle(self, time: np.ndarray) -> np.ndarray:
+        """Angle of the shaft at times within the pulses, rad from the first one."""
+        time, angle = np.ascontiguousarray(time), np.empty(len(time))
+        check(lib.whirl_signals_angle(_at(self.pulses), len(self.pulses), _at(time), len(time), _at(angle)))
+        return angle
 
     # ---------------------------------------------------------------- spectra
 

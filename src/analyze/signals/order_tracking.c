@@ -133,6 +133,24 @@ whirl_status whirl_signals_resample(const double *time, const double *values, si
     return whirl_ok();
 }
 
+whirl_status whirl_signals_angle(const double *instants, size_t pulses, const double *time, size_t count,
+                                 double *angle) {
+    const whirl_status status = signal_check_pulses(instants, pulses);
+    if (status.code != WHIRL_OK) return status;
+    for (size_t i = 0; i < count; i++) {
+        if (!(time[i] >= instants[0] && time[i] <= instants[pulses - 1]))
+            return whirl_fail(WHIRL_BAD_INPUT, "sample %zu is at %.17g, expected a time of the pulses, %.17g to %.17g",
+                              i, time[i], instants[0], instants[pulses - 1]);
+        const size_t before = sample_before(instants, pulses, time[i]), k = before + 2 > pulses ? pulses - 2 : before;
+        // The cubic is monotone: bisection to 2^-60 of a turn.
+        double low = time[i] >= instants[k + 1] ? 1.0 : 0.0, step = time[i] > instants[k] ? 0.5 : 0.0;
+        for (int halved = 0; low < 1.0 && halved < 60; halved++, step *= 0.5)
+            if (instant_at(instants, pulses, k, low + step) <= time[i]) low += step;
+        angle[i] = two_pi * ((double)k + low);
+    }
+    return whirl_ok();
+}
+
 whirl_status whirl_signals_axes(const double *u, const double *v, size_t count, double first, double second, double *x,
                                 double *y) {
     whirl_status status = signal_check_channels(u, count, 1, 1);
