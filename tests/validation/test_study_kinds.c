@@ -99,7 +99,7 @@ static const struct {
     {beam, "  statics: {parameter: kappa, from: 5, to: 20, points: 3}\n"},
     {beam,
      "  runup: {parameter: kappa, from: 5, to: 20, points: 3, rate: 40 rad/s2, speed_from: 50 rad/s, duration: 1 s, "
-     "rows: 8}\n"},
+     "rows: 8, spectra: 3, spectrum_turns: 2}\n"},
     {beam, "  unbalance: {parameter: omega, from: 100, to: 200, points: 3, antinodes_of: 1, running_to: 200 rad/s}\n"},
 };
 enum { STUDIES = sizeof studies / sizeof *studies };

@@ -264,6 +264,10 @@
 #define WHIRL_FIELD_RUNUP_TORQUE_EXTREME "runup/torque_extreme"
 #define WHIRL_FIELD_RUNUP_TORQUE_COURSE "runup/torque_course"
 #define WHIRL_FIELD_RUNUP_STATION_SPEED "runup/station_speed"
+#define WHIRL_FIELD_RUNUP_SPECTRUM_TIME "runup/spectrum_time"
+#define WHIRL_FIELD_RUNUP_SPECTRUM_SPEED "runup/spectrum_speed"
+#define WHIRL_FIELD_RUNUP_SPECTRUM_ORDER "runup/spectrum_order"
+#define WHIRL_FIELD_RUNUP_SPECTRUM "runup/spectrum"
 
 #define WHIRL_FIELD_MAP_SECOND "map/second"
 #define WHIRL_FIELD_MAP_THIRD "map/third"

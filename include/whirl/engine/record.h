@@ -69,6 +69,9 @@ typedef struct whirl_runup_options {
     int samples;                                           ///< samples of a turn
     double rtol;                                           ///< relative tolerance
     char method[WHIRL_NAME_SIZE];                          ///< name of whirl_method_at
+    int spectra;                                           ///< number of spectra over the time; 0: none
+    int spectrum_turns;                                    ///< turns of the shaft in a spectrum
+    double highest_order;                                  ///< spectra reach up to this order of the speed
 } whirl_runup_options;
 
 /// Returns the members of these options for cases (part "runup") and results; static, ended by a member without a part.

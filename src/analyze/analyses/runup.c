@@ -3,41 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "analysis.h"
-#include "runup/runup.h"
+#include "runup_parts.h"
 #include "signal_parts.h"
 #include "whirl/engine/linear.h"
-
-enum {
-    END,
-    END_TIME,
-    END_SPEED,
-    END_TURNS,
-    EVENTS,
-    NUMBERS_ERROR,
-    TIME,
-    SPEED,
-    TURNS,
-    TORQUE,
-    RADIUS,
-    CENTRE,
-    AMPLITUDE,
-    LAG,
-    WHIRL,
-    PLACE,
-    PEAK,
-    PEAK_TIME,
-    PEAK_SPEED,
-    FORCE,
-    SHARE,
-    CONTACT,
-    CONTACT_NUMBER,
-    TORQUE_OF,
-    TORQUE_EXTREME,
-    TORQUE_COURSE,
-    STATION_SPEED,
-    FIELD_COUNT
-};
 
 /// Columns of fields of x and y, or of both ways to go round, at every order.
 enum { ORDER_COLUMNS = 2 * RUNUP_ORDERS };
@@ -59,6 +27,18 @@ static size_t runup_every_row_with_torques(const block_shape *shape) {
 /// Elements by number in the field of torques.
 static const char *const torque_kinds[] = {"twist", "induction_motor", "synchronous_start", "short_circuit",
                                            "timed_torque"};
+
+static size_t runup_every_spectrum(const block_shape *shape) {
+    return (size_t)shape->options->runup.spectra;
+}
+
+static size_t runup_every_bin(const block_shape *shape) {
+    return runup_bins(&shape->options->runup);
+}
+
+static size_t runup_every_bin_of_spectra(const block_shape *shape) {
+    return runup_every_spectrum(shape) * runup_every_bin(shape);
+}
 
 static const field_plan fields[FIELD_COUNT] = {
     [END] =
@@ -125,6 +105,16 @@ static const field_plan fields[FIELD_COUNT] = {
     [STATION_SPEED] = {WHIRL_FIELD_RUNUP_STATION_SPEED, "rad/s",
                        "of the station at the end of the row, in the sense of its rotation", WHIRL_PER_STATION, 1,
                        runup_every_row_with_torques},
+    [SPECTRUM_TIME] = {WHIRL_FIELD_RUNUP_SPECTRUM_TIME, "s",
+                       "of the spectrum: the middle of its turns (missing where there were not so many yet)",
+                       WHIRL_PER_POINT, 1, runup_every_spectrum},
+    [SPECTRUM_SPEED] = {WHIRL_FIELD_RUNUP_SPECTRUM_SPEED, "rad/s", "of the shaft, over these turns", WHIRL_PER_POINT, 1,
+                        runup_every_spectrum},
+    [SPECTRUM_ORDER] = {WHIRL_FIELD_RUNUP_SPECTRUM_ORDER, "order", "of the bins of every spectrum", WHIRL_PER_POINT, 1,
+                        runup_every_bin},
+    [SPECTRUM] = {WHIRL_FIELD_RUNUP_SPECTRUM, "length",
+                  "forward, backward (0-p amplitudes of x + iy at the orders; a row a bin, one spectrum after another)",
+                  WHIRL_PER_STATION, 2, runup_every_bin_of_spectra},
 };
 
 /// Rows as they fill.
@@ -135,6 +125,8 @@ typedef struct filling {
     double duration, way;
     double *radius, *force; ///< [probes], [contacts] largest since the row before
     size_t row;             ///< of the last turn
+    runup_views views;
+    whirl_status status; ///< of the views
 } filling;
 
 static double *runup_at_row(const filling *f, size_t field, size_t which, size_t columns) {
@@ -176,6 +168,7 @@ static void runup_fill_torques(void *context, double time, const double *torque,
 
 static void runup_fill_row(void *context, const runup_turn *turn) {
     filling *f = context;
+    if (f->status.code == WHIRL_OK) f->status = runup_views_add(&f->views, turn);
     const size_t probes = f->system->probe_count;
     const size_t row = runup_row_at(f, turn->end);
     if (row != f->row || isnan(*runup_at_row(f, TIME, 0, 1))) {
@@ -286,8 +279,13 @@ static whirl_status runup_run_machine(whirl_running *running, const whirl_restin
     runup_peak *peaks = calloc(probes + 1, sizeof *peaks);
     runup_contact *touched = calloc(contacts + 1, sizeof *touched);
     runup_run run = {.peaks = peaks, .contacts = touched, .torques = extremes, .last = numbers};
-    filling f = {
-        .view = view, .system = system, .rows = (size_t)o->rows, .contacts = contacts, .torques = torques, .way = 1.0};
+    filling f = {.view = view,
+                 .system = system,
+                 .rows = (size_t)o->rows,
+                 .contacts = contacts,
+                 .torques = torques,
+                 .way = 1.0,
+                 .status = whirl_ok()};
     runup_plan plan = {.options = o,
                        .integrate = whirl_integrate_default(),
                        .angle = o->angle,
@@ -309,14 +307,19 @@ static whirl_status runup_run_machine(whirl_running *running, const whirl_restin
         memcpy(plan.integrate.method, o->method, sizeof plan.integrate.method);
         status = runup_find_start(point, o, highest, numbers + d, &plan.start_count);
     }
+    if (status.code == WHIRL_OK) status = runup_views_new(view, o, system, contacts, f.duration, &f.views);
+    if (f.views.samples.numbers) plan.samples = &f.views.samples;
     if (status.code == WHIRL_OK && *o->loss_at) {
         const whirl_placed lost = {runup_station_named(system, o->loss_at), o->loss_moment, o->loss_angle};
         running->lose(running, 1, &lost);
     }
     if (status.code == WHIRL_OK) status = runup_carry(running, &plan, &run);
     if (status.code == WHIRL_OK && run.end == RUNUP_STOPPED) status = whirl_fail(WHIRL_STOPPED, "stopped");
+    if (status.code == WHIRL_OK) status = f.status;
+    if (status.code == WHIRL_OK) status = runup_views_end(&f.views, run.time);
     if (status.code == WHIRL_OK) runup_fill_end(&f, &run);
     if (status.code == WHIRL_OK) runup_fill_extremes(&f, running, &run);
+    runup_views_free(&f.views);
     free(numbers);
     free(extremes);
     free(peaks);

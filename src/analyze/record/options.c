@@ -178,10 +178,19 @@ const whirl_member *whirl_runup_members(void) {
         RUNUP_NUMBER(rtol, "rtol", "1", "1e-8", WHIRL_ABOVE_TO(1e-14, 1e-2), "relative tolerance"),
         RUNUP(WORD, method, "", WHIRL_KEY_CHOICE, "dop853", WHIRL_ANY, "dop853|rodas5p",
               "of integration; rodas5p for machines whose fast modes are damped hard"),
+        RUNUP(WHOLE, spectra, "1", WHIRL_KEY_WHOLE, "0", WHIRL_FROM_TO(0, 10000), NULL,
+              "spectra of the result, at equal times: each shows the last turns before it; 0: none"),
+        RUNUP(WHOLE, spectrum_turns, "1", WHIRL_KEY_WHOLE, "16", WHIRL_FROM_TO(2, 1024), NULL,
+              "turns of the shaft in a spectrum; its bins are multiples of 1/spectrum_turns of the speed"),
+        RUNUP_NUMBER(highest_order, "highest_order", "1", "5", WHIRL_ABOVE_TO(0, 1000),
+                     "multiple of the speed up to which spectra are kept"),
         {.part = NULL},
     };
     return runs;
 }
+
+/// Most numbers of a station in a window, or in all spectra of a run.
+static const double MAX_RUNUP_NUMBERS = 4e6;
 
 whirl_status whirl_runup_check(const whirl_runup_options *o, bool driven, double no_load) {
     if (o->rate > 0.0 && o->to == 0.0 && o->duration == 0.0)
@@ -205,6 +214,14 @@ whirl_status whirl_runup_check(const whirl_runup_options *o, bool driven, double
         return whirl_fail(WHIRL_BAD_INPUT, "the run has trip_time and trip_speed, expected one of them");
     if (o->rate > 0.0 && (o->trip_time > 0.0 || o->trip_speed > 0.0))
         return whirl_fail(WHIRL_BAD_INPUT, "the run has a rate and a trip of its drive, expected one of them");
+    const double kept = o->highest_order * o->spectrum_turns * o->spectra,
+                 window = (double)o->spectrum_turns * o->samples;
+    if (kept > MAX_RUNUP_NUMBERS)
+        return whirl_fail(WHIRL_BAD_INPUT, "%d spectra of %.4g bins are wanted, expected at most %.0f bins in all",
+                          o->spectra, o->highest_order * o->spectrum_turns, MAX_RUNUP_NUMBERS);
+    if (o->spectra > 0 && window > MAX_RUNUP_NUMBERS)
+        return whirl_fail(WHIRL_BAD_INPUT, "a spectrum of %d turns has %.0f samples, expected at most %.0f",
+                          o->spectrum_turns, window, MAX_RUNUP_NUMBERS);
     return whirl_ok();
 }
 

@@ -294,6 +294,19 @@ static double runup_torque_slope(const runner *r, const double *x, size_t which)
 
 // ---------------------------------------------------------------- turns that are seen
 
+/// Keeps the instants of a part at equal angles of the turn.
+static void runup_keep_instants(runner *r, double passed, double step, size_t count) {
+    turn_instant ends[2] = {{.state = r->change}, {.state = r->change + r->most}};
+    for (size_t k = 0; k <= count; k++) {
+        const double *sample = runup_sample(r, k);
+        turn_instant *own = &ends[k % 2];
+        own->angle = passed + (r->by_time ? sample[r->rotor + 2] - r->samples[r->rotor + 2] : (double)k * step);
+        own->force = r->force + k * r->contacts;
+        memcpy(own->state, runup_placed(r, sample), (r->rotor + 2) * sizeof *sample);
+        if (k > 0) turn_samples_fill(r->plan->samples, r->machine, &ends[(k - 1) % 2], own);
+    }
+}
+
 /// Shows all that happens in a part of a turn. from: its angle (by time: 0); passed: the same within the turn.
 static void runup_see_part(runner *r, double from, double passed, double length) {
     const size_t count = (size_t)r->plan->options->samples;
@@ -302,6 +315,7 @@ static void runup_see_part(runner *r, double from, double passed, double length)
     runup_see_contacts(r, from, step, count);
     runup_see_torques(r, step, count);
     runup_add_orders(r, passed, step, count);
+    if (r->plan->samples) runup_keep_instants(r, passed, step, count);
 }
 
 static void runup_begin_turn(runner *r) {
@@ -318,7 +332,8 @@ static void runup_show_turn(runner *r, bool whole) {
                        .whole = whole,
                        .stations = r->stations,
                        .force = r->largest,
-                       .share = r->share};
+                       .share = r->share,
+                       .samples = whole && r->plan->samples ? r->plan->samples->numbers : NULL};
     for (size_t c = 0; c < r->contacts; c++) r->share[c] = end > begin ? r->share[c] / (end - begin) : 0.0;
     r->machine->torques(r->machine, runup_placed(r, r->x), runup_angle_of(r, r->x), &turn.torques);
     if (r->plan->see) r->plan->see(r->plan->context, &turn);

@@ -5,6 +5,7 @@
 
 #include <complex.h>
 
+#include "turn_history.h"
 #include "whirl/engine/integrate.h"
 #include "whirl/engine/record.h"
 #include "whirl/engine/running.h"
@@ -38,6 +39,7 @@ typedef struct runup_turn {
     const runup_station *stations; ///< [probe_count]
     const double *force;           ///< [contact_count] N, largest normal force
     const double *share;           ///< [contact_count] of the turn in contact
+    const double *samples;         ///< of turn_samples; NULL if the run ends within the turn, or the plan has none
 } runup_turn;
 
 /// What a contact did over the run. Times in s; NaN where there was none.
@@ -87,6 +89,7 @@ typedef struct runup_plan {
     runup_see *see;
     runup_watch_at *watch; ///< of machines that are run by time; NULL: nobody
     void *context;
+    turn_samples *samples; ///< filled in before a turn is shown; NULL: none are wanted
 } runup_plan;
 
 /// Runs it. peaks, contacts, torques and last are the caller's. WHIRL_NO_MEMORY, and errors of integrators.

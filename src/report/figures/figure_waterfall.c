@@ -9,9 +9,8 @@
 #include "quantities.h"
 #include "report_parts.h"
 
-// Viridis from its bright end: on white the largest amplitudes are the darkest.
-static const char *const darker[] = {"#fde725", "#a0da39", "#4ac16d", "#1fa187",
-                                     "#277f8e", "#365c8d", "#46327e", "#440154"};
+const char *const waterfall_colours[WATERFALL_COLOURS] = {"#fde725", "#a0da39", "#4ac16d", "#1fa187",
+                                                          "#277f8e", "#365c8d", "#46327e", "#440154"};
 
 /// Least amplitude of a line, relative to the largest.
 static const double LEAST = 1e-3;
@@ -155,8 +154,8 @@ static void waterfall_describe(const drawing *to, const figure_place *place, whi
         figure->scale = (whirl_colour_scale){.low = LEAST * of.largest,
                                              .high = of.largest,
                                              .logarithmic = true,
-                                             .colours = darker,
-                                             .count = sizeof darker / sizeof *darker};
+                                             .colours = waterfall_colours,
+                                             .count = WATERFALL_COLOURS};
         symbol_length(to->units, WHIRL_AMPLITUDE, "amplitude", figure->scale.label, sizeof figure->scale.label);
         if (of.axis.both) figure->width = 17.5;
         waterfall_add_panel(figure, &of, 1);

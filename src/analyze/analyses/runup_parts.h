@@ -1,0 +1,70 @@
+/// Parts of the analysis of run-ups: its fields, and what is taken from the last turns of a run.
+#ifndef ANALYZE_RUNUP_PARTS_H
+#define ANALYZE_RUNUP_PARTS_H
+
+#include "analysis.h"
+#include "runup/runup.h"
+
+/// Fields of run-ups, in the order of the block.
+enum {
+    END,
+    END_TIME,
+    END_SPEED,
+    END_TURNS,
+    EVENTS,
+    NUMBERS_ERROR,
+    TIME,
+    SPEED,
+    TURNS,
+    TORQUE,
+    RADIUS,
+    CENTRE,
+    AMPLITUDE,
+    LAG,
+    WHIRL,
+    PLACE,
+    PEAK,
+    PEAK_TIME,
+    PEAK_SPEED,
+    FORCE,
+    SHARE,
+    CONTACT,
+    CONTACT_NUMBER,
+    TORQUE_OF,
+    TORQUE_EXTREME,
+    TORQUE_COURSE,
+    STATION_SPEED,
+    SPECTRUM_TIME,
+    SPECTRUM_SPEED,
+    SPECTRUM_ORDER,
+    SPECTRUM,
+    FIELD_COUNT
+};
+
+/// Spectra of a run, from the samples of its last turns.
+typedef struct runup_views {
+    const block_view *view;
+    const whirl_runup_options *options;
+    double duration;      ///< s, of the whole run
+    bool clockwise;       ///< sense of rotation
+    turn_samples samples; ///< of the turn; numbers are NULL where nothing is wanted
+    turn_history history;
+    double *memory; ///< x and y of a window
+    size_t spectra; ///< done, or passed
+} runup_views;
+
+/// Orders of the bins of a spectrum of a run: multiples of 1/spectrum_turns up to highest_order.
+size_t runup_bins(const whirl_runup_options *options);
+
+/// Makes the views; nothing is kept if the options want none. WHIRL_NO_MEMORY. Freed by runup_views_free.
+whirl_status runup_views_new(const block_view *view, const whirl_runup_options *options, const whirl_system *system,
+                             size_t contacts, double duration, runup_views *views);
+void runup_views_free(runup_views *views);
+
+/// Takes a turn into account: fills spectra that are due before it. WHIRL_NO_MEMORY.
+whirl_status runup_views_add(runup_views *views, const runup_turn *turn);
+
+/// Fills spectra that are due until the end of the run, at that time. WHIRL_NO_MEMORY.
+whirl_status runup_views_end(runup_views *views, double time);
+
+#endif

@@ -1,0 +1,51 @@
+/// The last turns of a run, as samples at equal angles of the shaft.
+#ifndef ANALYZE_TURN_HISTORY_H
+#define ANALYZE_TURN_HISTORY_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "whirl/engine/running.h"
+
+/// Instants of a turn at equal angles, the beginning of the turn first. An instant is one row of `numbers`: the time in
+/// s; x and y of every probe; normal force (N) and gap (below 0: pressed in) of every contact. Lengths are those of the
+/// machine.
+typedef struct turn_samples {
+    size_t samples, probes, contacts;
+    size_t width;    ///< of a row
+    double *numbers; ///< [samples][width]
+} turn_samples;
+
+/// A computed instant of a turn.
+typedef struct turn_instant {
+    double angle;        ///< rad within the turn
+    double *state;       ///< [dimension by the angle]
+    const double *force; ///< [contacts] N
+} turn_instant;
+
+/// Makes samples of one turn; numbers are NULL without memory. Freed by free(numbers).
+turn_samples turn_samples_new(size_t samples, size_t probes, size_t contacts);
+
+/// Fills in the instants at equal angles from one computed instant to before the next one: displacements and times
+/// cubic between both (Hermite), forces and gaps linear. Those at a computed instant have its numbers.
+void turn_samples_fill(turn_samples *to, const whirl_running *running, const turn_instant *low,
+                       const turn_instant *high);
+
+/// The last turns.
+typedef struct turn_history {
+    size_t room, held; ///< turns that are kept; that there are, up to twice as many
+    size_t turn;       ///< numbers of a turn, samples times width
+    double *numbers;   ///< [2 room][turn]
+    double end;        ///< s, of the last turn
+} turn_history;
+
+/// Makes the history of the last `room` turns; numbers are NULL without memory. Freed by free(numbers).
+turn_history turn_history_new(size_t room, const turn_samples *of);
+
+/// Adds a turn that ended at a time.
+void turn_history_add(turn_history *to, const double *numbers, double end);
+
+/// Returns the last turns [turns][samples][width]; NULL if there are not so many.
+const double *turn_history_last(const turn_history *of, size_t turns);
+
+#endif

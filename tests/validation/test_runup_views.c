@@ -1,0 +1,221 @@
+// Run-ups as the analyst sees them: spectra from the last turns, against closed forms, and their figures.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+#include "support_study.h"
+#include "whirl/engine/fields.h"
+#include "whirl/engine/figure.h"
+#include "whirl/engine/result.h"
+
+#include <complex.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
+
+enum { SIZE = 4096 };
+
+/// A disc of 1 kg on a spring of 1 N/m, with an eccentricity of 0.1 m.
+static whirl_result *run_disc(const char *rotor, double damping, const char *elements, const char *study) {
+    char text[SIZE];
+    snprintf(text, sizeof text,
+             "whirl: 1\n"
+             "rotor:\n"
+             "  speed: 2 rad/s\n"
+             "%s"
+             "  stations:\n"
+             "    disc: {mass: 1 kg, damping: %g N.s/m, eccentricity: 0.1 m}\n"
+             "  elements:\n"
+             "    - spring: {between: [disc, ground], stiffness: 1 N/m}\n"
+             "%s"
+             "study:\n"
+             "  runup: {%s, rtol: 1e-12}\n",
+             rotor, damping, elements, study);
+    return result_of_text(text);
+}
+
+static const double *numbers(const whirl_result *result, const char *field) {
+    const double *own = whirl_table_field(&result->tables[0], 0, field, 0);
+    assert_non_null(own);
+    return own;
+}
+
+static size_t rows(const whirl_result *result, const char *field) {
+    return whirl_layout_field(&result->tables[0].layout, field)->rows;
+}
+
+/// The amplitude of a bin in a spectrum; way: 0 forward, 1 backward.
+static double bin_of(const whirl_result *result, size_t spectrum, size_t bin, size_t way) {
+    return numbers(
+        result,
+        WHIRL_FIELD_RUNUP_SPECTRUM)[2 * (spectrum * rows(result, WHIRL_FIELD_RUNUP_SPECTRUM_ORDER) + bin) + way];
+}
+
+/// Amplitude of the disc under a turning force.
+static double response(double damping, double frequency, double force) {
+    return force / cabs(1.0 - frequency * frequency + I * damping * frequency);
+}
+
+static whirl_figure *figure_of(const whirl_result *result, const char *name) {
+    whirl_figure *figure = NULL;
+    require_ok(whirl_figure_new(result, name, NULL, &figure));
+    return figure;
+}
+
+// ---------------------------------------------------------------- spectra
+
+static const char steady[] = "rate: 1e-14 rad/s2, speed_from: 2 rad/s, begin: steady, settle: 200, duration: 200 s, "
+                             "rows: 4, spectra: 3";
+
+/// Unbalance, and forces at half the speed and at 1.5 times against it, are lines on bins with the amplitudes of their
+/// closed forms, and nothing is elsewhere; in both senses of rotation and all length scales.
+static void lines_of_forces(void **state) {
+    static const char forces[] = "    - force: {at: disc, amplitude: 0.3 N, ratio: 0.5, law: forward}\n"
+                                 "    - force: {at: disc, amplitude: 0.2 N, ratio: 1.5, law: backward}\n";
+    static const struct {
+        const char *rotor;
+        double length;
+    } same[] = {{"  length_scale: 1 m\n", 1.0},
+                {"  length_scale: 3.7 m\n", 3.7},
+                {"  length_scale: 1 m\n  rotation: clockwise\n", 1.0}};
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(same); i++) {
+        whirl_result *result = run_disc(same[i].rotor, 0.5, forces, steady);
+        const struct {
+            size_t bin, way;
+            double amplitude;
+        } lines[] = {
+            {8, 0, response(0.5, 1.0, 0.3)}, {16, 0, response(0.5, 2.0, 0.4)}, {24, 1, response(0.5, 3.0, 0.2)}};
+        for (size_t k = 0; k < COUNT_OF(lines); k++)
+            check_within("Run-up", words("spectrum, case %zu, order %g", i, (double)lines[k].bin / 16.0),
+                         lines[k].amplitude, same[i].length * bin_of(result, 2, lines[k].bin, lines[k].way), 1e-9);
+        double rest = 0.0;
+        for (size_t bin = 0; bin < rows(result, WHIRL_FIELD_RUNUP_SPECTRUM_ORDER); bin++)
+            for (size_t way = 0; way < 2; way++) {
+                bool line = false; // a line of a Hann window has half its height next to it
+                for (size_t k = 0; k < COUNT_OF(lines); k++)
+                    line = line || (way == lines[k].way && bin + 1 >= lines[k].bin && bin <= lines[k].bin + 1);
+                if (!line) rest = fmax(rest, bin_of(result, 2, bin, way));
+            }
+        check_within("Run-up", words("spectrum, case %zu, elsewhere", i), 0.0, rest, 1e-9);
+        whirl_result_free(result);
+    }
+}
+
+/// A turn that an event parts is made whole again: a blade of no weight changes no spectrum.
+static void parted_turns(void **state) {
+    char study[SIZE / 4];
+    (void)state;
+    whirl_result *whole = run_disc("  length_scale: 1 m\n", 0.5, "", steady);
+    snprintf(study, sizeof study, "%s, loss_at: disc, loss_moment: 1e-15 kg.m, loss_time: 190.3 s", steady);
+    whirl_result *parted = run_disc("  length_scale: 1 m\n", 0.5, "", study);
+    const size_t all = 2 * 3 * rows(whole, WHIRL_FIELD_RUNUP_SPECTRUM_ORDER);
+    double difference = 0.0;
+    for (size_t k = 0; k < all; k++)
+        difference = fmax(difference, fabs(numbers(whole, WHIRL_FIELD_RUNUP_SPECTRUM)[k] -
+                                           numbers(parted, WHIRL_FIELD_RUNUP_SPECTRUM)[k]));
+    check_within("Run-up", "an event in a turn, change of spectra", 0.0, difference, 1e-9);
+    whirl_result_free(whole);
+    whirl_result_free(parted);
+}
+
+/// A slow run meets the response at constant speed at every spectrum, nearer at a slower rate; a spectrum changes no
+/// other number.
+static void slow_run_meets_the_response(void **state) {
+    static const double rates[] = {4e-3, 1e-3};
+    double misses[COUNT_OF(rates)] = {0.0};
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(rates); i++) {
+        char study[SIZE / 4];
+        snprintf(study, sizeof study,
+                 "rate: %g rad/s2, speed_from: 1.5 rad/s, speed_to: 3 rad/s, begin: steady, rows: 30, samples: 32, "
+                 "spectra: 10, spectrum_turns: 4",
+                 rates[i]);
+        whirl_result *result = run_disc("  length_scale: 1 m\n", 0.5, "", study);
+        for (size_t k = 0; k < 10; k++) {
+            const double speed = numbers(result, WHIRL_FIELD_RUNUP_SPECTRUM_SPEED)[k];
+            misses[i] =
+                fmax(misses[i], fabs(bin_of(result, k, 4, 0) / response(0.5, speed, 0.1 * speed * speed) - 1.0));
+        }
+        check_within("Run-up", words("spectra at %g rad/s2, off the response at constant speed", rates[i]), 0.0,
+                     misses[i], 2.0 * rates[i]);
+        if (i == 0) {
+            *strstr(study, ", spectra") = '\0';
+            whirl_result *without = run_disc("  length_scale: 1 m\n", 0.5, "", study);
+            static const char *const fields[] = {WHIRL_FIELD_RUNUP_AMPLITUDE, WHIRL_FIELD_RUNUP_LAG};
+            for (size_t f = 0; f < COUNT_OF(fields); f++)
+                check_holds("Run-up", words("the same bits without spectra, %s", fields[f]),
+                            memcmp(numbers(result, fields[f]), numbers(without, fields[f]), 30 * 8 * sizeof(double)) ==
+                                0);
+            assert_null(whirl_table_field(&without->tables[0], 0, WHIRL_FIELD_RUNUP_SPECTRUM, 0));
+            whirl_result_free(without);
+        }
+        whirl_result_free(result);
+    }
+    check_holds("Run-up", "spectra of a slower run are nearer", misses[1] < 0.5 * misses[0]);
+}
+
+/// Spectra before there were as many turns are missing; from rest, too.
+static void too_few_turns(void **state) {
+    (void)state;
+    whirl_result *result = run_disc("  length_scale: 1 m\n", 0.5, "",
+                                    "rate: 0.02 rad/s2, duration: 100 s, rows: 10, spectra: 10, spectrum_turns: 8");
+    const double *times = numbers(result, WHIRL_FIELD_RUNUP_SPECTRUM_TIME);
+    size_t missing = 0;
+    while (missing < 10 && isnan(times[missing])) missing++;
+    // The angle is 0.01 t^2: 8 turns are complete at 70.9 s.
+    check_within("Run-up", "spectra that are missing", 7.0, (double)missing, 0.0);
+    check_holds("Run-up", "the others are there", isfinite(times[7]) && isfinite(times[9]));
+    whirl_result_free(result);
+}
+
+/// The highest point of a line, and where it is.
+static double top_of(const whirl_series *line, double *x) {
+    double top = -INFINITY;
+    for (size_t k = 0; k < line->count; k++)
+        if (line->y[k] > top) top = line->y[k], *x = line->x[k];
+    return top;
+}
+
+/// Figures have the lines of the closed form at their places: orders over the time, frequencies over the speed,
+/// colours.
+static void figures_of_spectra(void **state) {
+    double at = 0.0;
+    (void)state;
+    whirl_result *result = run_disc("  length_scale: 1 m\n", 0.5,
+                                    "    - force: {at: disc, amplitude: 0.3 N, ratio: 0.5, law: backward}\n", steady);
+    whirl_figure *figure = figure_of(result, "runup-waterfall-disc");
+    assert_int_equal(figure->panels[0]->count, 3);
+    top_of(figure->panels[0]->series[2], &at);
+    check_within("Run-up", "waterfall: order of the tallest peak", -0.5, at, 1e-12);
+    check_within("Run-up", "waterfall: time of a line", numbers(result, WHIRL_FIELD_RUNUP_SPECTRUM_TIME)[2],
+                 figure->panels[0]->series[2]->y[0], 1e-9);
+    whirl_figure_free(figure);
+    figure = figure_of(result, "runup-cascade-disc");
+    top_of(figure->panels[0]->series[2], &at);
+    check_within("Run-up", "cascade: frequency of the tallest peak", -1.0 / 6.283185307179586, at, 1e-9);
+    whirl_figure_free(figure);
+    figure = figure_of(result, "runup-spectrogram-disc");
+    const whirl_series *boxes = figure->panels[0]->series[0];
+    size_t largest = 0;
+    for (size_t k = 0; k < boxes->count; k++)
+        if (boxes->values[k] > boxes->values[largest]) largest = k;
+    check_within("Run-up", "spectrogram: the largest", response(0.5, 1.0, 0.3), boxes->values[largest], 1e-9);
+    check_within("Run-up", "spectrogram: its frequency", -1.0 / 6.283185307179586,
+                 0.5 * (boxes->y[largest] + boxes->y_to[largest]), 1e-9);
+    whirl_figure_free(figure);
+    whirl_result_free(result);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(lines_of_forces), cmocka_unit_test(parted_turns),
+                                       cmocka_unit_test(slow_run_meets_the_response), cmocka_unit_test(too_few_turns),
+                                       cmocka_unit_test(figures_of_spectra)};
+    return cmocka_run_group_tests_name("views of run-ups", tests, NULL, NULL);
+}
