@@ -7,9 +7,9 @@
 #include "shown_kinds.h"
 
 /// Figures of a run, and the meaning of `which` in their places.
-enum { OVER_SPEED, OVER_TIME, ORDERS, SHAFT, CONTACTS };
+enum { OVER_SPEED, OVER_TIME, ORDERS, SHAFT, CONTACTS, TORQUES };
 
-enum { MAX_RUNS = 6, MAX_ORDERS = 4 };
+enum { MAX_RUNS = 6, MAX_ORDERS = 4, MAX_TORQUE_PANELS = 6 };
 
 static bool runup_is_done(const whirl_table *table, size_t point) {
     return whirl_table_done(table, point) && whirl_table_number(table, point, WHIRL_FIELD_RUNUP_END, 0) >= 0.0;
@@ -36,7 +36,7 @@ static void runup_list(figure_list *to, const drawing *of, const whirl_table *ta
     figure_place place = {.kind = &runup_figure, .table = table, .point = NO_POINT, .which = SHAFT};
     list_figure(to, &place, "runup-shaft", "Speed of the shaft over the time");
     for (size_t s = 0; s < of->result->station_count; s++)
-        for (size_t i = 0; i < sizeof alike / sizeof *alike; i++) {
+        for (size_t i = 0; i < sizeof alike / sizeof *alike && !of->result->stations[s].twists; i++) {
             place.which = alike[i].which;
             place.station = s;
             snprintf(name, sizeof name, "%s-%.63s", alike[i].name, of->result->stations[s].name);
@@ -44,6 +44,9 @@ static void runup_list(figure_list *to, const drawing *of, const whirl_table *ta
         }
     place.which = CONTACTS;
     if (of->result->contact_count > 0) list_figure(to, &place, "runup-contacts", "Contacts over the time");
+    place.which = TORQUES;
+    if (table_has(table, WHIRL_FIELD_RUNUP_TORQUE_OF))
+        list_figure(to, &place, "runup-torques", "Torques over the time");
 }
 
 /// Data of a line: a column of a field with rows, in units, over another field.
@@ -172,7 +175,8 @@ static void runup_describe_shaft(const drawing *of, const figure_place *place, w
                                  : panel_series(figure, panel, WHIRL_LINE, line_colour(0), 1.0),
                        &c, WHIRL_FIELD_RUNUP_SPEED, 0, 0, 1.0 / speed->size);
     }
-    const bool driven = table->record.runup.rate == 0.0;
+    // Torques that change within a turn have a figure of their own.
+    const bool driven = table->record.runup.rate == 0.0 && !table_has(table, WHIRL_FIELD_RUNUP_TORQUE_OF);
     whirl_panel *torques = count == 1 && driven ? figure_panel(figure, "torque", 1.0, 4.0) : NULL;
     if (torques) {
         const course c = runup_course_of(of, table, runs[0], false);
@@ -228,6 +232,59 @@ static void runup_caption_runs(const drawing *of, const whirl_table *table, size
         snprintf(figure->caption + used, sizeof figure->caption - used, " The first %zu of %zu runs.", shown, done);
 }
 
+/// Draws a torque: its least and largest value in every row.
+static void runup_draw_torque(const drawing *of, const figure_place *place, size_t run, size_t torque, double height,
+                              whirl_figure *figure) {
+    const whirl_table *table = place->table;
+    const whirl_field *rows = whirl_layout_field(&table->layout, WHIRL_FIELD_RUNUP_TORQUE_COURSE);
+    const double *names = whirl_table_field(table, run, WHIRL_FIELD_RUNUP_TORQUE_OF, 0);
+    const double *values = whirl_table_field(table, run, WHIRL_FIELD_RUNUP_TORQUE_COURSE, 0);
+    const double end = whirl_table_number(table, run, WHIRL_FIELD_RUNUP_END_TIME, 0);
+    const whirl_unit *unit = &of->units->of[WHIRL_QUANTITY_MOMENT], *time = &of->units->of[WHIRL_QUANTITY_TIME];
+    char name[2 * WHIRL_NAME_SIZE + 40];
+    whirl_panel *panel = figure_panel(figure, "torque", 1.0, height);
+    if (!panel || !names || !values || !rows) return;
+    runup_name_torque(of->result, names + 3 * torque, name, sizeof name);
+    snprintf(panel->title, sizeof panel->title, "%.80s", name);
+    runup_label_over(of, panel, false);
+    snprintf(panel->y.label, sizeof panel->y.label, "torque (%s)", unit->name);
+    // A closed band: least values on the way there, largest on the way back.
+    const size_t count = (size_t)table->record.runup.rows;
+    const double duration = table->record.runup.duration > 0.0 ? table->record.runup.duration : end;
+    whirl_series *line = panel_series(figure, panel, WHIRL_LINE, line_colour(torque), 0.7);
+    for (size_t row = 0; row < count; row++) {
+        const double *own = values + 2 * (torque * count + row);
+        const double at = ((double)row + 0.5) / (double)count * duration / time->size;
+        if (!isfinite(own[0]) || !isfinite(own[1])) continue;
+        series_add(figure, line, at, own[row % 2] / unit->size);
+        series_add(figure, line, at, own[1 - row % 2] / unit->size);
+    }
+}
+
+/// Draws the torques of the first run with the largest ranges.
+static void runup_describe_torques(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    size_t runs[MAX_RUNS], chosen[MAX_TORQUE_PANELS], count = 0;
+    const whirl_table *table = place->table;
+    const whirl_field *rows = whirl_layout_field(&table->layout, WHIRL_FIELD_RUNUP_TORQUE_OF);
+    runup_list_runs(table, runs);
+    const double *extremes = whirl_table_field(table, runs[0], WHIRL_FIELD_RUNUP_TORQUE_EXTREME, 0);
+    if (!rows || !extremes) return;
+    for (size_t t = 0; t < rows->rows; t++) {
+        const double range = extremes[4 * t] - extremes[4 * t + 2];
+        size_t at = count;
+        while (at > 0 && extremes[4 * chosen[at - 1]] - extremes[4 * chosen[at - 1] + 2] < range) at--;
+        if (!isfinite(range) || at == MAX_TORQUE_PANELS) continue;
+        count = count < MAX_TORQUE_PANELS ? count + 1 : count;
+        memmove(chosen + at + 1, chosen + at, (count - 1 - at) * sizeof *chosen);
+        chosen[at] = t;
+    }
+    for (size_t i = 0; i < count; i++) runup_draw_torque(of, place, runs[0], chosen[i], count > 3 ? 2.6 : 3.6, figure);
+    snprintf(figure->caption, sizeof figure->caption,
+             "Torques of motors and between stations that twist%s: from the least to the largest value in each row of "
+             "the run.",
+             rows->rows > count ? ", those with the largest ranges" : "");
+}
+
 static void runup_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     switch (place->which) {
     case OVER_SPEED:
@@ -242,10 +299,13 @@ static void runup_describe(const drawing *of, const figure_place *place, whirl_f
     case SHAFT:
         runup_describe_shaft(of, place, figure);
         break;
+    case TORQUES:
+        runup_describe_torques(of, place, figure);
+        break;
     default:
         runup_describe_contacts(of, place, figure);
     }
-    runup_caption_runs(of, place->table, place->which == ORDERS || place->which == CONTACTS ? 1 : MAX_RUNS, figure);
+    runup_caption_runs(of, place->table, place->which == ORDERS || place->which >= CONTACTS ? 1 : MAX_RUNS, figure);
 }
 
 const figure_kind runup_figure = {.list = runup_list, .describe = runup_describe, .stem = "runup", .study = "runup"};

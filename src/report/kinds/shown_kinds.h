@@ -47,6 +47,9 @@ torsion_excitation torsion_excitation_at(const whirl_table *table, int index);
 /// Returns the frequency of an excitation at a speed, both in rad/s.
 double torsion_excitation_frequency(const whirl_table *table, torsion_excitation by, double speed);
 
+/// Writes the name of a torque by its row of the field runup/torque_of: "motor to load", "induction motor at motor".
+void runup_name_torque(const whirl_result *result, const double *of, char *name, size_t size);
+
 /// Returns true for a mode with more than half of its kinetic energy in twists.
 bool mode_is_torsional(const whirl_table *table, size_t point, size_t mode);
 

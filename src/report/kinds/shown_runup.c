@@ -84,7 +84,7 @@ static void runup_find_peaks(const finder *of) {
         for (size_t station = 0; station < of->result->station_count; station++) {
             const double peak = runup_number_of(of, point, WHIRL_FIELD_RUNUP_PEAK, station);
             const double time = runup_number_of(of, point, WHIRL_FIELD_RUNUP_PEAK_TIME, station);
-            if (!whirl_table_done(of->table, point) || isnan(time)) continue;
+            if (!whirl_table_done(of->table, point) || isnan(time) || of->result->stations[station].twists) continue;
             sheet_row(of, sheet);
             cell_value(of, sheet, point);
             cell_station(of, sheet, station);
@@ -123,12 +123,58 @@ static void runup_find_contacts(const finder *of) {
     find_sheet_end(of);
 }
 
+void runup_name_torque(const whirl_result *result, const double *of, char *name, size_t size) {
+    static const char *const kinds[] = {"twist", "induction motor", "synchronous start", "short circuit",
+                                        "torque over time"};
+    const char *station[2];
+    for (size_t end = 0; end < 2; end++) {
+        const bool named = of[1 + end] >= 0.0 && of[1 + end] < (double)result->station_count;
+        station[end] = named ? result->stations[(size_t)of[1 + end]].name : "";
+    }
+    const size_t kind = of[0] > 0.0 && of[0] < sizeof kinds / sizeof *kinds ? (size_t)of[0] : 0;
+    if (kind == 0)
+        snprintf(name, size, "%s to %s", *station[0] ? station[0] : "between stations",
+                 *station[1] ? station[1] : "between stations");
+    else
+        snprintf(name, size, *station[0] ? "%s at %s" : "%s", kinds[kind], station[0]);
+}
+
+/// Extremes of torques of motors and between twists.
+static void runup_find_torques(const finder *of) {
+    const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_TORQUE_OF);
+    if (!rows) return;
+    whirl_sheet *sheet = find_sheet(of, "torques", "Torques of a run");
+    sheet->about = "Torques of motors on their stations and of shafts between stations that twist, positive where they "
+                   "drive; the largest and the least instant of the run.";
+    sheet_values(of, sheet, "", 6);
+    sheet_texts(of, sheet, "torque", "torque");
+    sheet_column(of, sheet, "largest", "largest", WHIRL_QUANTITY_MOMENT, 6);
+    sheet_column(of, sheet, "largest_time", "at", WHIRL_QUANTITY_TIME, 6);
+    sheet_column(of, sheet, "least", "least", WHIRL_QUANTITY_MOMENT, 6);
+    sheet_column(of, sheet, "least_time", "at", WHIRL_QUANTITY_TIME, 6);
+    for (size_t point = 0; point < of->table->count; point++) {
+        const double *names = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_TORQUE_OF, 0);
+        const double *extremes = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_TORQUE_EXTREME, 0);
+        for (size_t row = 0; names && extremes && row < rows->rows; row++) {
+            char name[2 * WHIRL_NAME_SIZE + 40];
+            if (isnan(names[3 * row])) continue;
+            runup_name_torque(of->result, names + 3 * row, name, sizeof name);
+            sheet_row(of, sheet);
+            cell_value(of, sheet, point);
+            cell_text(of, sheet, find_text(of->findings, "%s", name));
+            for (size_t i = 0; i < 4; i++) cell_number(of, sheet, extremes[4 * row + i]);
+        }
+    }
+    find_sheet_end(of);
+}
+
 static void runup_find(const finder *of) {
     runup_find_failures(of);
     runup_find_error(of);
     runup_find_runs(of);
     runup_find_peaks(of);
     runup_find_contacts(of);
+    runup_find_torques(of);
 }
 
 const shown_kind shown_runup = {.field = WHIRL_FIELD_RUNUP_END,
