@@ -76,6 +76,16 @@ whirl_status whirl_signals_resample(const double *time, const double *values, si
                                     const double *instants, size_t pulses, size_t samples, int order,
                                     double *resampled);
 
+/// Tracks orders over the turns of a record: amplitudes a with the part Re a e^(i order angle) of every `revolutions`
+/// turns, by the exact integral 2/angle int z e^(-i order angle) d angle over them. No other whole multiple of
+/// 1/revolutions leaks into it; of order 0 it is the mean, imaginary part 0.
+/// - `resampled` [channels][turns samples]: samples at equal angles of whirl_signals_resample.
+/// - `orders` [count], 0 or multiples of 1/revolutions, below samples/2.
+/// - `vectors` [channels][count][turns/revolutions][2], real and imaginary part, zero to peak: a peak lags behind the
+///   pulse by -arg a. Turns at the end that make no full block are left out.
+whirl_status whirl_signals_track(const double *resampled, size_t channels, size_t turns, size_t samples,
+                                 const double *orders, size_t count, size_t revolutions, double *vectors);
+
 /// Computes displacements x, y [count] from the readings u, v [count] of two probes in one plane, at the angles `first`
 /// and `second` from the x axis in the sense of rotation: u = x cos first + y sin first, v likewise. WHIRL_BAD_INPUT if
 /// the probes are within 0.01 rad of one line.

@@ -288,6 +288,84 @@ def test_vold_kalman_of_a_record_with_a_line_of_the_mains():
     assert np.abs(alone.vectors[0, 0, inside] - expected[0]).max() > 0.2
 
 
+def passage(angles=None):
+    """A shaft that runs from 5 to 45 turns a second through its resonance at 30, 1 turn a second faster in a second, on
+    a runout of 4 at the probes: a record, and the displacement vectors of x and y over turns a second."""
+    time = np.arange(int(2000 * 40)) / 2000
+    turns, fast = 5 * time + 0.5 * time**2, 5 + time
+    angle = 2 * np.pi * turns
+
+    def vectors(speed):
+        ratio = speed / 30
+        response = 10 * np.exp(-0.5j) * ratio**2 / (1 - ratio**2 + 0.1j * ratio)
+        return np.array([response, -0.8j * response])
+
+    x, y = np.real(vectors(fast) * np.exp(1j * angle))
+    stand = [0.0, 0.5 * np.pi] if angles is None else angles
+    probes = [x * np.cos(at) + y * np.sin(at) + 4 * np.cos(angle - 2 - at) + 1 for at in stand]
+    pulses = -5 + np.sqrt(25 + 2 * np.arange(int(turns[-1])))
+    return (time, *probes), dict(pulses=pulses, angles=angles), vectors
+
+
+@pytest.mark.parametrize("angles", [None, np.radians([45, 135]), np.radians([-30, 75])])
+def test_tracked_orders_of_a_passage_with_slow_roll(angles):
+    given, keys, vectors = passage(angles)
+    slow = 6.0
+    found = signals.bode(*given, **keys, slow_roll=2 * np.pi * slow)
+    speed = found.speed / (2 * np.pi)
+    x, y = vectors(speed) - vectors(np.array([slow]))
+    largest = np.abs(vectors(30.0)).max()
+    forward, backward = 0.5 * (x + 1j * y), 0.5 * (x - 1j * y)
+    assert np.abs(found.forward[0] - forward).max() < 2e-3 * largest  # the speed changes within a turn
+    assert np.abs(found.backward[0] - backward).max() < 2e-3 * largest
+    assert np.allclose(found.time, speed - 5, rtol=0, atol=1e-3) and np.abs(found.mean - 1.0).max() < 2e-2 * largest
+    runout = 4 * np.exp(-1j * (2 + (np.array([0, np.pi / 2]) if angles is None else angles)))
+    raw = signals.bode(*given, **keys)
+    assert np.allclose(raw.vectors, found.vectors + found.slow_roll[:, :, None], rtol=0, atol=1e-12)
+    if angles is None:
+        rolled = found.slow_roll[:, 0] - vectors(np.array([slow]))[:, 0]
+        assert np.abs(rolled - runout).max() < 2e-3 * largest and np.all(raw.slow_roll == 0)
+        assert np.abs(found.vectors[0, 0] - x).max() < 2e-3 * largest
+
+
+def test_tracked_orders_as_a_frame_and_figures():
+    pytest.importorskip("pandas")
+    given, keys, _ = passage()
+    record = signals.Record(*given, **keys, unit="um")
+    found = record.track([0.5, 1], revolutions=2, slow_roll=40.0)
+    frame = found.to_pandas()
+    assert len(frame) == len(record.speed) // 2 and list(frame)[:4] == [
+        "time", "speed", "x 0.5X amplitude", "x 0.5X lag"
+    ]  # fmt: skip
+    assert np.array_equal(frame["backward 1X lag"], np.degrees(-np.angle(found.backward[1])) % 360)
+    amplitude, lag = record.plot.bode("y", orders=[0.5, 1], revolutions=2, slow_roll=40.0)
+    line = amplitude.get_lines()[1]
+    assert np.allclose(line.get_xdata(), found.speed * 30 / np.pi) and line.get_label() == "1X"
+    assert np.array_equal(line.get_ydata(), found.amplitude[1, 1]) and amplitude.get_ylabel() == "amplitude of y (µm)"
+    drawn = lag.get_lines()[1].get_ydata()
+    assert np.array_equal(drawn[np.isfinite(drawn)], found.lag[1, 1]) and lag.get_xlabel() == "speed (rpm)"
+    polar = record.plot.polar(slow_roll=40.0)
+    tracked = record.track(slow_roll=40.0)
+    assert np.array_equal(polar.get_lines()[0].get_ydata(), tracked.amplitude[0, 0])
+    with pytest.raises(whirl.BadInput, match="the axes are not polar"):
+        record.plot.polar(ax=plt.subplots()[1])
+
+
+def test_slow_roll_within_the_record_and_below_resonances():
+    given, keys, _ = passage()
+    record = signals.Record(*given, **keys)
+    for speed in (20.0, 300.0, np.nan):
+        with pytest.raises(whirl.BadInput, match="the slow-roll speed is .* expected a speed of the record, 32.0"):
+            record.track(slow_roll=speed)
+    for speed in (180.0, 188.0, 220.0, 280.0):  # 188.5 rad/s is the resonance
+        with pytest.raises(whirl.BadInput, match="is not below the resonances: up to a tenth above it 1X of 'x'"):
+            record.track(slow_roll=speed)
+    runout = signals.Record(
+        given[0], 4 * np.cos(2 * np.pi * (5 * given[0] + 0.5 * given[0] ** 2)), pulses=keys["pulses"]
+    )
+    assert np.abs(runout.track(slow_roll=200.0).vectors).max() < 1e-2  # a shaft that does not vibrate
+
+
 # ---------------------------------------------------------------- what is refused
 
 T = np.arange(200) * 0.05
@@ -326,7 +404,10 @@ V = np.sin(6 * T)
         (lambda: signals.Record(T, V, pulses=[1, 2]).full_spectrum(), "there is no channel 1, expected 0 to 0"),
         (lambda: signals.Record(T, V, pulses=[1, 2]).plot.spectrum("z"), "there is no channel 'z', expected one of: x"),
         (lambda: signals.Record(T, V, pulses=[1, 2]).zero_one(), "there are 2 points, expected at least 100"),
-        (lambda: signals.vold_kalman(V, rate=20, bandwidth=1), "there is nothing to track, expected an angle, or phases"),
+        (
+            lambda: signals.vold_kalman(V, rate=20, bandwidth=1),
+            "there is nothing to track, expected an angle, or phases",
+        ),
         (lambda: signals.vold_kalman(V, T[:9], rate=20, bandwidth=1), "the angle has 9 samples, the signals have 200"),
         (lambda: signals.vold_kalman(V, T, [1, 1], rate=20, bandwidth=1), "the orders are 1, 1, expected different"),
         (lambda: signals.vold_kalman(V, T, 0, rate=20, bandwidth=1), "the orders are 0, expected different ones above"),
@@ -334,12 +415,23 @@ V = np.sin(6 * T)
         (lambda: signals.vold_kalman(V, T, rate=20, bandwidth=[1, 2]), "there are 2 bandwidths, expected one for all"),
         (lambda: signals.vold_kalman(V, T, rate=20, bandwidth=-1), "the bandwidth is -1, expected above 0"),
         (lambda: signals.vold_kalman(V, T, rate=20, bandwidth=1, poles=3), "there are 3 poles, expected 1 or 2"),
-        (lambda: signals.vold_kalman(V, 9 * T, 7, rate=20, bandwidth=1), "order 0 turns by 3.15 rad from sample 0 to 1"),
+        (
+            lambda: signals.vold_kalman(V, 9 * T, 7, rate=20, bandwidth=1),
+            "order 0 turns by 3.15 rad from sample 0 to 1",
+        ),
         (lambda: signals.vold_kalman(V, phases=T[:9], rate=20, bandwidth=1), "the phases have 9 samples"),
         (
             lambda: signals.Record(T + 1e-3 * (T > 5), V, pulses=np.arange(1, 10)).vold_kalman(bandwidth=1),
             "samples 100 and 101 are 0.051 apart, others 0.0500063: expected a constant rate",
         ),
+        (
+            lambda: signals.bode(T, V, pulses=np.arange(1, 9), orders=0.5),
+            "the order 0.5 has no whole number of periods",
+        ),
+        (lambda: signals.bode(T, V, pulses=np.arange(1, 9), revolutions=8), "over 8 revolutions, expected 1 to 7"),
+        (lambda: signals.bode(T, V, pulses=np.arange(1, 9), revolutions=0), "over 0 revolutions, expected 1 to 7"),
+        (lambda: signals.bode(T, V, pulses=np.arange(1, 9), orders=50), "an order is 50, expected 0 or more and below"),
+        (lambda: signals.bode(T, V, V, pulses=np.arange(1, 9), y="z"), "there is no channel 'z'"),
         (lambda: signals.zero_one([]), "there are 0 samples"),
         (lambda: signals.zero_one(np.ones(100)), "the size of the motion is 0"),
         (lambda: signals.recurrence(np.arange(20001.0)), "there are 20001 points, expected at most 20000"),

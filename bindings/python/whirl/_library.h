@@ -145,6 +145,8 @@ whirl_status whirl_signals_samples(const double *time, size_t count, const doubl
 whirl_status whirl_signals_resample(const double *time, const double *values, size_t count, size_t channels,
                                     const double *instants, size_t pulses, size_t samples, int order,
                                     double *resampled);
+whirl_status whirl_signals_track(const double *resampled, size_t channels, size_t turns, size_t samples,
+                                 const double *orders, size_t count, size_t revolutions, double *vectors);
 whirl_status whirl_signals_axes(const double *u, const double *v, size_t count, double first, double second, double *x,
                                 double *y);
 whirl_status whirl_signals_angle(const double *instants, size_t pulses, const double *time, size_t count,

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import functools
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Sequence
 
 import numpy as np
 
+from .errors import BadInput
 from .figure import new_axes
 from .plot import REGIMES
 
@@ -59,13 +60,81 @@ class Plots:
     def speed(self, ax: Axes | None = None, **style: Any) -> Axes:
         """The speed between pulses over time: in rpm where time is in seconds."""
         record, ax = self._record, new_axes(ax)
-        seconds = record.time_unit == "s"
         middles = 0.5 * (record.pulses[1:] + record.pulses[:-1])
-        speed = record.speed * (30.0 / np.pi if seconds else 1.0)
+        speed, unit = self._speeds(record.speed)
         ax.plot(middles, speed, **{"color": "black", "linewidth": 0.8, **style})
-        unit = "rpm" if seconds else f"rad/{record.time_unit}"
         ax.set(xlabel=f"time ({record.time_unit})", ylabel=f"speed ({unit})")
         return ax
+
+    def bode(
+        self,
+        channel: str | int = 0,
+        orders: float | Sequence[float] = (1.0,),
+        revolutions: int = 1,
+        slow_roll: float | None = None,
+        ax: tuple[Axes, Axes] | None = None,
+        **style: Any,
+    ) -> tuple[Axes, Axes]:
+        """Amplitude and lag of orders of a channel over the speed (:meth:`whirl.signals.Record.track`).
+
+        ``ax`` is a pair of axes for the two; such a pair is returned.
+        """
+        record = self._record
+        index = record.channel(channel)
+        tracked = record.track(orders, revolutions, slow_roll, y=None)
+        if ax is None:
+            import matplotlib.pyplot as plt
+
+            ax = plt.subplots(2, sharex=True, figsize=(7.0, 5.6), layout="constrained")[1]
+        speed, unit = self._speeds(tracked.speed)
+        style = {"linewidth": 0.8, **({"color": "black"} if len(tracked.orders) == 1 else {}), **style}
+        for order, amplitude, lag in zip(tracked.orders, tracked.amplitude[index], tracked.lag[index]):
+            ax[0].plot(speed, amplitude, label=f"{order:g}X", **style)
+            jumps = np.flatnonzero(np.abs(np.diff(lag)) > 180.0) + 1  # from 360 to 0 degrees
+            ax[1].plot(np.insert(speed, jumps, np.nan), np.insert(lag, jumps, np.nan), **style)
+        ax[0].set(ylabel=self._label(f"amplitude of {record.names[index]}"))
+        ax[0].set_ylim(bottom=0.0)
+        ax[1].set(xlabel=f"speed ({unit})", ylabel="lag (degrees)", ylim=(360.0, 0.0), yticks=range(0, 361, 90))
+        if len(tracked.orders) > 1:
+            ax[0].legend()
+        return tuple(ax)
+
+    def polar(
+        self,
+        channel: str | int = 0,
+        order: float = 1.0,
+        revolutions: int = 1,
+        slow_roll: float | None = None,
+        ax: Axes | None = None,
+        **style: Any,
+    ) -> Axes:
+        """Polar plot of an order of a channel: the lag grows against the rotation from the probe, marks name speeds."""
+        record = self._record
+        index = record.channel(channel)
+        tracked = record.track(order, revolutions, slow_roll, y=None)
+        if ax is None:
+            import matplotlib.pyplot as plt
+
+            ax = plt.subplots(figsize=(5.0, 5.0), layout="constrained", subplot_kw={"projection": "polar"})[1]
+        elif not hasattr(ax, "set_theta_offset"):
+            raise BadInput('the axes are not polar, expected those of plt.subplots(subplot_kw={"projection": "polar"})')
+        ax.set_theta_direction(-1)
+        ax.set_theta_offset(0.0 if record.angles is None else record.angles[index])
+        lag, amplitude = -np.angle(tracked.vectors[index, 0]), tracked.amplitude[index, 0]
+        ax.plot(lag, amplitude, **{"color": "black", "linewidth": 0.8, **style})
+        speed, unit = self._speeds(tracked.speed)
+        # Marks at equal parts of the path, which is long where the shaft passes a resonance.
+        path = np.append(0.0, np.cumsum(np.abs(np.diff(tracked.vectors[index, 0]))))
+        for row in np.unique(np.searchsorted(path, path[-1] * np.linspace(0.0, 1.0, 9)).clip(max=len(path) - 1)):
+            ax.plot(lag[row], amplitude[row], marker="o", markersize=3, color=REGIMES["quasi-periodic"])
+            ax.annotate(f"{speed[row]:.4g}", (lag[row], amplitude[row]), fontsize="x-small")
+        ax.set_title(self._label(f"{order:g}X of {record.names[index]}") + f", marks: {unit}")
+        return ax
+
+    def _speeds(self, speed):
+        """Speeds in the unit of figures, and its name."""
+        seconds = self._record.time_unit == "s"
+        return speed * (30.0 / np.pi if seconds else 1.0), "rpm" if seconds else f"rad/{self._record.time_unit}"
 
     def orbit(
         self, revolutions: int = 4, x: str | int = 0, y: str | int = 1, ax: Axes | None = None, **style: Any

@@ -14,7 +14,7 @@ samples, channels and pulses are counted from 0.
 from __future__ import annotations
 
 import warnings
-from typing import TYPE_CHECKING, NamedTuple, Optional, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,6 +23,8 @@ from ._library import check, ffi, lib
 from .errors import BadInput
 
 if TYPE_CHECKING:
+    import pandas
+
     from ._signals_plot import Plots
 
 __all__ = [
@@ -30,7 +32,9 @@ __all__ = [
     "FullSpectrum",
     "Recurrence",
     "Envelopes",
+    "TrackedOrders",
     "find_pulses",
+    "bode",
     "vold_kalman",
     "motion_size",
     "zero_one",
@@ -95,7 +99,51 @@ class Envelopes(NamedTuple):
     @property
     def lag(self) -> np.ndarray:
         """[channels][orders][count] degrees by which a peak of the order lags behind its phase 0, 0 to 360."""
-        return np.degrees(-np.angle(self.vectors)) % 360.0
+        return _lag(self.vectors)
+
+
+class TrackedOrders(NamedTuple):
+    """Orders over the turns of a record, a row for every turn or every few. Amplitudes are zero to peak, in the unit of
+    the signals; a peak lags behind the pulse by the ``lag`` in degrees."""
+
+    orders: np.ndarray  #: [orders] multiples of the speed
+    time: np.ndarray  #: [rows] middle of the turns
+    speed: np.ndarray  #: [rows] mean over the turns, rad per unit of time
+    vectors: np.ndarray  #: [channels][orders][rows] complex amplitudes, less the slow roll
+    mean: np.ndarray  #: [channels][rows] mean of the channels over the turns
+    slow_roll: np.ndarray  #: [channels][orders] the vectors that were subtracted; 0 without a slow-roll speed
+    forward: Optional[np.ndarray]  #: [orders][rows] complex amplitude of the circular motion with the rotation
+    backward: Optional[np.ndarray]  #: [orders][rows] against it; both None if there is no pair of probes
+    names: tuple  #: of the channels
+
+    @property
+    def amplitude(self) -> np.ndarray:
+        """[channels][orders][rows] zero to peak."""
+        return np.abs(self.vectors)
+
+    @property
+    def lag(self) -> np.ndarray:
+        """[channels][orders][rows] degrees behind the pulse, 0 to 360."""
+        return _lag(self.vectors)
+
+    def to_pandas(self) -> "pandas.DataFrame":
+        """The rows with the columns time, speed, and amplitude and lag of every channel and order: ``x 1X amplitude``."""
+        from .findings import _pandas
+
+        columns = {"time": self.time, "speed": self.speed}
+        named = dict(zip(self.names, self.vectors))
+        if self.forward is not None:
+            named.update(forward=self.forward, backward=self.backward)
+        for name, vectors in named.items():
+            for order, vector in zip(self.orders, vectors):
+                columns[f"{name} {order:g}X amplitude"] = np.abs(vector)
+                columns[f"{name} {order:g}X lag"] = _lag(vector)
+        return _pandas().DataFrame(columns)
+
+
+def _lag(vectors: np.ndarray) -> np.ndarray:
+    """Degrees by which peaks of complex amplitudes lag, 0 to 360."""
+    return np.degrees(-np.angle(vectors)) % 360.0
 
 
 # ---------------------------------------------------------------- arrays
@@ -334,6 +382,39 @@ def _spectrum(x: np.ndarray, y: Optional[np.ndarray], samples: int, highest_orde
     arrays = _at(orders), _at(lines), found, _at(synchronous)
     check(lib.whirl_signals_spectrum(_at(x), second, x.size, samples, highest_order, *arrays))
     return orders, lines[: found[0]], synchronous
+
+
+def _at_speed(speed: np.ndarray, vectors: np.ndarray, wanted: float) -> np.ndarray:
+    """Vectors [...][rows] at a speed: mean of straight lines between the rows that pass it."""
+    low, high = np.minimum(speed[:-1], speed[1:]), np.maximum(speed[:-1], speed[1:])
+    passed = np.flatnonzero((low <= wanted) & (wanted <= high))
+    if len(passed) == 0:
+        raise BadInput(
+            f"the slow-roll speed is {wanted:g} rad per unit of time, expected a speed of the record, {speed.min():.6g} "
+            f"to {speed.max():.6g}"
+        )
+    step = speed[passed + 1] - speed[passed]
+    part = np.divide(wanted - speed[passed], step, out=np.full(len(passed), 0.5), where=step != 0.0)
+    return np.mean(vectors[..., passed] * (1.0 - part) + vectors[..., passed + 1] * part, axis=-1)
+
+
+_SLOW, _STILL, _RESPONDS = 1.1, 0.25, 0.5
+
+
+def _check_slow_roll(speed: np.ndarray, once: np.ndarray, slow_roll: np.ndarray, wanted: float, names) -> None:
+    """Raises :class:`whirl.BadInput` where the slow-roll speed is not below the resonances.
+
+    Synchronous vectors ``once`` [channels][rows], less the slow roll, may reach a quarter of their largest amplitude up
+    to a tenth above that speed. Nothing is said of channels that hardly change: by less than half of the slow roll.
+    """
+    slow = speed <= _SLOW * wanted
+    for name, channel, roll in zip(names, np.abs(once), np.abs(slow_roll)):
+        changed = channel[slow].max(initial=0.0)
+        if changed > _STILL * channel.max() and channel.max() > _RESPONDS * roll:
+            raise BadInput(
+                f"the slow-roll speed {wanted:g} rad per unit of time is not below the resonances: up to a tenth above "
+                f"it 1X of '{name}' changes by {changed / channel.max():.0%} of its largest change"
+            )
 
 
 # ---------------------------------------------------------------- checks of pulses
@@ -575,6 +656,67 @@ class Record:
         given = dict(rate=1.0 / step, bandwidth=bandwidth, poles=poles, phases=phases)
         return vold_kalman(self.channels[:, inside], self._angle(time), orders, **given)._replace(time=time)
 
+    def track(
+        self,
+        orders: "float | Sequence[float]" = (1.0,),
+        revolutions: int = 1,
+        slow_roll: Optional[float] = None,
+        x: "str | int" = 0,
+        y: "str | int | None" = 1,
+        samples: Optional[int] = None,
+        order: int = 7,
+    ) -> TrackedOrders:
+        """Orders over the turns: exact integrals over every turn, or every few, of samples at equal angles.
+
+        Parameters
+        ----------
+        orders : float or sequence of float
+            Multiples of 1/revolutions.
+        revolutions : int
+            Turns of a row. More of them resolve fractions of an order and average noise, and follow a change of speed
+            less well.
+        slow_roll : float, optional
+            Speed, rad per unit of time, of which the vectors of every channel and order are subtracted from all others:
+            what probes see of a shaft that does not vibrate. It lies within the record and below the resonances.
+        x, y : str or int
+            Pair of probes of ``forward`` and ``backward``; none with ``y=None``, or if there is one channel.
+        samples, order
+            As in :meth:`resample`.
+        """
+        turned, revolutions = self.resample(samples, order), _whole(revolutions, "the number of revolutions")
+        orders = _numbers(np.atleast_1d(orders), "the orders")
+        channels, turns, samples = turned.shape
+        tracked = np.ascontiguousarray(np.append(0.0, orders))
+        rows = turns // max(1, revolutions)
+        out = np.empty((channels, len(tracked), rows, 2))
+        arrays = _at(tracked), len(tracked), revolutions, _at(out)
+        check(lib.whirl_signals_track(_at(turned), channels, turns, samples, *arrays))
+        vectors, mean = (out[..., 0] + 1j * out[..., 1])[:, 1:], out[:, 0, :, 0]
+        ends = self.pulses[: rows * revolutions + 1 : revolutions]
+        speed = 2.0 * np.pi * revolutions / np.diff(ends)
+
+        rolled = np.zeros((channels, len(orders)), dtype=complex)
+        if slow_roll is not None:
+            rolled = _at_speed(speed, vectors, float(slow_roll))
+            vectors = vectors - rolled[..., None]
+            for once in np.flatnonzero(orders == 1.0):
+                _check_slow_roll(speed, vectors[:, once], rolled[:, once], float(slow_roll), self.names)
+
+        forward = backward = None
+        if y is not None and channels > 1:
+            pair = [self.channel(x), self.channel(y)]
+            along = self._along(vectors[pair].reshape(2, -1), x, y).reshape(2, *vectors.shape[1:])
+            forward, backward = 0.5 * (along[0] + 1j * along[1]), 0.5 * (along[0] - 1j * along[1])
+        middle = 0.5 * (ends[1:] + ends[:-1])
+        return TrackedOrders(orders, middle, speed, vectors, mean, rolled, forward, backward, tuple(self.names))
+
+    def _along(self, pair: np.ndarray, x, y) -> np.ndarray:
+        """Complex vectors of two probes [2][count] along x and y."""
+        if self.angles is None:
+            return pair
+        parts = [self._turned(np.ascontiguousarray(part), x, y) for part in (pair.real, pair.imag)]
+        return parts[0] + 1j * parts[1]
+
     def _inside(self) -> slice:
         """Returns the samples from the first to the last pulse."""
         first = np.searchsorted(self.time, self.pulses[0], side="left")
@@ -638,6 +780,23 @@ class Record:
     ) -> Recurrence:
         """Recurrence of the section (:func:`recurrence`): period in revolutions, and recurrence quantification."""
         return recurrence(self.section(phase, order), self.size, radius, tolerance, shortest)
+
+
+def bode(
+    time: "float | ArrayLike",
+    *channels: ArrayLike,
+    orders: "float | Sequence[float]" = (1.0,),
+    revolutions: int = 1,
+    slow_roll: Optional[float] = None,
+    y: "str | int | None" = 1,
+    **record: Any,
+) -> TrackedOrders:
+    """Amplitude and lag of orders over the speed, from raw signals: :meth:`Record.track` of a :class:`Record`.
+
+    ``keyphasor`` (or ``pulses``), ``angles`` and further keywords are those of :class:`Record`. The first two channels
+    are a pair of probes; ``y=None`` says that they are not.
+    """
+    return Record(time, *channels, **record).track(orders, revolutions, slow_roll, y=y)
 
 
 def _names(channels, names, angles) -> list:

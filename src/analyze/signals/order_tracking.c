@@ -3,6 +3,7 @@
 // 238); a signal at an instant is a polynomial through the samples around it (Fyfe and Munck 1997, Mech. Syst. Signal
 // Process. 11, 187).
 #include <math.h>
+#include <stdlib.h>
 
 #include "signal_parts.h"
 
@@ -148,6 +149,66 @@ whirl_status whirl_signals_angle(const double *instants, size_t pulses, const do
             if (instant_at(instants, pulses, k, low + step) <= time[i]) low += step;
         angle[i] = two_pi * ((double)k + low);
     }
+    return whirl_ok();
+}
+
+// ---------------------------------------------------------------- orders over turns
+
+static whirl_status track_check(const double *resampled, size_t channels, size_t turns, size_t samples,
+                                const double *orders, size_t count, size_t revolutions) {
+    if (samples < 3)
+        return whirl_fail(WHIRL_BAD_INPUT, "there are %zu samples per revolution, expected 3 or more", samples);
+    if (revolutions < 1 || revolutions > turns)
+        return whirl_fail(WHIRL_BAD_INPUT, "orders are tracked over %zu revolutions, expected 1 to %zu, the record's",
+                          revolutions, turns);
+    if (turns > WHIRL_SIGNALS_MAX / samples)
+        return whirl_fail(WHIRL_BAD_INPUT, "there are %zu revolutions of %zu samples, expected at most %d numbers",
+                          turns, samples, WHIRL_SIGNALS_MAX);
+    for (size_t k = 0; k < count; k++) {
+        const double cycles = orders[k] * (double)revolutions;
+        if (!(orders[k] >= 0.0 && orders[k] < 0.5 * (double)samples))
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "an order is %g, expected 0 or more and below half of %zu samples per "
+                              "revolution",
+                              orders[k], samples);
+        if (fabs(cycles - round(cycles)) > 1e-9)
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "the order %g has no whole number of periods in %zu revolutions, "
+                              "expected a multiple of %g",
+                              orders[k], revolutions, 1.0 / (double)revolutions);
+    }
+    return signal_check_channels(resampled, turns * samples, channels, 1);
+}
+
+whirl_status whirl_signals_track(const double *resampled, size_t channels, size_t turns, size_t samples,
+                                 const double *orders, size_t count, size_t revolutions, double *vectors) {
+    const whirl_status status = track_check(resampled, channels, turns, samples, orders, count, revolutions);
+    if (status.code != WHIRL_OK) return status;
+
+    // Sample j of a block is at the angle 2 pi (j + 1)/samples; e^(-i order angle) has the period of a block.
+    const size_t block = revolutions * samples, rows = turns / revolutions;
+    double *wave = malloc(2 * block * sizeof *wave);
+    if (!wave) return whirl_fail(WHIRL_NO_MEMORY, "no memory to track orders over %zu samples", block);
+    for (size_t j = 0; j < block; j++) {
+        const double angle = two_pi * (double)j / (double)block;
+        wave[2 * j] = cos(angle), wave[2 * j + 1] = -sin(angle);
+    }
+    for (size_t k = 0; k < count; k++) {
+        const size_t cycles = (size_t)round(orders[k] * (double)revolutions);
+        const double scale = (cycles > 0 ? 2.0 : 1.0) / (double)block;
+        for (size_t at = 0; at < channels * rows; at++) {
+            const size_t channel = at / rows, row = at % rows;
+            const double *z = resampled + channel * turns * samples + row * block;
+            double re = 0.0, im = 0.0;
+            for (size_t j = 0, place = cycles; j < block; j++, place = (place + cycles) % block) {
+                re += z[j] * wave[2 * place];
+                im += z[j] * wave[2 * place + 1];
+            }
+            double *vector = vectors + 2 * ((channel * count + k) * rows + row);
+            vector[0] = scale * re, vector[1] = scale * im;
+        }
+    }
+    free(wave);
     return whirl_ok();
 }
 
