@@ -144,6 +144,22 @@ whirl_status whirl_signals_spectrum(const double *x, const double *y, size_t cou
                                     double highest_order, double *orders, double *lines, size_t *line_count,
                                     double *synchronous);
 
+/// Returns the frequencies that whirl_signals_spectrogram gives: j/window times the rate, below half the rate.
+size_t whirl_signals_frequencies(size_t window);
+
+/// Computes spectra of windows over time of samples at a constant rate: Hann window, its weighted mean removed. `rows`
+/// [(count - window)/step + 1][whirl_signals_frequencies][4]: amplitudes, zero to peak, of x, of y, and of the circular
+/// motions with the rotation and against it. Row i begins at sample i step. `y` may be NULL: one signal, x. What an
+/// order loses while it sweeps is whirl_signals_sweep. WHIRL_BAD_INPUT for a window of fewer than 8 samples or more
+/// than there are, and for a step of 0.
+whirl_status whirl_signals_spectrogram(const double *x, const double *y, size_t count, size_t window, size_t step,
+                                       double *rows);
+
+/// Computes what a Hann window of the duration T keeps of the amplitude of a sinusoid whose frequency changes by `rate`
+/// a unit of time, read at its frequency in the middle: |int w e^(i pi rate t^2) dt|/int w dt, a function of `sweep`,
+/// rate T^2. For order k of a shaft the rate is k times that of its turns. WHIRL_BAD_INPUT for a |sweep| above 1e6.
+whirl_status whirl_signals_sweep(double sweep, double *kept);
+
 /// Computes the size of a motion: half the diagonal of the bounding box of the channels. The functions below compare
 /// distances with it. Pass all samples, not a section: the section of a periodic motion has only the size of its noise.
 whirl_status whirl_signals_size(const double *values, size_t count, size_t channels, double *size);

@@ -51,6 +51,42 @@ whirl_status whirl_signals_spectrum(const double *x, const double *y, size_t cou
     return whirl_ok();
 }
 
+size_t whirl_signals_frequencies(size_t window) {
+    return window > 0 ? spectrum_bins(window, 1, INFINITY) : 0;
+}
+
+whirl_status whirl_signals_spectrogram(const double *x, const double *y, size_t count, size_t window, size_t step,
+                                       double *rows) {
+    enum { MIN_WINDOW = 8, COLUMNS = 4 };
+    if (window < MIN_WINDOW || window > count)
+        return whirl_fail(WHIRL_BAD_INPUT, "a window has %zu samples, expected %d to %zu, all there are", window,
+                          MIN_WINDOW, count);
+    if (step < 1) return whirl_fail(WHIRL_BAD_INPUT, "windows are 0 samples apart, expected at least 1");
+    const size_t bins = whirl_signals_frequencies(window), windows = (count - window) / step + 1;
+    if (windows > WHIRL_SIGNALS_MAX / (COLUMNS * bins))
+        return whirl_fail(WHIRL_BAD_INPUT, "there are %zu windows of %zu frequencies, expected at most %d numbers",
+                          windows, bins, WHIRL_SIGNALS_MAX);
+    whirl_status status = signal_check_channels(x, count, 1, 1);
+    if (status.code == WHIRL_OK && y) status = signal_check_channels(y, count, 1, 1);
+    if (status.code != WHIRL_OK) return status;
+    double *nothing = y ? NULL : calloc(window, sizeof *nothing);
+    if (!y && !nothing) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a window of %zu samples", window);
+    for (size_t row = 0; row < windows && status.code == WHIRL_OK; row++) {
+        // A revolution of one sample: orders are then frequencies over the rate.
+        whirl_spectrum *spectrum;
+        status = spectrum_of(x + row * step, y ? y + row * step : nothing, window, 1, INFINITY, false, &spectrum);
+        if (status.code != WHIRL_OK) break;
+        for (size_t bin = 0; bin < bins; bin++) {
+            double *own = rows + COLUMNS * (row * bins + bin);
+            own[0] = spectrum->x[bin], own[1] = spectrum->y[bin];
+            own[2] = spectrum->forward[bin], own[3] = spectrum->backward[bin];
+        }
+        whirl_spectrum_free(spectrum);
+    }
+    free(nothing);
+    return status;
+}
+
 // ---------------------------------------------------------------- sections
 
 whirl_status whirl_signals_size(const double *values, size_t count, size_t channels, double *size) {

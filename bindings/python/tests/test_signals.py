@@ -366,6 +366,58 @@ def test_slow_roll_within_the_record_and_below_resonances():
     assert np.abs(runout.track(slow_roll=200.0).vectors).max() < 1e-2  # a shaft that does not vibrate
 
 
+def test_a_spectrogram_says_what_a_sweep_loses():
+    """Windows of 2 s while a shaft gains 1 turn a second in a second: 1X lies on a frequency in the middle of each."""
+    time = np.arange(40 * 1000) / 1000
+    pulses = -5 + np.sqrt(25 + 2 * np.arange(980))
+    angle = 2 * np.pi * (5 * time + 0.5 * time**2)
+    record = signals.Record(time, 7 * np.cos(angle - 0.3), 7 * np.sin(angle - 0.3), pulses=pulses)
+    found = record.spectrogram(2.0, 0.5)
+    assert np.allclose(found.sweep, 4.0, rtol=0, atol=1e-2) and np.allclose(found.speed, 2 * np.pi * (5 + found.time))
+    assert np.allclose(found.kept, 0.8942682817821, rtol=0, atol=5e-4) and np.array_equal(found.kept, found.kept_of(1))
+    assert np.allclose(found.kept_of(0.25), 0.992644641011, rtol=0, atol=1e-4)
+    rows = np.arange(len(found.time))
+    once = np.rint(found.speed / (2 * np.pi) / found.frequency[1]).astype(int)
+    assert len(rows) == 76 and np.allclose(found.forward[rows, once], 7 * found.kept, rtol=0, atol=0.01)
+    assert found.backward[rows, once].max() < 0.01
+    short = record.spectrogram(0.25, y=None)
+    assert short.kept.min() > 0.9999 and short.y is None and short.forward is None
+    u = np.linspace(-0.5, 0.5, 200001)
+    for sweep in (0.3, 7.0, 55.0):
+        whole = (1 + np.cos(2 * np.pi * u)) * np.exp(1j * np.pi * sweep * u**2)
+        assert abs(signals.sweep_kept(sweep) - np.abs(whole.sum() * (u[1] - u[0]))) < 1e-9
+
+
+def test_a_cascade_keeps_orders_sharp():
+    time, turns, time_of = run_up()
+    x, y = 3 * np.cos(2 * np.pi * turns), 2 * np.sin(2 * np.pi * turns)
+    record = signals.Record(time, x, y + 0.5 * np.cos(np.pi * turns), pulses=time_of(np.arange(70)))
+    found = record.cascade(8, 4, highest_order=3.0)
+    assert np.array_equal(found.orders, np.arange(25) / 8) and len(found.time) == 16
+    assert np.allclose(found.forward[:, 8], 2.5, atol=1e-4) and np.allclose(found.backward[:, 8], 0.5, atol=1e-4)
+    assert np.allclose(found.forward[:, 4], 0.25, atol=1e-4) and found.forward[:, 12:].max() < 1e-3
+    assert np.allclose(found.speed, 2 * np.pi * (30 + 5 * found.time), rtol=1e-4)
+    assert np.allclose(found.change, 5 * 8 / (found.speed / 2 / np.pi) ** 2, rtol=0.02)
+    alone = record.cascade(8, 4, y=None)
+    assert alone.forward is None and np.allclose(alone.x[:, 8], 3.0, atol=1e-4)
+
+
+def test_figures_over_time_and_speed():
+    given, keys, _ = passage()
+    record = signals.Record(*given, **keys, unit="um")
+    found, ax = record.spectrogram(2.0, 4.0, y=None), record.plot.spectrogram(2.0, step=4.0, highest=60.0)
+    assert np.array_equal(ax.collections[0].get_array().reshape(found.x.T.shape), found.x.T)
+    assert ax.get_ylim() == (0.0, 60.0) and ax.get_title().startswith("windows of 2 s leave 89.4")
+    lines = record.plot.waterfall(2.0, step=4.0).get_lines()
+    assert len(lines) == len(found.time) and lines[3].get_ydata()[-1] == pytest.approx(found.time[3], abs=1e-2)
+    full, ax = record.cascade(16, 100), record.plot.cascade(16, step=100)
+    line = ax.get_lines()[5]
+    assert ax.get_xlabel() == "order, backward below 0" and np.array_equal(line.get_xdata()[80:], full.orders)
+    scale = 0.2 * np.ptp(full.speed) * 30 / np.pi / np.hstack([full.forward[:, 1:], full.backward[:, 1:]]).max()
+    assert np.allclose(line.get_ydata()[80:], full.speed[5] * 30 / np.pi + scale * full.forward[5])
+    assert record.plot.cascade(16, y=None, step=100).get_xlabel() == "order"
+
+
 # ---------------------------------------------------------------- what is refused
 
 T = np.arange(200) * 0.05
@@ -432,6 +484,23 @@ V = np.sin(6 * T)
         (lambda: signals.bode(T, V, pulses=np.arange(1, 9), revolutions=0), "over 0 revolutions, expected 1 to 7"),
         (lambda: signals.bode(T, V, pulses=np.arange(1, 9), orders=50), "an order is 50, expected 0 or more and below"),
         (lambda: signals.bode(T, V, V, pulses=np.arange(1, 9), y="z"), "there is no channel 'z'"),
+        (
+            lambda: signals.Record(T, V, pulses=np.arange(1, 9)).spectrogram(9.0),
+            "a window has 142 samples, expected 8 to",
+        ),
+        (
+            lambda: signals.Record(T, V, pulses=np.arange(1, 9)).spectrogram(0.1),
+            "a window has 2 samples, expected 8 to",
+        ),
+        (lambda: signals.Record(T, V, pulses=np.arange(1, 9)).spectrogram(-1), "windows last -1 and are -0.25 apart"),
+        (
+            lambda: signals.Record(T, V, pulses=np.arange(1, 9)).spectrogram(1, np.nan),
+            "windows last 1 and are nan apart",
+        ),
+        (lambda: signals.Record(T, V, pulses=np.arange(1, 9)).cascade(3), "blocks have 3 revolutions and are 1 apart"),
+        (lambda: signals.Record(T, V, pulses=np.arange(1, 9)).cascade(16), "expected blocks of 4 to 7, the record's"),
+        (lambda: signals.Record(T, V, pulses=np.arange(1, 9)).cascade(4, 0), "are 0 apart, expected blocks of 4 to 7"),
+        (lambda: signals.sweep_kept(np.inf), "the sweep is inf"),
         (lambda: signals.zero_one([]), "there are 0 samples"),
         (lambda: signals.zero_one(np.ones(100)), "the size of the motion is 0"),
         (lambda: signals.recurrence(np.arange(20001.0)), "there are 20001 points, expected at most 20000"),

@@ -158,6 +158,10 @@ size_t whirl_signals_orders(size_t count, size_t samples, double highest_order);
 whirl_status whirl_signals_spectrum(const double *x, const double *y, size_t count, size_t samples,
                                     double highest_order, double *orders, double *lines, size_t *line_count,
                                     double *synchronous);
+size_t whirl_signals_frequencies(size_t window);
+whirl_status whirl_signals_spectrogram(const double *x, const double *y, size_t count, size_t window, size_t step,
+                                       double *rows);
+whirl_status whirl_signals_sweep(double sweep, double *kept);
 whirl_status whirl_signals_size(const double *values, size_t count, size_t channels, double *size);
 whirl_status whirl_signals_zero_one(const double *points, size_t count, size_t dimension, double size, double *k);
 whirl_status whirl_signals_returns(const double *points, size_t count, size_t dimension, double size, double tolerance,

@@ -192,3 +192,97 @@ class Plots:
         ax.set_xlim(-spectrum.orders[-1], spectrum.orders[-1])
         ax.set_ylim(bottom=0.0)
         return ax
+
+    # ---------------------------------------------------------------- over time and speed
+
+    def spectrogram(
+        self,
+        window: float,
+        channel: str | int = 0,
+        highest: float | None = None,
+        step: float | None = None,
+        ax: Axes | None = None,
+        **style: Any,
+    ) -> Axes:
+        """Amplitudes of a channel over time and frequency by colour, down to a thousandth of the largest; 1X as a line.
+
+        The title says what a window leaves of 1X where its frequency changes most
+        (:meth:`whirl.signals.Record.spectrogram`).
+        """
+        from matplotlib.colors import LogNorm
+
+        record, ax = self._record, new_axes(ax)
+        found = record.spectrogram(window, step, channel, None)
+        largest = found.x[:, 1:].max()
+        norm = LogNorm(1e-3 * largest, largest, clip=True) if largest > 0.0 else None
+        style = {"cmap": "viridis", "norm": norm, "shading": "nearest", "rasterized": True, **style}
+        mesh = ax.pcolormesh(found.time, found.frequency, found.x.T, **style)
+        ax.figure.colorbar(mesh, ax=ax, label=self._label(f"amplitude of {record.names[record.channel(channel)]}"))
+        ax.plot(found.time, found.speed / (2.0 * np.pi), color="white", linewidth=0.6, linestyle="--")
+        ax.set(xlabel=f"time ({record.time_unit})", ylabel=f"frequency ({self._frequency_unit()})")
+        ax.set_ylim(0.0, found.frequency[-1] if highest is None else highest)
+        ax.set_title(self._kept(found), fontsize="small")
+        return ax
+
+    def waterfall(
+        self,
+        window: float,
+        channel: str | int = 0,
+        highest: float | None = None,
+        step: float | None = None,
+        ax: Axes | None = None,
+        **style: Any,
+    ) -> Axes:
+        """Spectra of a channel over frequency, one above the other at their times; the title as of ``spectrogram``."""
+        record = self._record
+        found = record.spectrogram(window, step, channel, None)
+        ax = self._stack(ax, found.frequency, found.x, found.time, style)
+        ax.set(xlabel=f"frequency ({self._frequency_unit()})", ylabel=f"time ({record.time_unit})")
+        ax.set_xlim(0.0, found.frequency[-1] if highest is None else highest)
+        ax.set_title(f"{record.names[record.channel(channel)]}: {self._kept(found)}", fontsize="small")
+        return ax
+
+    def cascade(
+        self,
+        revolutions: int = 16,
+        highest_order: float = 5.0,
+        step: int | None = None,
+        x: str | int = 0,
+        y: str | int | None = 1,
+        ax: Axes | None = None,
+        **style: Any,
+    ) -> Axes:
+        """Draws order spectra one above the other at their speeds; of a pair the full spectra, backward below 0."""
+        record = self._record
+        found = record.cascade(revolutions, step, highest_order, x, y)
+        if found.forward is None:
+            orders, rows, label = found.orders, found.x, "order"
+        else:
+            orders = np.concatenate([-found.orders[:0:-1], found.orders])
+            rows = np.hstack([found.backward[:, :0:-1], found.forward])
+            label = "order, backward below 0"
+        speed, unit = self._speeds(found.speed)
+        ax = self._stack(ax, orders, rows, speed, style)
+        ax.set(xlabel=label, ylabel=f"speed ({unit})", xlim=(orders[0], orders[-1]))
+        return ax
+
+    def _stack(self, ax, along, rows, heights, style):
+        """Draws rows at heights; the largest amplitude is a fifth of their range, and is named."""
+        ax, largest = new_axes(ax), rows[:, 1:].max()
+        span = np.ptp(heights) or 1.0
+        scale = 0.2 * span / largest if largest > 0.0 else 0.0
+        style = {"color": "black", "linewidth": 0.5, **style}
+        for row, height in zip(rows, heights):
+            ax.plot(along, height + scale * row, **style)
+        unit = self._label("largest amplitude").partition("(")[2].rstrip(")")
+        ax.annotate(
+            f"largest {largest:.3g} {unit}".rstrip(), (0.99, 0.98), xycoords="axes fraction", ha="right", va="top"
+        )
+        return ax
+
+    def _frequency_unit(self):
+        return "Hz" if self._record.time_unit == "s" else f"1/{self._record.time_unit}"
+
+    def _kept(self, found):
+        windows = f"windows of {found.window:.4g} {self._record.time_unit}"
+        return f"{windows} leave {100.0 * found.kept.min():.4g} % of 1X where its frequency changes most"

@@ -33,9 +33,12 @@ __all__ = [
     "Recurrence",
     "Envelopes",
     "TrackedOrders",
+    "Spectrogram",
+    "Cascade",
     "find_pulses",
     "bode",
     "vold_kalman",
+    "sweep_kept",
     "motion_size",
     "zero_one",
     "recurrence",
@@ -139,6 +142,40 @@ class TrackedOrders(NamedTuple):
                 columns[f"{name} {order:g}X amplitude"] = np.abs(vector)
                 columns[f"{name} {order:g}X lag"] = _lag(vector)
         return _pandas().DataFrame(columns)
+
+
+class Spectrogram(NamedTuple):
+    """Spectra of windows over time. Amplitudes are zero to peak, in the unit of the signals."""
+
+    time: np.ndarray  #: [rows] middle of the windows
+    speed: np.ndarray  #: [rows] mean over the window, rad per unit of time
+    frequency: np.ndarray  #: [frequencies] cycles per unit of time
+    x: np.ndarray  #: [rows][frequencies]
+    y: Optional[np.ndarray]  #: [rows][frequencies]; None for a single channel, as the next two
+    forward: Optional[np.ndarray]  #: [rows][frequencies] circular motion with the rotation
+    backward: Optional[np.ndarray]  #: [rows][frequencies] and against it
+    window: float  #: duration of a window
+    sweep: np.ndarray  #: [rows] change of the turns per unit of time within a window, times its duration
+    #: [rows] share of the amplitude of 1X that is left in its line, because its frequency changes within the window
+    kept: np.ndarray
+
+    def kept_of(self, order: float) -> np.ndarray:
+        """Share [rows] of the amplitude of an order that is left in its line (:func:`sweep_kept`)."""
+        return sweep_kept(float(order) * self.sweep)
+
+
+class Cascade(NamedTuple):
+    """Spectra of blocks of turns over the speed, with orders as their axis. Lines of orders stay sharp while the speed
+    changes; those of fixed frequencies do not. Amplitudes are zero to peak, in the unit of the signals."""
+
+    time: np.ndarray  #: [rows] middle of the turns
+    speed: np.ndarray  #: [rows] mean over the turns, rad per unit of time
+    orders: np.ndarray  #: [orders] multiples of the speed
+    x: np.ndarray  #: [rows][orders]
+    y: Optional[np.ndarray]  #: [rows][orders]; None for a single channel, as the next two
+    forward: Optional[np.ndarray]  #: [rows][orders] circular motion with the rotation
+    backward: Optional[np.ndarray]  #: [rows][orders] and against it
+    change: np.ndarray  #: [rows] change of the speed within the turns, over their mean speed
 
 
 def _lag(vectors: np.ndarray) -> np.ndarray:
@@ -293,6 +330,23 @@ def vold_kalman(
     time = np.arange(count) / float(rate)
     near_end = np.minimum(time, time[-1] - time) < 1.0 / widths[:, None]
     return Envelopes(out[..., 0] + 1j * out[..., 1], time, near_end)
+
+
+def sweep_kept(sweep: ArrayLike) -> "float | np.ndarray":
+    """Share of the amplitude of a sinusoid that its line keeps in a Hann window while its frequency changes.
+
+    Parameters
+    ----------
+    sweep : array_like
+        Change of the frequency within the window times the duration of the window: the rate in Hz/s times T^2. 0.25
+        keeps 0.9995, 1 keeps 0.993, 4 keeps 0.894.
+    """
+    sweep, kept = np.asarray(sweep, dtype=float), ffi.new("double *")
+    out = np.empty(sweep.size)
+    for i, each in enumerate(sweep.ravel()):
+        check(lib.whirl_signals_sweep(each, kept))
+        out[i] = kept[0]
+    return out.reshape(sweep.shape) if sweep.ndim > 0 else float(out[0])
 
 
 def motion_size(channels: ArrayLike) -> float:
@@ -639,15 +693,8 @@ class Record:
 
         Samples must be equally far apart. ``phases`` are [others][count], at every sample of the record.
         """
-        inside = self._inside()
+        inside, step = self._even()
         time = self.time[inside]
-        step = (time[-1] - time[0]) / max(1, len(time) - 1)
-        uneven = np.flatnonzero(np.abs(np.diff(time) - step) > 0.01 * step)
-        if len(uneven) > 0:
-            raise BadInput(
-                f"samples {inside.start + uneven[0]} and {inside.start + uneven[0] + 1} are "
-                f"{time[uneven[0] + 1] - time[uneven[0]]:.6g} apart, others {step:.6g}: expected a constant rate"
-            )
         if phases is not None:
             phases = np.atleast_2d(phases)
             if phases.shape[1] != len(self.time):
@@ -717,10 +764,21 @@ class Record:
         parts = [self._turned(np.ascontiguousarray(part), x, y) for part in (pair.real, pair.imag)]
         return parts[0] + 1j * parts[1]
 
-    def _inside(self) -> slice:
-        """Returns the samples from the first to the last pulse."""
-        first = np.searchsorted(self.time, self.pulses[0], side="left")
-        return slice(int(first), int(np.searchsorted(self.time, self.pulses[-1], side="right")))
+    def _even(self) -> tuple:
+        """The samples (a slice) from the first to the last pulse, and their time step, which must be constant."""
+        first = int(np.searchsorted(self.time, self.pulses[0], side="left"))
+        inside = slice(first, int(np.searchsorted(self.time, self.pulses[-1], side="right")))
+        time = self.time[inside]
+        if len(time) < 2:
+            raise BadInput(f"there are {len(time)} samples between the pulses, expected more")
+        step = (time[-1] - time[0]) / (len(time) - 1)
+        uneven = np.flatnonzero(~(np.abs(np.diff(time) - step) <= 0.01 * step))
+        if len(uneven) > 0:
+            raise BadInput(
+                f"samples {first + uneven[0]} and {first + uneven[0] + 1} are "
+                f"{time[uneven[0] + 1] - time[uneven[0]]:.6g} apart, others {step:.6g}: expected a constant rate"
+            )
+        return inside, step
 
     def _angle(self, time: np.ndarray) -> np.ndarray:
         """Angle of the shaft at times within the pulses, rad from the first one."""
@@ -765,6 +823,98 @@ class Record:
         rows, lines, synchronous = _spectrum(pair[0], pair[1], samples, float(highest_order))
         return FullSpectrum(*rows.T, lines, *synchronous)
 
+    def spectrogram(
+        self, window: float, step: Optional[float] = None, x: "str | int" = 0, y: "str | int | None" = 1
+    ) -> Spectrogram:
+        """Spectra of windows over time, from the first to the last pulse: Hann window, mean removed.
+
+        Longer windows separate nearer frequencies, and blur an order while the speed changes: ``kept`` says what is
+        left of 1X. Samples must be equally far apart.
+
+        Parameters
+        ----------
+        window : float
+            Duration, in the unit of time.
+        step : float, optional
+            Time from one window to the next; a quarter of the window.
+        x, y : str or int
+            Pair of probes of a plane, at their angles; one channel, x, with ``y=None`` or if there is only one.
+        """
+        inside, spacing = self._even()
+        pair = self._pair(self.channels[:, inside], x, y)
+        count = pair[0].size
+        given = [float(window), 0.25 * float(window) if step is None else float(step)]
+        if not (np.isfinite(given).all() and min(given) > 0.0):
+            raise BadInput(f"windows last {given[0]:g} and are {given[1]:g} apart, expected times above 0")
+        length, apart = min(round(given[0] / spacing), count + 1), max(1, min(round(given[1] / spacing), count))
+        rows = max(0, count - length) // apart + 1
+        bins = lib.whirl_signals_frequencies(length)
+        if rows * bins * 4 > 1_000_000_000:  # the library's limit, before memory is allocated
+            raise BadInput(f"{rows} windows of {bins} frequencies are too many: take fewer, step=...")
+        out, second = np.empty((rows, bins, 4)), _at(pair[1]) if len(pair) > 1 else ffi.NULL
+        check(lib.whirl_signals_spectrogram(_at(pair[0]), second, count, length, apart, _at(out)))
+
+        # Speed by the angle, its change by parabolas through the angle at the ends and the middle of the windows.
+        first, duration = self.time[inside][0] + apart * spacing * np.arange(rows), (length - 1) * spacing
+        ends = [self._angle(np.minimum(first + part * duration, self.pulses[-1])) for part in (0.0, 0.5, 1.0)]
+        speed = (ends[2] - ends[0]) / duration
+        sweep = (ends[2] - 2.0 * ends[1] + ends[0]) * 4.0 / (2.0 * np.pi) * (length * spacing / duration) ** 2
+        frequency, columns = np.arange(bins) / (length * spacing), _columns(out, len(pair))
+        middle, whole = first + 0.5 * duration, length * spacing
+        return Spectrogram(middle, speed, frequency, *columns, whole, sweep, sweep_kept(sweep))
+
+    def cascade(
+        self,
+        revolutions: int = 16,
+        step: Optional[int] = None,
+        highest_order: float = 5.0,
+        x: "str | int" = 0,
+        y: "str | int | None" = 1,
+        samples: Optional[int] = None,
+        order: int = 7,
+    ) -> Cascade:
+        """Spectra of blocks of turns, over the speed: order spectra, and full spectra of a pair of probes.
+
+        Parameters
+        ----------
+        revolutions : int
+            Turns of a block, 4 at least; orders are 1/revolutions apart.
+        step : int, optional
+            Turns from one block to the next; a quarter of the block.
+        highest_order : float
+            Last order of the rows.
+        x, y : str or int
+            Pair of probes of a plane, at their angles; one channel, x, with ``y=None`` or if there is only one.
+        samples, order
+            As in :meth:`resample`.
+        """
+        turned = self.resample(samples, order)
+        revolutions = _whole(revolutions, "the number of revolutions")
+        apart = max(1, revolutions // 4) if step is None else _whole(step, "the step in revolutions")
+        turns, samples = turned.shape[1:]
+        if not (4 <= revolutions <= turns and apart > 0):
+            raise BadInput(
+                f"blocks have {revolutions} revolutions and are {apart} apart, expected blocks of 4 to {turns}, "
+                "the record's, and a step of 1 or more"
+            )
+        pair = self._pair(turned.reshape(len(turned), -1), x, y)
+        rows, first = [], np.arange(0, turns - revolutions + 1, apart)
+        for begins in first * samples:
+            parts = [np.ascontiguousarray(one[begins : begins + revolutions * samples]) for one in pair]
+            rows.append(_spectrum(parts[0], parts[1] if len(parts) > 1 else None, samples, float(highest_order))[0])
+        out = np.stack(rows)
+        begins, ends = self.pulses[first], self.pulses[first + revolutions]
+        speed = 2.0 * np.pi * revolutions / (ends - begins)
+        change = (self.speed[first + revolutions - 1] - self.speed[first]) * revolutions / (revolutions - 1) / speed
+        return Cascade(0.5 * (begins + ends), speed, out[0, :, 0], *_columns(out[..., 1:], len(pair)), change)
+
+    def _pair(self, channels: np.ndarray, x, y) -> list:
+        """Displacements along x and y of channels [channels][count]; one channel if there is no pair."""
+        if y is None or len(self.names) == 1:
+            return [np.ascontiguousarray(channels[self.channel(x)])]
+        pair = np.ascontiguousarray(channels[[self.channel(x), self.channel(y)]])
+        return list(pair if self.angles is None else self._turned(pair, x, y))
+
     # ---------------------------------------------------------------- sections
 
     def zero_one(self, phase: float = 0.0, order: int = 7) -> float:
@@ -797,6 +947,11 @@ def bode(
     are a pair of probes; ``y=None`` says that they are not.
     """
     return Record(time, *channels, **record).track(orders, revolutions, slow_roll, y=y)
+
+
+def _columns(rows: np.ndarray, signals: int) -> list:
+    """The columns x, y, forward, backward of rows [...][4]; None but for x if there is one signal."""
+    return [rows[..., i].copy() if i == 0 or signals > 1 else None for i in range(4)]
 
 
 def _names(channels, names, angles) -> list:
