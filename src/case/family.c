@@ -78,6 +78,26 @@ static whirl_status check_runup(const whirl_rotor *rotor, const whirl_runup_opti
     return status.code == WHIRL_OK ? whirl_running_check(whirl_rotor_system(rotor), options->rate == 0.0) : status;
 }
 
+/// Checks that the machine may change as the batch says.
+static whirl_status check_change(const case_content *content, const whirl_batch *batch, double value,
+                                 const whirl_rotor *rotor) {
+    valuation v;
+    whirl_given given[PLAN_MAX_GIVEN];
+    whirl_rotor *changed = NULL;
+    whirl_batch after = *batch;
+    after.with_change = after.outline = true;
+    const size_t count = plan_given(&after, value, after.second_value, after.third_value, given);
+    whirl_status status = valuation_open(&v, &content->parameters, given, count);
+    if (status.code == WHIRL_OK) status = family_build(&content->machine, &after, value, &v, &changed);
+    if (status.code == WHIRL_BAD_INPUT)
+        status = whirl_fail(WHIRL_BAD_INPUT, "after its change: %.300s", status.message);
+    if (status.code == WHIRL_OK)
+        status = whirl_running_check_change(whirl_rotor_system(rotor), whirl_rotor_system(changed));
+    whirl_rotor_free(changed);
+    valuation_close(&v);
+    return status;
+}
+
 static whirl_status make_member(const case_content *content, const whirl_batch *batch, double value, member *m) {
     valuation v;
     whirl_given given[PLAN_MAX_GIVEN];
@@ -87,6 +107,8 @@ static whirl_status make_member(const case_content *content, const whirl_batch *
     if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(m->rotor));
     if (status.code == WHIRL_OK && whirl_analysis_has(batch->analyses, "runup"))
         status = check_runup(m->rotor, &batch->record.runup);
+    if (status.code == WHIRL_OK && batch->changed_count > 0 && !batch->with_change && batch->speed == 0.0)
+        status = check_change(content, batch, value, m->rotor);
     if (status.code == WHIRL_OK && !batch->outline) status = whirl_rotor_hold(m->rotor, batch->integrate.stop);
     if (status.code == WHIRL_OK) status = make_start(content, batch, &v, m);
     if (status.code == WHIRL_OK) status = make_statics(content, batch, &v, m);

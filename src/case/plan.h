@@ -86,14 +86,6 @@ typedef struct axis_parts {
     formula_list values; ///< list of values instead, or empty
 } axis_parts;
 
-/// A study at rest, or motions next to such studies.
-typedef struct resting_parts resting_parts;
-struct resting_parts {
-    char name[WHIRL_NAME_SIZE];      ///< name of its table
-    axis_parts axis;                 ///< axis with its group; without a parameter there is one point
-    const resting_parts *unbalances; ///< for motions: the study that places their unbalances, or NULL
-};
-
 /// A condition of the machine, such as its least clearance, at which studies at rest are done: parameters at values.
 typedef struct condition_parts {
     const file_node *place;
@@ -102,6 +94,15 @@ typedef struct condition_parts {
     const file_node *places[WHIRL_MAX_GIVEN];
     number_formula values[WHIRL_MAX_GIVEN];
 } condition_parts;
+
+/// A study at rest, or motions next to such studies.
+typedef struct resting_parts resting_parts;
+struct resting_parts {
+    char name[WHIRL_NAME_SIZE];      ///< name of its table
+    axis_parts axis;                 ///< axis with its group; without a parameter there is one point
+    const resting_parts *unbalances; ///< for motions: the study that places their unbalances, or NULL
+    condition_parts change;          ///< for run-ups: parameters that change in them
+};
 
 enum { PLAN_MAX_RESTING = 16, PLAN_MAX_CONDITIONS = 8 };
 
@@ -138,7 +139,7 @@ whirl_status plan_start_state(const study_plan *plan, size_t batch, size_t start
                               const whirl_rotor *rotor, double *state);
 
 /// Returns the number of parameter values at which a batch has its machines: varied ones (NaN: none) and fixed ones.
-enum { PLAN_MAX_GIVEN = 3 + WHIRL_MAX_GIVEN, PLAN_GIVEN_TEXT = PLAN_MAX_GIVEN * (2 * WHIRL_NAME_SIZE + 32) };
+enum { PLAN_MAX_GIVEN = 3 + 2 * WHIRL_MAX_GIVEN, PLAN_GIVEN_TEXT = PLAN_MAX_GIVEN * (2 * WHIRL_NAME_SIZE + 32) };
 size_t plan_given(const whirl_batch *batch, double value, double second, double third,
                   whirl_given given[PLAN_MAX_GIVEN]);
 

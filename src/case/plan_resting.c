@@ -131,35 +131,7 @@ static void read_unbalances(case_reader *reader, const plan_parts *parts, restin
                    node_shown(given->place, shown));
 }
 
-static void read_one(case_reader *reader, const file_node *where, const whirl_group *group,
-                     const machine_parts *machine, plan_parts *parts) {
-    static const char *const keys[] = {"from", "to", "points", "step", "scale", "values"};
-    if (parts->resting_count == PLAN_MAX_RESTING) {
-        problem_at(reader->problems, where,
-                   "is one study too many at rest or of motions with unbalances by rule, expected at most %d",
-                   PLAN_MAX_RESTING);
-        return;
-    }
-    resting_parts *resting = &parts->resting[parts->resting_count++];
-    axis_parts *axis = &resting->axis;
-    axis->keys = (setting_list){.name = group->name, .group = group, .place = where};
-    settings_read(reader, where, group, &axis->keys);
-    resting_read_name(reader, parts, resting);
-    const bool varies = settings_find(&axis->keys, "parameter") != NULL;
-    if (varies) plan_read_axis(reader, axis);
-    check_bearings(reader, axis);
-    read_stations(reader, machine, &axis->keys, "at", false);
-    read_stations(reader, machine, &axis->keys, "probes_at", true);
-    read_stations(reader, machine, &axis->keys, "coupling", true);
-    read_stations(reader, machine, &axis->keys, "loss_at", false);
-    if (group == &schema_motions) read_unbalances(reader, parts, resting);
-    for (size_t i = 0; i < sizeof keys / sizeof *keys && !varies; i++) {
-        const setting *given = settings_find(&axis->keys, keys[i]);
-        if (given) problem_at_key(reader->problems, given->place, "needs the parameter that it is of");
-    }
-}
-
-/// Reads a value that a condition gives to a parameter.
+/// Reads a value that a condition, or a change, gives to a parameter.
 static void read_given(case_reader *reader, const file_node *where, condition_parts *condition) {
     char advice[WHY_SIZE];
     const parameter_table *parameters = reader->parameters;
@@ -207,6 +179,59 @@ static void read_conditions(case_reader *reader, plan_parts *parts) {
     if (parts->resting_count == 0)
         problem_at_key(reader->problems, where, "needs a study of machines at rest or motions, which is done at each");
     for (const file_node *one = where->first; one; one = one->next) read_condition(reader, one, parts);
+}
+
+/// Reads the parameters that change in a run.
+static void read_change(case_reader *reader, resting_parts *resting) {
+    char shown[SHOWN_SIZE], names[WHIRL_NAME_SIZE] = "";
+    setting *given = NULL;
+    for (size_t i = 0; i < resting->axis.keys.count; i++)
+        if (strcmp(resting->axis.keys.items[i].key->name, "change") == 0) given = &resting->axis.keys.items[i];
+    if (!given) return;
+    const file_node *where = given->place;
+    resting->change.place = where;
+    if (where->kind != NODE_MAPPING || where->count == 0 || where->count > WHIRL_MAX_GIVEN) {
+        problem_at(reader->problems, where, "is %s, expected 1 to %d parameters with their values after the change",
+                   where->kind == NODE_MAPPING ? where->count ? "a longer list" : "empty" : node_shown(where, shown),
+                   WHIRL_MAX_GIVEN);
+        return;
+    }
+    for (const file_node *one = where->first; one; one = one->next) {
+        const size_t used = strlen(names);
+        read_given(reader, one, &resting->change);
+        snprintf(names + used, sizeof names - used, "%s%.40s", used ? ", " : "", one->key);
+    }
+    given->word = arena_text(reader->arena, names, strlen(names));
+    reader->no_memory = reader->no_memory || !given->word;
+}
+
+static void read_one(case_reader *reader, const file_node *where, const whirl_group *group,
+                     const machine_parts *machine, plan_parts *parts) {
+    static const char *const keys[] = {"from", "to", "points", "step", "scale", "values"};
+    if (parts->resting_count == PLAN_MAX_RESTING) {
+        problem_at(reader->problems, where,
+                   "is one study too many at rest or of motions with unbalances by rule, expected at most %d",
+                   PLAN_MAX_RESTING);
+        return;
+    }
+    resting_parts *resting = &parts->resting[parts->resting_count++];
+    axis_parts *axis = &resting->axis;
+    axis->keys = (setting_list){.name = group->name, .group = group, .place = where};
+    settings_read(reader, where, group, &axis->keys);
+    resting_read_name(reader, parts, resting);
+    const bool varies = settings_find(&axis->keys, "parameter") != NULL;
+    if (varies) plan_read_axis(reader, axis);
+    check_bearings(reader, axis);
+    read_stations(reader, machine, &axis->keys, "at", false);
+    read_stations(reader, machine, &axis->keys, "probes_at", true);
+    read_stations(reader, machine, &axis->keys, "coupling", true);
+    read_stations(reader, machine, &axis->keys, "loss_at", false);
+    read_change(reader, resting);
+    if (group == &schema_motions) read_unbalances(reader, parts, resting);
+    for (size_t i = 0; i < sizeof keys / sizeof *keys && !varies; i++) {
+        const setting *given = settings_find(&axis->keys, keys[i]);
+        if (given) problem_at_key(reader->problems, given->place, "needs the parameter that it is of");
+    }
 }
 
 /// Reads the study, or the list of studies, of a kind.
@@ -338,6 +363,10 @@ static void make_one(case_reader *reader, valuation *v, const plan_parts *parts,
                                                  : plan_add_batch(result, role, resting->name, keys->place);
     if (!batch) return;
     memcpy(batch->name, name, sizeof batch->name);
+    if (resting->change.count > 0) {
+        batch->changed = condition_values(reader, v, &resting->change);
+        batch->changed_count = batch->changed ? resting->change.count : 0;
+    }
     batch->given = given;
     batch->given_count = condition ? condition->count : 0;
     if (keys->group == &schema_motions)

@@ -198,6 +198,15 @@ whirl_status whirl_running_check(const whirl_system *system, bool driven) {
     return whirl_ok();
 }
 
+whirl_status whirl_running_check_change(const whirl_system *system, const whirl_system *changed) {
+    const whirl_rotor *rotor = rotor_of_system(system), *other = rotor_of_system(changed);
+    if (rotor && other && rotor->lanes.alike(rotor, other) && rotor->length == other->length &&
+        system->torque_count == changed->torque_count)
+        return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT, "the change gives the machine other parts or another length scale, expected "
+                                       "other numbers of the same parts");
+}
+
 static whirl_status running_check_machine(const running_rotor *r, const whirl_machine *machine) {
     const whirl_status status = whirl_running_check(machine->system, r->driven);
     if (status.code != WHIRL_OK) return status;
@@ -706,6 +715,31 @@ static void running_part(whirl_running *running, double from, double length) {
     r->by_angle.period = r->by_time.period = length;
 }
 
+static void running_adopt(const whirl_running *running, const whirl_running *from, bool by_time, double *x) {
+    const running_rotor *r = (const running_rotor *)running, *other = (const running_rotor *)from;
+    const whirl_rotor *rotor = r->rotor;
+    const size_t n = rotor->lanes.degrees, at = r->at_speed;
+    // Units of tilts follow the inertia.
+    for (size_t i = 0; i < n; i++) {
+        const double units = other->rotor->unit[i] / rotor->unit[i];
+        x[i] *= units;
+        x[n + i] *= units;
+    }
+    if (rotor->twist_count == 0) return;
+    // Twists count from a mean turn by inertia: another inertia has another mean, by angle and by speed.
+    double turned[2] = {0.0, 0.0};
+    const double speed = by_time ? 1.0 : fmax(x[at], slowest);
+    for (size_t i = rotor->first_twist; i < rotor->first_twist + rotor->twist_count; i++)
+        for (size_t k = 0; k < 2; k++)
+            turned[k] += rotor->momentum[i] * rotor->unit[i] * x[k * n + i] / r->turn_inertia;
+    for (size_t i = rotor->first_twist; i < rotor->first_twist + rotor->twist_count; i++)
+        for (size_t k = 0; k < 2; k++) x[k * n + i] -= rotor->rigid[i] / rotor->unit[i] * turned[k];
+    if (by_time) x[at + 2] += turned[0];
+    x[at] += turned[1] * speed;
+    if (!by_time)
+        for (size_t i = n; i < 2 * n; i++) x[i] *= speed / fmax(x[at], slowest);
+}
+
 static void running_to_angle(const whirl_running *running, double *x) {
     running_scale_to_angle((const running_rotor *)running, x);
 }
@@ -861,6 +895,7 @@ whirl_status whirl_running_new(whirl_machine_at *make, const void *context, doub
     r->shown.turn = running_set;
     r->shown.lose = running_lose;
     r->shown.part = running_part;
+    r->shown.adopt = running_adopt;
     r->shown.to_angle = running_to_angle;
     r->shown.torques = running_torques;
     r->shown.watch = running_watch;

@@ -158,6 +158,43 @@ static void torque_is_put_on(void **state) {
     whirl_result_free(result);
 }
 
+/// The motor trips and half of the second inertia leaves at one instant: angles and speeds of both stations stay, and
+/// the rest swings freely. By the speed instead of the time, too.
+static void inertia_leaves(void **state) {
+    static const char *const when[] = {"trip_time: 0.01 s, change_time: 0.01 s",
+                                       "trip_speed: %.17g rad/s, change_speed: %.17g rad/s"};
+    const double one = 0.3, other = 0.5, less = 0.2, stiffness = 2000.0, torque = 40.0, t = 0.01;
+    const double frequency = sqrt(stiffness * (one + other) / (one * other));
+    const double bend = torque * other / (one + other) / stiffness * (1.0 - cos(frequency * t));
+    const double rate = torque * other / (one + other) / stiffness * frequency * sin(frequency * t);
+    const double mean = torque * t / (one + other);
+    const double speeds[] = {mean + other / (one + other) * rate, mean - one / (one + other) * rate};
+    const double later = sqrt(stiffness * (one + less) / (one * less));
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(when); i++) {
+        char study[SIZE / 4], instant[SIZE / 8], rotor[SIZE];
+        snprintf(instant, sizeof instant, when[i], speeds[0], speeds[0]);
+        snprintf(study, sizeof study,
+                 "duration: 0.08 s, speed_to: 100 rad/s, rtol: 1e-13, rows: 10, change: {J: 0.2 kg.m2}, %s", instant);
+        snprintf(rotor, sizeof rotor,
+                 "  length_scale: 1 mm\n"
+                 "  stations:\n"
+                 "    one: {polar: 0.3 kg.m2, moves: twist}\n"
+                 "    two: {polar: = J, moves: twist}\n"
+                 "  elements:\n"
+                 "    - coupling: {between: [one, two], twist: 2000 N.m/rad}\n"
+                 "    - drive: {at: one, torque: 40 N.m}\n"
+                 "parameters: {J: 0.5 kg.m2}\n");
+        whirl_result *result = start(rotor, study);
+        check_within("Motor starts", words("inertia leaves, %zu: speed at the end", i),
+                     (one * speeds[0] + less * speeds[1]) / (one + less),
+                     number(result, WHIRL_FIELD_RUNUP_END_SPEED, 0), 1e-9);
+        check_within("Motor starts", words("inertia leaves, %zu: largest shaft torque", i),
+                     stiffness * hypot(bend, rate / later), extreme(result, 0, false, false), 1e-8);
+        whirl_result_free(result);
+    }
+}
+
 // ---------------------------------------------------------------- what changes nothing
 
 static void motor_otherwise(void **state) {
@@ -322,6 +359,7 @@ int main(void) {
                                        cmocka_unit_test(synchronous_motor_starts),
                                        cmocka_unit_test(terminals_are_short_circuited),
                                        cmocka_unit_test(torque_is_put_on),
+                                       cmocka_unit_test(inertia_leaves),
                                        cmocka_unit_test(motor_otherwise),
                                        cmocka_unit_test(gears_refer),
                                        cmocka_unit_test(stiff_shafts_are_rigid),

@@ -117,6 +117,31 @@ static const char disc[] = "whirl: 1\n"
                            "study:\n"
                            "  runup: {%s, rtol: 1e-13, rows: 20, samples: 64}\n";
 
+/// An eccentricity that appears at once is a blade that is lost: closed form in 40 digits.
+static void eccentricity_appears(void **state) {
+    static const char text[] = "whirl: 1\n"
+                               "parameters: {e: 0 m}\n"
+                               "rotor:\n"
+                               "  speed: 1 rad/s\n"
+                               "  length_scale: 1 m\n"
+                               "  stations:\n"
+                               "    disc: {mass: 1 kg, damping: 0.04 N.s/m, eccentricity: = e}\n"
+                               "  elements:\n"
+                               "    - spring: {between: [disc, ground], stiffness: 1 N/m}\n"
+                               "study:\n"
+                               "  runup: {rate: 1e-14 rad/s2, speed_from: 3 rad/s, duration: 40 s, change: {e: 1 m}, "
+                               "change_time: 10.01 s, rtol: 1e-13, rows: 20, samples: 64}\n";
+    (void)state;
+    whirl_result *result = result_of_text(text);
+    check_digits("Run-up", "eccentricity appears: largest radius", "4.39626100286",
+                 number(result, WHIRL_FIELD_RUNUP_PEAK, 0, 0));
+    check_digits("Run-up", "eccentricity appears: when", "1.56098834",
+                 number(result, WHIRL_FIELD_RUNUP_PEAK_TIME, 0, 0) - 10.01);
+    check_within("Run-up", "eccentricity appears: instant of the change", 10.01,
+                 number(result, WHIRL_FIELD_RUNUP_EVENTS, 0, 2), 1e-12);
+    whirl_result_free(result);
+}
+
 static whirl_result *run_disc(const char *scale, double damping, double eccentricity, const char *element,
                               const char *study) {
     char text[SIZE];
@@ -321,6 +346,7 @@ int main(void) {
                                        cmocka_unit_test(rubs),
                                        cmocka_unit_test(blade_loss),
                                        cmocka_unit_test(blade_loss_and_trip),
+                                       cmocka_unit_test(eccentricity_appears),
                                        cmocka_unit_test(events_at_one_instant),
                                        cmocka_unit_test(slow_runs_meet_the_response)};
     return cmocka_run_group_tests_name("run-ups", tests, NULL, NULL);

@@ -237,9 +237,10 @@ typedef struct whirl_resting {
     /// Makes the same machine with its coefficients at a frequency of whirl, rad/s.
     whirl_status (*at_frequency)(const void *context, double frequency, whirl_variant variant, double value,
                                  whirl_machine *machine);
-    /// Makes the same machine with a speed that changes between two (rad/s), by its torques or not. Errors as
-    /// whirl_running_new.
-    whirl_status (*running)(const void *context, double lowest, double highest, bool driven, whirl_running **running);
+    /// Makes the same machine with a speed that changes between two (rad/s), by its torques or not; changed: with the
+    /// parameters that change in a run. Errors as whirl_running_new.
+    whirl_status (*running)(const void *context, double lowest, double highest, bool driven, bool changed,
+                            whirl_running **running);
     const void *context;        ///< passed to at_speed, at_frequency and running
     double drive_speed;         ///< whirl_machine.drive_speed
     const whirl_stop *stop;     ///< NULL, or becomes true when long work shall end; its numbers mean nothing then

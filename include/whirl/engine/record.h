@@ -65,6 +65,8 @@ typedef struct whirl_runup_options {
     double trip_time, trip_speed;  ///< s and rad/s at which the motor is lost; 0: never
     char loss_at[WHIRL_NAME_SIZE]; ///< station where an unbalance appears, or ""
     double loss_moment, loss_angle, loss_time, loss_speed; ///< kg m, rad, s, rad/s
+    char change[WHIRL_NAME_SIZE];                          ///< names of parameters that change in the run, or ""
+    double change_time, change_speed;                      ///< s and rad/s at which they do; 0: not by this
     int rows;                                              ///< number of rows of the result over the time
     int samples;                                           ///< samples of a turn
     double rtol;                                           ///< relative tolerance

@@ -68,6 +68,10 @@ struct whirl_running {
     /// time).
     void (*part)(whirl_running *running, double from, double length);
 
+    /// Takes over a state of a machine that has changed (whirl_running_check_change), by the angle or by time: places,
+    /// speeds and angles of all stations stay.
+    void (*adopt)(const whirl_running *running, const whirl_running *from, bool by_time, double *x);
+
     /// Turns the derivatives of a state by time into those by the angle; its last number stays.
     void (*to_angle)(const whirl_running *running, double *x);
 
@@ -109,6 +113,10 @@ typedef whirl_status whirl_machine_at(const void *context, double speed, whirl_m
 /// sentence for systems that are no rotors, have a phase of their own, no inertia, or stations that twist and no drive
 /// for them.
 whirl_status whirl_running_check(const whirl_system *system, bool driven);
+
+/// Checks that a machine may change into another one in a run. WHIRL_BAD_INPUT with a sentence for other parts or
+/// another length scale.
+whirl_status whirl_running_check_change(const whirl_system *system, const whirl_system *changed);
 
 /// Finds how the numbers of a rotor, which torques drive or not, go with its speed, from `lowest` (>= 0) to `highest`
 /// rad/s: as powers from -2 to 2 where they do so to rounding, else as cubic splines (whirl_running.error).

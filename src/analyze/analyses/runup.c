@@ -50,8 +50,9 @@ static const field_plan fields[FIELD_COUNT] = {
     [END_SPEED] = {WHIRL_FIELD_RUNUP_END_SPEED, "rad/s", "of the shaft at the end of the run", WHIRL_PER_POINT, 1,
                    NULL},
     [END_TURNS] = {WHIRL_FIELD_RUNUP_END_TURNS, "1", "of the shaft in the run", WHIRL_PER_POINT, 1, NULL},
-    [EVENTS] = {WHIRL_FIELD_RUNUP_EVENTS, "s", "trip, loss (when the motor was lost, and the blade; missing: never)",
-                WHIRL_PER_POINT, 2, NULL},
+    [EVENTS] = {WHIRL_FIELD_RUNUP_EVENTS, "s",
+                "trip, loss, change (when the motor was lost, the blade, and when parameters changed; missing: never)",
+                WHIRL_PER_POINT, 3, NULL},
     [NUMBERS_ERROR] = {WHIRL_FIELD_RUNUP_ERROR, "1",
                        "of coefficients between the speeds that they were taken at, over the largest; 0: exact",
                        WHIRL_PER_POINT, 1, NULL},
@@ -253,7 +254,7 @@ static void runup_fill_end(const filling *f, const runup_run *run) {
     *view_numbers(view, END_SPEED, 0) = run->speed;
     *view_numbers(view, END_TURNS, 0) = run->turns;
     double *events = view_numbers(view, EVENTS, 0);
-    events[0] = run->trip, events[1] = run->loss;
+    events[0] = run->trip, events[1] = run->loss, events[2] = run->change;
     for (size_t p = 0; p < f->system->probe_count; p++) {
         for (size_t axis = 0; axis < 2; axis++)
             view_numbers(view, PLACE, p)[axis] = whirl_probe_value(&f->system->probes[p], run->last, axis);
@@ -269,8 +270,9 @@ static void runup_fill_end(const filling *f, const runup_run *run) {
     }
 }
 
-static whirl_status runup_run_machine(whirl_running *running, const whirl_resting *point, const whirl_runup_options *o,
-                                      double highest, const block_view *view) {
+/// Runs a machine; `after`: with its changed parameters, or NULL.
+static whirl_status runup_run_machine(whirl_running *running, whirl_running *after, const whirl_resting *point,
+                                      const whirl_runup_options *o, double highest, const block_view *view) {
     const whirl_system *system = running->by_angle;
     const size_t d = system->dimension, probes = system->probe_count, contacts = running->contact_count;
     const size_t torques = running->in_time ? running->watched_count : 0;
@@ -287,6 +289,7 @@ static whirl_status runup_run_machine(whirl_running *running, const whirl_restin
                  .way = 1.0,
                  .status = whirl_ok()};
     runup_plan plan = {.options = o,
+                       .after = after,
                        .integrate = whirl_integrate_default(),
                        .angle = o->angle,
                        .see = runup_fill_row,
@@ -312,6 +315,7 @@ static whirl_status runup_run_machine(whirl_running *running, const whirl_restin
     if (status.code == WHIRL_OK && *o->loss_at) {
         const whirl_placed lost = {runup_station_named(system, o->loss_at), o->loss_moment, o->loss_angle};
         running->lose(running, 1, &lost);
+        if (after) after->lose(after, 1, &lost);
     }
     if (status.code == WHIRL_OK) status = runup_carry(running, &plan, &run);
     if (status.code == WHIRL_OK && run.end == RUNUP_STOPPED) status = whirl_fail(WHIRL_STOPPED, "stopped");
@@ -331,13 +335,18 @@ static whirl_status runup_compute(const whirl_resting *point, const whirl_record
                                   const block_view *view) {
     const whirl_runup_options *o = &options->runup;
     const double highest = runup_highest_speed(point, o);
-    whirl_running *running = NULL;
-    whirl_status status = point->running(point->context, runup_lowest_speed(o), highest, o->rate == 0.0, &running);
+    const double lowest = runup_lowest_speed(o);
+    const bool driven = o->rate == 0.0;
+    whirl_running *running = NULL, *after = NULL;
+    whirl_status status = point->running(point->context, lowest, highest, driven, false, &running);
+    if (status.code == WHIRL_OK && *o->change)
+        status = point->running(point->context, lowest, highest, driven, true, &after);
     if (status.code == WHIRL_OK) {
-        *view_numbers(view, NUMBERS_ERROR, 0) = running->error;
-        status = runup_run_machine(running, point, o, highest, view);
+        *view_numbers(view, NUMBERS_ERROR, 0) = after ? fmax(running->error, after->error) : running->error;
+        status = runup_run_machine(running, after, point, o, highest, view);
     }
     if (running) running->release(running);
+    if (after) after->release(after);
     return status;
 }
 

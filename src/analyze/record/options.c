@@ -171,6 +171,12 @@ const whirl_member *whirl_runup_members(void) {
                      "when; 0: at the beginning, or by loss_speed"),
         RUNUP_NUMBER(loss_speed, "loss_speed", "rad/s", "0", WHIRL_NOT_NEGATIVE,
                      "speed at which it is lost when it is first passed; 0: by loss_time"),
+        RUNUP(WORD, change, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
+              "names of parameters with the values that they have from an instant of the run on"),
+        RUNUP_NUMBER(change_time, "change_time", "s", "0", WHIRL_NOT_NEGATIVE,
+                     "when these parameters change; 0: by change_speed"),
+        RUNUP_NUMBER(change_speed, "change_speed", "rad/s", "0", WHIRL_NOT_NEGATIVE,
+                     "speed at which they change when it is first passed; 0: by change_time"),
         RUNUP(WHOLE, rows, "1", WHIRL_KEY_WHOLE, "400", WHIRL_FROM_TO(2, 100000), NULL,
               "of the result, at equal times: each shows the last turn of the shaft before it ends"),
         RUNUP(WHOLE, samples, "1", WHIRL_KEY_WHOLE, "128", WHIRL_FROM_TO(16, 65536), NULL,
@@ -212,6 +218,12 @@ whirl_status whirl_runup_check(const whirl_runup_options *o, bool driven, double
         return whirl_fail(WHIRL_BAD_INPUT, "the run has loss_time and loss_speed, expected one of them");
     if (o->trip_time > 0.0 && o->trip_speed > 0.0)
         return whirl_fail(WHIRL_BAD_INPUT, "the run has trip_time and trip_speed, expected one of them");
+    if (*o->change ? (o->change_time > 0.0) + (o->change_speed > 0.0) != 1
+                   : o->change_time > 0.0 || o->change_speed > 0.0)
+        return whirl_fail(WHIRL_BAD_INPUT, "the run has %s, expected change and one of change_time and change_speed",
+                          !*o->change             ? "an instant of a change alone"
+                          : o->change_time == 0.0 ? "a change without its instant"
+                                                  : "a change at two instants");
     if (o->rate > 0.0 && (o->trip_time > 0.0 || o->trip_speed > 0.0))
         return whirl_fail(WHIRL_BAD_INPUT, "the run has a rate and a trip of its drive, expected one of them");
     const double kept = o->highest_order * o->spectrum_turns * o->spectra,

@@ -11,13 +11,26 @@ static const double two_pi = 6.283185307179586476925;
 /// What ends a search for an instant: the part of what was to be divided that is left.
 static const double located = 1e-14;
 
-typedef struct runner {
+/// What a state of the run belongs to: the machine after the change, the time as variable, and how the shaft turned.
+typedef struct runup_where {
+    bool changed, by_time;
+    whirl_turning how;
+} runup_where;
+
+/// A machine of the run, before or after its change, and its integrators.
+typedef struct runup_side {
     whirl_running *machine;
+    whirl_integrator *seen[2]; ///< by the angle, by time: with all samples
+    whirl_integrator *part[2]; ///< by the angle, by time
+} runup_side;
+
+typedef struct runner {
+    whirl_running *machine; ///< of sides[changed]
+    runup_side sides[2];    ///< before and after the change
+    bool changed;
     const runup_plan *plan;
     bool by_time;               ///< the variable is the time, not the angle
     const whirl_system *system; ///< of that variable
-    whirl_integrator *seen[2];  ///< by the angle, by time: with all samples
-    whirl_integrator *part[2];  ///< by the angle, by time
     size_t rotor;               ///< length of the state before speed and time (and, by time, the angle)
     size_t dimension, most;     ///< of the state now, and by time
     size_t probes, contacts, torques;
@@ -38,9 +51,10 @@ typedef struct runner {
     double turns, angle0;            ///< turns behind, and the angle of the first state
     double *peak_state;              ///< [probes][most] the sample before the largest radius
     double *peak_from, *peak_length; ///< [probes] its angle, and how far the sample after it is
-    bool *peak_by_time;              ///< [probes] that is a time
+    runup_where *peak_where;         ///< [probes] to what that belongs
     double *torque_state;            ///< [torques][2][most] the samples before the largest and the least torque
     double *torque_length;           ///< [torques][2] how far the samples after them are
+    runup_where *torque_where;       ///< [torques][2] to what these belong
     runup_run *run;
 } runner;
 
@@ -56,8 +70,10 @@ static double runup_angle_of(const runner *r, const double *x) {
     return r->by_time ? x[r->rotor + 2] : r->angle0;
 }
 
-/// Chooses the variable.
-static void runup_go_by(runner *r, bool time) {
+/// Chooses the machine and the variable.
+static void runup_go_by(runner *r, bool changed, bool time) {
+    r->changed = changed;
+    r->machine = r->sides[changed].machine;
     r->by_time = time;
     r->system = time ? r->machine->by_time : r->machine->by_angle;
     r->dimension = r->system->dimension;
@@ -92,7 +108,7 @@ static void runup_keep_sample(void *context, double t, const double *x) {
 static whirl_motion runup_carry_part(runner *r, double from, double length, double *x) {
     if (length <= 0.0) return WHIRL_BOUNDED;
     r->machine->part(r->machine, from, length);
-    return whirl_integrator_revolve(r->part[r->by_time], x, NULL, NULL);
+    return whirl_integrator_revolve(r->sides[r->changed].part[r->by_time], x, NULL, NULL);
 }
 
 /// The same with all samples.
@@ -100,7 +116,7 @@ static whirl_motion runup_carry_seen(runner *r, double from, double length, doub
     sampler s = {r, 1};
     memcpy(r->samples, x, r->dimension * sizeof *x);
     r->machine->part(r->machine, from, length);
-    return whirl_integrator_revolve(r->seen[r->by_time], x, runup_keep_sample, &s);
+    return whirl_integrator_revolve(r->sides[r->changed].seen[r->by_time], x, runup_keep_sample, &s);
 }
 
 /// A number of a state: of its station or switch `which`, where it has one.
@@ -171,7 +187,7 @@ static void runup_see_radii(runner *r, double from, double step, size_t count) {
             const size_t before = k - 1, span = k < count ? 2 : 1;
             *peak = (runup_peak){radius, runup_time_of(r, runup_sample(r, k)), runup_speed_of(r, runup_sample(r, k))};
             memcpy(r->peak_state + p * r->most, runup_sample(r, before), r->dimension * sizeof *r->x);
-            r->peak_by_time[p] = r->by_time;
+            r->peak_where[p] = (runup_where){r->changed, r->by_time, r->how};
             r->peak_from[p] = from + (double)before * step;
             r->peak_length[p] = (double)span * step;
         }
@@ -265,6 +281,7 @@ static void runup_note_torques(runner *r, double step, size_t k, size_t count) {
             *own = (runup_extreme){r->torque[t], time};
             memcpy(r->torque_state + (2 * t + side) * r->most, runup_sample(r, before), r->dimension * sizeof *r->x);
             r->torque_length[2 * t + side] = (double)(after - before) * step;
+            r->torque_where[2 * t + side] = (runup_where){r->changed, r->by_time, r->how};
         }
 }
 
@@ -342,9 +359,18 @@ static void runup_show_turn(runner *r, bool whole) {
 // ---------------------------------------------------------------- events
 
 /// What happens next.
-typedef enum event { EVENT_NONE, EVENT_TURN, EVENT_END, EVENT_DWELL, EVENT_TRIP, EVENT_LOSS, EVENT_TORQUE } event;
+typedef enum event {
+    EVENT_NONE,
+    EVENT_TURN,
+    EVENT_END,
+    EVENT_DWELL,
+    EVENT_TRIP,
+    EVENT_LOSS,
+    EVENT_CHANGE,
+    EVENT_TORQUE
+} event;
 
-enum { MOST_COMING = 8 };
+enum { MOST_COMING = 9 };
 
 /// Something that happens when a quantity passes a target.
 typedef struct coming {
@@ -395,6 +421,10 @@ static size_t runup_list_coming(const runner *r, coming list[MOST_COMING]) {
         list[count++] = (coming){EVENT_LOSS, runup_speed_quantity, o->loss_speed, 0};
     if (*o->loss_at && !r->how.lost && o->loss_speed == 0.0)
         list[count++] = (coming){EVENT_LOSS, runup_time_quantity, o->loss_time, 0};
+    if (r->sides[1].machine && !r->changed && o->change_time > 0.0)
+        list[count++] = (coming){EVENT_CHANGE, runup_time_quantity, o->change_time, 0};
+    if (r->sides[1].machine && !r->changed && o->change_speed > 0.0)
+        list[count++] = (coming){EVENT_CHANGE, runup_speed_quantity, o->change_speed, 0};
     return count;
 }
 
@@ -418,6 +448,11 @@ static void runup_happen(runner *r, event what) {
     case EVENT_LOSS:
         r->how.lost = true;
         r->run->loss = time;
+        break;
+    case EVENT_CHANGE:
+        r->run->change = time;
+        runup_go_by(r, true, r->by_time);
+        r->machine->adopt(r->machine, r->sides[0].machine, r->by_time, r->x);
         break;
     default:
         break;
@@ -550,7 +585,7 @@ static bool runup_start_turning(runner *r) {
 /// Goes on by the angle after the first turn from standstill.
 static void runup_go_by_angle(runner *r) {
     r->machine->to_angle(r->machine, r->x);
-    runup_go_by(r, false);
+    runup_go_by(r, r->changed, false);
 }
 
 /// Turns at the first speed until the motion has settled, before time begins.
@@ -578,13 +613,19 @@ static bool runup_settle(runner *r) {
 
 // ---------------------------------------------------------------- all
 
+/// Goes back to what a state belongs to.
+static void runup_go_back(runner *r, const runup_where *to) {
+    runup_go_by(r, to->changed, to->by_time);
+    r->machine->turn(r->machine, &to->how);
+}
+
 /// The tops of radii between samples.
 static void runup_locate_peaks(runner *r) {
     for (size_t p = 0; p < r->probes; p++) {
         const double *state = r->peak_state + p * r->most;
         double *there = r->scratch + r->most;
         if (!(r->peak_length[p] > 0.0)) continue;
-        runup_go_by(r, r->peak_by_time[p]);
+        runup_go_back(r, &r->peak_where[p]);
         memcpy(there, state, r->dimension * sizeof *there);
         if (runup_carry_part(r, r->peak_from[p], r->peak_length[p], there) != WHIRL_BOUNDED) continue;
         const double low = runup_radial_slope(r, state, p), high = runup_radial_slope(r, there, p);
@@ -599,12 +640,12 @@ static void runup_locate_peaks(runner *r) {
 /// The tops and bottoms of torques between samples.
 static void runup_locate_torques(runner *r) {
     double *there = r->scratch + r->most;
-    runup_go_by(r, true);
     for (size_t which = 0; which < 2 * r->torques; which++) {
         runup_torque *torque = &r->run->torques[which / 2];
         runup_extreme *own = which % 2 == 0 ? &torque->largest : &torque->least;
         const double *state = r->torque_state + which * r->most, length = r->torque_length[which];
         if (!(length > 0.0)) continue;
+        runup_go_back(r, &r->torque_where[which]);
         memcpy(there, state, r->dimension * sizeof *there);
         if (runup_carry_part(r, 0.0, length, there) != WHIRL_BOUNDED) continue;
         const double low = runup_torque_slope(r, state, which), high = runup_torque_slope(r, there, which);
@@ -643,8 +684,10 @@ static whirl_status runup_open(runner *r) {
     whirl_integrate_options options = r->plan->integrate;
     r->x = calloc(numbers + 1, sizeof *r->x);
     r->stations = calloc(r->probes + 1, sizeof *r->stations);
-    r->peak_by_time = calloc(r->probes + 1, sizeof *r->peak_by_time);
-    if (!r->x || !r->stations || !r->peak_by_time) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a run");
+    r->peak_where = calloc(r->probes + 1, sizeof *r->peak_where);
+    r->torque_where = calloc(2 * r->torques + 1, sizeof *r->torque_where);
+    if (!r->x || !r->stations || !r->peak_where || !r->torque_where)
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for a run");
     double *next = r->x + d;
     r->begin = next, next += d;
     r->samples = next, next += (samples + 1) * d;
@@ -662,29 +705,34 @@ static whirl_status runup_open(runner *r) {
     r->torque = next, next += r->torques;
     r->torque_length = next;
     whirl_status status = whirl_ok();
-    for (size_t time = 0; time < 2 && status.code == WHIRL_OK; time++) {
-        const whirl_system *system = time ? r->machine->by_time : r->machine->by_angle;
+    for (size_t i = 0; i < 4 && status.code == WHIRL_OK; i++) {
+        runup_side *side = &r->sides[i / 2];
+        const size_t time = i % 2;
+        if (!side->machine) break;
+        const whirl_system *system = time ? side->machine->by_time : side->machine->by_angle;
         options.steps_per_revolution = (int)samples;
-        status = whirl_integrator_new(system, &options, &r->seen[time]);
+        status = whirl_integrator_new(system, &options, &side->seen[time]);
         options.steps_per_revolution = 1;
-        if (status.code == WHIRL_OK) status = whirl_integrator_new(system, &options, &r->part[time]);
+        if (status.code == WHIRL_OK) status = whirl_integrator_new(system, &options, &side->part[time]);
     }
     return status;
 }
 
 static void runup_close(runner *r) {
-    for (size_t time = 0; time < 2; time++) {
-        whirl_integrator_free(r->seen[time]);
-        whirl_integrator_free(r->part[time]);
+    for (size_t i = 0; i < 4; i++) {
+        whirl_integrator_free(r->sides[i / 2].seen[i % 2]);
+        whirl_integrator_free(r->sides[i / 2].part[i % 2]);
     }
     free(r->x);
     free(r->stations);
-    free(r->peak_by_time);
+    free(r->peak_where);
+    free(r->torque_where);
 }
 
 whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_run *run) {
     const whirl_runup_options *o = plan->options;
     runner r = {.machine = running,
+                .sides = {{.machine = running}, {.machine = plan->after}},
                 .plan = plan,
                 .rotor = running->by_angle->dimension - 2,
                 .most = running->by_time->dimension,
@@ -696,14 +744,14 @@ whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_r
                 .angle0 = plan->angle,
                 .run = run};
     r.how = (whirl_turning){.driven = o->rate == 0.0, .rate = o->to > 0.0 && o->to < o->from ? -o->rate : o->rate};
-    run->trip = run->loss = (double)NAN;
+    run->trip = run->loss = run->change = (double)NAN;
     for (size_t p = 0; p < r.probes; p++) run->peaks[p] = (runup_peak){0.0, NAN, NAN};
     for (size_t t = 0; t < r.torques; t++)
         run->torques[t] = (runup_torque){{-(double)INFINITY, NAN}, {(double)INFINITY, NAN}};
     for (size_t c = 0; c < r.contacts; c++) run->contacts[c] = (runup_contact){NAN, NAN, 0.0, 0.0};
     whirl_status status = runup_open(&r);
     if (status.code == WHIRL_OK) {
-        runup_go_by(&r, running->in_time || o->from == 0.0);
+        runup_go_by(&r, false, running->in_time || o->from == 0.0);
         memcpy(r.x, plan->start, plan->start_count * sizeof *r.x);
         r.x[r.rotor] = o->from / r.unit;
         if (r.by_time)

@@ -66,7 +66,7 @@ typedef struct runup_torque {
 typedef struct runup_run {
     runup_end end;
     double time, speed, turns; ///< when it ended
-    double trip, loss;         ///< s, when these happened; NaN: never
+    double trip, loss, change; ///< s, when these happened; NaN: never
     runup_peak *peaks;         ///< [probe_count] located
     runup_contact *contacts;   ///< [contact_count] located
     runup_torque *torques;     ///< [watched_count] located
@@ -82,6 +82,7 @@ typedef void runup_watch_at(void *context, double time, const double *torque, co
 /// How it is run.
 typedef struct runup_plan {
     const whirl_runup_options *options;
+    whirl_running *after; ///< the machine with its changed parameters, or NULL; see whirl_running.adopt
     whirl_integrate_options integrate;
     const double *start; ///< [start_count] the rotor's displacements and velocities by time over the unit of speed
     size_t start_count;

@@ -57,6 +57,7 @@ static void runup_find_runs(const finder *of) {
     sheet_column(of, sheet, "turns", "turns", WHIRL_QUANTITY_NUMBER, 6);
     sheet_column(of, sheet, "trip", "motor lost at", WHIRL_QUANTITY_TIME, 6);
     sheet_column(of, sheet, "loss", "blade lost at", WHIRL_QUANTITY_TIME, 6);
+    sheet_column(of, sheet, "change", "changed at", WHIRL_QUANTITY_TIME, 6);
     sheet_texts(of, sheet, "end", "ended");
     for (size_t point = 0; point < of->table->count; point++) {
         const double *events = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_EVENTS, 0);
@@ -66,7 +67,7 @@ static void runup_find_runs(const finder *of) {
         cell_number(of, sheet, runup_number_of(of, point, WHIRL_FIELD_RUNUP_END_TIME, 0));
         cell_number(of, sheet, runup_number_of(of, point, WHIRL_FIELD_RUNUP_END_SPEED, 0));
         cell_number(of, sheet, runup_number_of(of, point, WHIRL_FIELD_RUNUP_END_TURNS, 0));
-        for (size_t i = 0; i < 2; i++) cell_number(of, sheet, events[i]);
+        for (size_t i = 0; i < 3; i++) cell_number(of, sheet, events[i]);
         cell_text(of, sheet, runup_ended(runup_number_of(of, point, WHIRL_FIELD_RUNUP_END, 0)));
     }
     find_sheet_end(of);

@@ -94,9 +94,13 @@ static whirl_status as_given(const void *context, double speed, whirl_machine *m
     return at_speed(context, speed, WHIRL_AS_GIVEN, 0.0, machine);
 }
 
-static whirl_status make_running(const void *context, double lowest, double highest, bool driven,
+static whirl_status make_running(const void *context, double lowest, double highest, bool driven, bool changed,
                                  whirl_running **running) {
-    return whirl_running_new(as_given, context, lowest, highest, driven, running);
+    place at = *(const place *)context;
+    whirl_batch batch = *at.batch;
+    batch.with_change = changed;
+    at.batch = &batch;
+    return whirl_running_new(as_given, &at, lowest, highest, driven, running);
 }
 
 /// Returns true if other equilibria are looked for: for turning machines with their own bearings.
