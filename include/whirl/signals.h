@@ -188,6 +188,27 @@ whirl_status whirl_signals_recurrence(const double *points, size_t count, size_t
                                       size_t shortest, double *rate, double *determinism, double *laminarity,
                                       size_t *longest);
 
+/// Numbers of a row of whirl_signals_rain_flow.
+enum { WHIRL_SIGNALS_CYCLE = 3 };
+
+/// Counts the cycles of a load history [count] by rain flow, three points (ASTM E1049-85, 5.4.4): `cycles` [*rows][3],
+/// in the order in which they close: range, mean, and 1 for a whole cycle or 0.5 for a half one. Ranges that are open
+/// at the end are half cycles. `cycles` has room for [count][3]; a constant history has no rows.
+whirl_status whirl_signals_rain_flow(const double *values, size_t count, double *cycles, size_t *rows);
+
+/// Sums the damage sum n/N of cycles [rows][3] of whirl_signals_rain_flow (Palmgren 1924, Miner 1945); failure is
+/// expected at 1. N is the number of cycles to failure at a range, whatever the mean, by an S-N curve of ranges (twice
+/// the amplitudes):
+/// - one point and a `slope` m > 0: N = lives[0] (ranges[0]/range)^m;
+/// - several points, of falling `ranges` and growing `lives`: straight lines over logarithms, of which the last one
+/// goes
+///   on to smaller ranges; `slope` has no effect.
+///
+/// Ranges up to `endurance` do no damage; 0: no such limit. WHIRL_BAD_INPUT for a range above the first of several
+/// points.
+whirl_status whirl_signals_damage(const double *cycles, size_t rows, const double *ranges, const double *lives,
+                                  size_t points, double slope, double endurance, double *damage);
+
 #ifdef __cplusplus
 }
 #endif

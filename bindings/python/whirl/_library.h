@@ -169,3 +169,6 @@ whirl_status whirl_signals_returns(const double *points, size_t count, size_t di
 whirl_status whirl_signals_recurrence(const double *points, size_t count, size_t dimension, double radius,
                                       size_t shortest, double *rate, double *determinism, double *laminarity,
                                       size_t *longest);
+whirl_status whirl_signals_rain_flow(const double *values, size_t count, double *cycles, size_t *rows);
+whirl_status whirl_signals_damage(const double *cycles, size_t rows, const double *ranges, const double *lives,
+                                  size_t points, double slope, double endurance, double *damage);

@@ -35,6 +35,7 @@ __all__ = [
     "TrackedOrders",
     "Spectrogram",
     "Cascade",
+    "RainFlow",
     "find_pulses",
     "bode",
     "vold_kalman",
@@ -42,6 +43,8 @@ __all__ = [
     "motion_size",
     "zero_one",
     "recurrence",
+    "rain_flow",
+    "damage",
     "check_pulses",
     "Record",
 ]
@@ -176,6 +179,25 @@ class Cascade(NamedTuple):
     forward: Optional[np.ndarray]  #: [rows][orders] circular motion with the rotation
     backward: Optional[np.ndarray]  #: [rows][orders] and against it
     change: np.ndarray  #: [rows] change of the speed within the turns, over their mean speed
+
+
+class RainFlow(NamedTuple):
+    """Cycles of a load history, in the order in which they close."""
+
+    range: np.ndarray  #: [rows] from the lower to the upper point, in the unit of the history: twice the amplitude
+    mean: np.ndarray  #: [rows] halfway between the two points
+    cycles: np.ndarray  #: [rows] 1, or 0.5 for half a cycle
+
+    def counts(self) -> tuple:
+        """The different ranges, rising, and the cycles of each: two arrays."""
+        ranges, row = np.unique(self.range, return_inverse=True)
+        return ranges, np.bincount(row, self.cycles, len(ranges))
+
+    def to_pandas(self) -> "pandas.DataFrame":
+        """The rows with the columns range, mean, cycles."""
+        from .findings import _pandas
+
+        return _pandas().DataFrame(self._asdict())
 
 
 def _lag(vectors: np.ndarray) -> np.ndarray:
@@ -469,6 +491,55 @@ def _check_slow_roll(speed: np.ndarray, once: np.ndarray, slow_roll: np.ndarray,
                 f"the slow-roll speed {wanted:g} rad per unit of time is not below the resonances: up to a tenth above "
                 f"it 1X of '{name}' changes by {changed / channel.max():.0%} of its largest change"
             )
+
+
+def rain_flow(values: ArrayLike) -> RainFlow:
+    """Counts the cycles of a load history [count] by rain flow, three points (ASTM E1049-85, 5.4.4).
+
+    Ranges that close no loop are half cycles.
+    """
+    values = _numbers(values, "the history")
+    cycles, found = np.empty((values.size, 3)), ffi.new("size_t *")
+    check(lib.whirl_signals_rain_flow(_at(values), values.size, _at(cycles), found))
+    return RainFlow(*cycles[: found[0]].T.copy())
+
+
+def damage(
+    history: "RainFlow | ArrayLike",
+    curve: ArrayLike,
+    slope: Optional[float] = None,
+    endurance: float = 0.0,
+) -> float:
+    """Damage of a load history: the sum of n/N over its cycles (Palmgren 1924, Miner 1945); failure is expected at 1.
+
+    The mean of a cycle has no effect on its N.
+
+    Parameters
+    ----------
+    history : RainFlow or array_like
+        Cycles of :func:`rain_flow`, or the history [count] itself.
+    curve : array_like
+        S-N curve: points [points][2] of range and cycles to failure N. Ranges are twice the amplitudes. Between points
+        the curve is straight over logarithms; the last line goes on to smaller ranges.
+    slope : float, optional
+        With a single point (range, N): m of N (range of the point/range)^m.
+    endurance : float
+        Range up to which cycles do no damage; 0: there is no such limit.
+    """
+    counted = history if isinstance(history, RainFlow) else rain_flow(history)
+    cycles = np.column_stack([_numbers(column, "the cycles") for column in counted])
+    points = _numbers(np.atleast_2d(curve), "the S-N curve", 2)
+    if points.shape[1] != 2:
+        raise BadInput(f"the S-N curve has the shape {points.shape}, expected points of a range and a number of cycles")
+    if (slope is None) != (len(points) > 1):
+        raise BadInput(
+            f"the S-N curve has {len(points)} point{'s'[: len(points) - 1]} and {'no' if slope is None else 'a'} slope, "
+            "expected one point and a slope, or several points"
+        )
+    ranges, lives, out = points[:, 0].copy(), points[:, 1].copy(), ffi.new("double *")
+    given = _at(ranges), _at(lives), len(points), 0.0 if slope is None else float(slope), float(endurance)
+    check(lib.whirl_signals_damage(_at(cycles), len(cycles), *given, out))
+    return out[0]
 
 
 # ---------------------------------------------------------------- checks of pulses
