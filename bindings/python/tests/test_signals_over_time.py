@@ -44,17 +44,17 @@ def test_vold_kalman_solves_the_dense_equations(poles):
     dense = np.linalg.lstsq(rows, np.append(np.zeros(len(rows) - 80), values), rcond=None)[0].reshape(2, 80)
     assert np.allclose(found.vectors, [2 * dense], rtol=0, atol=1e-10)
     assert np.allclose(found.amplitude * np.exp(-1j * np.radians(found.lag)), found.vectors)
-    assert found.near_end.shape == (2, 80) and found.near_end.all()  # a record of 0.4 s, a band of 2 Hz
+    assert found.doubtful.shape == (2, 80) and found.doubtful.all()  # a record of 0.4 s, a band of 2 Hz
 
 
 def test_vold_kalman_of_a_record_with_a_line_of_the_mains():
     """Amplitudes over a run-up through 35 turns a second, where the first order crosses a line of 35 Hz."""
     time, turns, time_of = run_up()
     angle, line = 2 * np.pi * turns, 2 * np.pi * 35.0 * time
-    signal = 3.0 * np.cos(angle - 0.7) + np.cos(3 * angle) + 0.5 * np.cos(line)
+    signal = 3.0 * np.cos(angle - 0.7) + np.cos(3 * angle) + 0.5 * np.cos(line) - 800.0  # the mean of a gap
     record = signals.Record(time, signal, pulses=time_of(np.arange(70)))
     found = record.vold_kalman([1, 3], bandwidth=2.0, phases=line)
-    inside = ~found.near_end.any(axis=0)
+    inside = ~found.doubtful.any(axis=0)
     assert found.time[0] == 0.0 and found.time[-1] <= record.pulses[-1] and inside.sum() > 4000
     expected = np.array([3.0 * np.exp(-0.7j), 1.0, 0.5])[:, None]
     assert np.abs(found.vectors[0][:, inside] - expected).max() < 1e-2
@@ -190,6 +190,18 @@ def test_figures_over_time_and_speed():
     scale = 0.2 * np.ptp(full.speed) * 30 / np.pi / np.hstack([full.forward[:, 1:], full.backward[:, 1:]]).max()
     assert np.allclose(line.get_ydata()[80:], full.speed[5] * 30 / np.pi + scale * full.forward[5])
     assert record.plot.cascade(16, y=None, step=100).get_xlabel() == "order"
+
+
+def test_vold_kalman_says_where_an_order_is_slower_than_the_band():
+    time = np.arange(20000) / 1000  # a run-up from rest by 2 turns a second in a second
+    angle = 2 * np.pi * time**2
+    found = signals.vold_kalman(np.cos(angle), angle, rate=1000.0, bandwidth=1.0)
+    assert found.doubtful[0, time < 1.0].all() and not found.doubtful[0, (time > 1.01) & (time < 18.99)].any()
+    assert found.amplitude[0, 0, 0] > 1.5 and np.abs(found.vectors[0, 0, 5000:15000] - 1).max() < 2e-3
+    with pytest.raises(
+        whirl.BadInput, match="order 0 has a frequency of at most 0, expected one above its bandwidth, 1"
+    ):
+        signals.vold_kalman(np.ones(20000), 0 * time, rate=1000.0, bandwidth=1.0)
 
 
 # ---------------------------------------------------------------- fatigue

@@ -94,8 +94,9 @@ class Envelopes(NamedTuple):
     #: [channels][orders][count] complex, zero to peak: the part of an order is ``real(vectors * exp(1j * phase))``
     vectors: np.ndarray
     time: np.ndarray  #: [count] of the samples
-    #: [orders][count] True within 1/bandwidth of the ends, where samples are on one side only and values are worse
-    near_end: np.ndarray
+    #: [orders][count] True within 1/bandwidth of the ends, where samples are on one side only, and where the frequency of
+    #: an order is below the bandwidth: values are worse there
+    doubtful: np.ndarray
 
     @property
     def amplitude(self) -> np.ndarray:
@@ -300,8 +301,9 @@ def vold_kalman(
 ) -> Envelopes:
     """Tracks orders by a Vold-Kalman filter of the second generation (Vold and Leuridan 1993), all of them together.
 
-    Orders that cross are separated if their distance is wider than the band in most of the record. Values within
-    1/bandwidth of the ends are worse: ``near_end`` marks them.
+    Orders that cross are separated if their distance is wider than the band in most of the record. Values are worse
+    within 1/bandwidth of the ends, and wrong where an order is slower than the bandwidth: ``doubtful`` marks both. A mean
+    that is large next to the amplitudes leaks into slow orders: subtract it before.
 
     Parameters
     ----------
@@ -351,7 +353,8 @@ def vold_kalman(
         check(lib.whirl_signals_vold_kalman(_at(channel), count, float(rate), *arrays))
     time = np.arange(count) / float(rate)
     near_end = np.minimum(time, time[-1] - time) < 1.0 / widths[:, None]
-    return Envelopes(out[..., 0] + 1j * out[..., 1], time, near_end)
+    slow = np.abs(np.gradient(tracked, axis=1)) * float(rate) < 2.0 * np.pi * widths[:, None]
+    return Envelopes(out[..., 0] + 1j * out[..., 1], time, near_end | slow)
 
 
 def sweep_kept(sweep: ArrayLike) -> "float | np.ndarray":
@@ -762,7 +765,8 @@ class Record:
     ) -> Envelopes:
         """Orders of all channels at every sample between the first and the last pulse (:func:`vold_kalman`).
 
-        Samples must be equally far apart. ``phases`` are [others][count], at every sample of the record.
+        Means of the channels are subtracted. Samples must be equally far apart. ``phases`` are [others][count], at every
+        sample of the record.
         """
         inside, step = self._even()
         time = self.time[inside]
@@ -772,7 +776,9 @@ class Record:
                 raise BadInput(f"the phases have {phases.shape[1]} samples, the record has {len(self.time)}")
             phases = phases[:, inside]
         given = dict(rate=1.0 / step, bandwidth=bandwidth, poles=poles, phases=phases)
-        return vold_kalman(self.channels[:, inside], self._angle(time), orders, **given)._replace(time=time)
+        values = self.channels[:, inside]
+        values = values - values.mean(axis=1, keepdims=True)
+        return vold_kalman(values, self._angle(time), orders, **given)._replace(time=time)
 
     def track(
         self,

@@ -1,6 +1,6 @@
 // Vold-Kalman filter of the second generation: complex amplitudes of several orders at every sample, solved together
-// (Vold and Leuridan 1993, SAE 931288; Tuma 2005, Int. J. Acoust. Vib. 10, "Setting the passband width in the
-// Vold-Kalman order tracking filter").
+// (Vold and Leuridan 1993, SAE 931288; Tuma 2005, "Setting the passband width in the Vold-Kalman order tracking
+// filter", 12th International Congress on Sound and Vibration, Lisbon).
 //
 // With half amplitudes x_k it minimizes |y - sum_k x_k e^{i phase_k}|^2 + sum_k r_k^2 |D^p x_k|^2, D the difference of
 // neighbouring samples. Normal equations have a condition of r^4, which leaves no digit of a narrow band. Givens
@@ -138,13 +138,29 @@ static whirl_status vold_kalman_check(const double *values, size_t count, const 
     return whirl_ok();
 }
 
+/// Checks that a phase turns faster than its band is wide somewhere. A slower part is one with its mirror image at the
+/// negative frequency, and its amplitude up to twice too large.
+static whirl_status vold_kalman_check_speed(const double *phase, size_t count, size_t k, double rate,
+                                            double bandwidth) {
+    double fastest = 0.0;
+    for (size_t n = 1; n < count; n++) fastest = fmax(fastest, fabs(phase[n] - phase[n - 1]));
+    fastest *= rate / (2.0 * pi);
+    if (fastest > bandwidth) return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT,
+                      "order %zu has a frequency of at most %.4g, expected one above its bandwidth, %.4g", k, fastest,
+                      bandwidth);
+}
+
 whirl_status whirl_signals_vold_kalman(const double *values, size_t count, double rate, const double *phases,
                                        size_t tracked, const double *bandwidths, int poles, double *amplitudes) {
     whirl_status status = vold_kalman_check(values, count, phases, tracked, poles);
     if (status.code != WHIRL_OK) return status;
     double weights[WHIRL_SIGNALS_MAX_TRACKED];
-    for (size_t k = 0; k < tracked && status.code == WHIRL_OK; k++)
+    for (size_t k = 0; k < tracked && status.code == WHIRL_OK; k++) {
         status = whirl_signals_vold_kalman_weight(bandwidths[k], rate, poles, weights + k);
+        if (status.code == WHIRL_OK)
+            status = vold_kalman_check_speed(phases + k * count, count, k, rate, bandwidths[k]);
+    }
     if (status.code != WHIRL_OK) return status;
 
     const size_t unknowns = count * tracked, width = (size_t)(poles + 1) * tracked;
@@ -161,7 +177,7 @@ whirl_status whirl_signals_vold_kalman(const double *values, size_t count, doubl
     else
         status = whirl_fail(WHIRL_BAD_INPUT,
                             "the orders cannot be told apart in this record: two of them have nearly the same angle in "
-                            "all of it, or one does not turn");
+                            "all of it");
     free(numbers);
     return status;
 }

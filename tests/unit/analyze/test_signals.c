@@ -500,17 +500,21 @@ static double *any_numbers(uint32_t *seed, size_t count, bool growing) {
 static void any_arrays_have_an_answer(void **state) {
     (void)state;
     uint32_t seed = 20;
-    size_t answered[12] = {0};
+    size_t answered[18] = {0};
     for (size_t round = 0; round < 3000; round++) {
         const size_t count = round % 41, many = 1 + round % 3, pulse_count = round % 7, samples = round % 19;
         double *time = any_numbers(&seed, count, round % 5 > 0), *signal = any_numbers(&seed, many * count, false);
         double *pulse = any_numbers(&seed, pulse_count, round % 4 > 0), numbers[16 * 5 + 8];
-        double *result = malloc((many * pulse_count * samples + count + pulse_count * many + 2) * sizeof *result);
+        double *result =
+            malloc((many * pulse_count * samples + 4 * count * count + pulse_count * many + 200) * sizeof *result);
+        double phase[41];
+        const double order = (double)(round % 5) - 1.0;
         size_t found;
         int period;
         assert_non_null(result);
         for (size_t k = 0; k < pulse_count; k++) pulse[k] *= 0.1 * (double)count;
-        const double size = any_number(&seed), level = any_number(&seed);
+        const double size = any_number(&seed), level = any_number(&seed), width = 0.1 * fabs(level);
+        for (size_t i = 0; i < count; i++) phase[i] = 0.1 * (double)round / 300.0 * (double)i + 0.01 * signal[i];
         const whirl_status said[] = {
             whirl_signals_threshold(signal, count, numbers, numbers + 1),
             whirl_signals_pulses(time, signal, count, level, size, round % 2 == 0, result, &found),
@@ -524,14 +528,21 @@ static void any_arrays_have_an_answer(void **state) {
             whirl_signals_size(signal, count, many, numbers),
             whirl_signals_zero_one(signal, many * count, 1, fabs(size), numbers),
             whirl_signals_returns(signal, count, many, fabs(size), fabs(level), &period, numbers),
-            whirl_signals_recurrence(signal, count, many, size, samples, numbers, numbers + 1, numbers + 2, &found)};
+            whirl_signals_recurrence(signal, count, many, size, samples, numbers, numbers + 1, numbers + 2, &found),
+            whirl_signals_angle(pulse, pulse_count, time, count, result),
+            whirl_signals_track(signal, 1, samples ? count / samples : 0, samples, &order, 1, 1 + round % 2, result),
+            whirl_signals_vold_kalman(signal, count, 1.0, phase, 1, &width, 1 + (int)(round % 2), result),
+            whirl_signals_spectrogram(signal, NULL, count, 5 + round % 19, round % 4, result),
+            whirl_signals_sweep(size, numbers),
+            whirl_signals_rain_flow(signal, count, result, &found)};
         for (size_t i = 0; i < sizeof said / sizeof *said; i++) {
             assert_true(said[i].code == WHIRL_OK || (said[i].code == WHIRL_BAD_INPUT && *said[i].message));
             answered[i] += said[i].code == WHIRL_OK;
         }
         free(time), free(signal), free(pulse), free(result);
     }
-    for (size_t i = 0; i < 12; i++) assert_true(answered[i] > 20);
+    for (size_t i = 0; i < 18; i++)
+        if (answered[i] <= 20) fail_msg("function %zu answered %zu times", i, answered[i]);
 }
 
 int main(void) {

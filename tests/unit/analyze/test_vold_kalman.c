@@ -198,6 +198,9 @@ static void refusals(void **state) {
     phases[COUNT + 7] = NAN;
     assert_refused(whirl_signals_vold_kalman(y, COUNT, 200.0, phases, 2, widths, 1, found),
                    "the phase of order 1 is nan at sample 7");
+    for (size_t i = 0; i < COUNT; i++) phases[COUNT + i] = two_pi * 1.99 * (double)i / 200.0;
+    assert_refused(whirl_signals_vold_kalman(y, COUNT, 200.0, phases, 2, widths, 1, found),
+                   "order 1 has a frequency of at most 1.99, expected one above its bandwidth, 2");
     fill(0.0);
     for (int poles = 1; poles <= 2; poles++) { // the same order twice, also with another zero of its angle
         for (size_t i = 0; i < COUNT; i++) phases[COUNT + i] = phases[i] + 0.3;
