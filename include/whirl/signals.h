@@ -203,12 +203,11 @@ whirl_status whirl_signals_rain_flow(const double *values, size_t count, double 
 /// expected at 1. N is the number of cycles to failure at a range, whatever the mean, by an S-N curve of ranges (twice
 /// the amplitudes):
 /// - one point and a `slope` m > 0: N = lives[0] (ranges[0]/range)^m;
-/// - several points, of falling `ranges` and growing `lives`: straight lines over logarithms, of which the last one
-/// goes
-///   on to smaller ranges; `slope` has no effect.
+/// - several points, of falling `ranges` and growing `lives`: straight lines over logarithms; the last one goes on to
+///   smaller ranges. `slope` has no effect.
 ///
 /// Ranges up to `endurance` do no damage; 0: no such limit. WHIRL_BAD_INPUT for a range above the first of several
-/// points.
+/// points, where the curve says nothing.
 whirl_status whirl_signals_damage(const double *cycles, size_t rows, const double *ranges, const double *lives,
                                   size_t points, double slope, double endurance, double *damage);
 

@@ -38,6 +38,7 @@ def test_vold_kalman_solves_the_dense_equations(poles):
     time, angle, values = two_orders()
     found = signals.vold_kalman(values, angle, [1, 2], rate=200.0, bandwidth=2.0, poles=poles)
     weight = np.sqrt((np.sqrt(2) - 1) / (2 * np.sin(np.pi * 2.0 / 400.0)) ** (2 * poles))
+    assert signals.vold_kalman_weight(2.0, 200.0, poles) == pytest.approx(weight, rel=1e-14)
     smooth = weight * np.diff(np.eye(80), poles, axis=0)
     measured = np.hstack([np.diag(np.exp(1j * k * angle)) for k in (1, 2)])
     rows = np.vstack([np.kron(np.eye(2), smooth), measured])
@@ -100,6 +101,18 @@ def test_tracked_orders_of_a_passage_with_slow_roll(angles):
         rolled = found.slow_roll[:, 0] - vectors(np.array([slow]))[:, 0]
         assert np.abs(rolled - runout).max() < 2e-3 * largest and np.all(raw.slow_roll == 0)
         assert np.abs(found.vectors[0, 0] - x).max() < 2e-3 * largest
+
+
+def test_units_of_time_and_signals_do_not_matter():
+    (time, x, y), keys, _ = passage()
+    usual = signals.Record(time, x, y, **keys)
+    other = signals.Record(1024 * time, 0.25 * x, 0.25 * y, pulses=1024 * keys["pulses"])
+    tracked, scaled = usual.track([1, 2], slow_roll=40.0), other.track([1, 2], slow_roll=40.0 / 1024)
+    assert np.array_equal(0.25 * tracked.forward, scaled.forward) and np.array_equal(tracked.lag, scaled.lag)
+    first, second = usual.spectrogram(2.0, 8.0), other.spectrogram(2048.0, 8192.0)
+    assert np.array_equal(0.25 * first.backward, second.backward) and np.allclose(first.kept, second.kept, atol=1e-12)
+    first, second = usual.cascade(16, 200), other.cascade(16, 200)
+    assert np.array_equal(0.25 * first.forward, second.forward) and np.array_equal(first.change, second.change)
 
 
 def test_tracked_orders_as_a_frame_and_figures():
@@ -199,7 +212,7 @@ def test_vold_kalman_says_where_an_order_is_slower_than_the_band():
     assert found.doubtful[0, time < 1.0].all() and not found.doubtful[0, (time > 1.01) & (time < 18.99)].any()
     assert found.amplitude[0, 0, 0] > 1.5 and np.abs(found.vectors[0, 0, 5000:15000] - 1).max() < 2e-3
     with pytest.raises(
-        whirl.BadInput, match="order 0 has a frequency of at most 0, expected one above its bandwidth, 1"
+        whirl.BadInput, match="phase 0 .from 0. has a frequency of at most 0, expected one above its bandwidth, 1"
     ):
         signals.vold_kalman(np.ones(20000), 0 * time, rate=1000.0, bandwidth=1.0)
 
@@ -293,7 +306,7 @@ V = np.sin(6 * T)
         ),
         (
             lambda: signals.vold_kalman(V, 9 * T, 7, rate=20, bandwidth=1),
-            "order 0 turns by 3.15 rad from sample 0 to 1",
+            "phase 0 (from 0) turns by 3.15 rad from sample 0 to 1",
         ),
         (
             lambda: signals.bode(T, V, pulses=np.arange(1, 9), orders=0.5),

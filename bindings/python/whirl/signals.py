@@ -39,6 +39,7 @@ __all__ = [
     "find_pulses",
     "bode",
     "vold_kalman",
+    "vold_kalman_weight",
     "sweep_kept",
     "motion_size",
     "zero_one",
@@ -321,7 +322,7 @@ def vold_kalman(
         1 or 2. Two poles are flatter within the band and steeper outside, and follow slopes.
     phases : array_like, optional
         [others][count] rad: further components with phases of their own, after the orders, such as ``2 * pi * 50 *
-        time``, or an order of another shaft.
+        time``, or an order of another shaft. Errors count orders, then these, from 0.
     """
     values = np.asarray(values) if not np.ma.isMaskedArray(values) else values
     channels = _numbers(values if values.ndim > 1 else values.reshape(1, -1), "the signals", 2)
@@ -355,6 +356,16 @@ def vold_kalman(
     near_end = np.minimum(time, time[-1] - time) < 1.0 / widths[:, None]
     slow = np.abs(np.gradient(tracked, axis=1)) * float(rate) < 2.0 * np.pi * widths[:, None]
     return Envelopes(out[..., 0] + 1j * out[..., 1], time, near_end | slow)
+
+
+def vold_kalman_weight(bandwidth: float, rate: float, poles: int = 2) -> float:
+    """Weight r of a Vold-Kalman filter of a full width at -3 dB, in the unit of the rate of samples (Tuma 2005).
+
+    The gain at a distance f from an order is 1/(1 + r^2 (2 sin(pi f/rate))^(2 poles)).
+    """
+    weight, poles = ffi.new("double *"), _whole(poles, "the number of poles")
+    check(lib.whirl_signals_vold_kalman_weight(float(bandwidth), float(rate), poles, weight))
+    return weight[0]
 
 
 def sweep_kept(sweep: ArrayLike) -> "float | np.ndarray":
@@ -484,7 +495,7 @@ def _check_slow_roll(speed: np.ndarray, once: np.ndarray, slow_roll: np.ndarray,
     """Raises :class:`whirl.BadInput` where the slow-roll speed is not below the resonances.
 
     Synchronous vectors ``once`` [channels][rows], less the slow roll, may reach a quarter of their largest amplitude up
-    to a tenth above that speed. Nothing is said of channels that hardly change: by less than half of the slow roll.
+    to a tenth above that speed. Channels that hardly change, by less than half of the slow roll, are not judged.
     """
     slow = speed <= _SLOW * wanted
     for name, channel, roll in zip(names, np.abs(once), np.abs(slow_roll)):

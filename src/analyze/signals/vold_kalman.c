@@ -126,13 +126,14 @@ static whirl_status vold_kalman_check(const double *values, size_t count, const 
         const double *phase = phases + k * count;
         for (size_t n = 0; n < count; n++) {
             if (!(fabs(phase[n]) <= 1e100))
-                return whirl_fail(WHIRL_BAD_INPUT, "the phase of order %zu is %g at sample %zu, expected a number", k,
+                return whirl_fail(WHIRL_BAD_INPUT, "phase %zu (from 0) is %g at sample %zu, expected a number", k,
                                   phase[n], n);
             if (n > 0 && !(fabs(phase[n] - phase[n - 1]) < pi))
-                return whirl_fail(WHIRL_BAD_INPUT,
-                                  "order %zu turns by %.4g rad from sample %zu to %zu, expected less than pi: half the "
-                                  "rate of samples is the highest frequency",
-                                  k, phase[n] - phase[n - 1], n - 1, n);
+                return whirl_fail(
+                    WHIRL_BAD_INPUT,
+                    "phase %zu (from 0) turns by %.4g rad from sample %zu to %zu, expected less than pi: half the "
+                    "rate of samples is the highest frequency",
+                    k, phase[n] - phase[n - 1], n - 1, n);
         }
     }
     return whirl_ok();
@@ -147,8 +148,8 @@ static whirl_status vold_kalman_check_speed(const double *phase, size_t count, s
     fastest *= rate / (2.0 * pi);
     if (fastest > bandwidth) return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT,
-                      "order %zu has a frequency of at most %.4g, expected one above its bandwidth, %.4g", k, fastest,
-                      bandwidth);
+                      "phase %zu (from 0) has a frequency of at most %.4g, expected one above its bandwidth, %.4g", k,
+                      fastest, bandwidth);
 }
 
 whirl_status whirl_signals_vold_kalman(const double *values, size_t count, double rate, const double *phases,

@@ -194,13 +194,13 @@ static void refusals(void **state) {
                    "expected at most 12500000 samples");
     phases[COUNT + 7] += 3.2;
     assert_refused(whirl_signals_vold_kalman(y, COUNT, 200.0, phases, 2, widths, 1, found),
-                   "order 1 turns by 3.555 rad from sample 6 to 7");
+                   "phase 1 (from 0) turns by 3.555 rad from sample 6 to 7");
     phases[COUNT + 7] = NAN;
     assert_refused(whirl_signals_vold_kalman(y, COUNT, 200.0, phases, 2, widths, 1, found),
-                   "the phase of order 1 is nan at sample 7");
+                   "phase 1 (from 0) is nan at sample 7");
     for (size_t i = 0; i < COUNT; i++) phases[COUNT + i] = two_pi * 1.99 * (double)i / 200.0;
     assert_refused(whirl_signals_vold_kalman(y, COUNT, 200.0, phases, 2, widths, 1, found),
-                   "order 1 has a frequency of at most 1.99, expected one above its bandwidth, 2");
+                   "phase 1 (from 0) has a frequency of at most 1.99, expected one above its bandwidth, 2");
     fill(0.0);
     for (int poles = 1; poles <= 2; poles++) { // the same order twice, also with another zero of its angle
         for (size_t i = 0; i < COUNT; i++) phases[COUNT + i] = phases[i] + 0.3;
