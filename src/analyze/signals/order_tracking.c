@@ -22,13 +22,22 @@ static double slope_at(const double *instants, size_t pulses, size_t k) {
     return fmin(fmax(slope, 0.0), 3.0 * least);
 }
 
-/// Instant at which the shaft has turned by a part (0 to 1) of the revolution after pulse k.
-static double instant_at(const double *instants, size_t pulses, size_t k, double part) {
-    if (part == 0.0 || part == 1.0) return instants[k + (part == 1.0)];
-    const double length = instants[k + 1] - instants[k], rest = 1.0 - part;
-    const double begins = slope_at(instants, pulses, k), ends = slope_at(instants, pulses, k + 1);
-    const double later = part * (length * part * (1.0 + 2.0 * rest) + begins * rest * rest - ends * part * rest);
-    return fmin(fmax(instants[k] + later, instants[k]), instants[k + 1]);
+/// A revolution: the instants of its pulses, and the durations of a revolution at them.
+typedef struct revolution {
+    double first, last, begins, ends;
+} revolution;
+
+static revolution revolution_at(const double *instants, size_t pulses, size_t k) {
+    return (revolution){instants[k], instants[k + 1], slope_at(instants, pulses, k), slope_at(instants, pulses, k + 1)};
+}
+
+/// Instant at which the shaft has turned by a part (0 to 1) of a revolution.
+static double instant_at(const revolution *turn, double part) {
+    if (part == 0.0 || part == 1.0) return part == 1.0 ? turn->last : turn->first;
+    const double length = turn->last - turn->first, rest = 1.0 - part;
+    const double later =
+        part * (length * part * (1.0 + 2.0 * rest) + turn->begins * rest * rest - turn->ends * part * rest);
+    return fmin(fmax(turn->first + later, turn->first), turn->last);
 }
 
 // ---------------------------------------------------------------- the signals
@@ -92,7 +101,11 @@ whirl_status whirl_signals_section(const double *time, const double *values, siz
     const double part = phase / two_pi;
     *points = part > 0.0 ? pulses - 1 : pulses;
     for (size_t k = 0; k < *points; k++) {
-        const double instant = part > 0.0 ? instant_at(instants, pulses, k, part) : instants[k];
+        double instant = instants[k];
+        if (part > 0.0) {
+            const revolution turn = revolution_at(instants, pulses, k);
+            instant = instant_at(&turn, part);
+        }
         const stencil s = stencil_at(time, count, instant, order);
         for (size_t c = 0; c < channels; c++) section[k * channels + c] = stencil_sum(&s, values + c * count);
     }
@@ -126,7 +139,8 @@ whirl_status whirl_signals_resample(const double *time, const double *values, si
             WHIRL_SIGNALS_MAX);
     for (size_t at = 0; at < revolutions * samples; at++) {
         const double part = (double)(at % samples + 1) / (double)samples;
-        const double instant = instant_at(instants, pulses, at / samples, part);
+        const revolution turn = revolution_at(instants, pulses, at / samples);
+        const double instant = instant_at(&turn, part);
         const stencil s = stencil_at(time, count, instant, order);
         for (size_t c = 0; c < channels; c++)
             resampled[c * revolutions * samples + at] = stencil_sum(&s, values + c * count);
@@ -143,10 +157,11 @@ whirl_status whirl_signals_angle(const double *instants, size_t pulses, const do
             return whirl_fail(WHIRL_BAD_INPUT, "sample %zu is at %.17g, expected a time of the pulses, %.17g to %.17g",
                               i, time[i], instants[0], instants[pulses - 1]);
         const size_t before = sample_before(instants, pulses, time[i]), k = before + 2 > pulses ? pulses - 2 : before;
+        const revolution turn = revolution_at(instants, pulses, k);
         // The cubic is monotone: bisection to 2^-60 of a turn.
-        double low = time[i] >= instants[k + 1] ? 1.0 : 0.0, step = time[i] > instants[k] ? 0.5 : 0.0;
+        double low = time[i] >= turn.last ? 1.0 : 0.0, step = time[i] > turn.first ? 0.5 : 0.0;
         for (int halved = 0; low < 1.0 && halved < 60; halved++, step *= 0.5)
-            if (instant_at(instants, pulses, k, low + step) <= time[i]) low += step;
+            if (instant_at(&turn, low + step) <= time[i]) low += step;
         angle[i] = two_pi * ((double)k + low);
     }
     return whirl_ok();
