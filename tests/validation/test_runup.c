@@ -171,6 +171,42 @@ static void sommerfeld(void **state) {
     }
 }
 
+/// The balance T0 (1 - w/2) = 2 z w^5/((1 - w^2)^2 + (2 z w)^2), z .02: roots of its derivative in 40 digits. Printed
+/// are the same torques (50.0801604496, .7648998278) at 1.0008019274 and 1.4485214491, where the torque is flat.
+static void stationary_speeds(void **state) {
+    static const struct {
+        double torque;
+        size_t speeds; ///< at which the torques balance
+    } known[] = {{20.0, 3}, {30.0, 3}, {52.0, 1}};
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(known); i++) {
+        char element[SIZE / 8], at[64];
+        snprintf(element, sizeof element, "drive: {inertia: 2000 kg.m2, torque: %g N.m, no_load_speed: 2 rad/s}",
+                 known[i].torque);
+        snprintf(at, sizeof at, "stationary speeds, T0 %g", known[i].torque);
+        whirl_result *result = run_disc("1 m", 0.04, 1.0, element, "duration: 1 s");
+        const double *speeds = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_RUNUP_STATIONARY, 0);
+        const double *folds = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_RUNUP_FOLD, 0);
+        assert_non_null(speeds);
+        assert_non_null(folds);
+        size_t count = 0;
+        for (; count < 8 && isfinite(speeds[3 * count]); count++) {
+            const double w = speeds[3 * count], apart = 1.0 - w * w;
+            check_within("Run-up", words("%s: torque less resistance at %.4f", at, w),
+                         2.0 * 0.02 * pow(w, 5.0) / (apart * apart + 0.0016 * w * w), known[i].torque * (1.0 - w / 2.0),
+                         1e-9);
+            check_within("Run-up", words("%s: holds at %.4f", at, w), count == 1 ? 0.0 : 1.0, speeds[3 * count + 2],
+                         0.0);
+        }
+        check_within("Run-up", words("%s: number", at), (double)known[i].speeds, (double)count, 0.0);
+        check_digits("Run-up", words("%s: released at", at), "1.00080192772", folds[0]);
+        check_digits("Run-up", words("%s: released by", at), "50.08016044965", known[i].torque * folds[1]);
+        check_digits("Run-up", words("%s: captured at", at), "1.4485214455", folds[3]);
+        check_digits("Run-up", words("%s: captured by", at), ".76489982777", known[i].torque * folds[4]);
+        whirl_result_free(result);
+    }
+}
+
 // ---------------------------------------------------------------- a rate
 
 /// Lewis 1932, up from rest and down from a steady motion.
@@ -342,6 +378,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(two_discs_on_one_shaft),
                                        cmocka_unit_test(two_discs_otherwise),
                                        cmocka_unit_test(sommerfeld),
+                                       cmocka_unit_test(stationary_speeds),
                                        cmocka_unit_test(lewis),
                                        cmocka_unit_test(rubs),
                                        cmocka_unit_test(blade_loss),

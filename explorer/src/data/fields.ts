@@ -240,6 +240,8 @@ export const FIELD = {
   RUNUP_SHARE: 'runup/share',
   RUNUP_CONTACT: 'runup/contact',
   RUNUP_CONTACT_NUMBER: 'runup/contact_number',
+  RUNUP_STATIONARY: 'runup/stationary',
+  RUNUP_FOLD: 'runup/fold',
   RUNUP_TORQUE_OF: 'runup/torque_of',
   RUNUP_TORQUE_EXTREME: 'runup/torque_extreme',
   RUNUP_TORQUE_COURSE: 'runup/torque_course',

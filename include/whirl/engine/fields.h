@@ -260,6 +260,8 @@
 #define WHIRL_FIELD_RUNUP_SHARE "runup/share"
 #define WHIRL_FIELD_RUNUP_CONTACT "runup/contact"
 #define WHIRL_FIELD_RUNUP_CONTACT_NUMBER "runup/contact_number"
+#define WHIRL_FIELD_RUNUP_STATIONARY "runup/stationary"
+#define WHIRL_FIELD_RUNUP_FOLD "runup/fold"
 #define WHIRL_FIELD_RUNUP_TORQUE_OF "runup/torque_of"
 #define WHIRL_FIELD_RUNUP_TORQUE_EXTREME "runup/torque_extreme"
 #define WHIRL_FIELD_RUNUP_TORQUE_COURSE "runup/torque_course"

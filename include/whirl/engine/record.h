@@ -67,13 +67,14 @@ typedef struct whirl_runup_options {
     double loss_moment, loss_angle, loss_time, loss_speed; ///< kg m, rad, s, rad/s
     char change[WHIRL_NAME_SIZE];                          ///< names of parameters that change in the run, or ""
     double change_time, change_speed;                      ///< s and rad/s at which they do; 0: not by this
-    int rows;                                              ///< number of rows of the result over the time
-    int samples;                                           ///< samples of a turn
-    double rtol;                                           ///< relative tolerance
-    char method[WHIRL_NAME_SIZE];                          ///< name of whirl_method_at
-    int spectra;                                           ///< number of spectra over the time; 0: none
-    int spectrum_turns;                                    ///< turns of the shaft in a spectrum
-    double highest_order;                                  ///< spectra reach up to this order of the speed
+    int stationary;               ///< speeds at which the torques of a drive are balanced; 0: none
+    int rows;                     ///< number of rows of the result over the time
+    int samples;                  ///< samples of a turn
+    double rtol;                  ///< relative tolerance
+    char method[WHIRL_NAME_SIZE]; ///< name of whirl_method_at
+    int spectra;                  ///< number of spectra over the time; 0: none
+    int spectrum_turns;           ///< turns of the shaft in a spectrum
+    double highest_order;         ///< spectra reach up to this order of the speed
 } whirl_runup_options;
 
 /// Returns the members of these options for cases (part "runup") and results; static, ended by a member without a part.

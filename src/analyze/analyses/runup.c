@@ -40,6 +40,11 @@ static size_t runup_every_bin_of_spectra(const block_shape *shape) {
     return runup_every_spectrum(shape) * runup_every_bin(shape);
 }
 
+static size_t runup_every_stationary(const block_shape *shape) {
+    const whirl_runup_options *o = &shape->options->runup;
+    return o->rate > 0.0 || o->stationary == 0 || shape->torque_count > 0 || shape->twists ? 0 : RUNUP_STATIONARY;
+}
+
 static const field_plan fields[FIELD_COUNT] = {
     [END] =
         {WHIRL_FIELD_RUNUP_END, "1",
@@ -116,6 +121,14 @@ static const field_plan fields[FIELD_COUNT] = {
     [SPECTRUM] = {WHIRL_FIELD_RUNUP_SPECTRUM, "length",
                   "forward, backward (0-p amplitudes of x + iy at the orders; a row a bin, one spectrum after another)",
                   WHIRL_PER_STATION, 2, runup_every_bin_of_spectra},
+    [STATIONARY] = {WHIRL_FIELD_RUNUP_STATIONARY, "1",
+                    "speed, torque, holds (rad/s, N m: where the motor's torque equals what brakes the shaft in small "
+                    "motions; 1: the shaft stays there, 0: it leaves)",
+                    WHIRL_PER_POINT, 3, runup_every_stationary},
+    [FOLD] = {WHIRL_FIELD_RUNUP_FOLD, "1",
+              "speed, factor, release (rad/s; by which the motor's torque must be multiplied for two stationary speeds "
+              "to meet there; 1: a rising torque leaves the speed upwards, 0: a falling one downwards)",
+              WHIRL_PER_POINT, 3, runup_every_stationary},
 };
 
 /// Rows as they fill.
@@ -345,6 +358,9 @@ static whirl_status runup_compute(const whirl_resting *point, const whirl_record
         *view_numbers(view, NUMBERS_ERROR, 0) = after ? fmax(running->error, after->error) : running->error;
         status = runup_run_machine(running, after, point, o, highest, view);
     }
+    if (status.code == WHIRL_OK && view_numbers(view, STATIONARY, 0))
+        status = runup_find_stationary(point, running, (size_t)o->stationary, highest,
+                                       view_numbers(view, STATIONARY, 0), view_numbers(view, FOLD, 0));
     if (running) running->release(running);
     if (after) after->release(after);
     return status;

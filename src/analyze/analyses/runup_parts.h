@@ -38,6 +38,8 @@ enum {
     SPECTRUM_SPEED,
     SPECTRUM_ORDER,
     SPECTRUM,
+    STATIONARY,
+    FOLD,
     FIELD_COUNT
 };
 
@@ -52,6 +54,15 @@ typedef struct runup_views {
     double *memory; ///< x and y of a window
     size_t spectra; ///< done, or passed
 } runup_views;
+
+/// Most stationary speeds, and most folds.
+enum { RUNUP_STATIONARY = 8 };
+
+/// Finds where the drive's torque holds what brakes the shaft in small motions, up to a speed, rad/s, at `count` speeds
+/// and between them: stationary [RUNUP_STATIONARY][3] as in the field runup/stationary, folds likewise.
+/// WHIRL_NO_MEMORY.
+whirl_status runup_find_stationary(const whirl_resting *point, whirl_running *running, size_t count, double highest,
+                                   double *stationary, double *folds);
 
 /// Orders of the bins of a spectrum of a run: multiples of 1/spectrum_turns up to highest_order.
 size_t runup_bins(const whirl_runup_options *options);

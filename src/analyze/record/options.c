@@ -177,6 +177,10 @@ const whirl_member *whirl_runup_members(void) {
                      "when these parameters change; 0: by change_speed"),
         RUNUP_NUMBER(change_speed, "change_speed", "rad/s", "0", WHIRL_NOT_NEGATIVE,
                      "speed at which they change when it is first passed; 0: by change_time"),
+        RUNUP(
+            WHOLE, stationary, "1", WHIRL_KEY_WHOLE, "120", WHIRL_FROM_TO(0, 100000), NULL,
+            "speeds at which the torque of a drive is compared with what brakes the shaft, to find stationary speeds; "
+            "0: none"),
         RUNUP(WHOLE, rows, "1", WHIRL_KEY_WHOLE, "400", WHIRL_FROM_TO(2, 100000), NULL,
               "of the result, at equal times: each shows the last turn of the shaft before it ends"),
         RUNUP(WHOLE, samples, "1", WHIRL_KEY_WHOLE, "128", WHIRL_FROM_TO(16, 65536), NULL,

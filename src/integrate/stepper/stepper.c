@@ -266,14 +266,16 @@ static void land(stepper *c, double theta, size_t which) {
 }
 
 /// Returns true if all switching functions certainly keep their signs, by their values and derivatives at both
-/// ends of the step.
-static bool is_clear(stepper *c) {
+/// ends of the step. The last step of a part may begin and end so near to a switch that its function counts as zero:
+/// then the sides are those that the next part finds.
+static bool is_clear(stepper *c, bool last) {
     const double end = c->begin + c->length;
     double *from = stepper_row(c, ROW_FROM), *to = stepper_row(c, ROW_TO);
     if (!c->system->switch_gradient || c->sliding_count > 0) return false;
     stepper_guarded(c, c->begin, c->start, from);
     stepper_guarded(c, end, c->end, to);
     for (size_t i = 0; i < c->system->switch_count; i++) {
+        if (last && !c->sliding[i] && fmax(fabs(from[i]), fabs(to[i])) <= stepper_reach(c, i, end, c->end)) continue;
         if (c->held[i] > 0 || !(from[i] > 0.0) || !(to[i] > 0.0)) return false;
         const double third = c->sides[i] * c->length / 3.0;
         const double rise = third * stepper_rate(c, i, c->begin, c->start, c->first);
@@ -313,10 +315,10 @@ static void look_closer(stepper *c, double *theta, size_t *which) {
 }
 
 /// Finds the theta at which the step just tried must end; 0 is its beginning.
-static bool meets_switch(stepper *c, double *theta, size_t *which) {
+static bool meets_switch(stepper *c, double until, double *theta, size_t *which) {
     // Within a few roundings of the time no crossing has a place: what the interpolant finds there is rounding.
     const bool sliver = c->length <= 2.0 * DBL_EPSILON * fmax(fabs(c->begin), 1.0);
-    if (c->system->switch_count == 0 || sliver || is_clear(c)) {
+    if (c->system->switch_count == 0 || sliver || is_clear(c, c->begin + c->length >= until)) {
         if (c->observed) stepper_interpolate(c);
         return false;
     }
@@ -373,7 +375,7 @@ whirl_motion stepper_step(stepper *c, double until) {
             if (!isfinite(c->first[d])) return WHIRL_DIVERGED;
         const whirl_motion motion = accept(c, until);
         if (motion != WHIRL_BOUNDED) return motion;
-        c->crossed = meets_switch(c, &theta, &which);
+        c->crossed = meets_switch(c, until, &theta, &which);
         if (!c->crossed) {
             stepper_vary(c);
             go_on(c, c->length < until - c->begin ? c->begin + c->length : until);

@@ -169,13 +169,76 @@ static void runup_find_torques(const finder *of) {
     find_sheet_end(of);
 }
 
+/// Where a motor could stay for ever, and by how much its torque must change for that; a run may pass there.
+static void runup_find_stationary(const finder *of) {
+    const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_STATIONARY);
+    if (!rows) return;
+    whirl_sheet *sheet = find_sheet(of, "stationary", "Stationary speeds of the drive");
+    sheet->about = "Speeds at which the motor's torque equals what brakes the shaft while its motions are small and "
+                   "settled, and folds, at which two of them meet if the motor's torque is multiplied by the factor. A "
+                   "run may pass a speed that holds, since its motion needs time to build up.";
+    sheet_values(of, sheet, "", 6);
+    sheet_column(of, sheet, "speed", "speed", WHIRL_QUANTITY_SPEED, 6);
+    sheet_texts(of, sheet, "kind", "what");
+    sheet_column(of, sheet, "torque", "motor's torque", WHIRL_QUANTITY_MOMENT, 6);
+    sheet_column(of, sheet, "factor", "factor of the motor's torque", WHIRL_QUANTITY_NUMBER, 6);
+    for (size_t point = 0; point < of->table->count; point++) {
+        const double *speeds = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_STATIONARY, 0);
+        const double *folds = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_FOLD, 0);
+        for (size_t row = 0; speeds && folds && row < 2 * rows->rows; row++) {
+            const bool fold = row >= rows->rows;
+            const double *own = fold ? folds + 3 * (row - rows->rows) : speeds + 3 * row;
+            if (isnan(own[0])) continue;
+            sheet_row(of, sheet);
+            cell_value(of, sheet, point);
+            cell_number(of, sheet, own[0]);
+            cell_text(of, sheet,
+                      fold           ? own[2] > 0.0 ? "fold: released upwards" : "fold: captured downwards"
+                      : own[2] > 0.0 ? "holds the shaft"
+                                     : "unstable");
+            cell_number(of, sheet, fold ? (double)NAN : own[1]);
+            cell_number(of, sheet, fold ? own[1] : (double)NAN);
+        }
+    }
+    find_sheet_end(of);
+}
+
+/// Tells of a run that ended near, or passed, a speed below its last one at which the motor could stay.
+static void runup_find_capture(const finder *of) {
+    const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_STATIONARY);
+    for (size_t point = 0; point < of->table->count && rows; point++) {
+        const double *speeds = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_STATIONARY, 0);
+        const double end = runup_number_of(of, point, WHIRL_FIELD_RUNUP_END_SPEED, 0);
+        const double *events = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_EVENTS, 0);
+        size_t holding = 0, last = 0;
+        for (size_t row = 0; speeds && row < rows->rows; row++)
+            if (speeds[3 * row + 2] > 0.0) last = row, holding++;
+        // One speed that holds is where the motor is to run.
+        if (holding < 2 || (events && isfinite(events[0]))) continue;
+        for (size_t row = 0; row < last; row++) {
+            const double speed = speeds[3 * row];
+            const bool passed = end > 1.02 * speed;
+            if (!(speeds[3 * row + 2] > 0.0) || end < 0.98 * speed) continue;
+            whirl_statement *own = find_judgement(of, "passage of a resonance", "", passed ? WHIRL_HOLDS : WHIRL_FAILS);
+            if (*of->table->parameter) phrase_value(of, &own->at, 6, of->table->values[point]);
+            phrase_text(of, &own->asked, "above ");
+            phrase_number(of, &own->asked, WHIRL_QUANTITY_SPEED, 6, speed);
+            phrase_text(of, &own->asked, ", where the drive could stay");
+            phrase_text(of, &own->found, passed ? "the run passed it, to " : "the run is held there, at ");
+            phrase_number(of, &own->found, WHIRL_QUANTITY_SPEED, 6, end);
+        }
+    }
+}
+
 static void runup_find(const finder *of) {
     runup_find_failures(of);
     runup_find_error(of);
+    runup_find_capture(of);
     runup_find_runs(of);
     runup_find_peaks(of);
     runup_find_contacts(of);
     runup_find_torques(of);
+    runup_find_stationary(of);
 }
 
 const shown_kind shown_runup = {.field = WHIRL_FIELD_RUNUP_END,
