@@ -95,8 +95,8 @@ class Envelopes(NamedTuple):
     #: [channels][orders][count] complex, zero to peak: the part of an order is ``real(vectors * exp(1j * phase))``
     vectors: np.ndarray
     time: np.ndarray  #: [count] of the samples
-    #: [orders][count] True within 1/bandwidth of the ends, where samples are on one side only, and where the frequency of
-    #: an order is below the bandwidth: values are worse there
+    #: [orders][count] True within 1/bandwidth of the ends, where samples are on one side only, and where the frequency
+    #: of an order is below the bandwidth: values are worse there
     doubtful: np.ndarray
 
     @property
@@ -135,7 +135,7 @@ class TrackedOrders(NamedTuple):
         return _lag(self.vectors)
 
     def to_pandas(self) -> "pandas.DataFrame":
-        """The rows with the columns time, speed, and amplitude and lag of every channel and order: ``x 1X amplitude``."""
+        """The rows, with time, speed, and amplitude and lag of every channel and order: ``x 1X amplitude``."""
         from .findings import _pandas
 
         columns = {"time": self.time, "speed": self.speed}
@@ -303,8 +303,8 @@ def vold_kalman(
     """Tracks orders by a Vold-Kalman filter of the second generation (Vold and Leuridan 1993), all of them together.
 
     Orders that cross are separated if their distance is wider than the band in most of the record. Values are worse
-    within 1/bandwidth of the ends, and wrong where an order is slower than the bandwidth: ``doubtful`` marks both. A mean
-    that is large next to the amplitudes leaks into slow orders: subtract it before.
+    within 1/bandwidth of the ends, and wrong where an order is slower than the bandwidth: ``doubtful`` marks both. A
+    mean that is large next to the amplitudes leaks into slow orders: subtract it before.
 
     Parameters
     ----------
@@ -480,8 +480,8 @@ def _at_speed(speed: np.ndarray, vectors: np.ndarray, wanted: float) -> np.ndarr
     passed = np.flatnonzero((low <= wanted) & (wanted <= high))
     if len(passed) == 0:
         raise BadInput(
-            f"the slow-roll speed is {wanted:g} rad per unit of time, expected a speed of the record, {speed.min():.6g} "
-            f"to {speed.max():.6g}"
+            f"the slow-roll speed is {wanted:g} rad per unit of time, expected a speed of the record, "
+            f"{speed.min():.6g} to {speed.max():.6g}"
         )
     step = speed[passed + 1] - speed[passed]
     part = np.divide(wanted - speed[passed], step, out=np.full(len(passed), 0.5), where=step != 0.0)
@@ -547,8 +547,8 @@ def damage(
         raise BadInput(f"the S-N curve has the shape {points.shape}, expected points of a range and a number of cycles")
     if (slope is None) != (len(points) > 1):
         raise BadInput(
-            f"the S-N curve has {len(points)} point{'s'[: len(points) - 1]} and {'no' if slope is None else 'a'} slope, "
-            "expected one point and a slope, or several points"
+            f"the S-N curve has {len(points)} point{'s'[: len(points) - 1]} and {'no' if slope is None else 'a'} "
+            "slope, expected one point and a slope, or several points"
         )
     ranges, lives, out = points[:, 0].copy(), points[:, 1].copy(), ffi.new("double *")
     given = _at(ranges), _at(lives), len(points), 0.0 if slope is None else float(slope), float(endurance)
@@ -776,8 +776,8 @@ class Record:
     ) -> Envelopes:
         """Orders of all channels at every sample between the first and the last pulse (:func:`vold_kalman`).
 
-        Means of the channels are subtracted. Samples must be equally far apart. ``phases`` are [others][count], at every
-        sample of the record.
+        Means of the channels are subtracted. Samples must be equally far apart. ``phases`` are [others][count], at
+        every sample of the record.
         """
         inside, step = self._even()
         time = self.time[inside]
