@@ -153,6 +153,12 @@ static void torque_is_put_on(void **state) {
     check_within("Motor starts", "a torque is put on: largest shaft torque", 2.0 * torque * other / (one + other),
                  extreme(result, 0, false, false), 1e-10);
     check_within("Motor starts", "a torque is put on: when", pi / frequency, extreme(result, 0, false, true), 1e-10);
+    // The first swing, from 0 to its top, is half a cycle of the largest range.
+    const double *cycles = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_RUNUP_CYCLES, 0);
+    assert_non_null(cycles);
+    check_within("Motor starts", "a torque is put on: range of its cycles", 2.0 * torque * other / (one + other),
+                 cycles[2 * 31], 1e-3);
+    check_within("Motor starts", "a torque is put on: cycles", 0.5, cycles[2 * 31 + 1], 0.0);
     check_within("Motor starts", "a torque is put on: speed at the end", torque * 0.05 / (one + other),
                  number(result, WHIRL_FIELD_RUNUP_END_SPEED, 0), 1e-11);
     whirl_result_free(result);

@@ -245,6 +245,7 @@ names.runup_fold = 'runup/fold';
 names.runup_torque_of = 'runup/torque_of';
 names.runup_torque_extreme = 'runup/torque_extreme';
 names.runup_torque_course = 'runup/torque_course';
+names.runup_cycles = 'runup/cycles';
 names.runup_station_speed = 'runup/station_speed';
 names.runup_spectrum_time = 'runup/spectrum_time';
 names.runup_spectrum_speed = 'runup/spectrum_speed';

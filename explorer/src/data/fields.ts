@@ -245,6 +245,7 @@ export const FIELD = {
   RUNUP_TORQUE_OF: 'runup/torque_of',
   RUNUP_TORQUE_EXTREME: 'runup/torque_extreme',
   RUNUP_TORQUE_COURSE: 'runup/torque_course',
+  RUNUP_CYCLES: 'runup/cycles',
   RUNUP_STATION_SPEED: 'runup/station_speed',
   RUNUP_SPECTRUM_TIME: 'runup/spectrum_time',
   RUNUP_SPECTRUM_SPEED: 'runup/spectrum_speed',

@@ -265,6 +265,7 @@
 #define WHIRL_FIELD_RUNUP_TORQUE_OF "runup/torque_of"
 #define WHIRL_FIELD_RUNUP_TORQUE_EXTREME "runup/torque_extreme"
 #define WHIRL_FIELD_RUNUP_TORQUE_COURSE "runup/torque_course"
+#define WHIRL_FIELD_RUNUP_CYCLES "runup/cycles"
 #define WHIRL_FIELD_RUNUP_STATION_SPEED "runup/station_speed"
 #define WHIRL_FIELD_RUNUP_SPECTRUM_TIME "runup/spectrum_time"
 #define WHIRL_FIELD_RUNUP_SPECTRUM_SPEED "runup/spectrum_speed"

@@ -20,6 +20,9 @@ static size_t runup_every_torque(const block_shape *shape) {
 static size_t runup_every_torque_and_row(const block_shape *shape) {
     return runup_every_torque(shape) * runup_every_row(shape);
 }
+static size_t runup_every_torque_and_class(const block_shape *shape) {
+    return runup_every_torque(shape) * RUNUP_CLASSES;
+}
 static size_t runup_every_row_with_torques(const block_shape *shape) {
     return runup_every_torque(shape) > 0 ? runup_every_row(shape) : 0;
 }
@@ -108,6 +111,10 @@ static const field_plan fields[FIELD_COUNT] = {
     [TORQUE_COURSE] = {WHIRL_FIELD_RUNUP_TORQUE_COURSE, "N m",
                        "least, largest (since the row before: all rows of the first torque, then of the next)",
                        WHIRL_PER_POINT, 2, runup_every_torque_and_row},
+    [CYCLES] = {WHIRL_FIELD_RUNUP_CYCLES, "1",
+                "range, number (N m, the upper end of a class of ranges; cycles of the torque in it by rain flow, ASTM "
+                "E1049: all classes of the first torque, then of the next)",
+                WHIRL_PER_POINT, 2, runup_every_torque_and_class},
     [STATION_SPEED] = {WHIRL_FIELD_RUNUP_STATION_SPEED, "rad/s",
                        "of the station at the end of the row, in the sense of its rotation", WHIRL_PER_STATION, 1,
                        runup_every_row_with_torques},
@@ -140,7 +147,8 @@ typedef struct filling {
     double *radius, *force; ///< [probes], [contacts] largest since the row before
     size_t row;             ///< of the last turn
     runup_views views;
-    whirl_status status; ///< of the views
+    runup_history *histories; ///< [torques]
+    whirl_status status;      ///< of the views and histories
 } filling;
 
 static double *runup_at_row(const filling *f, size_t field, size_t which, size_t columns) {
@@ -170,8 +178,10 @@ static size_t runup_row_at(const filling *f, double time) {
 }
 
 static void runup_fill_torques(void *context, double time, const double *torque, const double *speed) {
-    const filling *f = context;
+    filling *f = context;
     const size_t row = runup_row_at(f, time);
+    if (!runup_cycles_note(f->histories, f->torques, torque))
+        f->status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the torques of a run");
     for (size_t t = 0; t < f->torques; t++) {
         double *own = view_numbers(f->view, TORQUE_COURSE, 0) + 2 * (t * f->rows + row);
         own[0] = fmin(own[0], torque[t]); // of NaN the other number
@@ -308,8 +318,10 @@ static whirl_status runup_run_machine(whirl_running *running, whirl_running *aft
                        .see = runup_fill_row,
                        .watch = runup_fill_torques,
                        .context = &f};
-    whirl_status status =
-        numbers && peaks && touched && extremes ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for a run");
+    f.histories = calloc(torques + 1, sizeof *f.histories);
+    whirl_status status = numbers && peaks && touched && extremes && f.histories
+                              ? whirl_ok()
+                              : whirl_fail(WHIRL_NO_MEMORY, "no memory for a run");
     if (status.code == WHIRL_OK) {
         f.radius = numbers + 2 * d;
         f.force = f.radius + probes;
@@ -336,6 +348,9 @@ static whirl_status runup_run_machine(whirl_running *running, whirl_running *aft
     if (status.code == WHIRL_OK) status = runup_views_end(&f.views, run.time);
     if (status.code == WHIRL_OK) runup_fill_end(&f, &run);
     if (status.code == WHIRL_OK) runup_fill_extremes(&f, running, &run);
+    if (status.code == WHIRL_OK && torques > 0)
+        status = runup_cycles_count(f.histories, torques, view_numbers(view, CYCLES, 0));
+    runup_cycles_free(f.histories, torques);
     runup_views_free(&f.views);
     free(numbers);
     free(extremes);

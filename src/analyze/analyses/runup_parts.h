@@ -40,6 +40,7 @@ enum {
     SPECTRUM,
     STATIONARY,
     FOLD,
+    CYCLES,
     FIELD_COUNT
 };
 
@@ -63,6 +64,23 @@ enum { RUNUP_STATIONARY = 8 };
 /// WHIRL_NO_MEMORY.
 whirl_status runup_find_stationary(const whirl_resting *point, whirl_running *running, size_t count, double highest,
                                    double *stationary, double *folds);
+
+/// Classes of the ranges of torques.
+enum { RUNUP_CLASSES = 32 };
+
+/// Turning points of a torque over a run.
+typedef struct runup_history {
+    size_t count, room;
+    double *values;
+    bool full; ///< there were more than can be kept
+} runup_history;
+
+/// Notes torques [torques] at an instant that follows the last one. Returns false without memory.
+bool runup_cycles_note(runup_history *histories, size_t torques, const double *torque);
+
+/// Counts cycles by rain flow: out [torques][RUNUP_CLASSES][2] as in the field runup/cycles. WHIRL_NO_MEMORY.
+whirl_status runup_cycles_count(const runup_history *histories, size_t torques, double *out);
+void runup_cycles_free(runup_history *histories, size_t torques);
 
 /// Orders of the bins of a spectrum of a run: multiples of 1/spectrum_turns up to highest_order.
 size_t runup_bins(const whirl_runup_options *options);

@@ -169,6 +169,42 @@ static void runup_find_torques(const finder *of) {
     find_sheet_end(of);
 }
 
+/// Cycles of torques between twists by rain flow, of the classes that have some, from the largest.
+static void runup_find_cycles(const finder *of) {
+    enum { CLASSES_SHOWN = 8 };
+    const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_CYCLES);
+    const whirl_field *torques = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_TORQUE_OF);
+    if (!rows || !torques || torques->rows == 0) return;
+    const size_t classes = rows->rows / torques->rows;
+    whirl_sheet *sheet = find_sheet(of, "cycles", "Cycles of torques between twists");
+    sheet->about = "Counted by rain flow (ASTM E1049) in 32 classes of their ranges, peak to peak; the largest classes "
+                   "with cycles.";
+    sheet_values(of, sheet, "", 6);
+    sheet_texts(of, sheet, "torque", "torque");
+    sheet_column(of, sheet, "range", "range up to", WHIRL_QUANTITY_MOMENT, 6);
+    sheet_column(of, sheet, "number", "cycles", WHIRL_QUANTITY_NUMBER, 6);
+    for (size_t point = 0; point < of->table->count; point++) {
+        const double *names = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_TORQUE_OF, 0);
+        const double *cycles = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_CYCLES, 0);
+        for (size_t t = 0; names && cycles && t < torques->rows; t++) {
+            char name[2 * WHIRL_NAME_SIZE + 40];
+            size_t shown = 0;
+            if (names[3 * t] != 0.0) continue;
+            runup_name_torque(of->result, names + 3 * t, name, sizeof name);
+            for (size_t k = classes; k-- > 0 && shown < CLASSES_SHOWN;) {
+                const double *own = cycles + 2 * (t * classes + k);
+                if (!(own[1] > 0.0)) continue;
+                shown++;
+                sheet_row(of, sheet);
+                cell_value(of, sheet, point);
+                cell_text(of, sheet, find_text(of->findings, "%s", name));
+                for (size_t i = 0; i < 2; i++) cell_number(of, sheet, own[i]);
+            }
+        }
+    }
+    find_sheet_end(of);
+}
+
 /// Where a motor could stay for ever, and by how much its torque must change for that; a run may pass there.
 static void runup_find_stationary(const finder *of) {
     const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_STATIONARY);
@@ -238,6 +274,7 @@ static void runup_find(const finder *of) {
     runup_find_peaks(of);
     runup_find_contacts(of);
     runup_find_torques(of);
+    runup_find_cycles(of);
     runup_find_stationary(of);
 }
 

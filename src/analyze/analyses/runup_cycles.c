@@ -1,0 +1,74 @@
+// Cycles of the torques of a run, by rain flow, in classes of their ranges.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "runup_parts.h"
+#include "whirl/signals.h"
+
+/// Most turning points of a torque that are kept; of a run with more no cycles are counted.
+enum { MOST_TURNING = 4000000 };
+
+/// Appends a value; one that goes on as the two before it replaces the last. Returns false without memory.
+static bool cycles_add(runup_history *to, double value) {
+    const size_t n = to->count;
+    const bool on = n >= 2 && (to->values[n - 1] - to->values[n - 2]) * (value - to->values[n - 1]) >= 0.0;
+    if (on) {
+        to->values[n - 1] = value;
+        return true;
+    }
+    if (n == MOST_TURNING) {
+        to->full = true;
+        return true;
+    }
+    if (n == to->room) {
+        const size_t room = 2 * n + 256;
+        double *longer = realloc(to->values, room * sizeof *longer);
+        if (!longer) return false;
+        to->values = longer;
+        to->room = room;
+    }
+    to->values[to->count++] = value;
+    return true;
+}
+
+bool runup_cycles_note(runup_history *histories, size_t torques, const double *torque) {
+    bool kept = true;
+    for (size_t t = 0; t < torques; t++) kept = cycles_add(&histories[t], torque[t]) && kept;
+    return kept;
+}
+
+/// Sorts cycles [rows][3] into classes of equal width up to the largest range, out [RUNUP_CLASSES][2].
+static void cycles_sort(const double *cycles, size_t rows, double *out) {
+    double largest = 0.0;
+    for (size_t i = 0; i < rows; i++) largest = fmax(largest, cycles[WHIRL_SIGNALS_CYCLE * i]);
+    for (size_t k = 0; k < RUNUP_CLASSES; k++) {
+        out[2 * k] = largest * (double)(k + 1) / RUNUP_CLASSES;
+        out[2 * k + 1] = 0.0;
+    }
+    for (size_t i = 0; i < rows && largest > 0.0; i++) {
+        const double *own = cycles + WHIRL_SIGNALS_CYCLE * i;
+        const double place = ceil(own[0] / largest * RUNUP_CLASSES * (1.0 - 1e-12)) - 1.0;
+        out[2 * (place > 0.0 ? (size_t)place : 0) + 1] += own[2];
+    }
+}
+
+whirl_status runup_cycles_count(const runup_history *histories, size_t torques, double *out) {
+    for (size_t t = 0; t < torques; t++) {
+        const runup_history *own = &histories[t];
+        size_t rows = 0;
+        if (own->count < 2 || own->full) continue;
+        double *cycles = malloc(WHIRL_SIGNALS_CYCLE * own->count * sizeof *cycles);
+        if (!cycles) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the cycles of a torque");
+        const whirl_status status = whirl_signals_rain_flow(own->values, own->count, cycles, &rows);
+        if (status.code == WHIRL_OK && rows > 0) cycles_sort(cycles, rows, out + 2 * RUNUP_CLASSES * t);
+        free(cycles);
+        if (status.code != WHIRL_OK) return status;
+    }
+    return whirl_ok();
+}
+
+void runup_cycles_free(runup_history *histories, size_t torques) {
+    for (size_t t = 0; histories && t < torques; t++) free(histories[t].values);
+    free(histories);
+}
