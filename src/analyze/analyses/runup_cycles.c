@@ -61,7 +61,7 @@ whirl_status runup_cycles_count(const runup_history *histories, size_t torques, 
         double *cycles = malloc(WHIRL_SIGNALS_CYCLE * own->count * sizeof *cycles);
         if (!cycles) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the cycles of a torque");
         const whirl_status status = whirl_signals_rain_flow(own->values, own->count, cycles, &rows);
-        if (status.code == WHIRL_OK && rows > 0) cycles_sort(cycles, rows, out + 2 * RUNUP_CLASSES * t);
+        if (status.code == WHIRL_OK && rows > 0) cycles_sort(cycles, rows, out + 2 * t * RUNUP_CLASSES);
         free(cycles);
         if (status.code != WHIRL_OK) return status;
     }

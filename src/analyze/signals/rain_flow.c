@@ -29,8 +29,9 @@ whirl_status whirl_signals_rain_flow(const double *values, size_t count, double 
     *rows = 0;
     const whirl_status status = signal_check_channels(values, count, 1, 1);
     if (status.code != WHIRL_OK) return status;
-    double *points = malloc(2 * count * sizeof *points), *open = points + count;
+    double *points = malloc(2 * count * sizeof *points);
     if (!points) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the rain flow of %zu samples", count);
+    double *open = points + count;
     const size_t turning = rain_flow_turning(values, count, points);
 
     // Points whose ranges are not counted yet; the first one is the standard's starting point.

@@ -165,7 +165,7 @@ whirl_status whirl_signals_vold_kalman(const double *values, size_t count, doubl
     if (status.code != WHIRL_OK) return status;
 
     const size_t unknowns = count * tracked, width = (size_t)(poles + 1) * tracked;
-    double complex *numbers = calloc(unknowns * (width + 1), sizeof *numbers);
+    double complex *numbers = calloc(unknowns * (width + 1) + 1, sizeof *numbers);
     if (!numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu orders of %zu samples", tracked, count);
     const triangle made = {width, numbers, numbers + unknowns * width};
     vold_kalman_rotate(&made, values, count, phases, tracked, weights, (size_t)poles);
