@@ -6,12 +6,13 @@
 
 #include "numerics.h"
 
-/// Size of the perturbation relative to the state: far above rounding, far below anything nonlinear. Also in
+/// Size of the perturbation relative to the motion: far above rounding, far below anything nonlinear. Also in
 /// tolerances.
 static const double least_share = 1e-8, most_share = 1e-4, share_in_tolerances = 1e4;
 
-/// The distance stays the same until the state is this many times larger or smaller than when it was chosen.
-static const double outgrown = 1e3;
+/// The distance stays the same until the motion is this many times larger or smaller than when it was chosen.
+/// At first, when only the state at the section was known, the motion may be `outgrown_first` times larger.
+static const double outgrown = 1e3, outgrown_first = 10.0;
 
 /// Norm of the coordinates that do not turn.
 static double perturbed_copy_norm(const perturbed_copy *copy, const double *x) {
@@ -48,16 +49,26 @@ void perturbed_copy_begin(perturbed_copy *copy, const double *x) {
     perturbed_copy_place(copy, x);
 }
 
-double perturbed_copy_growth(perturbed_copy *copy, const double *x, bool bounded) {
+void perturbed_copy_size(perturbed_copy *copy, const double *low, const double *high) {
+    double sum = 0.0;
+    for (size_t i = 0; i < copy->dimension; i++) {
+        const double half = turns_on(copy->turns, i) ? 0.0 : 0.5 * (high[i] - low[i]);
+        sum += half * half;
+    }
+    copy->range = isfinite(sum) ? sqrt(sum) : 0.0;
+}
+
+double perturbed_copy_growth(perturbed_copy *copy, const double *x, bool first, bool bounded) {
     double distance = 0.0;
     for (size_t i = 0; i < copy->dimension; i++) {
         const double d = part_apart(copy->turns, copy->angles, i, copy->x, x);
         distance += d * d;
     }
     distance = sqrt(distance);
-    const double size = perturbed_copy_norm(copy, x), before = copy->distance, next = distance_beside(copy, size);
+    const double size = fmax(perturbed_copy_norm(copy, x), copy->range), before = copy->distance,
+                 next = distance_beside(copy, size);
     const bool lost = !(distance > DBL_EPSILON * size);
-    if (next > outgrown * before || next < before / outgrown) copy->distance = next;
+    if (next > (first ? outgrown_first : outgrown) * before || next < before / outgrown) copy->distance = next;
     if (lost || !bounded || !isfinite(distance)) {
         perturbed_copy_place(copy, x);
         return lost && bounded ? log(DBL_EPSILON / copy->share) : -log(copy->share);

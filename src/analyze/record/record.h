@@ -223,7 +223,8 @@ typedef struct perturbed_copy {
     double share;                 ///< relative to the state's size
     double least;                 ///< distance, in the state's units
     double distance;
-    double *x; ///< NULL: no copy
+    double range; ///< half the range of the motion over the first revolution that was followed; 0: not known yet
+    double *x;    ///< NULL: no copy
 } perturbed_copy;
 
 /// Makes a perturbed copy at x, yet to be placed, for motions of these options. Steps of one-step methods are a smooth
@@ -235,8 +236,13 @@ perturbed_copy perturbed_copy_of(const whirl_integrate_options *integrate, const
 /// Places the copy next to the state x.
 void perturbed_copy_begin(perturbed_copy *copy, const double *x);
 
-/// Returns the natural logarithm of the growth since the last call, and rescales the copy's distance from x. If the
-/// distance is lost in rounding or overflows, the growth is the limit of what can be resolved.
-double perturbed_copy_growth(perturbed_copy *copy, const double *x, bool bounded);
+/// Takes the extremes low, high [dimension] of the motion over a revolution: a state that is tiny at the section is no
+/// size of the motion.
+void perturbed_copy_size(perturbed_copy *copy, const double *low, const double *high);
+
+/// Returns the natural logarithm of the growth since the last call, and rescales the copy's distance from x. `first`:
+/// the call follows perturbed_copy_size, and the distance was chosen without the motion's range. If the distance is
+/// lost in rounding or overflows, the growth is the limit of what can be resolved.
+double perturbed_copy_growth(perturbed_copy *copy, const double *x, bool first, bool bounded);
 
 #endif

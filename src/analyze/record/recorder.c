@@ -178,6 +178,7 @@ static void motion_archive(const whirl_recorder *r, motion *m, archive *a) {
     archive_part(a, &m->revolution, sizeof m->revolution);
     archive_part(a, &m->first_recorded, sizeof m->first_recorded);
     archive_part(a, &m->copy.distance, sizeof m->copy.distance);
+    archive_part(a, &m->copy.range, sizeof m->copy.range);
     archive_part(a, m->x, (2 + r->beside) * r->dimension * sizeof *m->x); // perturbations follow
     if (m->settling) settling_archive(m->settling, a);
     if (m->approach) approach_archive(m->approach, a);
@@ -303,7 +304,8 @@ static void note_beside(motion *m) {
 
 /// Prepares a motion for a revolution, in which it may begin to be watched or recorded.
 static whirl_status recorder_prepare(whirl_recorder *r, motion *m) {
-    if (m->revolution == m->first_recorded) whirl_ensemble_forget(r->ensemble, m->lane);
+    const bool sized_now = recorder_follows(r, m) && m->record->growth_count == 0;
+    if (m->revolution == m->first_recorded || sized_now) whirl_ensemble_forget(r->ensemble, m->lane);
     if (r->beside > 0 && !r->variational && is_followed(r, m)) carry_beside(r, m, r->ensemble, m->lane);
     if (!recorder_follows(r, m) || m->copy_lane != NO_LANE) return whirl_ok();
     perturbed_copy_begin(&m->copy, m->x);
@@ -331,11 +333,22 @@ static motion *recorded_in(const whirl_recorder *r, size_t lane) {
     return m && m->lane == lane && recorder_records(m) ? m : NULL;
 }
 
+/// Returns true in the first revolution with a perturbed copy, which gives the copy its size.
+static bool is_sized(const motion *m) {
+    return m->copy_lane != NO_LANE && m->record->growth_count == 0;
+}
+
+/// Returns true for the lane of a motion whose extremes are wanted in this revolution.
+static bool is_observed(const whirl_recorder *r, size_t lane) {
+    const motion *m = lane < r->used ? r->owner[lane] : NULL;
+    return m && m->lane == lane && (recorder_records(m) || is_sized(m));
+}
+
 /// Carries all lanes over one revolution, and watches those whose motions are recorded.
 static void revolve_lanes(whirl_recorder *r) {
     bool recording = false;
     for (size_t lane = 0; lane < r->lane_count; lane++) {
-        r->recorded[lane] = recorded_in(r, lane) != NULL;
+        r->recorded[lane] = is_observed(r, lane);
         recording = recording || r->recorded[lane];
     }
     r->watch.extremes = recording;
@@ -383,7 +396,13 @@ static void keep_samples(const whirl_recorder *r) {
 static void follow_copy(whirl_recorder *r, motion *m) {
     whirl_ensemble_state(r->ensemble, m->copy_lane, m->copy.x);
     const bool bounded = whirl_ensemble_motion(r->ensemble, m->copy_lane) == WHIRL_BOUNDED;
-    m->record->growth[m->record->growth_count++] = perturbed_copy_growth(&m->copy, m->x, bounded);
+    const bool first = is_sized(m);
+    if (first) {
+        whirl_ensemble_read(r->ensemble, m->lane,
+                            &(whirl_ensemble_seen){.low = m->record->low, .high = m->record->high});
+        perturbed_copy_size(&m->copy, m->record->low, m->record->high);
+    }
+    m->record->growth[m->record->growth_count++] = perturbed_copy_growth(&m->copy, m->x, first, bounded);
     whirl_ensemble_place(r->ensemble, m->copy_lane, m->copy.x);
 }
 

@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -200,10 +201,59 @@ static void test_contradicting_options_are_refused(void **state) {
     }
 }
 
+enum { MAX_STATES = 4 };
+
+/// x_i' = A_i cos(t + phase) - s (x_i - c), A_i = scale/10^i: every perturbation falls by exp(-2 pi s) in a revolution.
+typedef struct forced {
+    double s, phase, scale, constant;
+    size_t states;
+} forced;
+static void forced_slopes(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
+    const forced *of = model;
+    double size = of->scale;
+    (void)forcing;
+    for (size_t i = 0; i < of->states; i++, size *= 0.1)
+        dxdt[i] = size * cos(t + of->phase) - of->s * (x[i] - of->constant);
+}
+
+/// The growth is that of the motion wherever its section is, also where the state is next to zero there.
+static void test_growth_beside_a_state_near_zero(void **state) {
+    static const char *const methods[] = {"rk4", "dop853", "rodas5p"};
+    static const double phases[] = {0.0, 0.3, 1.5707963267948966, 3.141592653589793}, scales[] = {1e-3, 1.0, 1e3},
+                        constants[] = {0.0, 1.0};
+    enum { CASES = 3 * 4 * 3 * 2 * 2 * 2 };
+    (void)state;
+    for (size_t k = 0; k < CASES; k += 7) { // all values of each, and many of their combinations
+        const char *method = methods[k % 3];
+        const double constant = constants[k / 36 % 2] * scales[k / 12 % 3];
+        const forced of = {k / 72 % 2 ? 1e-2 : 1e-3, phases[k / 3 % 4], scales[k / 12 % 3], constant,
+                           k / 144 % 2 ? MAX_STATES : 1};
+        const whirl_system system = {.dimension = of.states, .period = 2.0 * pi, .model = &of, .rhs = forced_slopes};
+        const double start[MAX_STATES] = {constant, constant, constant, constant};
+        whirl_integrate_options integrate = whirl_integrate_default();
+        whirl_record_options options = whirl_record_default();
+        whirl_record *made;
+        snprintf(integrate.method, sizeof integrate.method, "%s", method);
+        integrate.atol *= of.scale;
+        options.transient = 0;
+        options.record = 100;
+        options.waveform = false;
+        const whirl_status status = whirl_record_motion(&system, &integrate, &options, start, NULL, &made);
+        if (status.code != WHIRL_OK) fail_msg("%s", status.message);
+        const double exponent = whirl_lyapunov_largest(made).value, right = -2.0 * pi * of.s;
+        if (!(fabs(exponent - right) < 1e-3))
+            fail_msg("%s, %zu states, s %g, phase %g, scale %g, constant %g: exponent %g for %g", method, of.states,
+                     of.s, of.phase, of.scale, constant, exponent, right);
+        if (whirl_judge(made).regime == WHIRL_CHAOTIC) fail_msg("%s, phase %g: chaotic", method, of.phase);
+        whirl_record_free(made);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_ellipse),
         cmocka_unit_test(test_growth_is_the_largest_exponent),
+        cmocka_unit_test(test_growth_beside_a_state_near_zero),
         cmocka_unit_test(test_divergence_has_its_revolution),
         cmocka_unit_test(test_samples_divide_the_steps),
         cmocka_unit_test(test_a_settled_transient_ends_early),
