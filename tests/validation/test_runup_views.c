@@ -213,9 +213,109 @@ static void figures_of_spectra(void **state) {
     whirl_result_free(result);
 }
 
+// ---------------------------------------------------------------- vectors and mean positions
+
+/// Response to the unbalance at a speed, as a vector.
+static double complex unbalance_at(double damping, double speed) {
+    return 0.1 * speed * speed / (1.0 - speed * speed + I * damping * speed);
+}
+
+static const whirl_series *lines_of(const whirl_panel *panel, bool dashed) {
+    for (size_t i = 0; i < panel->count; i++)
+        if (panel->series[i]->shape == WHIRL_LINE && panel->series[i]->count > 2 && panel->series[i]->dashed == dashed)
+            return panel->series[i];
+    fail();
+    return NULL;
+}
+
+/// The vector of a slow run is the response at constant speed, that of y a quarter turn ahead; without slow roll it is
+/// less by its vector at that speed, for both senses of rotation.
+static void vectors(void **state) {
+    static const char *const rotors[] = {"  length_scale: 0.5 m\n", "  length_scale: 1 m\n  rotation: clockwise\n"};
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(rotors); i++) {
+        whirl_result *result = run_disc(
+            rotors[i], 0.5, "",
+            "rate: 4e-4 rad/s2, speed_from: 0.3 rad/s, speed_to: 2 rad/s, begin: steady, samples: 32, rows: 60, "
+            "slow_roll: 0.4 rad/s");
+        whirl_figure *figure = figure_of(result, "runup-polar-disc");
+        const double *speeds = numbers(result, WHIRL_FIELD_RUNUP_SPEED);
+        const double complex roll = unbalance_at(0.5, 0.4);
+        double misses[3] = {0.0};
+        for (size_t axis = 0; axis < 2; axis++)
+            for (int raw = 0; raw < 2; raw++) {
+                const whirl_series *line = lines_of(figure->panels[axis], raw);
+                assert_int_equal(line->count, 60);
+                for (size_t row = 0; row < 60; row++) {
+                    const double complex expected = unbalance_at(0.5, speeds[row]) - (raw ? 0.0 : roll);
+                    // A rotor that turns from y to x has y behind x.
+                    const double complex turned = axis == 0 || i == 0 ? 1.0 : -1.0;
+                    misses[raw] = fmax(misses[raw], cabs(line->x[row] + I * line->y[row] - turned * expected));
+                }
+            }
+        check_within("Run-up", words("vectors, case %zu, off the response", i), 0.0, misses[1], 2e-3);
+        check_within("Run-up", words("vectors less slow roll, case %zu", i), 0.0, misses[0], 2e-3);
+        whirl_figure_free(figure);
+        whirl_result_free(result);
+    }
+}
+
+/// A speed next to the critical one is no slow roll: nothing is subtracted, and a statement says so.
+static void no_slow_roll(void **state) {
+    (void)state;
+    whirl_result *result = run_disc("  length_scale: 1 m\n", 0.2, "",
+                                    "rate: 1e-3 rad/s2, speed_from: 0.3 rad/s, speed_to: 2 rad/s, begin: steady, "
+                                    "samples: 32, rows: 100, slow_roll: 0.95 rad/s");
+    const double complex low = unbalance_at(0.2, 0.855), roll = unbalance_at(0.2, 0.95),
+                         high = unbalance_at(0.2, 1.045);
+    double largest = 0.0;
+    for (double w = 0.9; w < 1.1; w += 1e-4) largest = fmax(largest, cabs(unbalance_at(0.2, w)));
+    check_within("Run-up", "change of what is no slow roll", fmax(cabs(low - roll), cabs(high - roll)) / largest,
+                 *numbers(result, WHIRL_FIELD_RUNUP_SLOW_ROLL_CHANGE), 0.05);
+    check_holds("Run-up", "nothing is subtracted", isnan(numbers(result, WHIRL_FIELD_RUNUP_COMPENSATED)[100]));
+    whirl_result_free(result);
+}
+
+/// The mean position is the weight over the stiffness; a journal lies within the wall of its clearance.
+static void mean_positions(void **state) {
+    (void)state;
+    whirl_result *result =
+        run_disc("  length_scale: 0.2 m\n", 0.5, "    - gravity: 0.3 m/s2\n",
+                 "rate: 1e-3 rad/s2, speed_from: 1 rad/s, speed_to: 1.1 rad/s, begin: steady, rows: 5");
+    whirl_figure *figure = figure_of(result, "runup-centreline-disc");
+    const whirl_series *line = lines_of(figure->panels[0], false);
+    assert_int_equal(line->count, 5);
+    for (size_t row = 0; row < 5; row++)
+        check_within("Run-up", words("mean position, row %zu", row), 0.3, -line->y[row], 1e-3);
+    whirl_figure_free(figure);
+    whirl_result_free(result);
+    result = result_of_text("whirl: 1\n"
+                            "rotor:\n"
+                            "  speed: 3000 rpm\n"
+                            "  length_scale: 0.1 mm\n"
+                            "  stations:\n"
+                            "    disc: {mass: 4 kg, eccentricity: 1 um}\n"
+                            "  elements:\n"
+                            "    - film: {at: disc, law: short, clearance: 0.1 mm, radius: 30 mm, length: 15 mm, "
+                            "viscosity: 20 mPa.s}\n"
+                            "    - gravity: 9.81 m/s2\n"
+                            "study:\n"
+                            "  runup: {rate: 100 rad/s2, speed_from: 300 rad/s, duration: 0.5 s, rows: 5}\n");
+    figure = figure_of(result, "runup-centreline-disc");
+    const whirl_series *wall = lines_of(figure->panels[0], false);
+    check_within("Run-up", "wall of the journal, mm", 0.1, hypot(wall->x[3], wall->y[3]), 1e-9);
+    whirl_figure_free(figure);
+    whirl_result_free(result);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(lines_of_forces), cmocka_unit_test(parted_turns),
-                                       cmocka_unit_test(slow_run_meets_the_response), cmocka_unit_test(too_few_turns),
-                                       cmocka_unit_test(figures_of_spectra)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(lines_of_forces),
+                                       cmocka_unit_test(parted_turns),
+                                       cmocka_unit_test(slow_run_meets_the_response),
+                                       cmocka_unit_test(too_few_turns),
+                                       cmocka_unit_test(figures_of_spectra),
+                                       cmocka_unit_test(vectors),
+                                       cmocka_unit_test(no_slow_roll),
+                                       cmocka_unit_test(mean_positions)};
     return cmocka_run_group_tests_name("views of run-ups", tests, NULL, NULL);
 }

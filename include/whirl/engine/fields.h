@@ -271,6 +271,10 @@
 #define WHIRL_FIELD_RUNUP_SPECTRUM_SPEED "runup/spectrum_speed"
 #define WHIRL_FIELD_RUNUP_SPECTRUM_ORDER "runup/spectrum_order"
 #define WHIRL_FIELD_RUNUP_SPECTRUM "runup/spectrum"
+#define WHIRL_FIELD_RUNUP_SLOW_ROLL "runup/slow_roll"
+#define WHIRL_FIELD_RUNUP_SLOW_ROLL_CHANGE "runup/slow_roll_change"
+#define WHIRL_FIELD_RUNUP_COMPENSATED "runup/compensated"
+#define WHIRL_FIELD_RUNUP_COMPENSATED_LAG "runup/compensated_lag"
 
 #define WHIRL_FIELD_MAP_SECOND "map/second"
 #define WHIRL_FIELD_MAP_THIRD "map/third"

@@ -54,6 +54,11 @@ size_t whirl_trace_torus_nodes(const whirl_trace_options *options);
 /// without a part.
 const whirl_member *whirl_trace_members(void);
 
+/// The 1X of a station at a speed is slow roll if it changes by at most this share of its largest in the run, within
+/// this range of the speed (a share of it to both sides).
+#define WHIRL_MAX_SLOW_ROLL_CHANGE 0.05
+#define WHIRL_SLOW_ROLL_RANGE 0.1
+
 /// Options of a run-up or coast-down.
 typedef struct whirl_runup_options {
     double from, to;               ///< rad/s, speed at the beginning (0: at rest) and at the end of the rate (0: none)
@@ -75,6 +80,7 @@ typedef struct whirl_runup_options {
     int spectra;                  ///< number of spectra over the time; 0: none
     int spectrum_turns;           ///< turns of the shaft in a spectrum
     double highest_order;         ///< spectra reach up to this order of the speed
+    double slow_roll;             ///< rad/s, speed of the slow roll; 0: none
 } whirl_runup_options;
 
 /// Returns the members of these options for cases (part "runup") and results; static, ended by a member without a part.

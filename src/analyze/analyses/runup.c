@@ -31,6 +31,14 @@ static size_t runup_every_row_with_torques(const block_shape *shape) {
 static const char *const torque_kinds[] = {"twist", "induction_motor", "synchronous_start", "short_circuit",
                                            "timed_torque"};
 
+static size_t runup_with_slow_roll(const block_shape *shape) {
+    return shape->options->runup.slow_roll > 0.0 ? 1 : 0;
+}
+
+static size_t runup_every_row_with_slow_roll(const block_shape *shape) {
+    return runup_with_slow_roll(shape) * runup_every_row(shape);
+}
+
 static size_t runup_every_spectrum(const block_shape *shape) {
     return (size_t)shape->options->runup.spectra;
 }
@@ -136,6 +144,20 @@ static const field_plan fields[FIELD_COUNT] = {
               "speed, factor, release (rad/s; by which the motor's torque must be multiplied for two stationary speeds "
               "to meet there; 1: a rising torque leaves the speed upwards, 0: a falling one downwards)",
               WHIRL_PER_POINT, 3, runup_every_stationary},
+    [SLOW_ROLL] =
+        {WHIRL_FIELD_RUNUP_SLOW_ROLL, "length",
+         "x_cos, x_sin, y_cos, y_sin (parts of x and y at the speed of the slow roll, by the angle of the shaft)",
+         WHIRL_PER_STATION, 4, runup_with_slow_roll},
+    [SLOW_ROLL_CHANGE] =
+        {WHIRL_FIELD_RUNUP_SLOW_ROLL_CHANGE, "1",
+         "by which these change within 10 % of the speed, over the largest of the run; above 0.05 they "
+         "are no slow roll",
+         WHIRL_PER_STATION, 1, runup_with_slow_roll},
+    [COMPENSATED] = {WHIRL_FIELD_RUNUP_COMPENSATED, "length",
+                     "x1, y1 (0-p amplitudes at the speed of the shaft, less the slow roll)", WHIRL_PER_STATION, 2,
+                     runup_every_row_with_slow_roll},
+    [COMPENSATED_LAG] = {WHIRL_FIELD_RUNUP_COMPENSATED_LAG, "deg", "x1, y1 (by which these peaks come after the mark)",
+                         WHIRL_PER_STATION, 2, runup_every_row_with_slow_roll},
 };
 
 /// Rows as they fill.
@@ -347,6 +369,7 @@ static whirl_status runup_run_machine(whirl_running *running, whirl_running *aft
     if (status.code == WHIRL_OK) status = f.status;
     if (status.code == WHIRL_OK) status = runup_views_end(&f.views, run.time);
     if (status.code == WHIRL_OK) runup_fill_end(&f, &run);
+    if (status.code == WHIRL_OK) runup_fill_slow_roll(view, o, probes);
     if (status.code == WHIRL_OK) runup_fill_extremes(&f, running, &run);
     if (status.code == WHIRL_OK && torques > 0)
         status = runup_cycles_count(f.histories, torques, view_numbers(view, CYCLES, 0));

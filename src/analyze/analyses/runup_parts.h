@@ -41,8 +41,16 @@ enum {
     STATIONARY,
     FOLD,
     CYCLES,
+    SLOW_ROLL,
+    SLOW_ROLL_CHANGE,
+    COMPENSATED,
+    COMPENSATED_LAG,
     FIELD_COUNT
 };
+
+/// Fills the fields of slow roll from rows that are complete; they stay missing where the run has no such speed, and
+/// compensated ones where the 1X changes too much.
+void runup_fill_slow_roll(const block_view *view, const whirl_runup_options *options, size_t probes);
 
 /// Spectra of a run, from the samples of its last turns.
 typedef struct runup_views {

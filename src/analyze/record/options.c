@@ -194,6 +194,8 @@ const whirl_member *whirl_runup_members(void) {
               "turns of the shaft in a spectrum; its bins are multiples of 1/spectrum_turns of the speed"),
         RUNUP_NUMBER(highest_order, "highest_order", "1", "5", WHIRL_ABOVE_TO(0, 1000),
                      "multiple of the speed up to which spectra are kept"),
+        RUNUP_NUMBER(slow_roll, "slow_roll", "rad/s", "0", WHIRL_NOT_NEGATIVE,
+                     "speed whose motion at 1X is slow roll, and is taken from that at all speeds; 0: none"),
         {.part = NULL},
     };
     return runs;
@@ -230,6 +232,11 @@ whirl_status whirl_runup_check(const whirl_runup_options *o, bool driven, double
                                                   : "a change at two instants");
     if (o->rate > 0.0 && (o->trip_time > 0.0 || o->trip_speed > 0.0))
         return whirl_fail(WHIRL_BAD_INPUT, "the run has a rate and a trip of its drive, expected one of them");
+    const double end = o->to > 0.0 ? o->to : o->from + o->rate * o->duration;
+    if (o->slow_roll > 0.0 && o->rate > 0.0 && (o->slow_roll < fmin(o->from, end) || o->slow_roll > fmax(o->from, end)))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "slow_roll is at %.10g rad/s, expected a speed of the run, %.10g to %.10g rad/s",
+                          o->slow_roll, fmin(o->from, end), fmax(o->from, end));
     const double kept = o->highest_order * o->spectrum_turns * o->spectra,
                  window = (double)o->spectrum_turns * o->samples;
     if (kept > MAX_RUNUP_NUMBERS)

@@ -3,25 +3,13 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "figure_kinds.h"
+#include "runup_panels.h"
 #include "shown_kinds.h"
 
 /// Figures of a run, and the meaning of `which` in their places.
 enum { OVER_SPEED, OVER_TIME, ORDERS, SHAFT, CONTACTS, TORQUES };
 
-enum { MAX_RUNS = 6, MAX_ORDERS = 4, MAX_TORQUE_PANELS = 6 };
-
-static bool runup_is_done(const whirl_table *table, size_t point) {
-    return whirl_table_done(table, point) && whirl_table_number(table, point, WHIRL_FIELD_RUNUP_END, 0) >= 0.0;
-}
-
-/// Runs that are drawn, at most MAX_RUNS.
-static size_t runup_list_runs(const whirl_table *table, size_t runs[MAX_RUNS]) {
-    size_t count = 0;
-    for (size_t point = 0; point < table->count && count < MAX_RUNS; point++)
-        if (runup_is_done(table, point)) runs[count++] = point;
-    return count;
-}
+enum { MAX_ORDERS = 4, MAX_TORQUE_PANELS = 6 };
 
 static void runup_list(figure_list *to, const drawing *of, const whirl_table *table) {
     static const struct {
@@ -81,16 +69,11 @@ static course runup_course_of(const drawing *of, const whirl_table *table, size_
                     by_speed ? speed->size : of->units->of[WHIRL_QUANTITY_TIME].size};
 }
 
-static void runup_label_over(const drawing *of, whirl_panel *panel, bool by_speed) {
-    const whirl_unit *unit = &of->units->of[by_speed ? WHIRL_QUANTITY_SPEED : WHIRL_QUANTITY_TIME];
-    snprintf(panel->x.label, sizeof panel->x.label, "%s (%s)", by_speed ? "speed" : "time", unit->name);
-}
-
 static whirl_panel *runup_length_panel(const drawing *of, whirl_figure *figure, const char *name, const char *quantity,
                                        bool by_speed, double height) {
     whirl_panel *panel = figure_panel(figure, name, 1.0, height);
     if (!panel) return NULL;
-    runup_label_over(of, panel, by_speed);
+    runup_label_over(of, &panel->x, by_speed);
     symbol_length(of->units, WHIRL_FROM_CENTRE, quantity, panel->y.label, sizeof panel->y.label);
     return panel;
 }
@@ -116,7 +99,7 @@ static void runup_describe_motion(const drawing *of, const figure_place *place, 
     }
     whirl_panel *lag = figure_panel(figure, "lag", 1.0, 3.5);
     if (!lag) return;
-    runup_label_over(of, lag, by_speed);
+    runup_label_over(of, &lag->x, by_speed);
     snprintf(lag->y.label, sizeof lag->y.label, "lag at 1X (\u00b0)");
     for (size_t i = 0; i < count; i++) {
         const course c = runup_course_of(of, table, runs[i], by_speed);
@@ -164,7 +147,7 @@ static void runup_describe_shaft(const drawing *of, const figure_place *place, w
     const whirl_unit *speed = &of->units->of[WHIRL_QUANTITY_SPEED], *torque = &of->units->of[WHIRL_QUANTITY_MOMENT];
     whirl_panel *panel = figure_panel(figure, "speed", 1.0, 4.5);
     if (!panel) return;
-    runup_label_over(of, panel, false);
+    runup_label_over(of, &panel->x, false);
     snprintf(panel->y.label, sizeof panel->y.label, "speed (%s)", speed->name);
     for (size_t i = 0; i < count; i++) {
         const course c = runup_course_of(of, table, runs[i], false);
@@ -180,7 +163,7 @@ static void runup_describe_shaft(const drawing *of, const figure_place *place, w
     whirl_panel *torques = count == 1 && driven ? figure_panel(figure, "torque", 1.0, 4.0) : NULL;
     if (torques) {
         const course c = runup_course_of(of, table, runs[0], false);
-        runup_label_over(of, torques, false);
+        runup_label_over(of, &torques->x, false);
         snprintf(torques->y.label, sizeof torques->y.label, "torque (%s)", torque->name);
         for (size_t i = 0; i < 4; i++)
             runup_add_line(figure, panel_named(figure, torques, WHIRL_LINE, names[i], line_colour(i + 1), 0.8), &c,
@@ -199,8 +182,8 @@ static void runup_describe_contacts(const drawing *of, const figure_place *place
     const whirl_unit *force = &of->units->of[WHIRL_QUANTITY_FORCE];
     whirl_panel *panel = figure_panel(figure, "force", 1.0, 4.5), *share = figure_panel(figure, "share", 1.0, 3.0);
     if (!panel || !share) return;
-    runup_label_over(of, panel, false);
-    runup_label_over(of, share, false);
+    runup_label_over(of, &panel->x, false);
+    runup_label_over(of, &share->x, false);
     snprintf(panel->y.label, sizeof panel->y.label, "normal force (%s)", force->name);
     snprintf(share->y.label, sizeof share->y.label, "share of a turn");
     for (size_t contact = 0; contact < of->result->contact_count; contact++) {
@@ -214,22 +197,6 @@ static void runup_describe_contacts(const drawing *of, const figure_place *place
     snprintf(figure->caption, sizeof figure->caption,
              "Largest normal force of contacts since the row before, and the share of the last turn in which they "
              "were closed.");
-}
-
-/// Notes in the caption that a figure shows the first `shown` of several runs.
-static void runup_caption_runs(const drawing *of, const whirl_table *table, size_t shown, whirl_figure *figure) {
-    const size_t used = strlen(figure->caption);
-    char label[UNIT_LABEL_SIZE] = "";
-    size_t runs[MAX_RUNS], done = 0;
-    for (size_t point = 0; point < table->count; point++) done += runup_is_done(table, point);
-    if (done <= shown) return;
-    runup_list_runs(table, runs);
-    units_point_label(of->units, table, runs[0], label, sizeof label);
-    if (shown == 1)
-        snprintf(figure->caption + used, sizeof figure->caption - used, " The run at %s, the first of %zu.", label,
-                 done);
-    else
-        snprintf(figure->caption + used, sizeof figure->caption - used, " The first %zu of %zu runs.", shown, done);
 }
 
 /// Draws a torque: its least and largest value in every row.
@@ -246,7 +213,7 @@ static void runup_draw_torque(const drawing *of, const figure_place *place, size
     if (!panel || !names || !values || !rows) return;
     runup_name_torque(of->result, names + 3 * torque, name, sizeof name);
     snprintf(panel->title, sizeof panel->title, "%.80s", name);
-    runup_label_over(of, panel, false);
+    runup_label_over(of, &panel->x, false);
     snprintf(panel->y.label, sizeof panel->y.label, "torque (%s)", unit->name);
     // A closed band: least values on the way there, largest on the way back.
     const size_t count = (size_t)table->record.runup.rows;

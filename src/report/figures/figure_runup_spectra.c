@@ -152,7 +152,8 @@ static void spectra_list(figure_list *to, const drawing *of, const whirl_table *
     run_spectra spectra;
     char name[2 * WHIRL_NAME_SIZE];
     for (size_t s = 0; s < of->result->station_count; s++)
-        for (size_t which = 0; which < KINDS && spectra_of(of, table, s, &spectra); which++) {
+        for (size_t which = 0; which < KINDS && !of->result->stations[s].twists && spectra_of(of, table, s, &spectra);
+             which++) {
             const figure_place place = {
                 .kind = &runup_spectra_figure, .table = table, .point = NO_POINT, .station = s, .which = which};
             snprintf(name, sizeof name, "%s-%.63s", alike[which].name, of->result->stations[s].name);
@@ -197,7 +198,7 @@ static void spectra_describe(const drawing *of, const figure_place *place, whirl
     else
         snprintf(figure->caption + used, sizeof figure->caption - used, "The tallest peak has %.4g as %s.", s.largest,
                  largest);
-    runup_caption_run(of, table, figure);
+    runup_caption_runs(of, table, 1, figure);
 }
 
 const figure_kind runup_spectra_figure = {.list = spectra_list, .describe = spectra_describe, .find = spectra_find};

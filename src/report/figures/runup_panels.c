@@ -1,6 +1,7 @@
 // What figures of run-ups share.
 #include "runup_panels.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -15,15 +16,19 @@ size_t runup_list_runs(const whirl_table *table, size_t runs[MAX_RUNS]) {
     return count;
 }
 
-void runup_caption_run(const drawing *of, const whirl_table *table, whirl_figure *figure) {
+void runup_caption_runs(const drawing *of, const whirl_table *table, size_t shown, whirl_figure *figure) {
     const size_t used = strlen(figure->caption);
     char label[UNIT_LABEL_SIZE] = "";
     size_t runs[MAX_RUNS], done = 0;
     for (size_t point = 0; point < table->count; point++) done += runup_is_done(table, point);
-    if (done <= 1) return;
+    if (done <= shown) return;
     runup_list_runs(table, runs);
     units_point_label(of->units, table, runs[0], label, sizeof label);
-    snprintf(figure->caption + used, sizeof figure->caption - used, " The run at %s, the first of %zu.", label, done);
+    if (shown == 1)
+        snprintf(figure->caption + used, sizeof figure->caption - used, " The run at %s, the first of %zu.", label,
+                 done);
+    else
+        snprintf(figure->caption + used, sizeof figure->caption - used, " The first %zu of %zu runs.", shown, done);
 }
 
 double runup_label_over(const drawing *of, whirl_axis *axis, bool by_speed) {
@@ -38,4 +43,26 @@ whirl_status runup_find(const drawing *of, const char *name, const char *stem, c
         if (table_has(&of->result->tables[t], field)) return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT, "there is no figure '%.80s': 'study: {runup: {..., %s: ...}}' in a case has one",
                       name, option);
+}
+
+void runup_label_speeds(const drawing *of, whirl_figure *figure, whirl_panel *panel, const whirl_series *line,
+                        const double *speeds) {
+    enum { MAX_LABELS = 8 };
+    const double unit = of->units->of[WHIRL_QUANTITY_SPEED].size;
+    whirl_series *dots = panel_series(figure, panel, WHIRL_DOTS, line->colour, 2.0);
+    whirl_series *texts = panel_series(figure, panel, WHIRL_TEXTS, "#404040", 5.5);
+    if (!dots || !texts) return;
+    double length = 0.0, passed = 0.0, next = 0.0;
+    for (size_t k = 1; k < line->count; k++) length += hypot(line->x[k] - line->x[k - 1], line->y[k] - line->y[k - 1]);
+    texts->movable = true;
+    texts->side = WHIRL_RIGHT;
+    for (size_t k = 0; k < line->count; k++) {
+        char text[32];
+        if (k > 0) passed += hypot(line->x[k] - line->x[k - 1], line->y[k] - line->y[k - 1]);
+        if (passed < next && k + 1 < line->count) continue;
+        snprintf(text, sizeof text, "%.4g", speeds[k] / unit);
+        series_add(figure, dots, line->x[k], line->y[k]);
+        series_add_text(figure, texts, line->x[k], line->y[k], text);
+        while (next <= passed) next += length > 0.0 ? length / MAX_LABELS : 1.0;
+    }
 }

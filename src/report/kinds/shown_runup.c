@@ -49,6 +49,28 @@ static void runup_find_error(const finder *of) {
                     "err by up to %.2g of the largest between the speeds at which they were taken", error);
 }
 
+/// Adds a statement for stations and runs whose slow roll was not taken from the motion.
+static void runup_find_slow_roll(const finder *of) {
+    const double speed = of->table->record.runup.slow_roll;
+    if (!whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_SLOW_ROLL)) return;
+    for (size_t point = 0; point < of->table->count; point++)
+        for (size_t station = 0; station < of->result->station_count && whirl_table_done(of->table, point); station++) {
+            const double change = runup_number_of(of, point, WHIRL_FIELD_RUNUP_SLOW_ROLL_CHANGE, station);
+            if (change <= WHIRL_MAX_SLOW_ROLL_CHANGE || of->result->stations[station].twists) continue;
+            whirl_statement *own = find_statement(of, "slow roll");
+            if (*of->table->parameter) phrase_value(of, &own->at, 6, of->table->values[point]);
+            phrase_text(of, &own->found, "of %s at ", of->result->stations[station].name);
+            phrase_number(of, &own->found, WHIRL_QUANTITY_SPEED, 6, speed);
+            if (isnan(change))
+                phrase_text(of, &own->found, " is not subtracted: the run has no such speed");
+            else
+                phrase_text(of, &own->found,
+                            " is not subtracted: the motion at 1X changes there by %.2g %% of its largest within 10 %% "
+                            "of the speed, expected at most 5 %%",
+                            100.0 * change);
+        }
+}
+
 static void runup_find_runs(const finder *of) {
     whirl_sheet *sheet = find_sheet(of, "runs", "Runs");
     sheet_values(of, sheet, "", 6);
@@ -270,6 +292,7 @@ static void runup_find(const finder *of) {
     runup_find_failures(of);
     runup_find_error(of);
     runup_find_capture(of);
+    runup_find_slow_roll(of);
     runup_find_runs(of);
     runup_find_peaks(of);
     runup_find_contacts(of);
