@@ -308,6 +308,110 @@ static void mean_positions(void **state) {
     whirl_result_free(result);
 }
 
+// ---------------------------------------------------------------- orbits and waveforms
+
+/// Orbits and waveforms of a steady motion are Re(U e^(i theta)), from the mark on; the event lies in its waveform.
+static void motions_in_time(void **state) {
+    enum { SAMPLES = 64, TURNS = 6 };
+    (void)state;
+    char study[SIZE / 4];
+    snprintf(study, sizeof study,
+             "%s, samples: %d, orbits: 4, waveform: %d, loss_at: disc, loss_moment: 1e-15 kg.m, loss_time: "
+             "100.3 s",
+             steady, SAMPLES, TURNS);
+    whirl_result *result = run_disc("  length_scale: 0.5 m\n", 0.5, "", study);
+    const double complex response_at = unbalance_at(0.5, 2.0);
+    const double *orbit = numbers(result, WHIRL_FIELD_RUNUP_ORBIT) + 2 * 3 * SAMPLES;
+    const double *times = numbers(result, WHIRL_FIELD_RUNUP_WAVEFORM_TIME) + TURNS * SAMPLES;
+    const double *motion = numbers(result, WHIRL_FIELD_RUNUP_WAVEFORM) + 2 * TURNS * SAMPLES;
+    double misses[2] = {0.0};
+    for (size_t k = 0; k < SAMPLES; k++) {
+        const double complex z = response_at * cexp(I * 6.283185307179586 * (double)k / SAMPLES);
+        misses[0] = fmax(misses[0], cabs(0.5 * (orbit[2 * k] + I * orbit[2 * k + 1]) - z));
+    }
+    for (size_t k = 0; k < TURNS * SAMPLES; k++) {
+        const double complex z = response_at * cexp(I * 2.0 * times[k]);
+        misses[1] = fmax(misses[1], cabs(0.5 * (motion[2 * k] + I * motion[2 * k + 1]) - z));
+    }
+    check_within("Run-up", "orbit, off the closed form", 0.0, misses[0], 1e-9);
+    check_within("Run-up", "waveform around an event, off the closed form", 0.0, misses[1], 1e-7);
+    check_holds("Run-up", "the event is in the middle of its waveform",
+                times[2 * SAMPLES] < 100.3 && times[4 * SAMPLES] > 100.3);
+    check_holds("Run-up", "there is one event", isnan(times[TURNS * SAMPLES]));
+    whirl_figure *figure = figure_of(result, "runup-orbit-disc");
+    assert_int_equal(figure->count, 5);
+    const whirl_series *line = lines_of(figure->panels[3], false);
+    check_within("Run-up", "figure: radius of the orbit", cabs(response_at), hypot(line->x[7], line->y[7]), 1e-9);
+    whirl_figure_free(figure);
+    figure = figure_of(result, "runup-waveform-disc");
+    assert_int_equal(figure->count, 2);
+    assert_string_equal(figure->panels[1]->title, "around event 1");
+    check_within("Run-up", "figure: time of an instant", times[100], figure->panels[1]->series[0]->x[100], 1e-12);
+    whirl_figure_free(figure);
+    whirl_result_free(result);
+}
+
+/// The waveform of a rub has the force of its law at every gap, and the largest force and motion of the run within it.
+static void forces_and_gaps(void **state) {
+    enum { INSTANTS = 8 * 128 };
+    (void)state;
+    whirl_result *result = run_disc("  length_scale: 1 m\n", 0.1,
+                                    "    - rub: {at: disc, gap: 0.4 m, stiffness: 3 N/m, friction: 0.05, law: paper}\n",
+                                    "rate: 0.003 rad/s2, duration: 600 s, orbits: 1, waveform: 8");
+    const double *times = numbers(result, WHIRL_FIELD_RUNUP_CONTACT_TIME);
+    const double *forces = numbers(result, WHIRL_FIELD_RUNUP_CONTACT_FORCE);
+    const double *gaps = numbers(result, WHIRL_FIELD_RUNUP_CONTACT_GAP);
+    const double *rows_of_force = numbers(result, WHIRL_FIELD_RUNUP_FORCE);
+    const double *peak = numbers(result, WHIRL_FIELD_RUNUP_PEAK_ORBIT);
+    double miss = 0.0, largest[2] = {0.0}, radius = 0.0;
+    for (size_t k = 0; k < INSTANTS; k++) {
+        assert_true(isfinite(times[k]) && (k == 0 || times[k] > times[k - 1]));
+        miss = fmax(miss, fabs(forces[k] - 3.0 * fmax(0.0, -gaps[k])));
+        largest[0] = fmax(largest[0], forces[k]);
+    }
+    for (size_t row = 0; row < 400; row++) largest[1] = fmax(largest[1], rows_of_force[row]);
+    for (size_t k = 0; k < 128; k++) radius = fmax(radius, hypot(peak[2 * k], peak[2 * k + 1]));
+    check_within("Run-up", "force of a rub, off its law", 0.0, miss, 1e-12);
+    check_within("Run-up", "largest force of the run in its waveform", largest[1], largest[0], 0.0);
+    check_within("Run-up", "largest motion of the run in its orbit", *numbers(result, WHIRL_FIELD_RUNUP_PEAK), radius,
+                 1e-3);
+    whirl_figure *figure = figure_of(result, "runup-contact-rub-at-disc");
+    assert_int_equal(figure->count, 2);
+    check_within("Run-up", "figure: force", forces[300], figure->panels[0]->series[0]->y[300], 1e-12);
+    check_within("Run-up", "figure: gap", gaps[300], figure->panels[1]->series[0]->y[300], 1e-12);
+    whirl_figure_free(figure);
+    whirl_result_free(result);
+}
+
+/// A machine that is run by time shows the same orbits, waveforms and spectra as one that is run by the angle.
+static void by_time_and_by_angle(void **state) {
+    static const char drive[] = "    - drive: {inertia: 2000 kg.m2, torque: 40 N.m, no_load_speed: 2 rad/s}\n";
+    static const char *const fields[] = {WHIRL_FIELD_RUNUP_SPECTRUM, WHIRL_FIELD_RUNUP_ORBIT,
+                                         WHIRL_FIELD_RUNUP_SPECTRUM_TIME};
+    char elements[SIZE / 4];
+    (void)state;
+    snprintf(elements, sizeof elements, "%s    - timed_torque: {times: [0 s, 500 s], torques: [0 N.m, 0 N.m]}\n",
+             drive);
+    const char *const study = "duration: 200 s, spectra: 4, spectrum_turns: 4, orbits: 4";
+    whirl_result *angle = run_disc("  length_scale: 1 m\n", 0.1, drive, study);
+    whirl_result *time = run_disc("  length_scale: 1 m\n", 0.1, elements, study);
+    for (size_t f = 0; f < COUNT_OF(fields); f++) {
+        const whirl_field *field = whirl_layout_field(&angle->tables[0].layout, fields[f]);
+        double difference = 0.0;
+        size_t compared = 0;
+        for (size_t k = 0; k < field->rows * field->columns; k++) {
+            const double one = numbers(angle, fields[f])[k], other = numbers(time, fields[f])[k];
+            if (isnan(one)) continue;
+            difference = fmax(difference, isnan(other) ? INFINITY : fabs(one - other));
+            compared++;
+        }
+        assert_true(compared > 1);
+        check_within("Run-up", words("by time and by angle: %s", fields[f]), 0.0, difference, 1e-6);
+    }
+    whirl_result_free(angle);
+    whirl_result_free(time);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(lines_of_forces),
                                        cmocka_unit_test(parted_turns),
@@ -316,6 +420,9 @@ int main(void) {
                                        cmocka_unit_test(figures_of_spectra),
                                        cmocka_unit_test(vectors),
                                        cmocka_unit_test(no_slow_roll),
-                                       cmocka_unit_test(mean_positions)};
+                                       cmocka_unit_test(mean_positions),
+                                       cmocka_unit_test(motions_in_time),
+                                       cmocka_unit_test(forces_and_gaps),
+                                       cmocka_unit_test(by_time_and_by_angle)};
     return cmocka_run_group_tests_name("views of run-ups", tests, NULL, NULL);
 }

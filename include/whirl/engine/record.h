@@ -59,6 +59,9 @@ const whirl_member *whirl_trace_members(void);
 #define WHIRL_MAX_SLOW_ROLL_CHANGE 0.05
 #define WHIRL_SLOW_ROLL_RANGE 0.1
 
+/// Waveforms of a run: around the largest motion (of a contact, the largest force), and around its first events.
+enum { WHIRL_RUNUP_WAVEFORMS = 5 };
+
 /// Options of a run-up or coast-down.
 typedef struct whirl_runup_options {
     double from, to;               ///< rad/s, speed at the beginning (0: at rest) and at the end of the rate (0: none)
@@ -81,6 +84,8 @@ typedef struct whirl_runup_options {
     int spectrum_turns;           ///< turns of the shaft in a spectrum
     double highest_order;         ///< spectra reach up to this order of the speed
     double slow_roll;             ///< rad/s, speed of the slow roll; 0: none
+    int orbits;                   ///< number of orbits over the time; 0: none
+    int waveform;                 ///< turns of a waveform; 0: none
 } whirl_runup_options;
 
 /// Returns the members of these options for cases (part "runup") and results; static, ended by a member without a part.

@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <string.h>
 
-enum { MAX_ANALYSIS_FIELDS = 48 };
+enum { MAX_ANALYSIS_FIELDS = 64 };
 
 /// Quantities that determine the sizes of the fields.
 typedef struct block_shape {

@@ -39,6 +39,22 @@ static size_t runup_every_row_with_slow_roll(const block_shape *shape) {
     return runup_with_slow_roll(shape) * runup_every_row(shape);
 }
 
+static size_t runup_every_orbit(const block_shape *shape) {
+    return (size_t)shape->options->runup.orbits;
+}
+
+static size_t runup_every_instant_of_orbits(const block_shape *shape) {
+    return runup_every_orbit(shape) * (size_t)shape->options->runup.samples;
+}
+
+static size_t runup_every_instant_of_an_orbit(const block_shape *shape) {
+    return runup_every_orbit(shape) > 0 ? (size_t)shape->options->runup.samples : 0;
+}
+
+static size_t runup_every_instant_of_waveforms(const block_shape *shape) {
+    return WHIRL_RUNUP_WAVEFORMS * (size_t)shape->options->runup.waveform * (size_t)shape->options->runup.samples;
+}
+
 static size_t runup_every_spectrum(const block_shape *shape) {
     return (size_t)shape->options->runup.spectra;
 }
@@ -158,6 +174,27 @@ static const field_plan fields[FIELD_COUNT] = {
                      runup_every_row_with_slow_roll},
     [COMPENSATED_LAG] = {WHIRL_FIELD_RUNUP_COMPENSATED_LAG, "deg", "x1, y1 (by which these peaks come after the mark)",
                          WHIRL_PER_STATION, 2, runup_every_row_with_slow_roll},
+    [ORBIT_TIME] = {WHIRL_FIELD_RUNUP_ORBIT_TIME, "s", "of the orbit: the middle of its turn", WHIRL_PER_POINT, 1,
+                    runup_every_orbit},
+    [ORBIT_SPEED] = {WHIRL_FIELD_RUNUP_ORBIT_SPEED, "rad/s", "of the shaft, over that turn", WHIRL_PER_POINT, 1,
+                     runup_every_orbit},
+    [ORBIT] = {WHIRL_FIELD_RUNUP_ORBIT, "length",
+               "x, y (from the centre, at equal angles of a turn from the mark on, one orbit after another)",
+               WHIRL_PER_STATION, 2, runup_every_instant_of_orbits},
+    [PEAK_ORBIT] = {WHIRL_FIELD_RUNUP_PEAK_ORBIT, "length", "x, y (likewise, in the turn with the largest motion)",
+                    WHIRL_PER_STATION, 2, runup_every_instant_of_an_orbit},
+    [WAVEFORM_TIME] = {WHIRL_FIELD_RUNUP_WAVEFORM_TIME, "s",
+                       "of the instants of a waveform: around the largest motion of the station, then around events",
+                       WHIRL_PER_STATION, 1, runup_every_instant_of_waveforms},
+    [WAVEFORM] = {WHIRL_FIELD_RUNUP_WAVEFORM, "length", "x, y (from the centre, at these instants)", WHIRL_PER_STATION,
+                  2, runup_every_instant_of_waveforms},
+    [CONTACT_TIME] = {WHIRL_FIELD_RUNUP_CONTACT_TIME, "s",
+                      "of the instants of a waveform: around the largest force of the contact, then around events",
+                      WHIRL_PER_CONTACT, 1, runup_every_instant_of_waveforms},
+    [CONTACT_FORCE] = {WHIRL_FIELD_RUNUP_CONTACT_FORCE, "force", "normal force at these instants", WHIRL_PER_CONTACT, 1,
+                       runup_every_instant_of_waveforms},
+    [CONTACT_GAP] = {WHIRL_FIELD_RUNUP_CONTACT_GAP, "length", "gap at these instants; below 0: pressed in",
+                     WHIRL_PER_CONTACT, 1, runup_every_instant_of_waveforms},
 };
 
 /// Rows as they fill.

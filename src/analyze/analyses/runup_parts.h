@@ -45,6 +45,15 @@ enum {
     SLOW_ROLL_CHANGE,
     COMPENSATED,
     COMPENSATED_LAG,
+    ORBIT_TIME,
+    ORBIT_SPEED,
+    ORBIT,
+    PEAK_ORBIT,
+    WAVEFORM_TIME,
+    WAVEFORM,
+    CONTACT_TIME,
+    CONTACT_FORCE,
+    CONTACT_GAP,
     FIELD_COUNT
 };
 
@@ -52,7 +61,7 @@ enum {
 /// compensated ones where the 1X changes too much.
 void runup_fill_slow_roll(const block_view *view, const whirl_runup_options *options, size_t probes);
 
-/// Spectra of a run, from the samples of its last turns.
+/// Spectra, orbits and waveforms of a run, from the samples of its last turns.
 typedef struct runup_views {
     const block_view *view;
     const whirl_runup_options *options;
@@ -60,8 +69,12 @@ typedef struct runup_views {
     bool clockwise;       ///< sense of rotation
     turn_samples samples; ///< of the turn; numbers are NULL where nothing is wanted
     turn_history history;
-    double *memory; ///< x and y of a window
-    size_t spectra; ///< done, or passed
+    double *memory;         ///< x and y of a spectrum
+    size_t spectra, orbits; ///< done, or passed
+    size_t turns, events;   ///< complete turns, and turns with an event, so far
+    double *largest;        ///< [probes + contacts] radius or force so far
+    /// [WHIRL_RUNUP_WAVEFORMS][probes + contacts] turn whose end completes a waveform; 0: none.
+    size_t *due;
 } runup_views;
 
 /// Most stationary speeds, and most folds.
@@ -98,10 +111,10 @@ whirl_status runup_views_new(const block_view *view, const whirl_runup_options *
                              size_t contacts, double duration, runup_views *views);
 void runup_views_free(runup_views *views);
 
-/// Takes a turn into account: fills spectra that are due before it. WHIRL_NO_MEMORY.
+/// Takes a turn into account: fills what is due before it. WHIRL_NO_MEMORY.
 whirl_status runup_views_add(runup_views *views, const runup_turn *turn);
 
-/// Fills spectra that are due until the end of the run, at that time. WHIRL_NO_MEMORY.
+/// Fills what is due until the end of the run, at that time. WHIRL_NO_MEMORY.
 whirl_status runup_views_end(runup_views *views, double time);
 
 #endif

@@ -1,5 +1,5 @@
-// Spectra of run-ups. A spectrum is that of x + iy over the angle of the shaft, in the last turns before its time, with
-// a Hann window and without the mean: orders are lines whatever the speed does.
+// Spectra, orbits and waveforms of run-ups. A spectrum is that of x + iy over the angle of the shaft, in the last turns
+// before its time, with a Hann window and without the mean: orders are lines whatever the speed does.
 #include <math.h>
 #include <stdlib.h>
 
@@ -12,17 +12,28 @@ size_t runup_bins(const whirl_runup_options *options) {
     return spectrum_bins((size_t)options->spectrum_turns, (size_t)options->samples, options->highest_order);
 }
 
+/// Turns that have to be kept.
+static size_t views_room(const whirl_runup_options *options) {
+    const int spectrum = options->spectra > 0 ? options->spectrum_turns : 0, orbit = options->orbits > 0;
+    const int room = spectrum > options->waveform ? spectrum : options->waveform;
+    return (size_t)(room > orbit ? room : orbit);
+}
+
 whirl_status runup_views_new(const block_view *view, const whirl_runup_options *options, const whirl_system *system,
                              size_t contacts, double duration, runup_views *views) {
-    const size_t turns = options->spectra > 0 ? (size_t)options->spectrum_turns : 0, bins = runup_bins(options);
+    const size_t room = views_room(options), bins = runup_bins(options), all = system->probe_count + contacts;
     *views = (runup_views){.view = view, .options = options, .duration = duration};
-    if (turns == 0) return whirl_ok();
+    if (room == 0) return whirl_ok();
     views->clockwise = system->probe_count > 0 && whirl_probe_way(&system->probes[0]) < 0.0;
     views->samples = turn_samples_new((size_t)options->samples, system->probe_count, contacts);
-    views->history = turn_history_new(turns, &views->samples);
-    views->memory = calloc(2 * turns * views->samples.samples, sizeof *views->memory);
-    for (size_t bin = 0; bin < bins; bin++) view_numbers(view, SPECTRUM_ORDER, 0)[bin] = (double)bin / (double)turns;
-    if (views->samples.numbers && views->history.numbers && views->memory) return whirl_ok();
+    views->history = turn_history_new(room, &views->samples);
+    views->memory = calloc(2 * room * views->samples.samples, sizeof *views->memory);
+    views->largest = calloc(all + 1, sizeof *views->largest);
+    views->due = calloc(WHIRL_RUNUP_WAVEFORMS * all + 1, sizeof *views->due);
+    for (size_t bin = 0; bin < bins; bin++)
+        view_numbers(view, SPECTRUM_ORDER, 0)[bin] = (double)bin / (double)options->spectrum_turns;
+    if (views->samples.numbers && views->history.numbers && views->memory && views->largest && views->due)
+        return whirl_ok();
     return whirl_fail(WHIRL_NO_MEMORY, "no memory for spectra of a run");
 }
 
@@ -30,6 +41,8 @@ void runup_views_free(runup_views *views) {
     free(views->samples.numbers);
     free(views->history.numbers);
     free(views->memory);
+    free(views->largest);
+    free(views->due);
 }
 
 /// Fills a spectrum from the last turns; it stays missing where there are too few.
@@ -60,24 +73,111 @@ static whirl_status runup_fill_spectrum(runup_views *views, size_t row) {
     return whirl_ok();
 }
 
-/// Fills the spectra whose time comes before the turn that ends at `end`.
+/// Fills an orbit of a station from a turn.
+static void runup_fill_orbit(const runup_views *views, const double *turn, size_t station, double *out) {
+    const turn_samples *of = &views->samples;
+    for (size_t k = 0; k < of->samples; k++)
+        for (size_t axis = 0; axis < 2; axis++) out[2 * k + axis] = turn[k * of->width + 1 + 2 * station + axis];
+}
+
+/// Fills the orbits of a time from the last turn; they stay missing before there is one.
+static void runup_fill_orbits(runup_views *views, size_t row) {
+    const double *turn = turn_history_last(&views->history, 1);
+    if (!turn) return;
+    view_numbers(views->view, ORBIT_TIME, 0)[row] = 0.5 * (turn[0] + views->history.end);
+    view_numbers(views->view, ORBIT_SPEED, 0)[row] = two_pi / (views->history.end - turn[0]);
+    for (size_t p = 0; p < views->samples.probes; p++)
+        runup_fill_orbit(views, turn, p, view_numbers(views->view, ORBIT, p) + 2 * row * views->samples.samples);
+}
+
+/// Fills the spectra and orbits whose time comes before the turn that ends at `end`.
 static whirl_status runup_fill_due(runup_views *views, double end) {
     whirl_status status = whirl_ok();
-    const size_t all = (size_t)views->options->spectra;
-    for (; views->spectra < all && status.code == WHIRL_OK; views->spectra++) {
-        if (!((double)(views->spectra + 1) / (double)all * views->duration * (1.0 + 1e-12) < end)) break;
+    const double now = end / (1.0 + 1e-12);
+    const size_t spectra = (size_t)views->options->spectra, orbits = (size_t)views->options->orbits;
+    for (; views->spectra < spectra && status.code == WHIRL_OK; views->spectra++) {
+        if (!((double)(views->spectra + 1) / (double)spectra * views->duration < now)) break;
         status = runup_fill_spectrum(views, views->spectra);
+    }
+    for (; views->orbits < orbits; views->orbits++) {
+        if (!((double)(views->orbits + 1) / (double)orbits * views->duration < now)) break;
+        runup_fill_orbits(views, views->orbits);
     }
     return status;
 }
 
+// ---------------------------------------------------------------- waveforms
+
+/// Fills a waveform of a station, or of a contact (behind all stations), from the last turns, as many as there are.
+static void runup_fill_waveform(const runup_views *views, size_t which, size_t window) {
+    const turn_samples *of = &views->samples;
+    size_t turns = (size_t)views->options->waveform;
+    const size_t first = window * turns * of->samples;
+    if (turns > views->history.held) turns = views->history.held;
+    const bool contact = which >= of->probes;
+    const size_t owner = contact ? which - of->probes : which;
+    const size_t column = contact ? 1 + 2 * of->probes + 2 * owner : 1 + 2 * owner;
+    const double *numbers = turn_history_last(&views->history, turns);
+    double *time = view_numbers(views->view, contact ? CONTACT_TIME : WAVEFORM_TIME, owner) + first;
+    for (size_t k = 0; numbers && k < turns * of->samples; k++) {
+        const double *row = numbers + k * of->width;
+        time[k] = row[0];
+        if (contact) {
+            view_numbers(views->view, CONTACT_FORCE, owner)[first + k] = row[column];
+            view_numbers(views->view, CONTACT_GAP, owner)[first + k] = row[column + 1];
+        } else {
+            for (size_t axis = 0; axis < 2; axis++)
+                view_numbers(views->view, WAVEFORM, owner)[2 * (first + k) + axis] = row[column + axis];
+        }
+    }
+}
+
+/// Fills the waveforms that are complete after the last turn; `ended`: and all others that began.
+static void runup_fill_waveforms(const runup_views *views, bool ended) {
+    const size_t all = views->samples.probes + views->samples.contacts;
+    for (size_t window = 0; window < WHIRL_RUNUP_WAVEFORMS; window++)
+        for (size_t which = 0; which < all; which++) {
+            size_t *due = &views->due[window * all + which];
+            if (*due == 0 || (!ended && *due != views->turns)) continue;
+            runup_fill_waveform(views, which, window);
+            *due = 0;
+        }
+}
+
+/// Notes a turn with an event, and stations and contacts whose largest motion or force is in this turn.
+static void runup_note_turn(runup_views *views, const runup_turn *turn) {
+    const turn_samples *of = &views->samples;
+    const size_t all = of->probes + of->contacts, waveform = (size_t)views->options->waveform;
+    const size_t complete = views->turns + waveform / 2;
+    if (turn->parted) views->events++;
+    for (size_t which = 0; which < all; which++) {
+        const double size = which < of->probes ? turn->stations[which].radius : turn->force[which - of->probes];
+        const bool larger = size > views->largest[which];
+        if (larger) views->largest[which] = size;
+        if (larger && which < of->probes && views->options->orbits > 0)
+            runup_fill_orbit(views, turn->samples, which, view_numbers(views->view, PEAK_ORBIT, which));
+        if (larger && waveform > 0) views->due[which] = complete;
+        if (turn->parted && waveform > 0 && views->events < WHIRL_RUNUP_WAVEFORMS)
+            views->due[views->events * all + which] = complete;
+    }
+}
+
+// ---------------------------------------------------------------- turns
+
 whirl_status runup_views_add(runup_views *views, const runup_turn *turn) {
     if (!views->samples.numbers) return whirl_ok();
     const whirl_status status = runup_fill_due(views, turn->end);
-    if (turn->samples) turn_history_add(&views->history, turn->samples, turn->end);
+    if (turn->samples) {
+        views->turns++;
+        turn_history_add(&views->history, turn->samples, turn->end);
+        runup_note_turn(views, turn);
+        runup_fill_waveforms(views, false);
+    }
     return status;
 }
 
 whirl_status runup_views_end(runup_views *views, double time) {
-    return views->samples.numbers ? runup_fill_due(views, nextafter(time, INFINITY) * (1.0 + 1e-9)) : whirl_ok();
+    if (!views->samples.numbers) return whirl_ok();
+    runup_fill_waveforms(views, true);
+    return runup_fill_due(views, time * (1.0 + 1e-9));
 }

@@ -196,6 +196,11 @@ const whirl_member *whirl_runup_members(void) {
                      "multiple of the speed up to which spectra are kept"),
         RUNUP_NUMBER(slow_roll, "slow_roll", "rad/s", "0", WHIRL_NOT_NEGATIVE,
                      "speed whose motion at 1X is slow roll, and is taken from that at all speeds; 0: none"),
+        RUNUP(WHOLE, orbits, "1", WHIRL_KEY_WHOLE, "0", WHIRL_FROM_TO(0, 1000), NULL,
+              "orbits of the result, at equal times: each is the last turn before it; and that of the largest motion"),
+        RUNUP(WHOLE, waveform, "1", WHIRL_KEY_WHOLE, "0", WHIRL_FROM_TO(0, 1024), NULL,
+              "turns of motions and contact forces that are kept around their largest, and around the first four "
+              "events; 0: none"),
         {.part = NULL},
     };
     return runs;
@@ -242,6 +247,11 @@ whirl_status whirl_runup_check(const whirl_runup_options *o, bool driven, double
     if (kept > MAX_RUNUP_NUMBERS)
         return whirl_fail(WHIRL_BAD_INPUT, "%d spectra of %.4g bins are wanted, expected at most %.0f bins in all",
                           o->spectra, o->highest_order * o->spectrum_turns, MAX_RUNUP_NUMBERS);
+    if ((double)(o->orbits + WHIRL_RUNUP_WAVEFORMS * o->waveform) * o->samples > MAX_RUNUP_NUMBERS)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "%d orbits and waveforms of %d turns have %d samples a turn, expected at most "
+                          "%.0f instants in all",
+                          o->orbits, o->waveform, o->samples, MAX_RUNUP_NUMBERS);
     if (o->spectra > 0 && window > MAX_RUNUP_NUMBERS)
         return whirl_fail(WHIRL_BAD_INPUT, "a spectrum of %d turns has %.0f samples, expected at most %.0f",
                           o->spectrum_turns, window, MAX_RUNUP_NUMBERS);

@@ -55,6 +55,7 @@ typedef struct runner {
     double *torque_state;            ///< [torques][2][most] the samples before the largest and the least torque
     double *torque_length;           ///< [torques][2] how far the samples after them are
     runup_where *torque_where;       ///< [torques][2] to what these belong
+    bool parted;                     ///< an event happened in the turn
     runup_run *run;
 } runner;
 
@@ -311,16 +312,33 @@ static double runup_torque_slope(const runner *r, const double *x, size_t which)
 
 // ---------------------------------------------------------------- turns that are seen
 
+/// Fills in an instant of a turn from a sample.
+static void runup_fill_instant(const runner *r, const double *sample, const double *force, turn_instant *out) {
+    double *numbers = out->numbers, *slopes = out->slopes;
+    // Derivatives by time in its unit: those by the angle times the speed.
+    const double faster = r->by_time ? 1.0 : sample[r->rotor];
+    out->speed = runup_speed_of(r, sample);
+    *numbers++ = runup_time_of(r, sample);
+    for (size_t p = 0; p < r->probes; p++)
+        for (size_t axis = 0; axis < 2; axis++) {
+            *numbers++ = whirl_probe_value(&r->system->probes[p], sample, axis);
+            *slopes++ = r->unit * faster * whirl_probe_value(&r->system->probes[p], sample, axis + 2);
+        }
+    for (size_t c = 0; c < r->contacts; c++) {
+        *numbers++ = force[c];
+        *numbers++ = -runup_switch_of(r, sample, r->machine->contact_switch(r->machine, c));
+    }
+}
+
 /// Keeps the instants of a part at equal angles of the turn.
 static void runup_keep_instants(runner *r, double passed, double step, size_t count) {
-    turn_instant ends[2] = {{.state = r->change}, {.state = r->change + r->most}};
+    turn_samples *to = r->plan->samples;
     for (size_t k = 0; k <= count; k++) {
         const double *sample = runup_sample(r, k);
-        turn_instant *own = &ends[k % 2];
+        turn_instant *own = &to->ends[k % 2];
         own->angle = passed + (r->by_time ? sample[r->rotor + 2] - r->samples[r->rotor + 2] : (double)k * step);
-        own->force = r->force + k * r->contacts;
-        memcpy(own->state, runup_placed(r, sample), (r->rotor + 2) * sizeof *sample);
-        if (k > 0) turn_samples_fill(r->plan->samples, r->machine, &ends[(k - 1) % 2], own);
+        runup_fill_instant(r, sample, r->force + k * r->contacts, own);
+        if (k > 0) turn_samples_fill(to, &to->ends[(k - 1) % 2], own);
     }
 }
 
@@ -336,6 +354,7 @@ static void runup_see_part(runner *r, double from, double passed, double length)
 }
 
 static void runup_begin_turn(runner *r) {
+    r->parted = false;
     for (size_t p = 0; p < r->probes; p++) r->stations[p] = (runup_station){.radius = 0.0};
     for (size_t c = 0; c < r->contacts; c++) r->largest[c] = r->share[c] = 0.0;
 }
@@ -347,6 +366,7 @@ static void runup_show_turn(runner *r, bool whole) {
                        .end = end,
                        .turns = r->turns,
                        .whole = whole,
+                       .parted = r->parted,
                        .stations = r->stations,
                        .force = r->largest,
                        .share = r->share,
@@ -436,6 +456,7 @@ static bool runup_passes(double target, double before, double after) {
 static void runup_happen(runner *r, event what) {
     const double time = runup_time_of(r, r->x);
     if (what == EVENT_NONE || what == EVENT_TURN || what == EVENT_TORQUE) return;
+    r->parted = r->parted || what != EVENT_END;
     switch (what) {
     case EVENT_DWELL:
         r->how.rate = 0.0;

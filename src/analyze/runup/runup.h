@@ -35,6 +35,7 @@ typedef struct runup_turn {
     double end;                    ///< s, at its end
     double turns;                  ///< of the shaft since the beginning
     bool whole;                    ///< the run does not end within it: means and orders count
+    bool parted;                   ///< an event happened in it: a trip, a loss, the end of a rate
     whirl_torques torques;         ///< at its end
     const runup_station *stations; ///< [probe_count]
     const double *force;           ///< [contact_count] N, largest normal force

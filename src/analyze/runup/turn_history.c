@@ -10,50 +10,47 @@ static const double two_pi = 6.283185307179586476925;
 turn_samples turn_samples_new(size_t samples, size_t probes, size_t contacts) {
     turn_samples made = {.samples = samples, .probes = probes, .contacts = contacts};
     made.width = 1 + 2 * probes + 2 * contacts;
-    made.numbers = calloc(samples * made.width, sizeof *made.numbers);
+    made.numbers = calloc((samples + 4) * made.width, sizeof *made.numbers);
+    for (size_t i = 0; i < 2 && made.numbers; i++) {
+        made.ends[i].numbers = made.numbers + (samples + 2 * i) * made.width;
+        made.ends[i].slopes = made.ends[i].numbers + made.width;
+    }
     return made;
 }
 
-/// Cubic between two values with slopes by the angle, at the share `s` of a step; linear where a shaft that stands has
-/// no such slope.
+/// Cubic between two values with slopes by time, at the share `s` of a step.
 static double turn_between(double low, double high, double slope_low, double slope_high, double step, double s) {
-    const double t = 1.0 - s, linear = t * low + s * high;
-    const double bend = s * t * ((t - s) * (low - high) + step * (t * slope_low - s * slope_high));
-    return s == 0.0 || !isfinite(bend) ? linear : linear + bend;
+    const double t = 1.0 - s;
+    return t * low + s * high + s * t * ((t - s) * (low - high) + step * (t * slope_low - s * slope_high));
 }
 
-/// Gap of a contact: how far it is from closing.
-static double turn_gap(const whirl_running *running, const double *x, size_t contact) {
-    double values[WHIRL_MAX_SWITCHES];
-    const whirl_system *system = running->by_angle;
-    system->switches(system->model, 0.0, x, values);
-    return -values[running->contact_switch(running, contact)];
+/// The share of the step at which the shaft has an angle: by the secant method within a bracket (Illinois).
+static double turn_share_at(const turn_instant *low, const turn_instant *high, double angle) {
+    const double step = high->numbers[0] - low->numbers[0];
+    double a = 0.0, b = 1.0, fa = low->angle - angle, fb = high->angle - angle, s = fa == 0.0 ? 0.0 : 1.0;
+    for (int i = 0; i < 60 && fa * fb < 0.0 && b - a > 1e-15; i++) {
+        s = (a * fb - b * fa) / (fb - fa);
+        const double f = turn_between(low->angle, high->angle, low->speed, high->speed, step, s) - angle;
+        if (fabs(f) < 1e-15) break;
+        if ((f < 0.0) == (fb < 0.0))
+            b = s, fb = f, fa *= 0.5;
+        else
+            a = s, fa = f, fb *= 0.5;
+    }
+    return s;
 }
 
-void turn_samples_fill(turn_samples *to, const whirl_running *running, const turn_instant *low,
-                       const turn_instant *high) {
-    const whirl_system *system = running->by_angle;
-    const double spacing = two_pi / (double)to->samples, step = high->angle - low->angle;
+void turn_samples_fill(turn_samples *to, const turn_instant *low, const turn_instant *high) {
+    const double spacing = two_pi / (double)to->samples, step = high->numbers[0] - low->numbers[0];
     const double first = fmax(ceil(low->angle / spacing - 1e-9), 0.0);
-    const size_t speed = system->dimension - 2, time = system->dimension - 1;
-    const double *a = low->state, *b = high->state;
-    if (!(step > 0.0)) return;
     for (size_t j = (size_t)first; j < to->samples && (double)j * spacing < high->angle - 1e-9 * spacing; j++) {
-        double s = ((double)j * spacing - low->angle) / step;
-        if (s < 1e-9) s = 0.0;
+        const double angle = (double)j * spacing;
+        const double s = angle - low->angle < 1e-9 * spacing ? 0.0 : turn_share_at(low, high, angle);
         double *row = to->numbers + j * to->width;
-        *row++ = turn_between(a[time], b[time], 1.0 / a[speed], 1.0 / b[speed], step, s) / running->unit;
-        for (size_t p = 0; p < to->probes; p++)
-            for (size_t axis = 0; axis < 2; axis++) {
-                const whirl_probe *probe = &system->probes[p];
-                *row++ =
-                    turn_between(whirl_probe_value(probe, a, axis), whirl_probe_value(probe, b, axis),
-                                 whirl_probe_value(probe, a, axis + 2), whirl_probe_value(probe, b, axis + 2), step, s);
-            }
-        for (size_t c = 0; c < to->contacts; c++) {
-            *row++ = (1.0 - s) * low->force[c] + s * high->force[c];
-            *row++ = (1.0 - s) * turn_gap(running, a, c) + s * turn_gap(running, b, c);
-        }
+        for (size_t i = 0; i < to->width; i++) row[i] = (1.0 - s) * low->numbers[i] + s * high->numbers[i];
+        for (size_t i = 0; i < 2 * to->probes && s > 0.0; i++)
+            row[1 + i] =
+                turn_between(low->numbers[1 + i], high->numbers[1 + i], low->slopes[i], high->slopes[i], step, s);
     }
 }
 

@@ -2,34 +2,32 @@
 #ifndef ANALYZE_TURN_HISTORY_H
 #define ANALYZE_TURN_HISTORY_H
 
-#include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/engine/running.h"
+/// A computed instant of a turn.
+typedef struct turn_instant {
+    double angle;    ///< rad within the turn
+    double speed;    ///< rad/s
+    double *numbers; ///< [width] as a row of turn_samples
+    double *slopes;  ///< [2 probes] of x and y by time, 1/s
+} turn_instant;
 
 /// Instants of a turn at equal angles, the beginning of the turn first. An instant is one row of `numbers`: the time in
 /// s; x and y of every probe; normal force (N) and gap (below 0: pressed in) of every contact. Lengths are those of the
 /// machine.
 typedef struct turn_samples {
     size_t samples, probes, contacts;
-    size_t width;    ///< of a row
-    double *numbers; ///< [samples][width]
+    size_t width;         ///< of a row
+    double *numbers;      ///< [samples][width]; one block with those of `ends`
+    turn_instant ends[2]; ///< workspace
 } turn_samples;
-
-/// A computed instant of a turn.
-typedef struct turn_instant {
-    double angle;        ///< rad within the turn
-    double *state;       ///< [dimension by the angle]
-    const double *force; ///< [contacts] N
-} turn_instant;
 
 /// Makes samples of one turn; numbers are NULL without memory. Freed by free(numbers).
 turn_samples turn_samples_new(size_t samples, size_t probes, size_t contacts);
 
-/// Fills in the instants at equal angles from one computed instant to before the next one: displacements and times
-/// cubic between both (Hermite), forces and gaps linear. Those at a computed instant have its numbers.
-void turn_samples_fill(turn_samples *to, const whirl_running *running, const turn_instant *low,
-                       const turn_instant *high);
+/// Fills in the instants at equal angles from one computed instant to before the next one: angles and displacements are
+/// cubic in time between both (Hermite), forces and gaps linear. Those at a computed instant have its numbers.
+void turn_samples_fill(turn_samples *to, const turn_instant *low, const turn_instant *high);
 
 /// The last turns.
 typedef struct turn_history {

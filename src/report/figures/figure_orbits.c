@@ -61,7 +61,7 @@ static void orbits_list(figure_list *to, const drawing *of, const whirl_table *t
     list_figure(to, &place, name, "Orbits within their clearances: %.60s", table->name);
 }
 
-static void add_stator(whirl_figure *figure, whirl_panel *panel, double radius) {
+void stator_line(whirl_figure *figure, whirl_panel *panel, double radius) {
     if (!(radius > 0.0)) return;
     whirl_series *line = panel_series(figure, panel, WHIRL_LINE, "#707070", 0.53);
     if (line) line->dashed = true;
@@ -104,7 +104,7 @@ static double add_walls(whirl_figure *figure, whirl_panel *panel, const drawing 
             machine_wall_at(of->machine, table, motions[k], station, walls.clearance, &wall);
             widest = fmax(widest, wall_line(figure, panel, &wall, scale));
         }
-        if (stator) add_stator(figure, panel, gaps[k]);
+        if (stator) stator_line(figure, panel, gaps[k]);
     }
     return widest;
 }

@@ -33,6 +33,9 @@ void orbit_marks(whirl_figure *figure, whirl_panel *panel, const numbers *sample
 /// Draws the wall of a bearing or seal, its radii times `scale`; returns the largest.
 double wall_line(whirl_figure *figure, whirl_panel *panel, const machine_wall *wall, double scale);
 
+/// Draws the circle of a stator that may be touched, dashed; nothing for a radius of 0.
+void stator_line(whirl_figure *figure, whirl_panel *panel, double radius);
+
 /// add_half_spectrum: spectra of x and y over the order. add_full_spectrum: spectrum of x + iy, backward lines on the
 /// left. add_lines: only the largest lines, if the whole spectrum was not stored.
 void add_half_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of);
