@@ -34,7 +34,7 @@ whirl_status runup_views_new(const block_view *view, const whirl_runup_options *
         view_numbers(view, SPECTRUM_ORDER, 0)[bin] = (double)bin / (double)options->spectrum_turns;
     if (views->samples.numbers && views->history.numbers && views->memory && views->largest && views->due)
         return whirl_ok();
-    return whirl_fail(WHIRL_NO_MEMORY, "no memory for spectra of a run");
+    return whirl_fail(WHIRL_NO_MEMORY, "no memory for turns of a run");
 }
 
 void runup_views_free(runup_views *views) {
