@@ -16,6 +16,20 @@ to_rgb = pytest.importorskip("matplotlib.colors").to_rgb
 
 UNBALANCE = "unbalance: {parameter: omega, from: 500 rpm, to: 1500 rpm, points: 5}"
 CRITICAL = "critical_speeds: {parameter: k, from: 20 kN/m, to: 8000 kN/m, points: 4, scale: log}"
+RUNUP = """whirl: 1
+rotor:
+  speed: 1 rad/s
+  length_scale: 1 m
+  stations:
+    disc: {mass: 1 kg, damping: 0.1 N.s/m, eccentricity: 1 m}
+  elements:
+    - spring: {between: [disc, ground], stiffness: 1 N/m}
+    - rub:    {at: disc, gap: 4 m, stiffness: 1 N/m, friction: 0.05, law: paper}
+study:
+  runup: {rate: 0.003 rad/s2, speed_from: 0.2 rad/s, duration: 500 s, rows: 50, samples: 32, spectra: 20,
+          spectrum_turns: 4, orbits: 3, waveform: 4, slow_roll: 0.3 rad/s, loss_at: disc, loss_moment: 0.1 kg.m,
+          loss_time: 200 s}
+"""
 
 
 @pytest.fixture(autouse=True)
@@ -46,6 +60,9 @@ def results(tmp_path_factory, good_file, map_files):
         (folder / f"{name}.yaml").write_text(at_rest(study))
         command("run", folder / f"{name}.yaml", "-o", folder / f"{name}.h5", "-q")
         found.append(folder / f"{name}.h5")
+    (folder / "runup.yaml").write_text(RUNUP)
+    command("run", folder / "runup.yaml", "-o", folder / "runup.h5", "-q")
+    found.append(folder / "runup.h5")
     return found
 
 
@@ -193,7 +210,7 @@ def test_waterfalls_have_the_lines_of_all_spectra(good, units):
     assert scale["label"] == ("amplitude (mm p-p)" if units else "amplitude (m 0-p)")
 
 
-SYMBOL = r"\$?[xy]\$?(, \$y\$)?( of \w+)?"
+SYMBOL = r"\$?[xy]\$?(, \$y\$)?( of \w+)?|gap"
 
 
 def labels_of(data):

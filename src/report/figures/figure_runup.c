@@ -69,33 +69,36 @@ static course runup_course_of(const drawing *of, const whirl_table *table, size_
                     by_speed ? speed->size : of->units->of[WHIRL_QUANTITY_TIME].size};
 }
 
-static whirl_panel *runup_length_panel(const drawing *of, whirl_figure *figure, const char *name, const char *quantity,
-                                       bool by_speed, double height) {
+static whirl_panel *runup_length_panel(const drawing *of, whirl_figure *figure, const char *name,
+                                       whirl_counting counting, const char *quantity, bool by_speed, double height) {
     whirl_panel *panel = figure_panel(figure, name, 1.0, height);
     if (!panel) return NULL;
     runup_label_over(of, &panel->x, by_speed);
-    symbol_length(of->units, WHIRL_FROM_CENTRE, quantity, panel->y.label, sizeof panel->y.label);
+    symbol_length(of->units, counting, quantity, panel->y.label, sizeof panel->y.label);
     return panel;
 }
 
-/// Draws the motion: for one run x and y, largest radius and lags; for several runs the largest radius of each.
+/// Draws the motion: for one run the largest radius, amplitudes and lags of x and y; for several runs the largest
+/// radius of each.
 static void runup_describe_motion(const drawing *of, const figure_place *place, whirl_figure *figure, bool by_speed) {
     static const char *const names[] = {"$x$ at 1X", "$y$ at 1X"};
     size_t runs[MAX_RUNS];
     const whirl_table *table = place->table;
     const size_t count = runup_list_runs(table, runs), s = place->station;
-    whirl_panel *panel =
-        runup_length_panel(of, figure, "radius", count > 1 ? "largest radius" : "amplitude", by_speed, 5.0);
+    whirl_panel *panel = runup_length_panel(of, figure, "radius", WHIRL_ZERO_TO_PEAK, "largest radius", by_speed, 4.0);
     for (size_t i = 0; i < count; i++) {
         const course c = runup_course_of(of, table, runs[i], by_speed);
-        const double size = whirl_shown_length(of->units, table, runs[i]);
-        char label[UNIT_LABEL_SIZE] = "largest radius";
+        char label[UNIT_LABEL_SIZE] = "";
         if (count > 1) units_point_label(of->units, table, runs[i], label, sizeof label);
         runup_add_line(figure, panel_named(figure, panel, WHIRL_LINE, label, line_colour(i), 1.0), &c,
-                       WHIRL_FIELD_RUNUP_RADIUS, s, 0, size);
-        for (size_t axis = 0; axis < 2 && count == 1; axis++)
-            runup_add_line(figure, panel_named(figure, panel, WHIRL_LINE, names[axis], line_colour(axis + 1), 0.8), &c,
-                           WHIRL_FIELD_RUNUP_AMPLITUDE, s, axis, size);
+                       WHIRL_FIELD_RUNUP_RADIUS, s, 0, units_length(of->units, table, runs[i], WHIRL_ZERO_TO_PEAK));
+    }
+    whirl_panel *amplitude =
+        count == 1 ? runup_length_panel(of, figure, "amplitude", WHIRL_AMPLITUDE, "amplitude", by_speed, 4.0) : NULL;
+    for (size_t axis = 0; axis < 2 && amplitude; axis++) {
+        const course c = runup_course_of(of, table, runs[0], by_speed);
+        runup_add_line(figure, panel_named(figure, amplitude, WHIRL_LINE, names[axis], line_colour(axis + 1), 0.8), &c,
+                       WHIRL_FIELD_RUNUP_AMPLITUDE, s, axis, units_length(of->units, table, runs[0], WHIRL_AMPLITUDE));
     }
     whirl_panel *lag = figure_panel(figure, "lag", 1.0, 3.5);
     if (!lag) return;
@@ -120,10 +123,11 @@ static void runup_describe_orders(const drawing *of, const figure_place *place, 
     const whirl_table *table = place->table;
     runup_list_runs(table, runs);
     static const char *const ways[] = {"forward", "backward"};
+    static const char *const amplitudes[] = {"forward amplitude", "backward amplitude"};
     for (size_t way = 0; way < 2; way++) {
-        whirl_panel *panel = runup_length_panel(of, figure, ways[way], ways[way], true, 4.5);
+        whirl_panel *panel = runup_length_panel(of, figure, ways[way], WHIRL_AMPLITUDE, amplitudes[way], true, 4.5);
         const course c = runup_course_of(of, table, runs[0], true);
-        const double size = whirl_shown_length(of->units, table, runs[0]);
+        const double size = units_length(of->units, table, runs[0], WHIRL_AMPLITUDE);
         for (size_t order = 0; order < MAX_ORDERS; order++) {
             char label[16];
             snprintf(label, sizeof label, "at %zuX", order + 1);

@@ -156,7 +156,7 @@ static void waveforms_describe(const drawing *of, const figure_place *place, whi
             waveform_is_there(&own) ? waveform_panel(of, "motion", "motion", window, 3.6, figure) : NULL;
         if (!panel) continue;
         own.factor = whirl_shown_length(of->units, table, runs[0]);
-        symbol_length(of->units, WHIRL_FROM_CENTRE, "displacement", panel->y.label, sizeof panel->y.label);
+        symbol_length(of->units, WHIRL_FROM_CENTRE, "$x$, $y$", panel->y.label, sizeof panel->y.label);
         for (own.column = 0; own.column < 2; own.column++)
             waveform_add_line(
                 figure, panel_named(figure, panel, WHIRL_LINE, names[own.column], line_colour(own.column), 0.6), &own);

@@ -115,8 +115,8 @@ static void polar_describe(const drawing *of, const figure_place *place, whirl_f
         if (!panel) return;
         panel->equal = true;
         snprintf(panel->title, sizeof panel->title, "%s", titles[axis]);
-        symbol_length(of->units, WHIRL_AMPLITUDE, "along $x$", panel->x.label, sizeof panel->x.label);
-        symbol_length(of->units, WHIRL_AMPLITUDE, "along $y$", panel->y.label, sizeof panel->y.label);
+        symbol_length(of->units, WHIRL_AMPLITUDE, "amplitude along $x$", panel->x.label, sizeof panel->x.label);
+        symbol_length(of->units, WHIRL_AMPLITUDE, "amplitude along $y$", panel->y.label, sizeof panel->y.label);
         reach = fmax(reach, polar_add_lines(of, place, axis, panel, figure));
     }
     for (size_t axis = 0; axis < 2; axis++) path_frame(figure, panels[axis], reach);
