@@ -207,6 +207,27 @@ static void stationary_speeds(void **state) {
     }
 }
 
+/// Samples show a run and do not change it: a motor against dry friction, from rest, past a stator.
+static void samples_change_nothing(void **state) {
+    static const char drive[] = "drive: {inertia: 100 kg.m2, torque: 5 N.m, no_load_speed: 2 rad/s, load: 2 N.m}\n"
+                                "    - rub: {at: disc, gap: 4 m, stiffness: 1 N/m, friction: 0.05, law: paper, radius: "
+                                "1 m}";
+    (void)state;
+    whirl_result *own = run_disc("1 m", 0.1, 1.0, drive, "duration: 100 s");
+    char text[SIZE];
+    snprintf(text, sizeof text, disc, "1 m", 0.1, 1.0, drive, "duration: 100 s");
+    char *samples = strstr(text, "samples: 64");
+    assert_non_null(samples);
+    memcpy(samples, "samples: 16", 11);
+    whirl_result *few = result_of_text(text);
+    check_within("Run-up", "speed at the end by 16 and by 64 samples", number(own, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0),
+                 number(few, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0), 1e-10);
+    check_within("Run-up", "largest radius by 16 and by 64 samples", number(own, WHIRL_FIELD_RUNUP_PEAK, 0, 0),
+                 number(few, WHIRL_FIELD_RUNUP_PEAK, 0, 0), 1e-9);
+    whirl_result_free(own);
+    whirl_result_free(few);
+}
+
 // ---------------------------------------------------------------- a rate
 
 /// Lewis 1932, up from rest and down from a steady motion.
@@ -379,6 +400,7 @@ int main(void) {
                                        cmocka_unit_test(two_discs_otherwise),
                                        cmocka_unit_test(sommerfeld),
                                        cmocka_unit_test(stationary_speeds),
+                                       cmocka_unit_test(samples_change_nothing),
                                        cmocka_unit_test(lewis),
                                        cmocka_unit_test(rubs),
                                        cmocka_unit_test(blade_loss),

@@ -530,8 +530,9 @@ static runup_end runup_end_of(const runner *r, whirl_motion motion) {
 
 /// The most evaluations of the equations by time for which the samples of a part show each of its steps.
 static double runup_most_evaluations(const runner *r) {
-    enum { SAMPLES_OF_STEP = 4, STAGES = 12 };
-    const double steps = fmax(4.0, (double)r->plan->options->samples / SAMPLES_OF_STEP);
+    // A part has 8 steps at least where the machine has switches; interpolants cost evaluations, too.
+    enum { SAMPLES_OF_STEP = 4, STAGES = 16, FEWEST = 16 };
+    const double steps = fmax(FEWEST, (double)r->plan->options->samples / SAMPLES_OF_STEP);
     const bool implicit = strcmp(r->plan->options->method, "rodas5p") == 0; // with differences for its Jacobian
     return steps * (STAGES + (implicit ? 2.0 * (double)r->most : 0.0));
 }
@@ -539,7 +540,7 @@ static double runup_most_evaluations(const runner *r) {
 /// Carries `end` over the next part of a turn, of at most *length, with all samples. Writes its length to *length: by
 /// time a part has as many steps as its samples can show.
 static whirl_motion runup_carry_next(runner *r, double from, double *length, double *end) {
-    enum { TRIES = 20 };
+    enum { TRIES = 6 };
     const double most = runup_most_evaluations(r);
     for (int tries = 1;; tries++) {
         const double before = r->machine->evaluations(r->machine);
