@@ -1,4 +1,5 @@
 // A case as a family of machines, and as a study.
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,6 +12,7 @@ typedef struct member {
     double *start;                  ///< [dimension]
     whirl_station_statics *statics; ///< [stations] if requested
     double *influence;              ///< [stations][stations]
+    double changed_speed;           ///< rad/s, of the drive without load after a change; 0: none
 } member;
 
 static void family_release(void *owner) {
@@ -78,12 +80,13 @@ static whirl_status check_runup(const whirl_rotor *rotor, const whirl_runup_opti
     return status.code == WHIRL_OK ? whirl_running_check(whirl_rotor_system(rotor), options->rate == 0.0) : status;
 }
 
-/// Checks that the machine may change as the batch says.
+/// Checks that the machine may change as the batch says, and finds the speed of its drive without load after that.
 static whirl_status check_change(const case_content *content, const whirl_batch *batch, double value,
-                                 const whirl_rotor *rotor) {
+                                 const whirl_rotor *rotor, double *highest) {
     valuation v;
     whirl_given given[PLAN_MAX_GIVEN];
     whirl_rotor *changed = NULL;
+    *highest = 0.0;
     whirl_batch after = *batch;
     after.with_change = after.outline = true;
     const size_t count = plan_given(&after, value, after.second_value, after.third_value, given);
@@ -93,6 +96,7 @@ static whirl_status check_change(const case_content *content, const whirl_batch 
         status = whirl_fail(WHIRL_BAD_INPUT, "after its change: %.300s", status.message);
     if (status.code == WHIRL_OK)
         status = whirl_running_check_change(whirl_rotor_system(rotor), whirl_rotor_system(changed));
+    if (status.code == WHIRL_OK) whirl_rotor_drive(changed, highest);
     whirl_rotor_free(changed);
     valuation_close(&v);
     return status;
@@ -108,7 +112,7 @@ static whirl_status make_member(const case_content *content, const whirl_batch *
     if (status.code == WHIRL_OK && whirl_analysis_has(batch->analyses, "runup"))
         status = check_runup(m->rotor, &batch->record.runup);
     if (status.code == WHIRL_OK && batch->changed_count > 0 && !batch->with_change && batch->speed == 0.0)
-        status = check_change(content, batch, value, m->rotor);
+        status = check_change(content, batch, value, m->rotor, &m->changed_speed);
     if (status.code == WHIRL_OK && !batch->outline) status = whirl_rotor_hold(m->rotor, batch->integrate.stop);
     if (status.code == WHIRL_OK) status = make_start(content, batch, &v, m);
     if (status.code == WHIRL_OK) status = make_statics(content, batch, &v, m);
@@ -144,6 +148,7 @@ whirl_status case_machine(const void *family, const whirl_batch *batch, double v
                                .statics = m->statics,
                                .influence = m->influence};
     whirl_rotor_drive(m->rotor, &machine->drive_speed);
+    machine->drive_speed = fmax(machine->drive_speed, m->changed_speed);
     return whirl_ok();
 }
 

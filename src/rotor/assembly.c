@@ -285,7 +285,9 @@ static bool is_twist(const assembly *of, size_t coordinate) {
 
 /// Notes a spring between two twists.
 static void note_link(assembly *to, const size_t coordinate[2], const double share[2], const joining *by) {
-    if (!is_twist(to, coordinate[0]) || !is_twist(to, coordinate[1])) return;
+    const bool twists[] = {is_twist(to, coordinate[0]), is_twist(to, coordinate[1])};
+    if (twists[0] != twists[1] && by->stiffness != 0.0) to->grounded = true;
+    if (!twists[0] || !twists[1]) return;
     twist_link *list = room_for_one(to, to->links, to->link_count, &to->link_room, sizeof *list);
     if (!list) return;
     to->links = list;

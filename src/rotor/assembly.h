@@ -139,6 +139,7 @@ typedef struct assembly {
     shaft_torque *torques; ///< [torque_count] other torques on such a shaft
     size_t link_count, link_room;
     twist_link *links;     ///< [link_count] what joins twists
+    bool grounded;         ///< a spring holds a twist to the ground
     double stages;         ///< factor of the stages' cross couplings
     double cross_coupling; ///< N/m, the sum of cross couplings, each counted once
     bool balanced;         ///< unbalance and skew are ignored

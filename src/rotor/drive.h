@@ -23,9 +23,9 @@ typedef struct shaft_drive {
 /// Returns the torque of the motor, N m, at a speed in rad/s; beyond its table the value at the table's end.
 double drive_torque(const shaft_drive *drive, double speed);
 
-/// Returns the torque of the load against the rotation, N m. Dry friction (`load`) counts as for a turning shaft at
-/// standstill too.
-double drive_load(const shaft_drive *drive, double speed);
+/// Returns the torque of the load against the rotation, N m. Dry friction (`load`) counts as for a turning shaft from
+/// the speed `slip` on, and falls to 0 in proportion below; slip 0: at standstill too.
+double drive_load(const shaft_drive *drive, double speed, double slip);
 
 /// Returns the highest speed for which the motor is described, rad/s: its no-load speed, or the end of its table; 0:
 /// unlimited.

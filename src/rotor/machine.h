@@ -65,6 +65,7 @@ struct whirl_rotor {
     /// [degrees] of twists: the twist in a rigid turn of the shaft over the shaft's own, positive about z, and the
     /// angular momentum of that turn, kg m2 (NULL: nothing twists).
     double *rigid, *momentum;
+    bool grounded; ///< a spring holds a twist to the ground
     size_t driver; ///< station whose turn is the shaft's, of its motor; the number of stations: none twists
     /// Station that nothing joins to the others' twists; NO_STATION: all turn together.
     size_t aside;

@@ -490,10 +490,12 @@ double whirl_rotor_length_scale(const whirl_rotor *rotor) {
 }
 bool whirl_rotor_drive(const whirl_rotor *rotor, double *highest) {
     const bool driven = rotor->drive.given || rotor->torque_count > 0;
-    *highest = rotor->drive.given ? drive_highest(&rotor->drive) : 0.0;
+    const double turns = rotor->drive.given ? rotor_turns(rotor, rotor->drive.at) : 0.0;
+    *highest = turns > 0.0 ? drive_highest(&rotor->drive) / turns : 0.0;
     for (size_t i = 0; i < rotor->torque_count; i++) {
         const shaft_torque *own = &rotor->torques[i];
-        if (own->law->highest) *highest = fmax(*highest, own->law->highest(own) / rotor_turns(rotor, own->station));
+        const double faster = rotor_turns(rotor, own->station);
+        if (own->law->highest && faster > 0.0) *highest = fmax(*highest, own->law->highest(own) / faster);
     }
     return driven;
 }

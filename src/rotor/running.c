@@ -24,6 +24,9 @@ static const double power_error = 2e-12;
 /// standing.
 static const double slowest = 1e-6;
 
+/// Speed, over the unit, below which dry friction of a load yields, for machines that may stand while torques pulsate.
+static const double slipping = 1e-4;
+
 /// A number of the machine that changes with the speed w: the sum of power[k] w^(k - 2), or a spline over w^2.
 typedef struct number_of_speed {
     size_t index;
@@ -60,6 +63,7 @@ typedef struct running_rotor {
     size_t own;          ///< number of states of torques
     size_t at_speed;     ///< index of the speed among the states, after the rotor's and these
     double turn_inertia; ///< kg m2, of all that turns
+    double slip;         ///< rad/s, below which dry friction of the load yields; 0: it never does
     bool driven;         ///< torques drive the machine
     whirl_system by_angle, by_time;
     double from; ///< angle at which the current part of a revolution begins
@@ -170,6 +174,9 @@ static whirl_status running_check_torques(const whirl_rotor *rotor) {
         return whirl_fail(WHIRL_BAD_INPUT, "torques turn the shaft and its inertia is not known, expected an element "
                                            "drive with inertia");
     if (!twists) return whirl_ok();
+    if (rotor->grounded)
+        return whirl_fail(WHIRL_BAD_INPUT, "a spring holds a twist to the ground, and torques turn the shaft, expected "
+                                           "none");
     if (rotor->drive.given) stations[count++] = rotor->drive.at;
     if (rotor->drive.given) stations[count++] = rotor->drive.load_at;
     for (size_t i = 0; i < rotor->torque_count; i++) stations[count++] = rotor->torques[i].station;
@@ -193,8 +200,8 @@ whirl_status whirl_running_check(const whirl_system *system, bool driven) {
     if (driven) return running_check_torques(rotor);
     if (rotor->twist_count > 0)
         return whirl_fail(WHIRL_BAD_INPUT,
-                          "the machine has stations that twist, and a rate changes its speed, expected a drive, whose "
-                          "torque twists them, or stations without twist (moves: xy, x or y)");
+                          "the machine has stations that twist, and a rate changes its speed, expected no rate but "
+                          "torques, or stations without twist (moves: xy, x or y)");
     return whirl_ok();
 }
 
@@ -436,7 +443,7 @@ static double running_motor_at(const running_rotor *r, const running_state *s) {
 }
 static double running_load_at(const running_rotor *r, const running_state *s) {
     const shaft_drive *drive = &r->rotor->drive;
-    return drive->given ? -drive_load(drive, running_place_of(r, drive->load_at, s).speed) : 0.0;
+    return drive->given ? -drive_load(drive, running_place_of(r, drive->load_at, s).speed, r->slip) : 0.0;
 }
 
 /// Returns another torque; writes the slopes of its states by time unless NULL.
@@ -715,7 +722,7 @@ static void running_part(whirl_running *running, double from, double length) {
     r->by_angle.period = r->by_time.period = length;
 }
 
-static void running_adopt(const whirl_running *running, const whirl_running *from, bool by_time, double *x) {
+static double running_adopt(const whirl_running *running, const whirl_running *from, bool by_time, double *x) {
     const running_rotor *r = (const running_rotor *)running, *other = (const running_rotor *)from;
     const whirl_rotor *rotor = r->rotor;
     const size_t n = rotor->lanes.degrees, at = r->at_speed;
@@ -725,7 +732,7 @@ static void running_adopt(const whirl_running *running, const whirl_running *fro
         x[i] *= units;
         x[n + i] *= units;
     }
-    if (rotor->twist_count == 0) return;
+    if (rotor->twist_count == 0) return 0.0;
     // Twists count from a mean turn by inertia: another inertia has another mean, by angle and by speed.
     double turned[2] = {0.0, 0.0};
     const double speed = by_time ? 1.0 : fmax(x[at], slowest);
@@ -738,6 +745,7 @@ static void running_adopt(const whirl_running *running, const whirl_running *fro
     x[at] += turned[1] * speed;
     if (!by_time)
         for (size_t i = n; i < 2 * n; i++) x[i] *= speed / fmax(x[at], slowest);
+    return turned[0];
 }
 
 static void running_to_angle(const whirl_running *running, double *x) {
@@ -861,6 +869,7 @@ static void running_count(running_rotor *r) {
     for (size_t i = rotor->first_twist; i < rotor->first_twist + rotor->twist_count; i++)
         r->turn_inertia += rotor->momentum[i] * rotor->rigid[i];
     r->shown.in_time = torques > 0 || rotor->twist_count > 0;
+    r->slip = r->shown.in_time ? slipping * r->unit : 0.0;
     r->shown.driver = rotor->driver;
     r->shown.watched_count = r->driven ? rotor->system.torque_count : 0;
 }

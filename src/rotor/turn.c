@@ -47,6 +47,7 @@ static size_t turn_begins_at(const whirl_rotor *rotor) {
 
 void rotor_find_turn(whirl_rotor *rotor, const assembly *from) {
     rotor->aside = NO_STATION;
+    rotor->grounded = from->grounded;
     rotor->driver = rotor->station_count;
     if (rotor->twist_count == 0) return;
     const size_t first = turn_begins_at(rotor), root = from->stations[first].coordinate[AXIS_TWIST];

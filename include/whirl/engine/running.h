@@ -69,8 +69,8 @@ struct whirl_running {
     void (*part)(whirl_running *running, double from, double length);
 
     /// Takes over a state of a machine that has changed (whirl_running_check_change), by the angle or by time: places,
-    /// speeds and angles of all stations stay.
-    void (*adopt)(const whirl_running *running, const whirl_running *from, bool by_time, double *x);
+    /// speeds and angles of all stations stay. Returns the change of the shaft's angle, the mean of its stations, rad.
+    double (*adopt)(const whirl_running *running, const whirl_running *from, bool by_time, double *x);
 
     /// Turns the derivatives of a state by time into those by the angle; its last number stays.
     void (*to_angle)(const whirl_running *running, double *x);

@@ -219,7 +219,7 @@ whirl_status whirl_runup_check(const whirl_runup_options *o, bool driven, double
     if (o->rate == 0.0 && o->duration == 0.0)
         return whirl_fail(WHIRL_BAD_INPUT, "the run by the machine's drive has no end, expected duration");
     if (o->rate == 0.0 && !(fmax(fmax(o->from, o->to), no_load) > 0.0))
-        return whirl_fail(WHIRL_BAD_INPUT, "the motor has the same torque at all speeds, expected speed_to with it");
+        return whirl_fail(WHIRL_BAD_INPUT, "nothing tells the highest speed of the run, expected speed_to");
     if (strcmp(o->begin, "steady") == 0 && o->from == 0.0)
         return whirl_fail(WHIRL_BAD_INPUT, "the run begins steady at standstill, expected speed_from above 0");
     if (*o->loss_at ? o->loss_moment == 0.0 : o->loss_moment != 0.0)
@@ -235,6 +235,8 @@ whirl_status whirl_runup_check(const whirl_runup_options *o, bool driven, double
                           !*o->change             ? "an instant of a change alone"
                           : o->change_time == 0.0 ? "a change without its instant"
                                                   : "a change at two instants");
+    if (o->stationary == 1 || o->stationary == 2)
+        return whirl_fail(WHIRL_BAD_INPUT, "the run has stationary: %d, expected 0 or at least 3", o->stationary);
     if (o->rate > 0.0 && (o->trip_time > 0.0 || o->trip_speed > 0.0))
         return whirl_fail(WHIRL_BAD_INPUT, "the run has a rate and a trip of its drive, expected one of them");
     const double end = o->to > 0.0 ? o->to : o->from + o->rate * o->duration;

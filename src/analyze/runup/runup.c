@@ -417,15 +417,20 @@ static double runup_angle_quantity(const runner *r, const double *x, size_t whic
     return x[r->rotor + 2];
 }
 
+/// Whole turns behind; 0 for a shaft that swings back at its beginning.
+static double runup_whole_turns(const runner *r) {
+    return fmax(floor(r->turns + 1e-9), 0.0);
+}
+
 /// The angle at which the present turn ends.
 static double runup_turn_end(const runner *r) {
-    return r->angle0 + two_pi * (floor(r->turns + 1e-9) + 1.0);
+    return r->angle0 + two_pi * (runup_whole_turns(r) + 1.0);
 }
 
 /// All that may come in the state that the run is in.
 static size_t runup_list_coming(const runner *r, coming list[MOST_COMING]) {
     const whirl_runup_options *o = r->plan->options;
-    const double torque = r->machine->begins(r->machine, runup_time_of(r, r->x));
+    const double torque = r->machine->begins(r->machine, runup_time_of(r, r->x) * (1.0 + 1e-12));
     size_t count = 0;
     if (r->by_time) list[count++] = (coming){EVENT_TURN, runup_angle_quantity, runup_turn_end(r), 0};
     if (isfinite(torque)) list[count++] = (coming){EVENT_TORQUE, runup_time_quantity, torque, 0};
@@ -473,7 +478,7 @@ static void runup_happen(runner *r, event what) {
     case EVENT_CHANGE:
         r->run->change = time;
         runup_go_by(r, true, r->by_time);
-        r->machine->adopt(r->machine, r->sides[0].machine, r->by_time, r->x);
+        r->turns += r->machine->adopt(r->machine, r->sides[0].machine, r->by_time, r->x) / two_pi;
         break;
     default:
         break;
@@ -494,22 +499,31 @@ static bool runup_happen_now(runner *r) {
     return ends;
 }
 
-/// The first event between two states, over a length of the angle; where it is, and the state there.
-static event runup_find_event(runner *r, const double *begin, double from, double length, const double *end, double *at,
-                              double *there) {
+/// The first event in the part that was carried last with all samples, of that length from the angle `from` on: where
+/// it is, and the state there.
+static event runup_find_event(runner *r, double from, double length, double *at, double *there) {
     coming list[MOST_COMING];
-    const size_t count = runup_list_coming(r, list);
+    const size_t events = runup_list_coming(r, list), count = (size_t)r->plan->options->samples;
+    const double step = length / (double)count;
     event first = EVENT_NONE;
     *at = length;
-    for (size_t i = 0; i < count; i++) {
-        const double before = list[i].of(r, begin, 0), after = list[i].of(r, end, 0);
-        if (!runup_passes(list[i].target, before, after)) continue;
-        const double place =
-            runup_find_passage(r, list[i].of, 0, list[i].target, begin, from, length, before, after, r->scratch);
-        if (first != EVENT_NONE && place >= *at) continue;
-        first = list[i].what;
-        *at = place;
-        memcpy(there, r->scratch, r->dimension * sizeof *there);
+    for (size_t i = 0; i < events; i++) {
+        // A speed that pulsates may pass and return between the ends of a part.
+        double before = list[i].of(r, runup_sample(r, 0), 0);
+        for (size_t k = 0; k < count && (double)k * step < *at; k++) {
+            const double after = list[i].of(r, runup_sample(r, k + 1), 0), begin = (double)k * step;
+            if (runup_passes(list[i].target, before, after)) {
+                const double place = begin + runup_find_passage(r, list[i].of, 0, list[i].target, runup_sample(r, k),
+                                                                from + begin, step, before, after, r->scratch);
+                if (first == EVENT_NONE || place < *at) {
+                    first = list[i].what;
+                    *at = place;
+                    memcpy(there, r->scratch, r->dimension * sizeof *there);
+                }
+                break;
+            }
+            before = after;
+        }
     }
     return first;
 }
@@ -569,7 +583,7 @@ static bool runup_turn_on(runner *r) {
             r->run->end = runup_end_of(r, motion);
             return false;
         }
-        event what = runup_find_event(r, r->x, from, length, end, &at, there);
+        event what = runup_find_event(r, from, length, &at, there);
         if (what != EVENT_NONE) {
             memcpy(end, r->x, r->dimension * sizeof *end);
             if (at > 0.0) motion = runup_carry_seen(r, from, at, end);
@@ -579,13 +593,13 @@ static bool runup_turn_on(runner *r) {
         const double passed = r->by_time ? end[r->rotor + 2] - r->x[r->rotor + 2] : at;
         memcpy(r->x, end, r->dimension * sizeof *end);
         if (!r->by_time && what == EVENT_NONE) what = EVENT_TURN;
-        r->turns = what == EVENT_TURN ? floor(r->turns + 1e-9) + 1.0 : r->turns + passed / two_pi;
+        r->turns = what == EVENT_TURN ? runup_whole_turns(r) + 1.0 : r->turns + passed / two_pi;
         angle += passed;
         turning = what != EVENT_TURN;
         runup_happen(r, what);
         if (runup_happen_now(r) || what == EVENT_END) {
             runup_show_turn(r, false);
-            r->run->end = RUNUP_DONE;
+            r->run->end = r->by_time && r->turns < 1.0 && r->x[r->rotor] < 1e-3 ? RUNUP_STALLED : RUNUP_DONE;
             return false;
         }
         if (runup_stopped(r)) return false;
@@ -599,8 +613,8 @@ static bool runup_start_turning(runner *r) {
     whirl_torques torques;
     r->machine->torques(r->machine, r->x, r->angle0, &torques);
     r->run->end = RUNUP_STALLED;
-    // The torque of a motor whose currents build up begins at 0.
-    if (r->machine->in_time ? torques.acceleration < 0.0 : !(torques.acceleration > 0.0)) return false;
+    // Torques that depend on time may begin at 0, or below.
+    if (!r->machine->in_time && !(torques.acceleration > 0.0)) return false;
     return runup_turn_on(r);
 }
 

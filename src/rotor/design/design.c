@@ -180,7 +180,10 @@ static whirl_status read_list(const whirl_key *key, const char *text, key_value 
             width = value->count - first;
             first = value->count;
         }
-        if (*end == '\0') return whirl_ok();
+        if (*end == '\0') {
+            if (value->count == 1) value->number = value->list[0]; // a list of one number is that number
+            return whirl_ok();
+        }
         value->rows += *end == ';';
         text = end + 1;
     }

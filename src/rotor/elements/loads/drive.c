@@ -75,8 +75,9 @@ double drive_torque(const shaft_drive *drive, double speed) {
     return drive->no_load > 0.0 ? drive->torque * (1.0 - speed / drive->no_load) : drive->torque;
 }
 
-double drive_load(const shaft_drive *drive, double speed) {
-    return drive->load + speed * (drive->linear + drive->quadratic * fabs(speed));
+double drive_load(const shaft_drive *drive, double speed, double slip) {
+    const double share = slip > 0.0 ? fmin(fmax(speed / slip, -1.0), 1.0) : 1.0;
+    return drive->load * share + speed * (drive->linear + drive->quadratic * fabs(speed));
 }
 
 double drive_highest(const shaft_drive *drive) {

@@ -52,6 +52,9 @@ static const torque_law synchronous_law = {
 
 /// Copies a list of `count` numbers, or one number for all, to a row of the table.
 static whirl_status synchronous_row(const key_value *value, const char *name, size_t count, double *row) {
+    if (value->count > 1 && count == 1)
+        return whirl_fail(WHIRL_BAD_INPUT, "has %zu %s and no slips, expected one number, or slips", value->count,
+                          name);
     if (value->count > 1 && value->count != count)
         return whirl_fail(WHIRL_BAD_INPUT, "has %zu %s and %zu slips, expected as many, or one number", value->count,
                           name, count);
