@@ -227,6 +227,42 @@ static void motor_otherwise(void **state) {
     whirl_result_free(own);
 }
 
+/// A motor whose torque begins at 0 starts against dry friction; one that is too weak does not. Lists of one number are
+/// numbers.
+static void loads_yield_at_standstill(void **state) {
+    static const char machine[] = "  length_scale: 1 m\n"
+                                  "  stations:\n"
+                                  "    motor: {polar: 0.2 kg.m2, moves: twist}\n"
+                                  "    load: {polar: 0.3 kg.m2, moves: twist}\n"
+                                  "  elements:\n"
+                                  "    - coupling: {between: [motor, load], twist: 1500 N.m/rad}\n"
+                                  "    - %s\n"
+                                  "    - drive: {at: load, load: %g N.m}\n";
+    static const char *const means[] = {"40 N.m", "[40 N.m]"};
+    char rotor[SIZE], element[SIZE / 8];
+    (void)state;
+    snprintf(rotor, sizeof rotor, machine, line_motor, 10.0);
+    whirl_result *result = start(rotor, "duration: 0.5 s, rows: 10");
+    check_holds("Motor starts", "a motor starts against dry friction",
+                number(result, WHIRL_FIELD_RUNUP_END_SPEED, 0) > 40.0 &&
+                    number(result, WHIRL_FIELD_RUNUP_END, 0) == 0.0);
+    whirl_result_free(result);
+    // Constant torque less friction: a closed form but for the speed at which friction is fully there.
+    for (size_t i = 0; i < COUNT_OF(means); i++) {
+        snprintf(element, sizeof element, "synchronous_start: {at: motor, frequency: 50 Hz, poles: 4, mean: %s}",
+                 means[i]);
+        snprintf(rotor, sizeof rotor, machine, element, 10.0);
+        result = start(rotor, "duration: 1 s, rows: 10, rtol: 1e-10");
+        check_within("Motor starts", words("mean: %s, less dry friction: speed", means[i]), 30.0 / 0.5,
+                     number(result, WHIRL_FIELD_RUNUP_END_SPEED, 0), 0.02);
+        whirl_result_free(result);
+    }
+    snprintf(rotor, sizeof rotor, machine, element, 60.0);
+    result = start(rotor, "duration: 1 s, rows: 10");
+    check_within("Motor starts", "a weak motor: the shaft stands", 1.0, number(result, WHIRL_FIELD_RUNUP_END, 0), 0.0);
+    whirl_result_free(result);
+}
+
 /// A train with a gear, rigid or a stiff mesh, is the train with everything referred to one shaft.
 static void gears_refer(void **state) {
     static const char one_shaft[] = "  length_scale: 1 m\n"
@@ -366,6 +402,7 @@ int main(void) {
                                        cmocka_unit_test(terminals_are_short_circuited),
                                        cmocka_unit_test(torque_is_put_on),
                                        cmocka_unit_test(inertia_leaves),
+                                       cmocka_unit_test(loads_yield_at_standstill),
                                        cmocka_unit_test(motor_otherwise),
                                        cmocka_unit_test(gears_refer),
                                        cmocka_unit_test(stiff_shafts_are_rigid),
