@@ -55,8 +55,9 @@ size_t whirl_trace_torus_nodes(const whirl_trace_options *options);
 const whirl_member *whirl_trace_members(void);
 
 /// The 1X of a station at a speed is slow roll if it changes by at most this share of its largest in the run, within
-/// this range of the speed (a share of it to both sides).
+/// WHIRL_SLOW_ROLL_RANGE of the speed.
 #define WHIRL_MAX_SLOW_ROLL_CHANGE 0.05
+/// The range of speeds for that, a share of the speed to both sides.
 #define WHIRL_SLOW_ROLL_RANGE 0.1
 
 /// Waveforms of a run: around the largest motion (of a contact, the largest force), and around its first events.
