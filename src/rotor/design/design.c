@@ -181,7 +181,7 @@ static whirl_status read_list(const whirl_key *key, const char *text, key_value 
             first = value->count;
         }
         if (*end == '\0') {
-            if (value->count == 1) value->number = value->list[0]; // a list of one number is that number
+            if (value->count == 1) value->number = number; // a list of one number is that number
             return whirl_ok();
         }
         value->rows += *end == ';';
