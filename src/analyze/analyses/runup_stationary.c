@@ -96,9 +96,15 @@ static void balance_add(balance_rows *to, double first, double second, double th
     row[0] = first, row[1] = second, row[2] = third;
 }
 
+/// A speed, and the motor's torque less what brakes there.
+typedef struct balance_rest_at {
+    double speed, rest;
+} balance_rest_at;
+
 /// Adds the stationary speed between two speeds, if there is one.
-static void balance_find_speed(const balancing *b, const double speeds[2], balance_rows *stationary) {
-    const double rests[] = {balance_rest(b, speeds[0]), balance_rest(b, speeds[1])};
+static void balance_find_speed(const balancing *b, balance_rest_at low, balance_rest_at high,
+                               balance_rows *stationary) {
+    const double speeds[] = {low.speed, high.speed}, rests[] = {low.rest, high.rest};
     double motor, brake;
     if (!(rests[0] * rests[1] < 0.0)) return;
     const double speed = balance_root(b, balance_rest, speeds, rests);
@@ -122,21 +128,26 @@ static double balance_find_fold(const balancing *b, const double speeds[3], cons
 /// Goes through all speeds, from the lowest.
 static void balance_go(const balancing *b, size_t count, double highest, balance_rows *stationary,
                        balance_rows *folds) {
-    double speeds[3] = {0.0}, factors[3], last = 0.0;
+    double speeds[3] = {0.0}, factors[3] = {0.0}, rests[3] = {0.0}, motor, brake;
+    balance_rest_at last = {0.0, 0.0};
     for (size_t k = 1; k <= count && !(b->point->stop && *b->point->stop); k++) {
         // The motor has no torque at its last speed.
         const double speed = highest * ((double)k - (k == count ? 1e-6 : 0.0)) / (double)count;
         memmove(speeds, speeds + 1, 2 * sizeof *speeds);
         memmove(factors, factors + 1, 2 * sizeof *factors);
+        memmove(rests, rests + 1, 2 * sizeof *rests);
+        balance_at(b, speed, &motor, &brake);
         speeds[2] = speed;
-        factors[2] = balance_factor(b, speed);
-        if (k == 1) last = speed;
+        factors[2] = brake / motor;
+        rests[2] = motor - brake;
+        if (k == 1) last = (balance_rest_at){speed, rests[2]};
         if (k < 3) continue;
         // A fold between two speeds parts what is between them into two pieces.
-        const double middle = balance_find_fold(b, speeds, factors, folds);
-        balance_find_speed(b, (const double[]){last, middle}, stationary);
+        const double fold = balance_find_fold(b, speeds, factors, folds);
+        const balance_rest_at middle = {fold, fold == speeds[1] ? rests[1] : balance_rest(b, fold)};
+        balance_find_speed(b, last, middle, stationary);
         last = middle;
-        if (k == count) balance_find_speed(b, (const double[]){last, speed}, stationary);
+        if (k == count) balance_find_speed(b, last, (balance_rest_at){speed, rests[2]}, stationary);
     }
 }
 

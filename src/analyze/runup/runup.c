@@ -290,9 +290,10 @@ static void runup_see_torques(runner *r, double step, size_t count) {
     if (r->torques == 0) return;
     for (size_t k = 0; k <= count; k++) {
         const double *sample = runup_sample(r, k);
-        runup_watch(r, sample);
+        const double *placed = runup_placed(r, sample);
+        r->machine->watch(r->machine, placed, runup_angle_of(r, sample), r->torque);
+        r->machine->speeds(r->machine, placed, r->speed);
         runup_note_torques(r, step, k, count);
-        r->machine->speeds(r->machine, runup_placed(r, sample), r->speed);
         if (r->plan->watch) r->plan->watch(r->plan->context, runup_time_of(r, sample), r->torque, r->speed);
     }
 }
