@@ -406,6 +406,12 @@ static bool running_twists(const running_rotor *r, size_t station) {
     return r->rotor->twist_count > 0 && station != NO_STATION && r->rotor->twists[station].coordinate != NO_COORDINATE;
 }
 
+/// Returns the turn of a station that twists over the shaft's, in a rigid turn: positive about z.
+static double running_turns_of(const running_rotor *r, size_t station) {
+    const station_twist *own = &r->rotor->twists[station];
+    return r->rotor->rigid[own->coordinate] * own->share;
+}
+
 /// A state by the angle: the speed `exact` of the shaft, the speed w by which derivatives by the angle were taken (at
 /// least `slowest`), the angle, and the state.
 typedef struct running_state {
@@ -420,7 +426,7 @@ static torque_place running_place_of(const running_rotor *r, size_t station, con
     if (!running_twists(r, station)) return at;
     const whirl_rotor *rotor = r->rotor;
     const station_twist *own = &rotor->twists[station];
-    const double turns = rotor->rigid[own->coordinate] * own->share, sense = copysign(1.0, turns);
+    const double turns = running_turns_of(r, station), sense = copysign(1.0, turns);
     const double twist = sense * own->share * rotor->unit[own->coordinate];
     at.speed = (fabs(turns) * s->exact + twist * x[rotor->lanes.degrees + own->coordinate] * s->w) * r->unit;
     at.angle = fabs(turns) * s->angle + twist * x[own->coordinate];
@@ -431,8 +437,7 @@ static torque_place running_place_of(const running_rotor *r, size_t station, con
 static double running_add_torque(const running_rotor *r, size_t station, double torque) {
     if (!running_twists(r, station)) return torque;
     const station_twist *own = &r->rotor->twists[station];
-    const double turns = r->rotor->rigid[own->coordinate] * own->share;
-    r->torque[own->coordinate] += copysign(own->share, own->share * turns) * torque;
+    r->torque[own->coordinate] += copysign(own->share, own->share * running_turns_of(r, station)) * torque;
     return 0.0;
 }
 
