@@ -134,9 +134,9 @@ static bool convert(ut_unit *from, ut_unit *to, double *value) {
 
 /// SI units by the names that engineers know; others are written as products of base units. A torque is in N m: no
 /// quantity of a rotor is an energy.
-static const char *const si_units[] = {"m",    "kg", "s",     "rad",   "rad/s", "N",     "N/m",  "N s/m",
-                                       "Pa s", "Pa", "m/s",   "m/s2",  "N m",   "W",     "kg m", "1/s",
-                                       "m2",   "m3", "kg/m3", "kg m2", "m2/s",  "rad/s2", "V", "ohm"};
+static const char *const si_units[] = {"m",    "kg", "s",     "rad",   "rad/s", "N",      "N/m",  "N s/m",
+                                       "Pa s", "Pa", "m/s",   "m/s2",  "N m",   "W",      "kg m", "1/s",
+                                       "m2",   "m3", "kg/m3", "kg m2", "m2/s",  "rad/s2", "V",    "ohm"};
 
 static bool to_named_unit(ut_unit *unit, quantity *result) {
     for (size_t i = 0; i < sizeof si_units / sizeof *si_units; i++) {
