@@ -15,6 +15,7 @@
 #include "whirl/engine/figure.h"
 #include "whirl/engine/report.h"
 #include "whirl/internal/film_tables.h"
+#include "whirl/internal/study_try.h"
 
 typedef struct check_arguments {
     case_arguments given; ///< its settings; the cases are argv from `first` on
@@ -205,10 +206,8 @@ static whirl_status tell_extent(const whirl_result *told, const whirl_study *stu
 }
 
 /// Reports the range of a study, sweeps whose steps do not reach their end, and warnings about the case.
-static whirl_status tell_result(const char *path, const whirl_case *object, const whirl_study *study, bool timed) {
-    whirl_result *const told = calloc(1, sizeof *told);
-    if (!told) return whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
-    whirl_status status = whirl_case_describe_result(object, told);
+static whirl_status tell_result(const char *path, const whirl_result *told, const whirl_study *study, bool timed) {
+    whirl_status status = whirl_ok();
     for (size_t i = 0; i < study->batch_count && status.code == WHIRL_OK; i++) {
         const whirl_batch *batch = &study->batches[i];
         status = tell_extent(told, study, batch, timed);
@@ -217,7 +216,6 @@ static whirl_status tell_result(const char *path, const whirl_case *object, cons
     }
     for (size_t i = 0; *whirl_result_warning(told, i); i++)
         fprintf(stderr, "%s: warning: %s\n", path, whirl_result_warning(told, i));
-    whirl_result_free(told);
     return status;
 }
 
@@ -274,38 +272,56 @@ static whirl_status count_tables(const whirl_study *study, size_t *missing) {
     return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
 }
 
-/// A case that reads well must also give a rotor and a study.
+/// Refuses what a run would refuse: all that is known without film tables, then the first points at rest.
+static whirl_status try_study(const whirl_case *object, const whirl_study *study, bool ready, whirl_result *told) {
+    whirl_status status = whirl_case_describe_result(object, told);
+    if (status.code != WHIRL_OK || !ready) return status;
+    status = whirl_study_try(study, limit_begin(MAX_SECONDS));
+    limit_end();
+    return status;
+}
+
+/// Prints the content of a good case.
+static whirl_status tell_case(const char *path, const whirl_case *object, const whirl_rotor *rotor,
+                              const whirl_study *study, const whirl_result *told, size_t missing) {
+    const whirl_system *const system = whirl_rotor_system(rotor);
+    char name[WHIRL_MESSAGE_SIZE];
+    snprintf(name, sizeof name, "%s", path);
+    whirl_make_plain(name);
+    printf("%s: good\n", name);
+    if (*whirl_case_title(object)) printf("  %s\n", whirl_case_title(object));
+    printf("  %zu station%s:", system->probe_count, system->probe_count == 1 ? "" : "s");
+    for (size_t i = 0; i < system->probe_count; i++) printf("%s %s", i ? "," : "", system->probes[i].name);
+    putchar('\n');
+    whirl_status status = tell_shafts(object);
+    tell_notes(rotor);
+    summarize_study(study);
+    if (missing > 0)
+        printf("  before the first point: %zu film table%s to be made, about a second of processor time each; how "
+               "long points take and whether steps are short enough is not known until then\n",
+               missing, missing == 1 ? " is" : "s are");
+    if (status.code == WHIRL_OK) status = tell_result(path, told, study, missing == 0);
+    if (status.code == WHIRL_OK) status = tell_phases(study, &study->batches[0], rotor);
+    return status;
+}
+
+/// A case that reads well must also give a rotor and a study that a run accepts.
 static whirl_status describe_case(const char *path, const whirl_case *object) {
     whirl_rotor *rotor = NULL;
     size_t missing = 0;
     whirl_status status = whirl_case_rotor_outline(object, NULL, 0, &rotor);
     if (status.code != WHIRL_OK) return status;
     whirl_study study;
-    status = whirl_case_study(object, &study);
+    whirl_result *const told = calloc(1, sizeof *told);
+    if (!told) status = whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
+    if (status.code == WHIRL_OK) status = whirl_case_study(object, &study);
     if (status.code == WHIRL_OK) status = count_tables(&study, &missing);
     if (status.code == WHIRL_OK && missing == 0) status = whirl_study_choose_methods(&study);
-    if (status.code == WHIRL_OK) {
-        const whirl_system *const system = whirl_rotor_system(rotor);
-        char name[WHIRL_MESSAGE_SIZE];
-        snprintf(name, sizeof name, "%s", path);
-        whirl_make_plain(name);
-        printf("%s: good\n", name);
-        if (*whirl_case_title(object)) printf("  %s\n", whirl_case_title(object));
-        printf("  %zu station%s:", system->probe_count, system->probe_count == 1 ? "" : "s");
-        for (size_t i = 0; i < system->probe_count; i++) printf("%s %s", i ? "," : "", system->probes[i].name);
-        putchar('\n');
-        status = tell_shafts(object);
-        tell_notes(rotor);
-        summarize_study(&study);
-        if (missing > 0)
-            printf("  before the first point: %zu film table%s to be made, about a second of processor time each; how "
-                   "long points take and whether steps are short enough is not known until then\n",
-                   missing, missing == 1 ? " is" : "s are");
-        if (status.code == WHIRL_OK) status = tell_result(path, object, &study, missing == 0);
-        if (status.code == WHIRL_OK) status = tell_phases(&study, &study.batches[0], rotor);
-        for (size_t i = 0; i < study.batch_count && status.code == WHIRL_OK && missing == 0; i++)
-            status = warn_of_steps(path, &study, &study.batches[i]);
-    }
+    if (status.code == WHIRL_OK) status = try_study(object, &study, missing == 0, told);
+    for (size_t i = 0; status.code == WHIRL_OK && i < study.batch_count && missing == 0; i++)
+        status = warn_of_steps(path, &study, &study.batches[i]);
+    if (status.code == WHIRL_OK) status = tell_case(path, object, rotor, &study, told, missing);
+    whirl_result_free(told);
     whirl_rotor_free(rotor);
     return status;
 }

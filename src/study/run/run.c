@@ -6,6 +6,10 @@
 #include "attractors.h"
 #include "memory.h"
 #include "run.h"
+#include "whirl/internal/study_try.h"
+
+/// States of the largest machine whose first point is tried: it takes about half a second.
+enum { MAX_STATES_TRIED = 300 };
 
 static bool has_regime(const whirl_batch *batch) {
     whirl_analysis_set regime = 0;
@@ -298,4 +302,36 @@ whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *
     else
         whirl_result_free(run.result);
     return status;
+}
+
+// ---------------------------------------------------------------- trial
+
+/// Computes the first point of a batch at rest, so that whatever refuses it is known.
+static whirl_status try_point(const whirl_study *study, const whirl_batch *batch, const whirl_stop *stop) {
+    whirl_study one = {.machine = study->machine, .family = study->family, .batch_count = 1};
+    whirl_machine machine;
+    whirl_result *result = NULL;
+    one.batches[0] = *batch;
+    one.batches[0].count = 1;
+    one.batches[0].row = one.batches[0].plane = 0;
+    one.batches[0].outline = true;
+    whirl_status status = whirl_study_machine(&one, &one.batches[0], 0, &machine);
+    if (status.code != WHIRL_OK) return status;
+    const size_t states = machine.system->dimension;
+    if (machine.release) machine.release(machine.owner);
+    if (states > MAX_STATES_TRIED) return status;
+    one.batches[0].outline = false;
+    status = whirl_study_run(&one, &(whirl_run_options){.threads = 1, .stop = stop}, &result);
+    whirl_result_free(result);
+    return status;
+}
+
+whirl_status whirl_study_try(const whirl_study *study, const whirl_stop *stop) {
+    study_run run = {.study = study};
+    whirl_status status = whirl_study_outline(study, &run.result);
+    whirl_result_free(run.result);
+    if (status.code == WHIRL_OK) status = count_states(&run);
+    for (size_t i = 0; i < study->batch_count && status.code == WHIRL_OK; i++)
+        if (whirl_analysis_kind(study->batches[i].analyses)->place) status = try_point(study, &study->batches[i], stop);
+    return status.code == WHIRL_BAD_INPUT || status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
 }
