@@ -1,9 +1,11 @@
 // Contents of a result in the explorer's page: statements, sheets and figures of every table.
 #include "report_parts.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "figure_build.h"
 #include "figure_kinds.h"
 #include "shown_kinds.h"
 #include "whirl/engine/figure.h"
@@ -148,6 +150,95 @@ static bool put_figures(const contents *of) {
     return put_value(of->stream, "left_out", well, left);
 }
 
+// ---------------------------------------------------------------- shaft lines
+
+/// Most points of a table with shaft lines, since each makes its machine again, and most numbers of them.
+enum { MAX_BENT = 256, MAX_BENT_NUMBERS = 1 << 21 };
+
+/// Shaft lines of the points of a table at rest: places along the shafts, which are those of the first point, and
+/// shapes [points][modes, or 1][places][4] as x_cos, x_sin, y_cos, y_sin; NaN where the library has none.
+typedef struct bent_table {
+    const whirl_table *table;
+    size_t modes, places, *shaft;
+    double *position, *moved;
+} bent_table;
+
+static bool bent_has_places(const bent_table *b, const whirl_shaft_line *line) {
+    bool same = line->count == b->places;
+    for (size_t i = 0; i < b->places && same; i++)
+        same = line->shaft[i] == b->shaft[i] && line->position[i] == b->position[i];
+    return same;
+}
+
+/// Takes the places of the first line, and memory for all shapes. Returns false if these are too many.
+static bool bent_begin(bent_table *b, const whirl_shaft_line *line) {
+    const size_t numbers = b->table->count * b->modes * line->count * 4;
+    if (numbers > MAX_BENT_NUMBERS) return false;
+    b->places = line->count;
+    b->shaft = malloc(b->places * sizeof *b->shaft);
+    b->position = malloc(b->places * sizeof *b->position);
+    b->moved = malloc(numbers * sizeof *b->moved);
+    if (!b->shaft || !b->position || !b->moved) return false;
+    memcpy(b->shaft, line->shaft, b->places * sizeof *b->shaft);
+    memcpy(b->position, line->position, b->places * sizeof *b->position);
+    for (size_t i = 0; i < numbers; i++) b->moved[i] = (double)NAN;
+    return true;
+}
+
+/// Fills in the shapes of a point, as figures draw them. Returns false if there is no room for any.
+static bool bent_fill(const contents *of, bent_table *b, size_t point) {
+    const drawing drawn = {of->view, &of->units, of->machine};
+    shaft_bends *bends = whirl_table_done(b->table, point) ? bends_new(&drawn, b->table, point) : NULL;
+    bool room = true;
+    if (bends && !b->moved) room = bent_begin(b, bends_line(bends));
+    for (size_t mode = 0; bends && room && mode < b->modes && bent_has_places(b, bends_line(bends)); mode++) {
+        double *moved = b->moved + 4 * b->places * (point * b->modes + mode);
+        const bool response = shown_kind_of(b->table) == &shown_unbalance;
+        const bool missing =
+            !response && !isfinite(whirl_table_field(b->table, point, WHIRL_FIELD_MODES_FREQUENCY, 0)[mode]);
+        if (missing || !(response ? bends_response(bends, moved) : bends_mode(bends, mode, moved)))
+            for (size_t i = 0; i < 4 * b->places; i++) moved[i] = (double)NAN;
+    }
+    bends_free(bends);
+    return room;
+}
+
+static void bent_write(FILE *stream, const bent_table *b, const char *before) {
+    base64 to = {.stream = stream};
+    fputs(before, stream);
+    script_text_member(stream, '{', "table", b->table->name);
+    fprintf(stream, ",\"modes\":%zu,\"shaft\":[", b->modes);
+    for (size_t i = 0; i < b->places; i++) fprintf(stream, i > 0 ? ",%zu" : "%zu", b->shaft[i]);
+    fputs("],\"position\":\"", stream);
+    for (size_t i = 0; i < b->places; i++) base64_float64(&to, b->position[i]);
+    base64_end(&to);
+    fputs("\",\"moved\":\"", stream);
+    to = (base64){.stream = stream};
+    for (size_t i = 0; i < b->table->count * b->modes * b->places * 4; i++) base64_float32(&to, b->moved[i]);
+    base64_end(&to);
+    fputs("\"}", stream);
+}
+
+/// Writes the shaft lines of modes and responses that are few enough.
+static void put_lines(const contents *of) {
+    bool first = true;
+    fputs(",\"lines\":[", of->stream);
+    for (const whirl_table *table = of->view->tables; table < of->view->tables + of->view->table_count; table++) {
+        const shown_kind *kind = shown_kind_of(table);
+        const whirl_field *modes = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_FREQUENCY);
+        bent_table b = {.table = table, .modes = kind == &shown_modes && modes ? modes->rows : 1};
+        const bool wanted = (kind == &shown_modes || kind == &shown_unbalance) && table->count <= MAX_BENT;
+        bool room = wanted;
+        for (size_t point = 0; point < table->count && room; point++) room = bent_fill(of, &b, point);
+        if (room && b.moved) bent_write(of->stream, &b, first ? "" : ",");
+        first = first && !(room && b.moved);
+        free(b.shaft);
+        free(b.position);
+        free(b.moved);
+    }
+    fputc(']', of->stream);
+}
+
 static bool put_warnings(const contents *of) {
     bool well = true;
     json_t *warnings = json_array();
@@ -165,6 +256,7 @@ bool explorer_write_contents(FILE *stream, const whirl_result *result, const whi
     const drawing drawn = {of.view, &of.units, of.machine};
     well = well && figures_list(&drawn, &of.figures).code == WHIRL_OK && put_tables(&of) && put_findings(&of) &&
            put_figures(&of) && put_warnings(&of);
+    if (well) put_lines(&of);
     free(of.figures.items);
     whirl_findings_free(of.findings);
     whirl_result_view_free(of.view);

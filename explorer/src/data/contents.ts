@@ -49,6 +49,22 @@ export interface StoredContents {
   /// Titles of figures that are too large for the page.
   readonly left_out?: readonly string[];
   readonly warnings?: readonly string[];
+  /// Shaft lines between stations, of modes and responses of few points.
+  readonly lines?: readonly StoredLines[];
+}
+
+/// Places along shafts, and how they move at every point in every mode (one "mode" for a response), as finite elements
+/// bend.
+export interface StoredLines {
+  readonly table: string;
+  readonly modes: number;
+  /// [places] number of the shaft, from 1.
+  readonly shaft: readonly number[];
+  /// [places] m along the shaft, float64, little-endian, base64.
+  readonly position: string;
+  /// [points][modes][places][4] x cos, x sin, y cos, y sin in the units of shapes, or in length scales; float32,
+  /// little-endian, base64; NaN where a line is not known.
+  readonly moved: string;
 }
 
 export type LiveView = 'modes' | 'unbalance' | 'motions' | '';

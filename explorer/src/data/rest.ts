@@ -2,7 +2,8 @@
 // views of the same numbers are derived here: ellipses, and their signals at a probe.
 import type { StationInfo } from '../engine/protocol';
 import { Diagram } from './diagram';
-import { float32Of, type Run } from './run';
+import type { StoredLines } from './contents';
+import { float32Of, float64Of, type Run } from './run';
 import { FIELD } from './fields';
 
 /// A harmonic motion of a station: x = xc cos t + xs sin t, y alike.
@@ -97,6 +98,14 @@ export function seenBy({ xc, xs, yc, ys }: Sway, angle: number): { readonly ampl
   return { amplitude, lag: amplitude > 0 ? (((Math.atan2(late, real) / RADIAN) % 360) + 360) % 360 : NaN };
 }
 
+/// The shafts of a machine in a harmonic motion: places along them.
+export interface ShaftLine {
+  /// Number of each place's shaft, from 1, and its position along it, m.
+  readonly shaft: readonly number[];
+  readonly position: Float64Array;
+  readonly sways: readonly Sway[];
+}
+
 /// Lines along which modes were followed: their names, and the line of each mode, [points][modes].
 interface Lines {
   readonly names: readonly string[];
@@ -107,6 +116,7 @@ export class AtRest {
   /// Points by rising value.
   readonly order: readonly number[];
   private found: readonly (readonly Place[])[] | undefined;
+  private moved: Float32Array | undefined;
 
   private constructor(
     readonly kind: 'modes' | 'unbalance',
@@ -117,6 +127,7 @@ export class AtRest {
     readonly probe: number,
     private readonly lines: Lines | undefined,
     private readonly contacts: readonly string[],
+    private readonly bent: StoredLines | undefined,
   ) {
     this.order = Array.from(diagram.values.keys())
       .filter((point) => diagram.done[point])
@@ -143,7 +154,9 @@ export class AtRest {
     const { mode_names: names, mode_lines: of } = table;
     const lines = names && of ? { names, of: float32Of(of) } : undefined;
     const probe = (table.probe_angle ?? 0) / RADIAN;
-    return new AtRest(kind, diagram, run.stations, critical, probe, lines, run.contacts);
+    // Points of a thinned table have other numbers.
+    const bent = table.count === table.points ? run.lines?.find((each) => each.table === table.name) : undefined;
+    return new AtRest(kind, diagram, run.stations, critical, probe, lines, run.contacts, bent);
   }
 
   /// Returns the point `steps` after the one at a value.
@@ -160,6 +173,19 @@ export class AtRest {
   /// Returns the contacts that are closed at rest.
   closedContacts(point: number): readonly string[] {
     return this.contacts.filter((_, contact) => this.diagram.number(point, FIELD.RANGES_HELD, contact) > 0);
+  }
+
+  /// Returns the shafts between stations in a mode (0 for a response); undefined if they are not known.
+  shafts(point: number, mode = 0): ShaftLine | undefined {
+    const { bent } = this;
+    if (!bent || point < 0 || mode >= bent.modes) return undefined;
+    this.moved ??= float32Of(bent.moved);
+    const { shaft, modes } = bent;
+    const first = 4 * shaft.length * (point * modes + mode);
+    const number = (place: number, part: number) => this.moved![first + 4 * place + part]!;
+    if (!Number.isFinite(number(0, 0))) return undefined;
+    const sways = shaft.map((_, i) => ({ xc: number(i, 0), xs: number(i, 1), yc: number(i, 2), ys: number(i, 3) }));
+    return { shaft, position: float64Of(bent.position), sways };
   }
 
   // ---------------------------------------------------------------- modes

@@ -1,6 +1,7 @@
 // The machine in one harmonic motion: orbits of its stations along the shaft, and both displacements over the position.
-// Stations of shafts of finite elements are at their positions; the others follow with even spacing.
-import { largestOf, reachOf, senseOf, swayAt, whirlOf, WHIRL_TEXT, type Sway } from '../data/rest';
+// Stations of shafts of finite elements are at their positions; the others follow with even spacing. Between stations
+// shafts bend as their elements do, where the result has that; else lines are straight.
+import { largestOf, reachOf, senseOf, swayAt, whirlOf, WHIRL_TEXT, type ShaftLine, type Sway } from '../data/rest';
 import type { StationInfo } from '../engine/protocol';
 import { Chart, type Frame, type Range } from '../figure/chart';
 import { textSize } from '../figure/figure';
@@ -20,6 +21,18 @@ export interface Motion {
   readonly factor: number;
   readonly unit: string;
   readonly text: string;
+  /// Shafts between stations; undefined: straight lines from station to station.
+  readonly line: ShaftLine | undefined;
+}
+
+/// Returns each shaft of a motion as places along it with their motions.
+function shaftsOf({ line, sways }: Motion, layout: Layout): (readonly (readonly [number, Sway])[])[] {
+  if (!line)
+    return layout.lines.map((shaft) => shaft.map((station) => [layout.at[station]!, sways[station]!] as const));
+  const numbers = [...new Set(line.shaft)];
+  return numbers.map((number) =>
+    line.sways.flatMap((sway, i) => (line.shaft[i] === number ? [[line.position[i]!, sway] as const] : [])),
+  );
 }
 
 export interface SwaySubject extends RestSubject {
@@ -37,7 +50,7 @@ interface Layout {
   readonly end: number;
 }
 
-export function layoutOf(stations: readonly StationInfo[]): Layout {
+export function layoutOf(stations: readonly StationInfo[], line?: ShaftLine): Layout {
   const shafts = new Map<number, number[]>();
   stations.forEach(({ shaft }, i) => shaft > 0 && shafts.set(shaft, [...(shafts.get(shaft) ?? []), i]));
   const lines = [...shafts.values()].map((line) => line.sort((a, b) => stations[a]!.position - stations[b]!.position));
@@ -45,7 +58,7 @@ export function layoutOf(stations: readonly StationInfo[]): Layout {
     const at = stations.map((_, i) => i + 1);
     return { at, lines: [], range: [0.5, stations.length + 0.5], end: Infinity };
   }
-  const places = lines.flat().map((i) => stations[i]!.position);
+  const places = [...lines.flat().map((i) => stations[i]!.position), ...(line?.position ?? [])];
   const [low, high] = [Math.min(...places), Math.max(...places)];
   const step = 0.16 * (high - low) || 1;
   let others = 0;
@@ -85,17 +98,18 @@ export class ShapePanel extends Panel<SwaySubject> {
 
   private draw(pen: Pen, width: number, height: number, colours: Theme): void {
     const { motion, rest } = this.subject!;
-    const layout = layoutOf(rest.stations);
+    const layout = layoutOf(rest.stations, motion.line);
     const size = textSize();
     const [low, high] = layout.range;
     const reach = Math.min(0.3 * height, 0.12 * width + 0.1 * height);
-    const scale = reach / reachOfAll(motion.sways);
+    const scale = reach / reachOfAll([...motion.sways, ...(motion.line?.sways ?? [])]);
     const slant = 0.42;
     const middle = 0.5 * height - 0.4 * size;
     const across = (at: number) => 0.5 * reach + ((width - reach) * (at - low)) / (high - low);
     // x comes out of the plane of the drawing, to the left and down.
-    const place = (station: number, [x, y]: readonly [number, number]) =>
-      [across(layout.at[station]!) - slant * scale * x, middle - scale * y + 0.6 * slant * scale * x] as const;
+    const placeAt = (at: number, [x, y]: readonly [number, number]) =>
+      [across(at) - slant * scale * x, middle - scale * y + 0.6 * slant * scale * x] as const;
+    const place = (station: number, xy: readonly [number, number]) => placeAt(layout.at[station]!, xy);
     pen.strokeStyle = colours.frame;
     pen.lineWidth = 1;
     for (const line of layout.lines)
@@ -106,10 +120,10 @@ export class ShapePanel extends Panel<SwaySubject> {
     motion.sways.forEach((sway, station) => drawOrbit(pen, sway, (xy) => place(station, xy), colours));
     pen.strokeStyle = colours.ink;
     pen.lineWidth = 1.8;
-    for (const line of layout.lines)
+    for (const shaft of shaftsOf(motion, layout))
       polyline(
         pen,
-        line.map((station) => place(station, swayAt(motion.sways[station]!, 0))),
+        shaft.map(([at, sway]) => placeAt(at, swayAt(sway, 0))),
       );
     drawNames(pen, rest.stations, layout.at.map(across), height - 0.5 * size, colours, size);
     drawTriad(pen, [1.3 * size, 1.6 * size], size, colours);
@@ -196,15 +210,20 @@ function drawTriad(pen: Pen, [x, y]: readonly [number, number], size: number, co
   }
 }
 
+/// Returns the stations, and then the places of shafts between them.
 function tableOf({ rest, motion }: SwaySubject): Table {
   const unit = motion.unit ? ` (${motion.unit})` : '';
+  const row = (name: string, shaft: number, position: number, sway: Sway) => {
+    const parts = [sway.xc, sway.xs, sway.yc, sway.ys].map((each) => each * motion.factor);
+    return [name, shaft || '', shaft ? position : '', ...parts, WHIRL_TEXT[whirlOf(senseOf(sway))]];
+  };
+  const { line } = motion;
   return {
     heading: ['station', 'shaft', 'z (m)', ...['x cos', 'x sin', 'y cos', 'y sin'].map((part) => part + unit), 'whirl'],
-    rows: rest.stations.map(({ name, shaft, position }, i) => {
-      const sway = motion.sways[i]!;
-      const parts = [sway.xc, sway.xs, sway.yc, sway.ys].map((each) => each * motion.factor);
-      return [name, shaft || '', shaft ? position : '', ...parts, WHIRL_TEXT[whirlOf(senseOf(sway))]];
-    }),
+    rows: [
+      ...rest.stations.map(({ name, shaft, position }, i) => row(name, shaft, position, motion.sways[i]!)),
+      ...(line ? line.sways.map((sway, i) => row('', line.shaft[i]!, line.position[i]!, sway)) : []),
+    ],
   };
 }
 
@@ -227,8 +246,8 @@ export class DisplacementsPanel extends Panel<SwaySubject> {
   protected refresh(): void {
     const { motion, rest, units } = this.subject!;
     this.stations = rest.stations;
-    const layout = layoutOf(rest.stations);
-    const most = 1.15 * reachOfAll(motion.sways) * motion.factor;
+    const layout = layoutOf(rest.stations, motion.line);
+    const most = 1.15 * reachOfAll([...motion.sways, ...(motion.line?.sways ?? [])]) * motion.factor;
     const along = positionMeasure(units);
     const factor = layout.lines.length > 0 ? along.factor : 1;
     this.figure.setAxes(
@@ -255,7 +274,7 @@ export class DisplacementsPanel extends Panel<SwaySubject> {
   private drawMotion(pen: Pen, frame: Frame, colours: Theme): void {
     if (!this.subject) return;
     const { motion, units } = this.subject;
-    const layout = layoutOf(this.stations);
+    const layout = layoutOf(this.stations, motion.line);
     const factor = layout.lines.length > 0 ? positionMeasure(units).factor : 1;
     const size = textSize() * frame.ratio;
     const across = (station: number) => frame.x(layout.at[station]! * factor);
@@ -268,14 +287,16 @@ export class DisplacementsPanel extends Panel<SwaySubject> {
     if (Number.isFinite(layout.end)) this.drawAside(pen, frame, frame.x(layout.end * factor), colours, size, across);
     for (const [axis, colour] of [colours.x, colours.y].entries())
       for (const later of [true, false]) {
-        const place = (station: number) => {
-          const value = swayAt(motion.sways[station]!, later ? Math.PI / 2 : 0)[axis]!;
-          return [across(station), frame.y(value * motion.factor)] as const;
-        };
+        const heightOf = (sway: Sway) => frame.y(swayAt(sway, later ? Math.PI / 2 : 0)[axis]! * motion.factor);
+        const place = (station: number) => [across(station), heightOf(motion.sways[station]!)] as const;
         pen.strokeStyle = pen.fillStyle = colour;
         pen.lineWidth = 1.5 * frame.ratio;
         pen.setLineDash(later ? [5 * frame.ratio, 4 * frame.ratio] : []);
-        for (const line of layout.lines) polyline(pen, line.map(place));
+        for (const shaft of shaftsOf(motion, layout))
+          polyline(
+            pen,
+            shaft.map(([at, sway]) => [frame.x(at * factor), heightOf(sway)] as const),
+          );
         pen.setLineDash([]);
         motion.sways.forEach((_, station) => drawDot(pen, place(station), 2.8 * frame.ratio, later, colours));
       }
@@ -325,6 +346,6 @@ function drawDot(pen: Pen, [x, y]: readonly [number, number], radius: number, op
 }
 
 /// Returns the text of the largest displacement, which follows a text such as "forward, 104.2 Hz".
-export function sizeText({ sways, factor, unit }: Omit<Motion, 'text'>): string {
+export function sizeText({ sways, factor, unit }: Omit<Motion, 'text' | 'line'>): string {
   return `largest ${shown(reachOfAll(sways) * factor, 4)} ${unit}`.trim();
 }

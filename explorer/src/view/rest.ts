@@ -229,7 +229,8 @@ function motionOf(subject: RestSubject): Motion {
   if (rest.kind === 'unbalance') {
     const sways = rest.stations.map((_, station) => rest.response(point, station));
     const { factor, unit } = amplitudeMeasure(units, scales);
-    return { sways, factor, unit, text: `${sizeText({ sways, factor, unit })}; the dot: at the mark` };
+    const text = `${sizeText({ sways, factor, unit })}; the dot: at the mark`;
+    return { sways, factor, unit, text, line: rest.shafts(point) };
   }
   const index = modeOf(subject);
   const mode = rest.modes(point)[index];
@@ -238,6 +239,7 @@ function motionOf(subject: RestSubject): Motion {
     sways: rest.shape(point, index),
     factor: 1,
     unit: '',
+    line: rest.shafts(point, index),
     text: mode
       ? `mode ${index + 1}${mode.name && ` (${mode.name})`}, ${WHIRL_TEXT[whirlOf(mode.direction)]}, ` +
         `${shownWhole(mode.frequency * frequency.factor, 5)} ${frequency.unit}; the dots move from blank to bright`

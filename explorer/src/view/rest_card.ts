@@ -1,7 +1,7 @@
 // The card of a pair of charts of a machine at rest: choice of quantities, mode of dragging, located points.
 import type { AtRest } from '../data/rest';
 import { button, el, Segments } from '../dom';
-import { naturalMeasure, parameterMeasure, shownWhole, written } from '../model/units';
+import { naturalMeasure, parameterMeasure, shownWhole } from '../model/units';
 import { criticalText, dampingText } from './campbell';
 import { fileName, saveMenu } from './panel';
 import { keyElements, type RestChart, type RestSubject } from './rest_subject';
@@ -127,8 +127,8 @@ export class RestCard {
     ];
     const rows = rest.critical.map((found) => [
       criticalText(found),
-      this.goal(written(found.value * value.factor, 9), found.value),
-      shownWhole(found.frequency * frequency.factor, 6),
+      this.goal(shownWhole(found.value * value.factor, 5), found.value),
+      shownWhole(found.frequency * frequency.factor, 5),
       found.kind === 'critical' ? dampingText(found.ratio) : '0',
     ]);
     this.critical.replaceChildren(numbersTable('Critical speeds and thresholds of stability', heading, rows));

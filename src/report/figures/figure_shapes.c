@@ -74,10 +74,11 @@ static void shapes_describe(const drawing *of, const figure_place *place, whirl_
         figure->caption, sizeof figure->caption,
         "Shapes of the %zu lowest modes at %s, over %s: blue x, orange y%s; full lines at the instant at which the "
         "largest displacement peaks, dashed lines a quarter of a period later; marks at stations.%s",
-        count, label, table_has(table, WHIRL_FIELD_MODES_TWIST) ? ", purple the twist of torsional modes" : "",
+        count, label,
         !places.shafts     ? "the stations"
         : places.aside > 0 ? "the place of the stations along the shaft, and those on no shaft"
                            : "the place of the stations along the shaft",
+        table_has(table, WHIRL_FIELD_MODES_TWIST) ? ", purple the twist of torsional modes" : "",
         along_caption(&places));
     layout_free(places.layout);
 }
