@@ -13,6 +13,7 @@ typedef struct member {
     whirl_station_statics *statics; ///< [stations] if requested
     double *influence;              ///< [stations][stations]
     double changed_speed;           ///< rad/s, of the drive without load after a change; 0: none
+    course_run *course;             ///< events and laws of a run-up, or NULL
 } member;
 
 static void family_release(void *owner) {
@@ -21,6 +22,7 @@ static void family_release(void *owner) {
     free(m->start);
     free(m->statics);
     free(m->influence);
+    course_free(m->course);
     free(m);
 }
 
@@ -72,25 +74,35 @@ static whirl_status make_statics(const case_content *content, const whirl_batch 
     return machine_statics(&content->machine, v, batch->record.coupling, m->statics, m->influence);
 }
 
-/// Checks the options of a run-up against the rotor.
-static whirl_status check_runup(const whirl_rotor *rotor, const whirl_runup_options *options) {
-    double highest = 0.0;
-    const bool driven = whirl_rotor_drive(rotor, &highest);
-    const whirl_status status = whirl_runup_check(options, driven, highest);
-    return status.code == WHIRL_OK ? whirl_running_check(whirl_rotor_system(rotor), options->rate == 0.0) : status;
+/// Returns the events and laws of a batch's runs, or NULL.
+static const course_parts *family_course(const case_content *content, const whirl_batch *batch) {
+    const size_t index = plan_batch(&content->plan, batch->name);
+    return index < content->plan.batch_count ? content->plan.origins[index].course : NULL;
 }
 
-/// Checks that the machine may change as the batch says, and finds the speed of its drive without load after that.
-static whirl_status check_change(const case_content *content, const whirl_batch *batch, double value,
+/// Evaluates the parameters of a requested machine: events of its run that have happened have changed some of them.
+static whirl_status family_open(const case_content *content, const whirl_batch *batch, double value, valuation *v) {
+    whirl_given given[PLAN_MAX_GIVEN + WHIRL_MAX_EVENTS * WHIRL_MAX_GIVEN];
+    size_t count = plan_given(batch, value, batch->second_value, batch->third_value, given);
+    whirl_status status = valuation_open(v, &content->parameters, given, count);
+    if (batch->happened_count == 0 || status.code != WHIRL_OK) return status;
+    for (size_t i = 0; i < batch->happened_count && status.code == WHIRL_OK; i++)
+        status = course_given(family_course(content, batch), batch->happened[i], v, given, &count);
+    valuation_close(v);
+    return status.code == WHIRL_OK ? valuation_open(v, &content->parameters, given, count) : status;
+}
+
+/// Checks that the machine may change as an event says, and finds the speed of its drive without load after that.
+static whirl_status check_change(const case_content *content, const whirl_batch *batch, double value, size_t event,
                                  const whirl_rotor *rotor, double *highest) {
     valuation v;
-    whirl_given given[PLAN_MAX_GIVEN];
     whirl_rotor *changed = NULL;
     *highest = 0.0;
     whirl_batch after = *batch;
-    after.with_change = after.outline = true;
-    const size_t count = plan_given(&after, value, after.second_value, after.third_value, given);
-    whirl_status status = valuation_open(&v, &content->parameters, given, count);
+    after.outline = true;
+    after.happened_count = 1;
+    after.happened[0] = (unsigned char)event;
+    whirl_status status = family_open(content, &after, value, &v);
     if (status.code == WHIRL_OK) status = family_build(&content->machine, &after, value, &v, &changed);
     if (status.code == WHIRL_BAD_INPUT)
         status = whirl_fail(WHIRL_BAD_INPUT, "after its change: %.300s", status.message);
@@ -102,17 +114,39 @@ static whirl_status check_change(const case_content *content, const whirl_batch 
     return status;
 }
 
+/// Makes the course of a run, and checks it and the options against the rotor.
+static whirl_status make_run(const case_content *content, const whirl_batch *batch, double value, valuation *v,
+                             member *m) {
+    const course_parts *parts = family_course(content, batch);
+    const whirl_runup_options *options = &batch->record.runup;
+    const bool driven = whirl_runup_driven(options);
+    double highest = 0.0;
+    const bool has_drive = whirl_rotor_drive(m->rotor, &highest);
+    whirl_status status = whirl_runup_check(options, has_drive, highest);
+    if (status.code == WHIRL_OK) status = whirl_running_check(whirl_rotor_system(m->rotor), driven);
+    if (status.code != WHIRL_OK || !parts || batch->happened_count > 0 || batch->speed != 0.0) return status;
+    status = course_make(parts, &content->machine, v, whirl_rotor_length_scale(m->rotor), &m->course);
+    for (size_t i = 0; i < parts->event_count && status.code == WHIRL_OK; i++) {
+        const whirl_run_event *event = &course_shown(m->course)->events[i];
+        double after = 0.0;
+        if (event->trip && !driven)
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "event %zu is a trip of the drive and the run has a given speed, "
+                              "expected one of them",
+                              i + 1);
+        if (event->changes) status = check_change(content, batch, value, i, m->rotor, &after);
+        m->changed_speed = fmax(m->changed_speed, after);
+    }
+    return status;
+}
+
 static whirl_status make_member(const case_content *content, const whirl_batch *batch, double value, member *m) {
     valuation v;
-    whirl_given given[PLAN_MAX_GIVEN];
-    const size_t count = plan_given(batch, value, batch->second_value, batch->third_value, given);
-    whirl_status status = valuation_open(&v, &content->parameters, given, count);
+    whirl_status status = family_open(content, batch, value, &v);
     if (status.code == WHIRL_OK) status = family_build(&content->machine, batch, value, &v, &m->rotor);
     if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(m->rotor));
     if (status.code == WHIRL_OK && whirl_analysis_has(batch->analyses, "runup"))
-        status = check_runup(m->rotor, &batch->record.runup);
-    if (status.code == WHIRL_OK && batch->changed_count > 0 && !batch->with_change && batch->speed == 0.0)
-        status = check_change(content, batch, value, m->rotor, &m->changed_speed);
+        status = make_run(content, batch, value, &v, m);
     if (status.code == WHIRL_OK && !batch->outline) status = whirl_rotor_hold(m->rotor, batch->integrate.stop);
     if (status.code == WHIRL_OK) status = make_start(content, batch, &v, m);
     if (status.code == WHIRL_OK) status = make_statics(content, batch, &v, m);
@@ -149,6 +183,7 @@ whirl_status case_machine(const void *family, const whirl_batch *batch, double v
                                .influence = m->influence};
     whirl_rotor_drive(m->rotor, &machine->drive_speed);
     machine->drive_speed = fmax(machine->drive_speed, m->changed_speed);
+    machine->course = course_shown(m->course);
     return whirl_ok();
 }
 

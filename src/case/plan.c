@@ -518,7 +518,6 @@ size_t plan_given(const whirl_batch *batch, double value, double second, double 
     size_t count = 0;
     for (size_t i = 0; i < 3 && *varied[i].name && !isnan(varied[i].value); i++) given[count++] = varied[i];
     for (size_t i = 0; i < batch->given_count; i++) given[count++] = batch->given[i];
-    for (size_t i = 0; batch->with_change && i < batch->changed_count; i++) given[count++] = batch->changed[i];
     return count;
 }
 

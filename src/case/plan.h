@@ -19,7 +19,7 @@ enum { SCHEMA_VERSION = 1, SCHEMA_MAX_POINTS = 10000000, SCHEMA_MAX_DETAIL = 100
 extern const whirl_group schema_still_rotor;
 extern const whirl_group schema_case, schema_document, schema_rotor, schema_study, schema_response, schema_sweep,
     schema_map, schema_basin, schema_axis, schema_motions, schema_branch, schema_curves, schema_initial, schema_starts,
-    schema_integrate, schema_keep, schema_detail;
+    schema_integrate, schema_keep, schema_detail, schema_event;
 
 #define SCHEMA_INDEX_AT_REST(name, ...) SCHEMA_AT_REST_##name,
 
@@ -49,14 +49,15 @@ typedef struct plan_range {
 
 /// Places of a batch in the case.
 typedef struct plan_origin {
-    const file_node *place;        ///< place of the whole batch
-    const file_node *const *each;  ///< [count] places of the values, if each has one; NULL: only the ends have
-    const file_node *first, *last; ///< places of the ends of the sweep
-    const file_node *across;       ///< place of the last value from row to row of a map
-    const file_node *planes;       ///< ... from plane to plane
-    whirl_unit units[3];           ///< units of the values where their parameter has another unit, size 0: none
-    double end;                    ///< end that the steps of the sweep do not reach; NaN if they reach it
-    bool rest;                     ///< points start from zero instead of the initial state
+    const struct course_parts *course; ///< events and laws of a run-up, or NULL
+    const file_node *place;            ///< place of the whole batch
+    const file_node *const *each;      ///< [count] places of the values, if each has one; NULL: only the ends have
+    const file_node *first, *last;     ///< places of the ends of the sweep
+    const file_node *across;           ///< place of the last value from row to row of a map
+    const file_node *planes;           ///< ... from plane to plane
+    whirl_unit units[3];               ///< units of the values where their parameter has another unit, size 0: none
+    double end;                        ///< end that the steps of the sweep do not reach; NaN if they reach it
+    bool rest;                         ///< points start from zero instead of the initial state
 } plan_origin;
 
 typedef struct study_plan {
@@ -98,10 +99,10 @@ typedef struct condition_parts {
 /// A study at rest, or motions next to such studies.
 typedef struct resting_parts resting_parts;
 struct resting_parts {
-    char name[WHIRL_NAME_SIZE];      ///< name of its table
-    axis_parts axis;                 ///< axis with its group; without a parameter there is one point
-    const resting_parts *unbalances; ///< for motions: the study that places their unbalances, or NULL
-    condition_parts change;          ///< for run-ups: parameters that change in them
+    char name[WHIRL_NAME_SIZE];        ///< name of its table
+    axis_parts axis;                   ///< axis with its group; without a parameter there is one point
+    const resting_parts *unbalances;   ///< for motions: the study that places their unbalances, or NULL
+    const struct course_parts *course; ///< for run-ups: their events and laws, or NULL
 };
 
 enum { PLAN_MAX_RESTING = 16, PLAN_MAX_CONDITIONS = 8 };
@@ -215,5 +216,61 @@ void resting_read(case_reader *reader, const machine_parts *machine, plan_parts 
 
 /// Makes the batches of studies at rest after the existing ones, as plan_make does.
 void resting_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result);
+
+/// Reads the key `change`: parameters with the values that they have after it.
+void resting_read_change(case_reader *reader, setting_list *keys, condition_parts *change);
+
+/// Reads one station, or several as a list, or as a text with blanks as in options of analyses.
+void resting_read_stations(case_reader *reader, const machine_parts *machine, const setting_list *keys, const char *key,
+                           bool several);
+
+// ---------------------------------------------------------------- plan_course
+// The course of a run: its events, and its laws of speed, torque and ground.
+
+/// An event as the case has it.
+typedef struct course_event {
+    const file_node *place;
+    setting_list keys; ///< its keys, or those of the run
+    bool alone;        ///< it is the change that the run's own keys give
+    const char *name;  ///< or NULL
+    size_t after;      ///< index of the event before, or WHIRL_NO_EVENT
+    const char *when;  ///< formula, or NULL
+    size_t station;    ///< where an unbalance appears; the number of stations: nowhere
+    bool trip, end;
+    condition_parts change; ///< parameters that change
+} course_event;
+
+/// A row of the speed table.
+typedef struct speed_row {
+    const file_node *place;
+    number_formula time, speed;
+} speed_row;
+
+typedef struct course_parts {
+    size_t event_count;
+    course_event events[WHIRL_MAX_EVENTS];
+    size_t speed_count;
+    speed_row *speeds;
+    const char *laws[WHIRL_FORMULA_EVENT]; ///< formulas in the order of whirl_run_formula, or NULL
+} course_parts;
+
+/// A course with the values of a point.
+typedef struct course_run course_run;
+
+/// Reads the course from the keys of a run; NULL if there is none, or no memory.
+const course_parts *course_read(case_reader *reader, const machine_parts *machine, setting_list *keys);
+
+/// Evaluates its expressions and reports wrong ones. Returns false if there are any.
+bool course_check(case_reader *reader, valuation *v, const course_parts *parts);
+
+/// Makes the course at a point, of a machine with that unit of displacement, m. *out is freed by course_free, after a
+/// failure, too.
+whirl_status course_make(const course_parts *parts, const machine_parts *machine, valuation *v, double length,
+                         course_run **out);
+const whirl_run_course *course_shown(const course_run *run);
+void course_free(course_run *run);
+
+/// Adds the values that an event gives to parameters behind given [*count], at most WHIRL_MAX_GIVEN.
+whirl_status course_given(const course_parts *parts, size_t event, valuation *v, whirl_given *given, size_t *count);
 
 #endif

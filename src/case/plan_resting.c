@@ -83,9 +83,8 @@ static bool add_stations(case_reader *reader, const file_node *where, const mach
     return any;
 }
 
-/// Reads one station, or several as a list, or as a text with blanks as in options of analyses.
-static void read_stations(case_reader *reader, const machine_parts *machine, const setting_list *keys, const char *key,
-                          bool several) {
+void resting_read_stations(case_reader *reader, const machine_parts *machine, const setting_list *keys, const char *key,
+                           bool several) {
     char names[WHIRL_NAME_SIZE] = "";
     for (size_t i = 0; i < keys->count; i++) {
         setting *given = &keys->items[i];
@@ -181,15 +180,14 @@ static void read_conditions(case_reader *reader, plan_parts *parts) {
     for (const file_node *one = where->first; one; one = one->next) read_condition(reader, one, parts);
 }
 
-/// Reads the parameters that change in a run.
-static void read_change(case_reader *reader, resting_parts *resting) {
+void resting_read_change(case_reader *reader, setting_list *keys, condition_parts *change) {
     char shown[SHOWN_SIZE], names[WHIRL_NAME_SIZE] = "";
     setting *given = NULL;
-    for (size_t i = 0; i < resting->axis.keys.count; i++)
-        if (strcmp(resting->axis.keys.items[i].key->name, "change") == 0) given = &resting->axis.keys.items[i];
+    for (size_t i = 0; i < keys->count; i++)
+        if (strcmp(keys->items[i].key->name, "change") == 0) given = &keys->items[i];
     if (!given) return;
     const file_node *where = given->place;
-    resting->change.place = where;
+    change->place = where;
     if (where->kind != NODE_MAPPING || where->count == 0 || where->count > WHIRL_MAX_GIVEN) {
         problem_at(reader->problems, where, "is %s, expected 1 to %d parameters with their values after the change",
                    where->kind == NODE_MAPPING ? where->count ? "a longer list" : "empty" : node_shown(where, shown),
@@ -198,7 +196,7 @@ static void read_change(case_reader *reader, resting_parts *resting) {
     }
     for (const file_node *one = where->first; one; one = one->next) {
         const size_t used = strlen(names);
-        read_given(reader, one, &resting->change);
+        read_given(reader, one, change);
         snprintf(names + used, sizeof names - used, "%s%.40s", used ? ", " : "", one->key);
     }
     given->word = arena_text(reader->arena, names, strlen(names));
@@ -222,11 +220,11 @@ static void read_one(case_reader *reader, const file_node *where, const whirl_gr
     const bool varies = settings_find(&axis->keys, "parameter") != NULL;
     if (varies) plan_read_axis(reader, axis);
     check_bearings(reader, axis);
-    read_stations(reader, machine, &axis->keys, "at", false);
-    read_stations(reader, machine, &axis->keys, "probes_at", true);
-    read_stations(reader, machine, &axis->keys, "coupling", true);
-    read_stations(reader, machine, &axis->keys, "loss_at", false);
-    read_change(reader, resting);
+    resting_read_stations(reader, machine, &axis->keys, "at", false);
+    resting_read_stations(reader, machine, &axis->keys, "probes_at", true);
+    resting_read_stations(reader, machine, &axis->keys, "coupling", true);
+    resting_read_stations(reader, machine, &axis->keys, "loss_at", false);
+    if (group == &schema_at_rest[SCHEMA_AT_REST_runup]) resting->course = course_read(reader, machine, &axis->keys);
     if (group == &schema_motions) read_unbalances(reader, parts, resting);
     for (size_t i = 0; i < sizeof keys / sizeof *keys && !varies; i++) {
         const setting *given = settings_find(&axis->keys, keys[i]);
@@ -317,6 +315,7 @@ static void finish_resting(case_reader *reader, valuation *v, const resting_part
     whirl_analysis_add(&own, resting->axis.keys.group->name);
     batch->integrate = whirl_integrate_default();
     batch->record = resting_options(v, resting, &batch->integrate);
+    if (resting->course) batch->record.runup.event_count = (int)resting->course->event_count;
     check_running(reader, resting, &batch->record);
     check_placed(reader, resting, &batch->record);
     plan_choose_analyses(batch, own, false);
@@ -363,10 +362,7 @@ static void make_one(case_reader *reader, valuation *v, const plan_parts *parts,
                                                  : plan_add_batch(result, role, resting->name, keys->place);
     if (!batch) return;
     memcpy(batch->name, name, sizeof batch->name);
-    if (resting->change.count > 0) {
-        batch->changed = condition_values(reader, v, &resting->change);
-        batch->changed_count = batch->changed ? resting->change.count : 0;
-    }
+    result->origins[result->batch_count - 1].course = resting->course;
     batch->given = given;
     batch->given_count = condition ? condition->count : 0;
     if (keys->group == &schema_motions)
@@ -377,8 +373,11 @@ static void make_one(case_reader *reader, valuation *v, const plan_parts *parts,
 
 void resting_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
     const whirl_given *given[PLAN_MAX_CONDITIONS];
-    for (size_t i = 0; i < parts->resting_count; i++)
-        if (!settings_check(reader, v, &parts->resting[i].axis.keys)) return;
+    for (size_t i = 0; i < parts->resting_count; i++) {
+        const resting_parts *resting = &parts->resting[i];
+        if (!settings_check(reader, v, &resting->axis.keys)) return;
+        if (resting->course && !course_check(reader, v, resting->course)) return;
+    }
     for (size_t c = 0; c < parts->condition_count; c++) {
         given[c] = condition_values(reader, v, &parts->conditions[c]);
         if (!given[c]) return;

@@ -163,6 +163,24 @@ static const whirl_key detail_keys[] = {
     NUMBER_KEY("at", "", "", REQUIRED, WHIRL_ANY, "a list of values of the swept parameter"),
 };
 
+static const whirl_key event_keys[] = {
+    CHOICE_KEY("name", OPTIONAL, "", "a name for `after` of later events"),
+    NUMBER_KEY("time", "", "s", OPTIONAL, WHIRL_NOT_NEGATIVE,
+               "when it happens, since the beginning or since the event of after"),
+    NUMBER_KEY("speed", "", "rad/s", OPTIONAL, WHIRL_POSITIVE, "speed at which it happens when it is passed"),
+    CHOICE_KEY("passing", DEFAULT("either"), "rising|falling|either", "how the speed passes"),
+    CHOICE_KEY("when", OPTIONAL, "",
+               "a formula or a comparison: it happens once it is not below 0, or holds (time, speed, STATION_x, "
+               "STATION_y, STATION_radius, STATION_vx, STATION_vy, STATION_speed and parameters, in SI)"),
+    CHOICE_KEY("after", OPTIONAL, "", "name of the event that must have happened before"),
+    CHOICE_KEY("trip", DEFAULT("no"), "yes|no|true|false", "yes: the motor is lost, its load is not"),
+    CHOICE_KEY("end", DEFAULT("no"), "yes|no|true|false", "yes: the run ends"),
+    CHOICE_KEY("loss_at", OPTIONAL, "", "station where a blade is lost: an unbalance appears"),
+    NUMBER_KEY("loss_moment", "", "kg m", OPTIONAL, WHIRL_POSITIVE, "that unbalance"),
+    ANGLE_KEY("loss_angle", "", "loss_at", "where it is on the shaft, as angles of unbalances"),
+    CHOICE_KEY("change", OPTIONAL, "", "names of parameters with the values that they have from then on"),
+};
+
 static const whirl_key starts_keys[] = {
     WHOLE_KEY("count", "", OPTIONAL, WHIRL_FROM_TO(2, WHIRL_MAX_STARTS),
               "starts of every point; the first is the initial state itself, the others fill the ranges evenly, by the "
@@ -210,6 +228,7 @@ const whirl_group schema_branch =
     GROUP("branch", "branches of periodic orbits and equilibria along one parameter", branch_keys, of_options);
 const whirl_group schema_curves = GROUP("curves", "curves of special points over two parameters", curves_keys, NULL);
 const whirl_group schema_initial = PART("initial", "the state that a station starts from", of_probe);
+const whirl_group schema_event = GROUP("event", "an event of a run-up", event_keys, NULL);
 const whirl_group schema_starts = GROUP("starts", "several starts of every point", starts_keys, NULL);
 const whirl_group schema_integrate = PART("integrate", "method and length of the integration", of_options);
 const whirl_group schema_keep = PART("keep", "parts of waveforms and spectra that are kept", of_options);
@@ -224,15 +243,25 @@ const char *schema_scaled_unit(const whirl_key *key) {
 
 const whirl_group *const *whirl_case_groups(void) {
     static const whirl_group *const groups[] = {
-        &schema_case,      &schema_document,
-        &schema_rotor,     &schema_study,
-        &schema_response,  &schema_sweep,
-        &schema_map,       &schema_basin,
-        &schema_axis,      WHIRL_STUDIES_AT_REST(ADDRESS_AT_REST) & schema_motions,
-        &schema_branch,    &schema_curves,
-        &schema_initial,   &schema_starts,
-        &schema_integrate, &schema_keep,
-        &schema_detail,    NULL,
+        &schema_case,
+        &schema_document,
+        &schema_rotor,
+        &schema_study,
+        &schema_response,
+        &schema_sweep,
+        &schema_map,
+        &schema_basin,
+        &schema_axis,
+        WHIRL_STUDIES_AT_REST(ADDRESS_AT_REST) & schema_motions,
+        &schema_branch,
+        &schema_curves,
+        &schema_initial,
+        &schema_starts,
+        &schema_integrate,
+        &schema_keep,
+        &schema_detail,
+        &schema_event,
+        NULL,
     };
     return groups;
 }

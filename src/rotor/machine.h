@@ -57,6 +57,7 @@ struct whirl_rotor {
     size_t turning_count;
     turning_inertia *turnings; ///< [turning_count] as in the assembly
     double pull[2];            ///< m/s2, gravity across the shafts
+    double *weight;            ///< [2][degrees] kg, or kg m of a tilt: force by a pull of 1 m/s2 along x, then along y
     shaft_drive drive;         ///< as in the assembly
     size_t torque_count;
     shaft_torque *torques; ///< [torque_count] as in the assembly

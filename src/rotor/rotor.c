@@ -90,7 +90,8 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
                            cut(block, &used, b->assembly.torque_count * sizeof *rotor->torques),
                            cut(block, &used, b->assembly.link_count * sizeof *rotor->links),
                            cut(block, &used, b->assembly.degrees * sizeof *rotor->rigid),
-                           cut(block, &used, b->assembly.degrees * sizeof *rotor->momentum)};
+                           cut(block, &used, b->assembly.degrees * sizeof *rotor->momentum),
+                           cut(block, &used, 2 * b->assembly.degrees * sizeof *rotor->weight)};
     if (!rotor) return used;
     rotor->elements = parts[0];
     rotor->numbers = parts[1];
@@ -121,7 +122,18 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
     rotor->links = parts[26];
     rotor->rigid = parts[27];
     rotor->momentum = parts[28];
+    rotor->weight = parts[29];
     return used;
+}
+
+/// Adds what pulls along x and y on a station have for forces.
+static void add_weight(whirl_rotor *rotor, const assembly *of, const assembly_station *at) {
+    for (axis along = AXIS_X; along <= AXIS_TILT_Y; along++) {
+        const bool tilts = along == AXIS_TILT_X || along == AXIS_TILT_Y;
+        const size_t way = along == AXIS_Y || along == AXIS_TILT_Y, i = at->coordinate[along];
+        const double moment = at->shaft != NO_SHAFT ? at->pull_moment : 0.0;
+        if (i != NO_COORDINATE) rotor->weight[way * of->degrees + i] += tilts ? moment : at->mass;
+    }
 }
 
 /// A station that moves along one axis, or twists alone, has one coordinate, which is used for both.
@@ -346,6 +358,7 @@ static whirl_rotor *finish(building *b) {
     rotor->link_count = b->assembly.link_count;
     if (b->assembly.links) memcpy(rotor->links, b->assembly.links, rotor->link_count * sizeof *rotor->links);
     // Stations, numbers and elements.
+    for (size_t s = 0; s < b->assembly.station_count; s++) add_weight(rotor, &b->assembly, &b->assembly.stations[s]);
     add_probes(rotor, b);
     add_twists(rotor, &b->assembly);
     add_runouts(rotor, &b->assembly);

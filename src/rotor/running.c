@@ -53,13 +53,15 @@ typedef struct running_rotor {
     double *own_cos, *own_sin, *force_cos, *force_sin;
     double *lost_cos, *lost_sin, *lost_force_cos, *lost_force_sin;
     double *lever_force, *lever_acceleration; ///< [degrees] workspace: levers of theta'' on a coordinate
-    double *pull;          ///< [degrees] m/s2, pull of gravity; 0 for tilts and nodes between stations
+    unsigned char *along;  ///< [degrees] 0 of displacements of stations along x, 1 along y, 2 of all others
     double *block;         ///< all arrays from own_cos on
     double *place, *slope; ///< [dimension] workspace
     double *evaluations;   ///< of the equations, so far
     double *friction;      ///< [contact_count][3] workspace
     /// [degrees] workspace: torques on twists, N m, and the accelerations that they give.
     double *torque, *torque_acceleration;
+    double *shaken;      ///< [2][degrees] accelerations of coordinates by a pull of 1 m/s2 along x, then along y
+    double *shake;       ///< [2] workspace: m/s2, acceleration of the ground along x and y
     size_t own;          ///< number of states of torques
     size_t at_speed;     ///< index of the speed among the states, after the rotor's and these
     double turn_inertia; ///< kg m2, of all that turns
@@ -351,27 +353,33 @@ static bool running_probe_moves(const whirl_probe *probe, size_t way) {
 static whirl_status running_add_turnings(running_rotor *r) {
     const whirl_rotor *rotor = r->rotor;
     const size_t n = rotor->lanes.degrees;
-    r->block = calloc(13 * n + 2 * (r->at_speed + 2) + 3 * rotor->contact_count + 1, sizeof *r->block);
-    if (!r->block) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine whose speed changes");
-    double **const parts[] = {
-        &r->own_cos,  &r->own_sin,        &r->force_cos,          &r->force_sin,   &r->lost_cos,
-        &r->lost_sin, &r->lost_force_cos, &r->lost_force_sin,     &r->lever_force, &r->lever_acceleration,
-        &r->pull,     &r->torque,         &r->torque_acceleration};
+    r->block = calloc(14 * n + 2 * (r->at_speed + 2) + 3 * rotor->contact_count + 3, sizeof *r->block);
+    r->along = malloc(n + 1);
+    if (!r->block || !r->along) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine whose speed changes");
+    double **const parts[] = {&r->own_cos,        &r->own_sin,
+                              &r->force_cos,      &r->force_sin,
+                              &r->lost_cos,       &r->lost_sin,
+                              &r->lost_force_cos, &r->lost_force_sin,
+                              &r->lever_force,    &r->lever_acceleration,
+                              &r->torque,         &r->torque_acceleration};
     enum { PARTS = sizeof parts / sizeof *parts };
     for (size_t i = 0; i < PARTS; i++) *parts[i] = r->block + i * n;
     r->place = r->block + PARTS * n;
     r->slope = r->place + r->at_speed + 2;
     r->friction = r->slope + r->at_speed + 2;
     r->evaluations = r->friction + 3 * rotor->contact_count;
+    r->shake = r->evaluations + 1;
+    r->shaken = r->shake + 2;
+    for (size_t way = 0; way < 2; way++) running_accelerate(rotor, rotor->weight + way * n, r->shaken + way * n);
     for (size_t i = 0; i < rotor->turning_count; i++) {
         r->force_cos[rotor->turnings[i].row] += rotor->turnings[i].cos;
         r->force_sin[rotor->turnings[i].row] += rotor->turnings[i].sin;
     }
-    for (size_t p = 0; p < rotor->station_count; p++) {
-        const whirl_probe *probe = &rotor->probes[p];
-        if (running_probe_moves(probe, 0)) r->pull[probe->x] = rotor->pull[0];
-        if (running_probe_moves(probe, 1)) r->pull[probe->y] = rotor->pull[1];
-    }
+    memset(r->along, 2, n);
+    for (size_t p = 0; p < rotor->station_count; p++)
+        for (unsigned char way = 0; way < 2; way++)
+            if (running_probe_moves(&rotor->probes[p], way))
+                r->along[way == 0 ? rotor->probes[p].x : rotor->probes[p].y] = way;
     running_accelerate(rotor, r->force_cos, r->own_cos);
     running_accelerate(rotor, r->force_sin, r->own_sin);
     return whirl_ok();
@@ -441,14 +449,33 @@ static double running_add_torque(const running_rotor *r, size_t station, double 
     return 0.0;
 }
 
+/// Returns whether the course of the run has a formula.
+static bool running_has(const running_rotor *r, whirl_run_formula formula) {
+    return r->how.course && r->how.course->has[formula];
+}
+
+/// Returns the value of a formula of the course at a time, s, and a speed, rad/s.
+static double running_value(const running_rotor *r, whirl_run_formula formula, double time, double speed) {
+    const whirl_run_course *course = r->how.course;
+    course->variables[WHIRL_VARIABLE_TIME] = time;
+    course->variables[WHIRL_VARIABLE_SPEED] = speed;
+    return course->value(course->owner, formula);
+}
+
 /// Returns the torque of the drive's motor, and of its load.
 static double running_motor_at(const running_rotor *r, const running_state *s) {
     const shaft_drive *drive = &r->rotor->drive;
-    return drive->given && !r->how.tripped ? drive_torque(drive, running_place_of(r, drive->at, s).speed) : 0.0;
+    if (!drive->given || r->how.tripped) return 0.0;
+    const torque_place at = running_place_of(r, drive->at, s);
+    return running_has(r, WHIRL_FORMULA_MOTOR) ? running_value(r, WHIRL_FORMULA_MOTOR, at.time, at.speed)
+                                               : drive_torque(drive, at.speed);
 }
 static double running_load_at(const running_rotor *r, const running_state *s) {
     const shaft_drive *drive = &r->rotor->drive;
-    return drive->given ? -drive_load(drive, running_place_of(r, drive->load_at, s).speed, r->slip) : 0.0;
+    if (!drive->given) return 0.0;
+    const torque_place at = running_place_of(r, drive->load_at, s);
+    return running_has(r, WHIRL_FORMULA_LOAD) ? -running_value(r, WHIRL_FORMULA_LOAD, at.time, at.speed)
+                                              : -drive_load(drive, at.speed, r->slip);
 }
 
 /// Returns another torque; writes the slopes of its states by time unless NULL.
@@ -511,6 +538,12 @@ static void running_find_levers(const running_rotor *r, const double *forcing) {
     }
 }
 
+/// Returns the pull of gravity on an unbalance at a coordinate, less the acceleration of the ground, m/s2.
+static double running_pull_on(const running_rotor *r, size_t coordinate) {
+    const size_t way = r->along[coordinate];
+    return way < 2 ? r->rotor->pull[way] - r->shake[way] : 0.0;
+}
+
 /// theta'' over the square of the unit of speed: all of it, and the part by torques on twists.
 typedef struct faster {
     double all, twisted;
@@ -535,12 +568,17 @@ static faster running_faster(const running_rotor *r, const double *numbers, cons
         if (driven) a[i] += r->torque_acceleration[i] / (square * w * w);
         turned += rotor->momentum[i] * rotor->unit[i] * w * w * a[i];
     }
-    if (!driven) return (faster){r->how.rate / square, twists ? turned / inertia : 0.0};
+    if (!driven) {
+        double rate = r->how.rate;
+        if (running_has(r, WHIRL_FORMULA_RATE))
+            rate += running_value(r, WHIRL_FORMULA_RATE, s->x[r->at_speed + 1] / r->unit, s->exact * r->unit);
+        return (faster){rate / square, twists ? turned / inertia : 0.0};
+    }
     // Unbalances as levers.
     for (size_t i = 0; i < rotor->lanes.degrees; i++) {
         const double u = r->lever_force[i];
         if (u == 0.0) continue;
-        reaction += u * (rotor->unit[i] * w * w * a[i] - r->pull[i] / square);
+        reaction += u * (rotor->unit[i] * w * w * a[i] - running_pull_on(r, i) / square);
         inertia += u * (u / rotor->inertia[i] - rotor->unit[i] * r->lever_acceleration[i]);
     }
     torques->rotor = reaction * square;
@@ -557,6 +595,18 @@ static void running_add_faster(const running_rotor *r, faster by, double w, cons
         a[i] -= twisted * rotor->rigid[i] / rotor->unit[i];
 }
 
+/// Adds the inertia of all masses on a ground that moves to the accelerations by the angle a [degrees].
+static void running_add_shake(const running_rotor *r, double w, const double *x, double *a) {
+    const size_t n = r->rotor->lanes.degrees;
+    const double by_angle = 1.0 / (r->unit * r->unit * w * w);
+    for (size_t way = 0; way < 2; way++) {
+        const whirl_run_formula formula = WHIRL_FORMULA_GROUND_X + way;
+        if (!running_has(r, formula)) continue;
+        r->shake[way] = running_value(r, formula, x[r->at_speed + 1] / r->unit, x[r->at_speed] * r->unit);
+        for (size_t i = 0; i < n; i++) a[i] -= r->shake[way] * by_angle * r->shaken[way * n + i];
+    }
+}
+
 /// Computes the levers, and the slopes dxdt [dimension of the rotor] by the angle for a constant speed w, from x by the
 /// angle. Returns the numbers at w.
 static const double *running_flow(const running_rotor *r, double w, const double *forcing, const double *sides,
@@ -568,6 +618,7 @@ static const double *running_flow(const running_rotor *r, double w, const double
     rotor_flow_with(r->rotor, numbers, forcing, sides, x, dxdt);
     for (size_t i = 0; i < n && r->how.lost; i++)
         dxdt[n + i] += r->lost_cos[i] * forcing[COS_TAU] + r->lost_sin[i] * forcing[SIN_TAU];
+    running_add_shake(r, w, x, dxdt + n);
     return numbers;
 }
 
@@ -861,6 +912,7 @@ static void running_release(whirl_running *running) {
     free(r->varying);
     free(r->splines);
     free(r->block);
+    free(r->along);
     free(r);
 }
 

@@ -222,6 +222,7 @@ names.runup_end_time = 'runup/end_time';
 names.runup_end_speed = 'runup/end_speed';
 names.runup_end_turns = 'runup/end_turns';
 names.runup_events = 'runup/events';
+names.runup_happened = 'runup/happened';
 names.runup_error = 'runup/error';
 names.runup_time = 'runup/time';
 names.runup_speed = 'runup/speed';

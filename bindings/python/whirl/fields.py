@@ -224,6 +224,7 @@ class FIELD:
     RUNUP_END_SPEED = "runup/end_speed"
     RUNUP_END_TURNS = "runup/end_turns"
     RUNUP_EVENTS = "runup/events"
+    RUNUP_HAPPENED = "runup/happened"
     RUNUP_ERROR = "runup/error"
     RUNUP_TIME = "runup/time"
     RUNUP_SPEED = "runup/speed"

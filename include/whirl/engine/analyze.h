@@ -237,18 +237,19 @@ typedef struct whirl_resting {
     /// Makes the same machine with its coefficients at a frequency of whirl, rad/s.
     whirl_status (*at_frequency)(const void *context, double frequency, whirl_variant variant, double value,
                                  whirl_machine *machine);
-    /// Makes the same machine with a speed that changes between two (rad/s), by its torques or not; changed: with the
-    /// parameters that change in a run. Errors as whirl_running_new.
-    whirl_status (*running)(const void *context, double lowest, double highest, bool driven, bool changed,
-                            whirl_running **running);
-    const void *context;        ///< passed to at_speed, at_frequency and running
-    double drive_speed;         ///< whirl_machine.drive_speed
-    const whirl_stop *stop;     ///< NULL, or becomes true when long work shall end; its numbers mean nothing then
-    size_t placed_count;        ///< number of placed unbalances
-    const whirl_placed *placed; ///< [placed_count] unbalances that replace its own
-    const double *rest;         ///< [dimension] equilibrium found from the start; may be NULL without `elsewhere`
-    const double *elsewhere;    ///< [dimension] another equilibrium, found from a neighbouring value's; NULL: none
-    double elsewhere_growth;    ///< largest real part of all eigenvalues there, per unit of the system's time
+    /// Makes the same machine with a speed that changes between two (rad/s), by its torques or not, after events
+    /// [count] of its course have happened in this order. Errors as whirl_running_new.
+    whirl_status (*running)(const void *context, double lowest, double highest, bool driven, size_t count,
+                            const unsigned char *happened, whirl_running **running);
+    const void *context;            ///< passed to at_speed, at_frequency and running
+    double drive_speed;             ///< whirl_machine.drive_speed
+    const whirl_run_course *course; ///< whirl_machine.course
+    const whirl_stop *stop;         ///< NULL, or becomes true when long work shall end; its numbers mean nothing then
+    size_t placed_count;            ///< number of placed unbalances
+    const whirl_placed *placed;     ///< [placed_count] unbalances that replace its own
+    const double *rest;             ///< [dimension] equilibrium found from the start; may be NULL without `elsewhere`
+    const double *elsewhere;        ///< [dimension] another equilibrium, found from a neighbouring value's; NULL: none
+    double elsewhere_growth;        ///< largest real part of all eigenvalues there, per unit of the system's time
 } whirl_resting;
 
 /// Computes kxx, kxy, ... of the bearings at a speed (rad/s) about the machine's equilibrium, coefficients

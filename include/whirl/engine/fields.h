@@ -242,6 +242,7 @@
 #define WHIRL_FIELD_RUNUP_END_SPEED "runup/end_speed"
 #define WHIRL_FIELD_RUNUP_END_TURNS "runup/end_turns"
 #define WHIRL_FIELD_RUNUP_EVENTS "runup/events"
+#define WHIRL_FIELD_RUNUP_HAPPENED "runup/happened"
 #define WHIRL_FIELD_RUNUP_ERROR "runup/error"
 #define WHIRL_FIELD_RUNUP_TIME "runup/time"
 #define WHIRL_FIELD_RUNUP_SPEED "runup/speed"

@@ -76,6 +76,13 @@ typedef struct whirl_runup_options {
     double loss_moment, loss_angle, loss_time, loss_speed; ///< kg m, rad, s, rad/s
     char change[WHIRL_NAME_SIZE];                          ///< names of parameters that change in the run, or ""
     double change_time, change_speed;                      ///< s and rad/s at which they do; 0: not by this
+    char events[WHIRL_NAME_SIZE];                          ///< how many further events there are, or ""
+    int event_count;                  ///< number of events of the course (whirl_run_course), with that change
+    char speeds[WHIRL_NAME_SIZE];     ///< text of the speed over the time, or ""
+    char rate_law[WHIRL_NAME_SIZE];   ///< formula of the rate, or ""
+    char torque_law[WHIRL_NAME_SIZE]; ///< formula of the motor's torque, or ""
+    char load_law[WHIRL_NAME_SIZE];   ///< formula of the load, or ""
+    char ground_x[WHIRL_NAME_SIZE], ground_y[WHIRL_NAME_SIZE]; ///< formulas of the ground's acceleration, or ""
     int stationary;               ///< speeds at which the torques of a drive are balanced; 0: none
     int rows;                     ///< number of rows of the result over the time
     int samples;                  ///< samples of a turn
@@ -91,6 +98,9 @@ typedef struct whirl_runup_options {
 
 /// Returns the members of these options for cases (part "runup") and results; static, ended by a member without a part.
 const whirl_member *whirl_runup_members(void);
+
+/// Returns whether the torques of the machine turn the shaft: the run has no rate, speeds or formula of them.
+bool whirl_runup_driven(const whirl_runup_options *options);
 
 /// Checks these options. WHIRL_BAD_INPUT with a sentence for options that mean nothing or contradict each other.
 /// driven: the machine has a drive, whose motor has the speed `no_load` without load, rad/s; 0: no such speed.

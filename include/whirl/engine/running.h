@@ -24,12 +24,69 @@
 extern "C" {
 #endif
 
+/// Most events of the course of a run, numbers of a speed table, and the event that is none.
+enum { WHIRL_MAX_EVENTS = 16, WHIRL_MAX_SPEEDS = 256, WHIRL_NO_EVENT = WHIRL_MAX_EVENTS };
+
+/// An event of a run: it happens once, as soon as one of its conditions holds.
+typedef struct whirl_run_event {
+    double time;       ///< s, since the event `after`, or since the beginning of the run; NaN: not by the time
+    double speed;      ///< rad/s, when it is passed; NaN: not by the speed
+    int passing;       ///< 1: by a rising speed, -1: by a falling one, 0: by both
+    bool when;         ///< once its formula is not below 0
+    size_t after;      ///< the event that must have happened before; WHIRL_NO_EVENT: none
+    bool trip;         ///< the motor is lost
+    bool end;          ///< the run ends
+    bool changes;      ///< parameters of the machine have other values from then on
+    whirl_placed lost; ///< the unbalance that appears; moment 0: none
+} whirl_run_event;
+
+/// Formulas of a run.
+typedef enum whirl_run_formula {
+    WHIRL_FORMULA_RATE,     ///< rad/s2, by which the speed changes
+    WHIRL_FORMULA_MOTOR,    ///< N m, torque of the motor
+    WHIRL_FORMULA_LOAD,     ///< N m, torque of the load against the rotation
+    WHIRL_FORMULA_GROUND_X, ///< m/s2, acceleration of the ground
+    WHIRL_FORMULA_GROUND_Y,
+    WHIRL_FORMULA_EVENT, ///< of event 0; formulas of other events follow
+    WHIRL_FORMULAS = WHIRL_FORMULA_EVENT + WHIRL_MAX_EVENTS
+} whirl_run_formula;
+
+/// Variables of formulas: the first two are known to all, the others to those of events alone.
+enum {
+    WHIRL_VARIABLE_TIME,  ///< s
+    WHIRL_VARIABLE_SPEED, ///< rad/s, of the shaft, or of the station of the motor or of its load
+    WHIRL_LAW_VARIABLES,
+    WHIRL_VARIABLE_STATIONS = WHIRL_LAW_VARIABLES, ///< those of every station, in the order of WHIRL_OF_STATION_
+    WHIRL_OF_STATION_X = 0,                        ///< m, from the centre
+    WHIRL_OF_STATION_Y,
+    WHIRL_OF_STATION_RADIUS,
+    WHIRL_OF_STATION_VX, ///< m/s
+    WHIRL_OF_STATION_VY,
+    WHIRL_OF_STATION_SPEED, ///< rad/s
+    WHIRL_OF_STATION
+};
+
+/// What is given of a run besides its options: events, laws of time and speed. Not to be shared between threads.
+typedef struct whirl_run_course {
+    size_t event_count;                                             ///< number of events
+    whirl_run_event events[WHIRL_MAX_EVENTS];                       ///< [event_count]
+    size_t speed_count;                                             ///< rows of the speed table; 0: none
+    double speed_times[WHIRL_MAX_SPEEDS], speeds[WHIRL_MAX_SPEEDS]; ///< s, rising from 0, and rad/s; straight between
+    bool has[WHIRL_FORMULAS];                                       ///< formulas that are given
+    double length;                                                  ///< m of one unit of displacement
+    double *variables; ///< [WHIRL_VARIABLE_STATIONS + WHIRL_OF_STATION * stations] that formulas read
+    void *owner;       ///< passed to `value`
+    /// Returns the value of a formula with the present variables; NaN if it has none.
+    double (*value)(void *owner, whirl_run_formula formula);
+} whirl_run_course;
+
 /// The motion of the shaft: given rate or drive, and events that have happened.
 typedef struct whirl_turning {
-    bool driven;  ///< the torques of the machine's drive turn it; else it has the given rate
-    double rate;  ///< rad/s2
-    bool tripped; ///< the motor of the drive is lost, its load is not
-    bool lost;    ///< unbalances that were set by `lose` have appeared
+    bool driven;                    ///< the torques of the machine's drive turn it; else it has the given rate
+    double rate;                    ///< rad/s2; the formula of the course is added
+    bool tripped;                   ///< the motor of the drive is lost, its load is not
+    bool lost;                      ///< unbalances that were set by `lose` have appeared
+    const whirl_run_course *course; ///< laws of time and speed, or NULL
 } whirl_turning;
 
 /// Torques on the shaft, N m, in the sense of the rotation.

@@ -62,12 +62,11 @@ typedef struct whirl_batch {
     /// of squares are computed; squares whose verdicts differ are halved (whirl_table.refine). Needs the analysis
     /// "regime", and one plane.
     size_t refine;
-    double second_bounds[2];    ///< range of the second parameter of curves
-    size_t given_count;         ///< number of given parameters
-    const whirl_given *given;   ///< [given_count] parameters that all machines have at these values; borrowed
-    size_t changed_count;       ///< number of parameters that change in a run
-    const whirl_given *changed; ///< [changed_count] their values from then on; borrowed
-    bool with_change;           ///< requested machine: with these values; in the batch itself false
+    double second_bounds[2];  ///< range of the second parameter of curves
+    size_t given_count;       ///< number of given parameters
+    const whirl_given *given; ///< [given_count] parameters that all machines have at these values; borrowed
+    size_t happened_count;    ///< requested machine: number of events of its run that have happened; else 0
+    unsigned char happened[WHIRL_MAX_EVENTS]; ///< [happened_count] these, in their order (whirl_run_course.events)
     size_t placed_count; ///< number of placed unbalances, which whirl_study_place finds if the options ask for them
     const whirl_placed *placed; ///< [placed_count] unbalances that replace the machine's own; borrowed
     double second_value;        ///< requested machine: second parameter; in the batch itself the value of the case

@@ -274,9 +274,10 @@ typedef struct whirl_machine {
     void (*release)(void *owner); ///< frees them; may be NULL
     /// rad/s: rate of the system's time (whirl_rotor_clock), and speed of the shaft; for machines at rest.
     double clock, speed;
-    double length;         ///< m of one unit of displacement
-    double cross_coupling; ///< N/m, sum over all stages
-    double drive_speed;    ///< rad/s, of the motor of its drive without load; 0: it has no such speed
+    double length;                         ///< m of one unit of displacement
+    double cross_coupling;                 ///< N/m, sum over all stages
+    double drive_speed;                    ///< rad/s, of the motor of its drive without load; 0: it has no such speed
+    const struct whirl_run_course *course; ///< events and laws of a run (running.h), or NULL; of one thread
     /// [probe_count] if requested (WHIRL_WITH_STATICS), else NULL; then also `influence`.
     const whirl_station_statics *statics;
     /// [probe_count][probe_count] N/m, change of the load of bearings at the first station by raising those at the

@@ -15,7 +15,7 @@ static size_t runup_every_row(const block_shape *shape) {
 }
 
 static size_t runup_every_torque(const block_shape *shape) {
-    return shape->options->runup.rate > 0.0 ? 0 : shape->torque_count;
+    return whirl_runup_driven(&shape->options->runup) ? shape->torque_count : 0;
 }
 static size_t runup_every_torque_and_row(const block_shape *shape) {
     return runup_every_torque(shape) * runup_every_row(shape);
@@ -69,7 +69,16 @@ static size_t runup_every_bin_of_spectra(const block_shape *shape) {
 
 static size_t runup_every_stationary(const block_shape *shape) {
     const whirl_runup_options *o = &shape->options->runup;
-    return o->rate > 0.0 || o->stationary == 0 || shape->torque_count > 0 || shape->twists ? 0 : RUNUP_STATIONARY;
+    const bool other = shape->torque_count > 0 || shape->twists || *o->torque_law || *o->load_law;
+    return !whirl_runup_driven(o) || o->stationary == 0 || other ? 0 : RUNUP_STATIONARY;
+}
+
+/// Columns of the field of events.
+enum { EVENT_COLUMNS = 8 };
+
+static size_t runup_every_event(const block_shape *shape) {
+    const whirl_runup_options *o = &shape->options->runup;
+    return (o->trip_time > 0.0 || o->trip_speed > 0.0) + (*o->loss_at != '\0') + (size_t)o->event_count;
 }
 
 static const field_plan fields[FIELD_COUNT] = {
@@ -85,6 +94,12 @@ static const field_plan fields[FIELD_COUNT] = {
     [EVENTS] = {WHIRL_FIELD_RUNUP_EVENTS, "s",
                 "trip, loss, change (when the motor was lost, the blade, and when parameters changed; missing: never)",
                 WHIRL_PER_POINT, 3, NULL},
+    [HAPPENED] =
+        {WHIRL_FIELD_RUNUP_HAPPENED, "1",
+         "time, speed, trip, loss, moment, angle, changes, end (of each event: s and rad/s when it happened, missing: "
+         "never; 1 if the motor is lost; index of the station where an unbalance appears, -1: none, kg m and rad; 1 if "
+         "parameters change; 1 if the run ends)",
+         WHIRL_PER_POINT, EVENT_COLUMNS, runup_every_event},
     [NUMBERS_ERROR] = {WHIRL_FIELD_RUNUP_ERROR, "1",
                        "of coefficients between the speeds that they were taken at, over the largest; 0: exact",
                        WHIRL_PER_POINT, 1, NULL},
@@ -281,12 +296,22 @@ static void runup_fill_row(void *context, const runup_turn *turn) {
 
 /// The highest speed that the run may reach, by which numbers are laid out.
 static double runup_highest_speed(const whirl_resting *point, const whirl_runup_options *o) {
+    double highest = fmax(o->from, o->to);
+    if (*o->speeds) {
+        for (size_t i = 0; i < point->course->speed_count; i++) highest = fmax(highest, point->course->speeds[i]);
+        return highest;
+    }
     if (o->rate > 0.0 && o->to == 0.0) return o->from + o->rate * o->duration;
-    return fmax(fmax(o->from, o->to), o->rate > 0.0 ? 0.0 : point->drive_speed);
+    return whirl_runup_driven(o) && !*o->torque_law ? fmax(highest, point->drive_speed) : highest;
 }
 
 /// The lowest speed that it may have: a drive may let it fall to standstill.
-static double runup_lowest_speed(const whirl_runup_options *o) {
+static double runup_lowest_speed(const whirl_resting *point, const whirl_runup_options *o) {
+    double lowest = o->from;
+    if (*o->rate_law) return 0.0;
+    for (size_t i = 0; *o->speeds && i < point->course->speed_count; i++)
+        lowest = fmin(lowest, point->course->speeds[i]);
+    if (*o->speeds) return lowest;
     return o->rate > 0.0 && o->to == 0.0 ? o->from : fmin(o->from, o->to);
 }
 
@@ -306,12 +331,6 @@ static whirl_status runup_find_start(const whirl_resting *point, const whirl_run
     return status;
 }
 
-static size_t runup_station_named(const whirl_system *system, const char *name) {
-    size_t p = 0;
-    while (p + 1 < system->probe_count && strcmp(system->probes[p].name, name) != 0) p++;
-    return p;
-}
-
 static void runup_fill_extremes(const filling *f, const whirl_running *running, const runup_run *run) {
     for (size_t t = 0; t < f->torques; t++) {
         const char *name;
@@ -329,14 +348,34 @@ static void runup_fill_extremes(const filling *f, const whirl_running *running, 
     }
 }
 
+/// Fills in when events happened, and the first trip, loss and change of them.
+static void runup_fill_events(const block_view *view, const runup_run *run) {
+    double *first = view_numbers(view, EVENTS, 0);
+    for (size_t k = 0; k < run->event_count; k++) {
+        const runup_happening *own = &run->events[k];
+        const bool lost = own->is.lost.moment > 0.0, is[] = {own->is.trip, lost, own->is.changes};
+        const double row[EVENT_COLUMNS] = {own->time,
+                                           own->at,
+                                           own->is.trip,
+                                           lost ? (double)own->is.lost.station : -1.0,
+                                           lost ? own->is.lost.moment : (double)NAN,
+                                           lost ? own->is.lost.angle : (double)NAN,
+                                           own->is.changes,
+                                           own->is.end};
+        memcpy(view_numbers(view, HAPPENED, 0) + k * EVENT_COLUMNS, row, sizeof row);
+        for (size_t i = 0; i < 3; i++)
+            if (is[i] && !(first[i] <= own->time)) first[i] = own->time;
+    }
+}
+
 static void runup_fill_end(const filling *f, const runup_run *run) {
     const block_view *view = f->view;
     *view_numbers(view, END, 0) = (double)run->end;
     *view_numbers(view, END_TIME, 0) = run->time;
     *view_numbers(view, END_SPEED, 0) = run->speed;
     *view_numbers(view, END_TURNS, 0) = run->turns;
-    double *events = view_numbers(view, EVENTS, 0);
-    events[0] = run->trip, events[1] = run->loss, events[2] = run->change;
+    *view_numbers(view, NUMBERS_ERROR, 0) = run->error;
+    runup_fill_events(view, run);
     for (size_t p = 0; p < f->system->probe_count; p++) {
         for (size_t axis = 0; axis < 2; axis++)
             view_numbers(view, PLACE, p)[axis] = whirl_probe_value(&f->system->probes[p], run->last, axis);
@@ -352,9 +391,23 @@ static void runup_fill_end(const filling *f, const runup_run *run) {
     }
 }
 
-/// Runs a machine; `after`: with its changed parameters, or NULL.
-static whirl_status runup_run_machine(whirl_running *running, whirl_running *after, const whirl_resting *point,
-                                      const whirl_runup_options *o, double highest, const block_view *view) {
+/// What the machine after events is made from.
+typedef struct changing {
+    const whirl_resting *point;
+    double lowest, highest;
+    bool driven;
+} changing;
+
+static whirl_status runup_make_machine(const void *context, size_t count, const unsigned char *happened,
+                                       whirl_running **running) {
+    const changing *c = context;
+    return c->point->running(c->point->context, c->lowest, c->highest, c->driven, count, happened, running);
+}
+
+/// Runs a machine that `c` made.
+static whirl_status runup_run_machine(whirl_running *running, const changing *c, const whirl_runup_options *o,
+                                      const block_view *view) {
+    const whirl_resting *point = c->point;
     const whirl_system *system = running->by_angle;
     const size_t d = system->dimension, probes = system->probe_count, contacts = running->contact_count;
     const size_t torques = running->in_time ? running->watched_count : 0;
@@ -362,7 +415,8 @@ static whirl_status runup_run_machine(whirl_running *running, whirl_running *aft
     runup_torque *extremes = calloc(torques + 1, sizeof *extremes);
     runup_peak *peaks = calloc(probes + 1, sizeof *peaks);
     runup_contact *touched = calloc(contacts + 1, sizeof *touched);
-    runup_run run = {.peaks = peaks, .contacts = touched, .torques = extremes, .last = numbers};
+    runup_happening events[RUNUP_EVENTS];
+    runup_run run = {.peaks = peaks, .contacts = touched, .torques = extremes, .events = events, .last = numbers};
     filling f = {.view = view,
                  .system = system,
                  .rows = (size_t)o->rows,
@@ -371,7 +425,9 @@ static whirl_status runup_run_machine(whirl_running *running, whirl_running *aft
                  .way = 1.0,
                  .status = whirl_ok()};
     runup_plan plan = {.options = o,
-                       .after = after,
+                       .course = point->course,
+                       .change = runup_make_machine,
+                       .change_context = c,
                        .integrate = whirl_integrate_default(),
                        .angle = o->angle,
                        .see = runup_fill_row,
@@ -392,15 +448,10 @@ static whirl_status runup_run_machine(whirl_running *running, whirl_running *aft
         plan.integrate.atol = 1e-3 * o->rtol;
         plan.integrate.limit = 1e300; // time grows without bounds; what is not finite diverges
         memcpy(plan.integrate.method, o->method, sizeof plan.integrate.method);
-        status = runup_find_start(point, o, highest, numbers + d, &plan.start_count);
+        status = runup_find_start(point, o, c->highest, numbers + d, &plan.start_count);
     }
     if (status.code == WHIRL_OK) status = runup_views_new(view, o, system, contacts, f.duration, &f.views);
     if (f.views.samples.numbers) plan.samples = &f.views.samples;
-    if (status.code == WHIRL_OK && *o->loss_at) {
-        const whirl_placed lost = {runup_station_named(system, o->loss_at), o->loss_moment, o->loss_angle};
-        running->lose(running, 1, &lost);
-        if (after) after->lose(after, 1, &lost);
-    }
     if (status.code == WHIRL_OK) status = runup_carry(running, &plan, &run);
     if (status.code == WHIRL_OK && run.end == RUNUP_STOPPED) status = whirl_fail(WHIRL_STOPPED, "stopped");
     if (status.code == WHIRL_OK) status = f.status;
@@ -419,25 +470,27 @@ static whirl_status runup_run_machine(whirl_running *running, whirl_running *aft
     return status;
 }
 
+/// The options of a run with the beginning and end that its speed table gives.
+static whirl_runup_options runup_with_table(const whirl_resting *point, const whirl_runup_options *options) {
+    whirl_runup_options o = *options;
+    const whirl_run_course *course = point->course;
+    if (!course || course->speed_count == 0) return o;
+    o.from = course->speeds[0];
+    if (o.duration == 0.0) o.duration = course->speed_times[course->speed_count - 1];
+    return o;
+}
+
 static whirl_status runup_compute(const whirl_resting *point, const whirl_record_options *options,
                                   const block_view *view) {
-    const whirl_runup_options *o = &options->runup;
-    const double highest = runup_highest_speed(point, o);
-    const double lowest = runup_lowest_speed(o);
-    const bool driven = o->rate == 0.0;
-    whirl_running *running = NULL, *after = NULL;
-    whirl_status status = point->running(point->context, lowest, highest, driven, false, &running);
-    if (status.code == WHIRL_OK && *o->change)
-        status = point->running(point->context, lowest, highest, driven, true, &after);
-    if (status.code == WHIRL_OK) {
-        *view_numbers(view, NUMBERS_ERROR, 0) = after ? fmax(running->error, after->error) : running->error;
-        status = runup_run_machine(running, after, point, o, highest, view);
-    }
+    const whirl_runup_options o = runup_with_table(point, &options->runup);
+    const changing c = {point, runup_lowest_speed(point, &o), runup_highest_speed(point, &o), whirl_runup_driven(&o)};
+    whirl_running *running = NULL;
+    whirl_status status = runup_make_machine(&c, 0, NULL, &running);
+    if (status.code == WHIRL_OK) status = runup_run_machine(running, &c, &o, view);
     if (status.code == WHIRL_OK && view_numbers(view, STATIONARY, 0))
-        status = runup_find_stationary(point, running, (size_t)o->stationary, highest,
+        status = runup_find_stationary(point, running, (size_t)o.stationary, c.highest,
                                        view_numbers(view, STATIONARY, 0), view_numbers(view, FOLD, 0));
     if (running) running->release(running);
-    if (after) after->release(after);
     return status;
 }
 

@@ -12,6 +12,7 @@ enum {
     END_SPEED,
     END_TURNS,
     EVENTS,
+    HAPPENED,
     NUMBERS_ERROR,
     TIME,
     SPEED,

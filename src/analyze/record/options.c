@@ -177,6 +177,23 @@ const whirl_member *whirl_runup_members(void) {
                      "when these parameters change; 0: by change_speed"),
         RUNUP_NUMBER(change_speed, "change_speed", "rad/s", "0", WHIRL_NOT_NEGATIVE,
                      "speed at which they change when it is first passed; 0: by change_time"),
+        RUNUP(WORD, events, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
+              "a list of further events, each at a time, at a speed or when a formula is no longer below 0"),
+        MEMBER(whirl_runup_options, WHOLE, "runup_event_count", event_count, "", false, "event_count", "", "1",
+               WHIRL_KEY_WHOLE, false, "0", WHIRL_FROM_TO(0, WHIRL_MAX_EVENTS), NULL,
+               "number of these events, and of a change of parameters", ""),
+        RUNUP(WORD, speeds, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
+              "in place of a rate: the speed over the time as a list of [time, speed], straight between"),
+        RUNUP(WORD, rate_law, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
+              "in place of a rate: a formula of time and speed for the rate, rad/s2; speed_to is the highest speed"),
+        RUNUP(WORD, torque_law, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
+              "a formula of time and speed for the torque of the drive's motor, N m"),
+        RUNUP(WORD, load_law, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
+              "a formula of time and speed for the torque of the drive's load, N m"),
+        RUNUP(WORD, ground_x, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
+              "a formula of the time for the acceleration of the ground along x, m/s2"),
+        RUNUP(WORD, ground_y, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
+              "a formula of the time for the acceleration of the ground along y, m/s2"),
         RUNUP(
             WHOLE, stationary, "1", WHIRL_KEY_WHOLE, "120", WHIRL_FROM_TO(0, 100000), NULL,
             "speeds at which the torque of a drive is compared with what brakes the shaft, to find stationary speeds; "
@@ -209,18 +226,48 @@ const whirl_member *whirl_runup_members(void) {
 /// Most numbers of a station in a window, or in all spectra of a run.
 static const double MAX_RUNUP_NUMBERS = 4e6;
 
+bool whirl_runup_driven(const whirl_runup_options *o) {
+    return o->rate == 0.0 && !*o->speeds && !*o->rate_law;
+}
+
+/// Checks what turns the shaft.
+static whirl_status check_what_turns(const whirl_runup_options *o, bool has_drive, double no_load) {
+    const bool driven = whirl_runup_driven(o);
+    if ((o->rate > 0.0) + (*o->speeds != '\0') + (*o->rate_law != '\0') > 1)
+        return whirl_fail(WHIRL_BAD_INPUT, "the run has %s and %s, expected one of rate, rate_law and speeds",
+                          o->rate > 0.0 ? "rate" : "speeds", *o->rate_law ? "rate_law" : "speeds");
+    if (*o->speeds && (o->from > 0.0 || o->to > 0.0))
+        return whirl_fail(WHIRL_BAD_INPUT, "the run has speeds and %s, expected one of them",
+                          o->from > 0.0 ? "speed_from" : "speed_to");
+    if (*o->rate_law && o->from == 0.0)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "the run has rate_law and begins at standstill, expected speed_from above 0");
+    if (*o->rate_law && (o->to == 0.0 || o->duration == 0.0))
+        return whirl_fail(WHIRL_BAD_INPUT, "the run has rate_law and no %s, expected %s",
+                          o->to == 0.0 ? "highest speed" : "end", o->to == 0.0 ? "speed_to" : "duration");
+    if (!driven && (*o->torque_law || *o->load_law))
+        return whirl_fail(WHIRL_BAD_INPUT, "the run has %s and its speed is given, expected one of them",
+                          *o->torque_law ? "torque_law" : "load_law");
+    if (driven && !has_drive)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "nothing turns the shaft of the run, expected rate, speeds, or an element drive");
+    if (driven && o->duration == 0.0)
+        return whirl_fail(WHIRL_BAD_INPUT, "the run by the machine's drive has no end, expected duration");
+    if (driven && !(fmax(fmax(o->from, o->to), *o->torque_law ? 0.0 : no_load) > 0.0))
+        return whirl_fail(WHIRL_BAD_INPUT, "nothing tells the highest speed of the run, expected speed_to");
+    if (!driven && (o->trip_time > 0.0 || o->trip_speed > 0.0))
+        return whirl_fail(WHIRL_BAD_INPUT, "the run has a rate and a trip of its drive, expected one of them");
+    return whirl_ok();
+}
+
 whirl_status whirl_runup_check(const whirl_runup_options *o, bool driven, double no_load) {
+    const whirl_status turned = check_what_turns(o, driven, no_load);
+    if (turned.code != WHIRL_OK) return turned;
     if (o->rate > 0.0 && o->to == 0.0 && o->duration == 0.0)
         return whirl_fail(WHIRL_BAD_INPUT, "the run has a rate and no end, expected speed_to or duration");
     if (o->rate > 0.0 && o->to > 0.0 && o->to == o->from)
         return whirl_fail(WHIRL_BAD_INPUT, "the run begins and ends at %.10g rad/s, expected two speeds", o->to);
-    if (o->rate == 0.0 && !driven)
-        return whirl_fail(WHIRL_BAD_INPUT, "nothing turns the shaft of the run, expected rate, or an element drive");
-    if (o->rate == 0.0 && o->duration == 0.0)
-        return whirl_fail(WHIRL_BAD_INPUT, "the run by the machine's drive has no end, expected duration");
-    if (o->rate == 0.0 && !(fmax(fmax(o->from, o->to), no_load) > 0.0))
-        return whirl_fail(WHIRL_BAD_INPUT, "nothing tells the highest speed of the run, expected speed_to");
-    if (strcmp(o->begin, "steady") == 0 && o->from == 0.0)
+    if (strcmp(o->begin, "steady") == 0 && o->from == 0.0 && !*o->speeds)
         return whirl_fail(WHIRL_BAD_INPUT, "the run begins steady at standstill, expected speed_from above 0");
     if (*o->loss_at ? o->loss_moment == 0.0 : o->loss_moment != 0.0)
         return whirl_fail(WHIRL_BAD_INPUT, "the run has %s, expected loss_at and loss_moment together",
@@ -237,8 +284,6 @@ whirl_status whirl_runup_check(const whirl_runup_options *o, bool driven, double
                                                   : "a change at two instants");
     if (o->stationary == 1 || o->stationary == 2)
         return whirl_fail(WHIRL_BAD_INPUT, "the run has stationary: %d, expected 0 or at least 3", o->stationary);
-    if (o->rate > 0.0 && (o->trip_time > 0.0 || o->trip_speed > 0.0))
-        return whirl_fail(WHIRL_BAD_INPUT, "the run has a rate and a trip of its drive, expected one of them");
     const double end = o->to > 0.0 ? o->to : o->from + o->rate * o->duration;
     if (o->slow_roll > 0.0 && o->rate > 0.0 && (o->slow_roll < fmin(o->from, end) || o->slow_roll > fmax(o->from, end)))
         return whirl_fail(WHIRL_BAD_INPUT,

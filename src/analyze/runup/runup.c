@@ -11,13 +11,16 @@ static const double two_pi = 6.283185307179586476925;
 /// What ends a search for an instant: the part of what was to be divided that is left.
 static const double located = 1e-14;
 
-/// What a state of the run belongs to: the machine after the change, the time as variable, and how the shaft turned.
+/// What a state of the run belongs to: a machine, the time as variable, unbalances that have appeared, and how the
+/// shaft turned.
 typedef struct runup_where {
-    bool changed, by_time;
+    size_t side;
+    bool by_time;
+    size_t lost;
     whirl_turning how;
 } runup_where;
 
-/// A machine of the run, before or after its change, and its integrators.
+/// A machine of the run, before or after changes, and its integrators.
 typedef struct runup_side {
     whirl_running *machine;
     whirl_integrator *seen[2]; ///< by the angle, by time: with all samples
@@ -25,9 +28,13 @@ typedef struct runup_side {
 } runup_side;
 
 typedef struct runner {
-    whirl_running *machine; ///< of sides[changed]
-    runup_side sides[2];    ///< before and after the change
-    bool changed;
+    whirl_running *machine;                   ///< of sides[side]
+    runup_side sides[1 + WHIRL_MAX_EVENTS];   ///< before all changes, after the first, ...
+    size_t side, side_count;                  ///< the present one, and how many there are
+    unsigned char happened[WHIRL_MAX_EVENTS]; ///< [side_count - 1] events of the course that changed the machine
+    whirl_placed lost[RUNUP_EVENTS];          ///< [lost_count] unbalances that have appeared
+    size_t lost_count;
+    whirl_status status; ///< of changes
     const runup_plan *plan;
     bool by_time;               ///< the variable is the time, not the angle
     const whirl_system *system; ///< of that variable
@@ -72,9 +79,9 @@ static double runup_angle_of(const runner *r, const double *x) {
 }
 
 /// Chooses the machine and the variable.
-static void runup_go_by(runner *r, bool changed, bool time) {
-    r->changed = changed;
-    r->machine = r->sides[changed].machine;
+static void runup_go_by(runner *r, size_t side, bool time) {
+    r->side = side;
+    r->machine = r->sides[side].machine;
     r->by_time = time;
     r->system = time ? r->machine->by_time : r->machine->by_angle;
     r->dimension = r->system->dimension;
@@ -109,7 +116,7 @@ static void runup_keep_sample(void *context, double t, const double *x) {
 static whirl_motion runup_carry_part(runner *r, double from, double length, double *x) {
     if (length <= 0.0) return WHIRL_BOUNDED;
     r->machine->part(r->machine, from, length);
-    return whirl_integrator_revolve(r->sides[r->changed].part[r->by_time], x, NULL, NULL);
+    return whirl_integrator_revolve(r->sides[r->side].part[r->by_time], x, NULL, NULL);
 }
 
 /// The same with all samples.
@@ -117,7 +124,7 @@ static whirl_motion runup_carry_seen(runner *r, double from, double length, doub
     sampler s = {r, 1};
     memcpy(r->samples, x, r->dimension * sizeof *x);
     r->machine->part(r->machine, from, length);
-    return whirl_integrator_revolve(r->sides[r->changed].seen[r->by_time], x, runup_keep_sample, &s);
+    return whirl_integrator_revolve(r->sides[r->side].seen[r->by_time], x, runup_keep_sample, &s);
 }
 
 /// A number of a state: of its station or switch `which`, where it has one.
@@ -188,7 +195,7 @@ static void runup_see_radii(runner *r, double from, double step, size_t count) {
             const size_t before = k - 1, span = k < count ? 2 : 1;
             *peak = (runup_peak){radius, runup_time_of(r, runup_sample(r, k)), runup_speed_of(r, runup_sample(r, k))};
             memcpy(r->peak_state + p * r->most, runup_sample(r, before), r->dimension * sizeof *r->x);
-            r->peak_where[p] = (runup_where){r->changed, r->by_time, r->how};
+            r->peak_where[p] = (runup_where){r->side, r->by_time, r->lost_count, r->how};
             r->peak_from[p] = from + (double)before * step;
             r->peak_length[p] = (double)span * step;
         }
@@ -282,7 +289,7 @@ static void runup_note_torques(runner *r, double step, size_t k, size_t count) {
             *own = (runup_extreme){r->torque[t], time};
             memcpy(r->torque_state + (2 * t + side) * r->most, runup_sample(r, before), r->dimension * sizeof *r->x);
             r->torque_length[2 * t + side] = (double)(after - before) * step;
-            r->torque_where[2 * t + side] = (runup_where){r->changed, r->by_time, r->how};
+            r->torque_where[2 * t + side] = (runup_where){r->side, r->by_time, r->lost_count, r->how};
         }
 }
 
@@ -380,25 +387,26 @@ static void runup_show_turn(runner *r, bool whole) {
 // ---------------------------------------------------------------- events
 
 /// What happens next.
-typedef enum event {
+enum {
     EVENT_NONE,
     EVENT_TURN,
     EVENT_END,
     EVENT_DWELL,
-    EVENT_TRIP,
-    EVENT_LOSS,
-    EVENT_CHANGE,
-    EVENT_TORQUE
-} event;
+    EVENT_CORNER, ///< of the speed table
+    EVENT_TORQUE,
+    EVENT_FIRST ///< the first of the run's own events; others follow
+};
 
-enum { MOST_COMING = 9 };
+/// The end by time and by speed, a corner, a turn, a torque; and two conditions of every event besides its formula.
+enum { MOST_COMING = 5 + 3 * RUNUP_EVENTS };
 
-/// Something that happens when a quantity passes a target.
+/// Something that happens when a quantity passes a target, rising (1), falling (-1) or both (0).
 typedef struct coming {
-    event what;
+    int what; ///< an event
     quantity *of;
     double target;
     size_t which; ///< of the quantity
+    int passing;
 } coming;
 
 static double runup_time_quantity(const runner *r, const double *x, size_t which) {
@@ -418,6 +426,28 @@ static double runup_angle_quantity(const runner *r, const double *x, size_t whic
     return x[r->rotor + 2];
 }
 
+/// The formula of an event of the course. Where it has no value it counts as far from happening.
+static double runup_formula_quantity(const runner *r, const double *x, size_t which) {
+    const whirl_run_course *course = r->plan->course;
+    // Derivatives by time in its unit: those by the angle times the speed.
+    const double rate = course->length * r->unit * (r->by_time ? 1.0 : x[r->rotor]);
+    double *variable = course->variables + WHIRL_VARIABLE_STATIONS;
+    course->variables[WHIRL_VARIABLE_TIME] = runup_time_of(r, x);
+    course->variables[WHIRL_VARIABLE_SPEED] = runup_speed_of(r, x);
+    r->machine->speeds(r->machine, runup_placed(r, x), r->speed);
+    for (size_t p = 0; p < r->probes; p++, variable += WHIRL_OF_STATION) {
+        const whirl_probe *probe = &r->system->probes[p];
+        variable[WHIRL_OF_STATION_X] = course->length * whirl_probe_value(probe, x, 0);
+        variable[WHIRL_OF_STATION_Y] = course->length * whirl_probe_value(probe, x, 1);
+        variable[WHIRL_OF_STATION_RADIUS] = course->length * runup_radius_of(r, x, p);
+        variable[WHIRL_OF_STATION_VX] = rate * whirl_probe_value(probe, x, 2);
+        variable[WHIRL_OF_STATION_VY] = rate * whirl_probe_value(probe, x, 3);
+        variable[WHIRL_OF_STATION_SPEED] = r->speed[p];
+    }
+    const double value = course->value(course->owner, WHIRL_FORMULA_EVENT + (whirl_run_formula)which);
+    return isnan(value) ? -INFINITY : value;
+}
+
 /// Whole turns behind; 0 for a shaft that swings back at its beginning.
 static double runup_whole_turns(const runner *r) {
     return fmax(floor(r->turns + 1e-9), 0.0);
@@ -428,94 +458,178 @@ static double runup_turn_end(const runner *r) {
     return r->angle0 + two_pi * (runup_whole_turns(r) + 1.0);
 }
 
-/// All that may come in the state that the run is in.
-static size_t runup_list_coming(const runner *r, coming list[MOST_COMING]) {
-    const whirl_runup_options *o = r->plan->options;
-    const double torque = r->machine->begins(r->machine, runup_time_of(r, r->x) * (1.0 + 1e-12));
+/// Returns the index of the first event of the course.
+static size_t runup_first_of_course(const runner *r) {
+    return r->run->event_count - (r->plan->course ? r->plan->course->event_count : 0);
+}
+
+/// Lists the conditions of event k that has not happened.
+static size_t runup_list_event(const runner *r, size_t k, coming *list) {
+    const runup_happening *own = &r->run->events[k];
+    const size_t first = runup_first_of_course(r);
+    const int what = EVENT_FIRST + (int)k;
+    double since = 0.0;
     size_t count = 0;
-    if (r->by_time) list[count++] = (coming){EVENT_TURN, runup_angle_quantity, runup_turn_end(r), 0};
-    if (isfinite(torque)) list[count++] = (coming){EVENT_TORQUE, runup_time_quantity, torque, 0};
-    if (o->duration > 0.0) list[count++] = (coming){EVENT_END, runup_time_quantity, o->duration, 0};
-    if (o->to > 0.0 && (r->how.driven || r->how.rate != 0.0))
-        list[count++] =
-            (coming){!r->how.driven && o->duration > 0.0 ? EVENT_DWELL : EVENT_END, runup_speed_quantity, o->to, 0};
-    if (r->how.driven && !r->how.tripped && o->trip_time > 0.0)
-        list[count++] = (coming){EVENT_TRIP, runup_time_quantity, o->trip_time, 0};
-    if (r->how.driven && !r->how.tripped && o->trip_speed > 0.0)
-        list[count++] = (coming){EVENT_TRIP, runup_speed_quantity, o->trip_speed, 0};
-    if (*o->loss_at && !r->how.lost && o->loss_speed > 0.0)
-        list[count++] = (coming){EVENT_LOSS, runup_speed_quantity, o->loss_speed, 0};
-    if (*o->loss_at && !r->how.lost && o->loss_speed == 0.0)
-        list[count++] = (coming){EVENT_LOSS, runup_time_quantity, o->loss_time, 0};
-    if (r->sides[1].machine && !r->changed && o->change_time > 0.0)
-        list[count++] = (coming){EVENT_CHANGE, runup_time_quantity, o->change_time, 0};
-    if (r->sides[1].machine && !r->changed && o->change_speed > 0.0)
-        list[count++] = (coming){EVENT_CHANGE, runup_speed_quantity, o->change_speed, 0};
+    if (!isnan(own->time) || (own->is.trip && (r->how.tripped || !r->how.driven))) return 0;
+    if (own->is.after != WHIRL_NO_EVENT) since = r->run->events[first + own->is.after].time;
+    if (isnan(since)) return 0;
+    if (!isnan(own->is.time)) list[count++] = (coming){what, runup_time_quantity, since + own->is.time, 0, 1};
+    if (!isnan(own->is.speed)) list[count++] = (coming){what, runup_speed_quantity, own->is.speed, 0, own->is.passing};
+    if (own->is.when) list[count++] = (coming){what, runup_formula_quantity, 0.0, k - first, 1};
+    if (count == 0) list[count++] = (coming){what, runup_time_quantity, since, 0, 1};
     return count;
 }
 
-static bool runup_passes(double target, double before, double after) {
-    return (before < target && after >= target) || (before > target && after <= target);
+/// The corner of the speed table after the present time; the number of its rows behind the last one.
+static size_t runup_next_corner(const runner *r) {
+    const whirl_run_course *course = r->plan->course;
+    const double time = runup_time_of(r, r->x) * (1.0 + 1e-12);
+    size_t k = 0;
+    while (k < course->speed_count && course->speed_times[k] <= time) k++;
+    return k;
 }
 
-/// Lets it happen.
-static void runup_happen(runner *r, event what) {
+/// All that may come in the state that the run is in.
+static size_t runup_list_coming(const runner *r, coming list[MOST_COMING]) {
+    const whirl_runup_options *o = r->plan->options;
+    const whirl_run_course *course = r->plan->course;
+    const double torque = r->machine->begins(r->machine, runup_time_of(r, r->x) * (1.0 + 1e-12));
+    size_t count = 0;
+    if (r->by_time) list[count++] = (coming){EVENT_TURN, runup_angle_quantity, runup_turn_end(r), 0, 0};
+    if (isfinite(torque)) list[count++] = (coming){EVENT_TORQUE, runup_time_quantity, torque, 0, 1};
+    if (o->duration > 0.0) list[count++] = (coming){EVENT_END, runup_time_quantity, o->duration, 0, 1};
+    const bool steady = r->how.rate == 0.0 && !(course && course->has[WHIRL_FORMULA_RATE]);
+    if (o->to > 0.0 && (r->how.driven || !steady))
+        list[count++] = (coming){r->how.rate != 0.0 && o->duration > 0.0 ? EVENT_DWELL : EVENT_END,
+                                 runup_speed_quantity, o->to, 0, 0};
+    if (course && course->speed_count > 0) {
+        const size_t corner = runup_next_corner(r);
+        if (corner < course->speed_count)
+            list[count++] = (coming){EVENT_CORNER, runup_time_quantity, course->speed_times[corner], 0, 1};
+    }
+    for (size_t k = 0; k < r->run->event_count; k++) count += runup_list_event(r, k, list + count);
+    return count;
+}
+
+static bool runup_passes(const coming *what, double before, double after) {
+    return (what->passing >= 0 && before < what->target && after >= what->target) ||
+           (what->passing <= 0 && before > what->target && after <= what->target);
+}
+
+/// Sets the rate of the speed table from the present time on; at a corner the speed is that of the table.
+static void runup_follow_table(runner *r) {
+    const whirl_run_course *course = r->plan->course;
+    if (!course || course->speed_count == 0) return;
+    const size_t next = runup_next_corner(r), last = next - 1; // a table begins at time 0
     const double time = runup_time_of(r, r->x);
-    if (what == EVENT_NONE || what == EVENT_TURN || what == EVENT_TORQUE) return;
+    if (time - course->speed_times[last] <= 2e-12 * time) r->x[r->rotor] = course->speeds[last] / r->unit;
+    r->how.rate = next == course->speed_count ? 0.0
+                                              : (course->speeds[next] - course->speeds[last]) /
+                                                    (course->speed_times[next] - course->speed_times[last]);
+}
+
+/// Makes the integrators of a machine.
+static whirl_status runup_add_integrators(const runner *r, runup_side *side) {
+    whirl_integrate_options options = r->plan->integrate;
+    whirl_status status = whirl_ok();
+    for (size_t time = 0; time < 2 && status.code == WHIRL_OK; time++) {
+        const whirl_system *system = time ? side->machine->by_time : side->machine->by_angle;
+        options.steps_per_revolution = r->plan->options->samples;
+        status = whirl_integrator_new(system, &options, &side->seen[time]);
+        options.steps_per_revolution = 1;
+        if (status.code == WHIRL_OK) status = whirl_integrator_new(system, &options, &side->part[time]);
+    }
+    return status;
+}
+
+/// Goes on with the machine that the events of the course have made so far.
+static void runup_change(runner *r, size_t of) {
+    const size_t next = r->side_count;
+    r->happened[next - 1] = (unsigned char)of;
+    r->status = r->plan->change(r->plan->change_context, next, r->happened, &r->sides[next].machine);
+    if (r->status.code == WHIRL_OK) r->status = runup_add_integrators(r, &r->sides[next]);
+    if (r->status.code != WHIRL_OK) return;
+    whirl_running *before = r->machine;
+    r->side_count++;
+    runup_go_by(r, next, r->by_time);
+    r->run->error = fmax(r->run->error, r->machine->error);
+    r->machine->lose(r->machine, r->lost_count, r->lost);
+    r->turns += r->machine->adopt(r->machine, before, r->by_time, r->x) / two_pi;
+}
+
+/// Lets an event of the run happen. Returns whether the run ends.
+static bool runup_let_happen(runner *r, size_t k) {
+    runup_happening *own = &r->run->events[k];
+    own->time = runup_time_of(r, r->x);
+    own->at = runup_speed_of(r, r->x);
+    if (own->is.trip) r->how.tripped = true;
+    if (own->is.lost.moment > 0.0) {
+        r->lost[r->lost_count++] = own->is.lost;
+        r->how.lost = true;
+        r->machine->lose(r->machine, r->lost_count, r->lost);
+    }
+    if (own->is.changes) runup_change(r, k - runup_first_of_course(r));
+    return own->is.end || r->status.code != WHIRL_OK;
+}
+
+/// Lets something happen. Returns whether the run ends.
+static bool runup_happen(runner *r, int what) {
+    bool ends = false;
+    if (what == EVENT_NONE || what == EVENT_TURN || what == EVENT_TORQUE) return false;
     r->parted = r->parted || what != EVENT_END;
-    switch (what) {
-    case EVENT_DWELL:
+    if (what == EVENT_DWELL) {
         r->how.rate = 0.0;
         r->x[r->rotor] = r->plan->options->to / r->unit;
-        break;
-    case EVENT_TRIP:
-        r->how.tripped = true;
-        r->run->trip = time;
-        break;
-    case EVENT_LOSS:
-        r->how.lost = true;
-        r->run->loss = time;
-        break;
-    case EVENT_CHANGE:
-        r->run->change = time;
-        runup_go_by(r, true, r->by_time);
-        r->turns += r->machine->adopt(r->machine, r->sides[0].machine, r->by_time, r->x) / two_pi;
-        break;
-    default:
-        break;
+    } else if (what >= EVENT_FIRST) {
+        ends = runup_let_happen(r, (size_t)(what - EVENT_FIRST));
     }
+    runup_follow_table(r);
     r->machine->turn(r->machine, &r->how);
+    return ends || what == EVENT_END;
 }
 
-/// Lets all happen that comes where the run is now. Returns whether it ends.
+/// Returns whether something happens in the present state.
+static bool runup_is_here(const runner *r, const coming *what) {
+    const double value = what->of(r, r->x, what->which);
+    if (what->of == runup_formula_quantity) return value >= 0.0;
+    return fabs(value - what->target) <= 1e-12 * what->target;
+}
+
+/// Lets all happen that comes where the run is now, and what follows from it. Returns whether the run ends.
 static bool runup_happen_now(runner *r) {
-    coming list[MOST_COMING];
-    const size_t count = runup_list_coming(r, list);
-    bool ends = false;
-    for (size_t i = 0; i < count; i++) {
-        if (fabs(list[i].of(r, r->x, 0) - list[i].target) > 1e-12 * list[i].target) continue;
-        runup_happen(r, list[i].what);
-        ends = ends || list[i].what == EVENT_END;
+    bool ends = false, more = true;
+    while (more && r->status.code == WHIRL_OK) {
+        coming list[MOST_COMING];
+        const size_t count = runup_list_coming(r, list);
+        int what = EVENT_NONE;
+        for (size_t i = 0; i < count && what == EVENT_NONE; i++) {
+            const bool once = list[i].what == EVENT_DWELL || list[i].what >= EVENT_FIRST;
+            if (list[i].what == EVENT_END && runup_is_here(r, &list[i])) ends = true;
+            if (once && runup_is_here(r, &list[i])) what = list[i].what;
+        }
+        more = what != EVENT_NONE;
+        ends = runup_happen(r, what) || ends;
     }
     return ends;
 }
 
 /// The first event in the part that was carried last with all samples, of that length from the angle `from` on: where
 /// it is, and the state there.
-static event runup_find_event(runner *r, double from, double length, double *at, double *there) {
+static int runup_find_event(runner *r, double from, double length, double *at, double *there) {
     coming list[MOST_COMING];
     const size_t events = runup_list_coming(r, list), count = (size_t)r->plan->options->samples;
     const double step = length / (double)count;
-    event first = EVENT_NONE;
+    int first = EVENT_NONE;
     *at = length;
     for (size_t i = 0; i < events; i++) {
         // A speed that pulsates may pass and return between the ends of a part.
-        double before = list[i].of(r, runup_sample(r, 0), 0);
+        double before = list[i].of(r, runup_sample(r, 0), list[i].which);
         for (size_t k = 0; k < count && (double)k * step < *at; k++) {
-            const double after = list[i].of(r, runup_sample(r, k + 1), 0), begin = (double)k * step;
-            if (runup_passes(list[i].target, before, after)) {
-                const double place = begin + runup_find_passage(r, list[i].of, 0, list[i].target, runup_sample(r, k),
-                                                                from + begin, step, before, after, r->scratch);
+            const double after = list[i].of(r, runup_sample(r, k + 1), list[i].which), begin = (double)k * step;
+            if (runup_passes(&list[i], before, after)) {
+                const double place =
+                    begin + runup_find_passage(r, list[i].of, list[i].which, list[i].target, runup_sample(r, k),
+                                               from + begin, step, before, after, r->scratch);
                 if (first == EVENT_NONE || place < *at) {
                     first = list[i].what;
                     *at = place;
@@ -584,7 +698,7 @@ static bool runup_turn_on(runner *r) {
             r->run->end = runup_end_of(r, motion);
             return false;
         }
-        event what = runup_find_event(r, from, length, &at, there);
+        int what = runup_find_event(r, from, length, &at, there);
         if (what != EVENT_NONE) {
             memcpy(end, r->x, r->dimension * sizeof *end);
             if (at > 0.0) motion = runup_carry_seen(r, from, at, end);
@@ -597,8 +711,10 @@ static bool runup_turn_on(runner *r) {
         r->turns = what == EVENT_TURN ? runup_whole_turns(r) + 1.0 : r->turns + passed / two_pi;
         angle += passed;
         turning = what != EVENT_TURN;
-        runup_happen(r, what);
-        if (runup_happen_now(r) || what == EVENT_END) {
+        bool ends = runup_happen(r, what);
+        ends = runup_happen_now(r) || ends;
+        if (r->status.code != WHIRL_OK) return false;
+        if (ends) {
             runup_show_turn(r, false);
             r->run->end = r->by_time && r->turns < 1.0 && r->x[r->rotor] < 1e-3 ? RUNUP_STALLED : RUNUP_DONE;
             return false;
@@ -615,14 +731,16 @@ static bool runup_start_turning(runner *r) {
     r->machine->torques(r->machine, r->x, r->angle0, &torques);
     r->run->end = RUNUP_STALLED;
     // Torques that depend on time may begin at 0, or below.
-    if (!r->machine->in_time && !(torques.acceleration > 0.0)) return false;
+    const whirl_run_course *course = r->plan->course;
+    const bool in_time = course && (course->has[WHIRL_FORMULA_MOTOR] || course->has[WHIRL_FORMULA_LOAD]);
+    if (!r->machine->in_time && !in_time && !(torques.acceleration > 0.0)) return false;
     return runup_turn_on(r);
 }
 
 /// Goes on by the angle after the first turn from standstill.
 static void runup_go_by_angle(runner *r) {
     r->machine->to_angle(r->machine, r->x);
-    runup_go_by(r, r->changed, false);
+    runup_go_by(r, r->side, false);
 }
 
 /// Turns at the first speed until the motion has settled, before time begins.
@@ -652,7 +770,8 @@ static bool runup_settle(runner *r) {
 
 /// Goes back to what a state belongs to.
 static void runup_go_back(runner *r, const runup_where *to) {
-    runup_go_by(r, to->changed, to->by_time);
+    runup_go_by(r, to->side, to->by_time);
+    r->machine->lose(r->machine, to->lost, r->lost);
     r->machine->turn(r->machine, &to->how);
 }
 
@@ -699,7 +818,7 @@ static void runup_run_all(runner *r) {
     const whirl_runup_options *o = r->plan->options;
     const bool steady = strcmp(o->begin, "steady") == 0;
     bool going = !steady || runup_settle(r);
-    if (going && *o->loss_at && o->loss_speed == 0.0 && o->loss_time == 0.0) runup_happen(r, EVENT_LOSS);
+    if (going) going = !runup_happen_now(r) && r->status.code == WHIRL_OK;
     if (going && o->from == 0.0) going = runup_start_turning(r);
     if (going && o->from == 0.0 && !r->machine->in_time) runup_go_by_angle(r);
     while (going) going = !runup_stopped(r) && runup_turn_on(r);
@@ -718,7 +837,6 @@ static whirl_status runup_open(runner *r) {
     const size_t d = r->most, samples = (size_t)r->plan->options->samples;
     const size_t numbers = d * (2 + samples + 1 + 3 + 1 + 2 + r->probes + 2 * r->torques) +
                            r->contacts * (samples + 3) + 3 * r->probes + 3 * r->torques;
-    whirl_integrate_options options = r->plan->integrate;
     r->x = calloc(numbers + 1, sizeof *r->x);
     r->stations = calloc(r->probes + 1, sizeof *r->stations);
     r->peak_where = calloc(r->probes + 1, sizeof *r->peak_where);
@@ -741,24 +859,17 @@ static whirl_status runup_open(runner *r) {
     r->speed = next, next += r->probes;
     r->torque = next, next += r->torques;
     r->torque_length = next;
-    whirl_status status = whirl_ok();
-    for (size_t i = 0; i < 4 && status.code == WHIRL_OK; i++) {
-        runup_side *side = &r->sides[i / 2];
-        const size_t time = i % 2;
-        if (!side->machine) break;
-        const whirl_system *system = time ? side->machine->by_time : side->machine->by_angle;
-        options.steps_per_revolution = (int)samples;
-        status = whirl_integrator_new(system, &options, &side->seen[time]);
-        options.steps_per_revolution = 1;
-        if (status.code == WHIRL_OK) status = whirl_integrator_new(system, &options, &side->part[time]);
-    }
-    return status;
+    return runup_add_integrators(r, &r->sides[0]);
 }
 
 static void runup_close(runner *r) {
-    for (size_t i = 0; i < 4; i++) {
-        whirl_integrator_free(r->sides[i / 2].seen[i % 2]);
-        whirl_integrator_free(r->sides[i / 2].part[i % 2]);
+    for (size_t i = 0; i < sizeof r->sides / sizeof *r->sides; i++) {
+        runup_side *side = &r->sides[i];
+        for (size_t time = 0; time < 2; time++) {
+            whirl_integrator_free(side->seen[time]);
+            whirl_integrator_free(side->part[time]);
+        }
+        if (i > 0 && side->machine) side->machine->release(side->machine); // the first is the caller's
     }
     free(r->x);
     free(r->stations);
@@ -766,10 +877,33 @@ static void runup_close(runner *r) {
     free(r->torque_where);
 }
 
+/// Returns the number of events of the options themselves, a trip and a loss, and writes them to out [RUNUP_EVENTS].
+static size_t runup_events_of(const whirl_runup_options *o, const whirl_system *system, runup_happening *out) {
+    const whirl_run_event none = {.time = NAN, .speed = NAN, .after = WHIRL_NO_EVENT};
+    size_t count = 0;
+    if (o->trip_time > 0.0 || o->trip_speed > 0.0) {
+        runup_happening *own = &out[count++];
+        *own = (runup_happening){none, NAN, NAN};
+        own->is.trip = true;
+        *(o->trip_time > 0.0 ? &own->is.time : &own->is.speed) = o->trip_time > 0.0 ? o->trip_time : o->trip_speed;
+    }
+    if (*o->loss_at) {
+        runup_happening *own = &out[count++];
+        size_t station = 0;
+        while (station + 1 < system->probe_count && strcmp(system->probes[station].name, o->loss_at) != 0) station++;
+        *own = (runup_happening){none, NAN, NAN};
+        own->is.lost = (whirl_placed){station, o->loss_moment, o->loss_angle};
+        *(o->loss_speed > 0.0 ? &own->is.speed : &own->is.time) = o->loss_speed > 0.0 ? o->loss_speed : o->loss_time;
+    }
+    return count;
+}
+
 whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_run *run) {
     const whirl_runup_options *o = plan->options;
     runner r = {.machine = running,
-                .sides = {{.machine = running}, {.machine = plan->after}},
+                .sides = {{.machine = running}},
+                .side_count = 1,
+                .status = whirl_ok(),
                 .plan = plan,
                 .rotor = running->by_angle->dimension - 2,
                 .most = running->by_time->dimension,
@@ -780,23 +914,30 @@ whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_r
                 .unit = running->unit,
                 .angle0 = plan->angle,
                 .run = run};
-    r.how = (whirl_turning){.driven = o->rate == 0.0, .rate = o->to > 0.0 && o->to < o->from ? -o->rate : o->rate};
-    run->trip = run->loss = run->change = (double)NAN;
+    r.how = (whirl_turning){.driven = whirl_runup_driven(o),
+                            .rate = o->to > 0.0 && o->to < o->from ? -o->rate : o->rate,
+                            .course = plan->course};
+    run->error = running->error;
+    run->event_count = runup_events_of(o, running->by_angle, run->events);
+    for (size_t i = 0; plan->course && i < plan->course->event_count; i++)
+        run->events[run->event_count++] = (runup_happening){plan->course->events[i], NAN, NAN};
     for (size_t p = 0; p < r.probes; p++) run->peaks[p] = (runup_peak){0.0, NAN, NAN};
     for (size_t t = 0; t < r.torques; t++)
         run->torques[t] = (runup_torque){{-(double)INFINITY, NAN}, {(double)INFINITY, NAN}};
     for (size_t c = 0; c < r.contacts; c++) run->contacts[c] = (runup_contact){NAN, NAN, 0.0, 0.0};
     whirl_status status = runup_open(&r);
     if (status.code == WHIRL_OK) {
-        runup_go_by(&r, false, running->in_time || o->from == 0.0);
+        runup_go_by(&r, 0, running->in_time || o->from == 0.0);
         memcpy(r.x, plan->start, plan->start_count * sizeof *r.x);
         r.x[r.rotor] = o->from / r.unit;
         if (r.by_time)
             r.x[r.rotor + 2] = r.angle0;
         else
             running->to_angle(running, r.x);
+        runup_follow_table(&r);
         running->turn(running, &r.how);
         runup_run_all(&r);
+        status = r.status;
     }
     runup_close(&r);
     return status;

@@ -35,7 +35,7 @@ typedef struct runup_turn {
     double end;                    ///< s, at its end
     double turns;                  ///< of the shaft since the beginning
     bool whole;                    ///< the run does not end within it: means and orders count
-    bool parted;                   ///< an event happened in it: a trip, a loss, the end of a rate
+    bool parted;                   ///< an event happened in it, such as a trip or the end of a rate
     whirl_torques torques;         ///< at its end
     const runup_station *stations; ///< [probe_count]
     const double *force;           ///< [contact_count] N, largest normal force
@@ -64,10 +64,21 @@ typedef struct runup_torque {
     runup_extreme largest, least;
 } runup_torque;
 
+/// An event, and when it happened.
+typedef struct runup_happening {
+    whirl_run_event is;
+    double time, at; ///< s and rad/s of the shaft; NaN: never
+} runup_happening;
+
+/// Most events: a trip and a loss of the options, and those of a course.
+enum { RUNUP_EVENTS = WHIRL_MAX_EVENTS + 2 };
+
 typedef struct runup_run {
     runup_end end;
     double time, speed, turns; ///< when it ended
-    double trip, loss, change; ///< s, when these happened; NaN: never
+    double error;              ///< largest interpolation error of the numbers of its machines
+    size_t event_count;        ///< number of events that may happen
+    runup_happening *events;   ///< [event_count] those of the options, then those of the course
     runup_peak *peaks;         ///< [probe_count] located
     runup_contact *contacts;   ///< [contact_count] located
     runup_torque *torques;     ///< [watched_count] located
@@ -83,7 +94,10 @@ typedef void runup_watch_at(void *context, double time, const double *torque, co
 /// How it is run.
 typedef struct runup_plan {
     const whirl_runup_options *options;
-    whirl_running *after; ///< the machine with its changed parameters, or NULL; see whirl_running.adopt
+    const whirl_run_course *course; ///< laws and events, or NULL
+    /// Makes the machine after events [count] of the course, in this order; see whirl_running.adopt.
+    whirl_status (*change)(const void *context, size_t count, const unsigned char *happened, whirl_running **running);
+    const void *change_context;
     whirl_integrate_options integrate;
     const double *start; ///< [start_count] the rotor's displacements and velocities by time over the unit of speed
     size_t start_count;
@@ -94,7 +108,8 @@ typedef struct runup_plan {
     turn_samples *samples; ///< filled in before a turn is shown; NULL: none are wanted
 } runup_plan;
 
-/// Runs it. peaks, contacts, torques and last are the caller's. WHIRL_NO_MEMORY, and errors of integrators.
+/// Runs it. peaks, contacts, torques, events [RUNUP_EVENTS] and last are the caller's. WHIRL_NO_MEMORY, and errors of
+/// integrators and machines.
 whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_run *run);
 
 #endif

@@ -173,6 +173,25 @@ static void describe_error(muParserHandle_t parser, const char *text, char why[W
         snprintf(why, WHY_SIZE, "is no expression at '%s'", text_shown(text + position, shown));
 }
 
+bool evaluator_take(expression_evaluator *evaluator, const char *text, char why[WHY_SIZE]) {
+    const int before = exhausted_watch();
+    int count = 0;
+    mupErrorReset(evaluator->parser);
+    mupSetExpr(evaluator->parser, text);
+    if (!mupError(evaluator->parser)) mupEvalMulti(evaluator->parser, &count);
+    const bool done = !mupError(evaluator->parser) && count == 1;
+    if (exhausted(before))
+        snprintf(why, WHY_SIZE, "%s", problem_no_memory);
+    else if (!done)
+        describe_error(evaluator->parser, text, why);
+    return done;
+}
+
+double evaluator_again(expression_evaluator *evaluator) {
+    const double value = mupEval(evaluator->parser);
+    return mupError(evaluator->parser) ? (double)NAN : value;
+}
+
 static bool evaluate(expression_evaluator *evaluator, const char *text, double *value, char why[WHY_SIZE]) {
     muParserHandle_t parser = evaluator->parser;
     int count = 0;

@@ -68,6 +68,12 @@ expression_evaluator *evaluator_new(const char *const *names, double *values, si
 bool evaluator_value(expression_evaluator *evaluator, const char *text, double *value, char why[WHY_SIZE]);
 void evaluator_free(expression_evaluator *evaluator);
 
+/// Takes an expression that evaluator_again evaluates. Returns false if it is invalid; `why` is the reason.
+bool evaluator_take(expression_evaluator *evaluator, const char *text, char why[WHY_SIZE]);
+
+/// Returns the value of the expression with the present values; NaN if it has none.
+double evaluator_again(expression_evaluator *evaluator);
+
 /// Evaluating expressions is the longest part of reading a case, hence the second bound.
 enum { PARAMETERS_MAX = 256, EXPRESSIONS_MAX_BYTES = 1 << 16 };
 

@@ -163,7 +163,7 @@ static void runup_describe_shaft(const drawing *of, const figure_place *place, w
                        &c, WHIRL_FIELD_RUNUP_SPEED, 0, 0, 1.0 / speed->size);
     }
     // Torques that change within a turn have a figure of their own.
-    const bool driven = table->record.runup.rate == 0.0 && !table_has(table, WHIRL_FIELD_RUNUP_TORQUE_OF);
+    const bool driven = whirl_runup_driven(&table->record.runup) && !table_has(table, WHIRL_FIELD_RUNUP_TORQUE_OF);
     whirl_panel *torques = count == 1 && driven ? figure_panel(figure, "torque", 1.0, 4.0) : NULL;
     if (torques) {
         const course c = runup_course_of(of, table, runs[0], false);

@@ -77,20 +77,57 @@ static void runup_find_runs(const finder *of) {
     sheet_column(of, sheet, "time", "ended at", WHIRL_QUANTITY_TIME, 6);
     sheet_column(of, sheet, "speed", "speed there", WHIRL_QUANTITY_SPEED, 6);
     sheet_column(of, sheet, "turns", "turns", WHIRL_QUANTITY_NUMBER, 6);
-    sheet_column(of, sheet, "trip", "motor lost at", WHIRL_QUANTITY_TIME, 6);
-    sheet_column(of, sheet, "loss", "blade lost at", WHIRL_QUANTITY_TIME, 6);
-    sheet_column(of, sheet, "change", "changed at", WHIRL_QUANTITY_TIME, 6);
     sheet_texts(of, sheet, "end", "ended");
     for (size_t point = 0; point < of->table->count; point++) {
-        const double *events = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_EVENTS, 0);
-        if (!events) continue;
+        if (!runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_END_TIME, 0)) continue;
         sheet_row(of, sheet);
         cell_value(of, sheet, point);
         cell_number(of, sheet, runup_number_of(of, point, WHIRL_FIELD_RUNUP_END_TIME, 0));
         cell_number(of, sheet, runup_number_of(of, point, WHIRL_FIELD_RUNUP_END_SPEED, 0));
         cell_number(of, sheet, runup_number_of(of, point, WHIRL_FIELD_RUNUP_END_TURNS, 0));
-        for (size_t i = 0; i < 3; i++) cell_number(of, sheet, events[i]);
         cell_text(of, sheet, runup_ended(runup_number_of(of, point, WHIRL_FIELD_RUNUP_END, 0)));
+    }
+    find_sheet_end(of);
+}
+
+/// Says what an event does: "motor lost, blade lost at fan".
+static void runup_say_event(const finder *of, const double *event, char *text, size_t size) {
+    const bool named = event[3] >= 0.0 && event[3] < (double)of->result->station_count;
+    const char *const parts[] = {event[2] > 0.0 ? "motor lost" : "", named ? "blade lost at " : "",
+                                 event[6] > 0.0 ? "parameters change" : "", event[7] > 0.0 ? "run ends" : ""};
+    size_t used = 0;
+    text[0] = '\0';
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        if (!*parts[i]) continue;
+        snprintf(text + used, size - used, "%s%s%s", used ? ", " : "", parts[i],
+                 i == 1 ? of->result->stations[(size_t)event[3]].name : "");
+        used = strlen(text);
+    }
+    if (used == 0) snprintf(text, size, "condition of others");
+}
+
+/// When events happened, in the order of the case; those that never did, too.
+static void runup_find_events(const finder *of) {
+    enum { COLUMNS = 8 };
+    const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_HAPPENED);
+    if (!rows) return;
+    whirl_sheet *sheet = find_sheet(of, "events", "Events of a run");
+    sheet_values(of, sheet, "", 6);
+    sheet_texts(of, sheet, "event", "event");
+    sheet_column(of, sheet, "time", "at", WHIRL_QUANTITY_TIME, 6);
+    sheet_column(of, sheet, "speed", "speed", WHIRL_QUANTITY_SPEED, 6);
+    for (size_t point = 0; point < of->table->count; point++) {
+        const double *events = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_HAPPENED, 0);
+        for (size_t row = 0; events && row < rows->rows; row++) {
+            const double *own = events + COLUMNS * row;
+            char text[WHIRL_NAME_SIZE + 80];
+            if (isnan(own[2])) continue;
+            runup_say_event(of, own, text, sizeof text);
+            sheet_row(of, sheet);
+            cell_value(of, sheet, point);
+            cell_text(of, sheet, find_text(of->findings, isnan(own[0]) ? "%s (did not happen)" : "%s", text));
+            for (size_t i = 0; i < 2; i++) cell_number(of, sheet, own[i]);
+        }
     }
     find_sheet_end(of);
 }
@@ -294,6 +331,7 @@ static void runup_find(const finder *of) {
     runup_find_capture(of);
     runup_find_slow_roll(of);
     runup_find_runs(of);
+    runup_find_events(of);
     runup_find_peaks(of);
     runup_find_contacts(of);
     runup_find_torques(of);

@@ -94,11 +94,12 @@ static whirl_status as_given(const void *context, double speed, whirl_machine *m
     return at_speed(context, speed, WHIRL_AS_GIVEN, 0.0, machine);
 }
 
-static whirl_status make_running(const void *context, double lowest, double highest, bool driven, bool changed,
-                                 whirl_running **running) {
+static whirl_status make_running(const void *context, double lowest, double highest, bool driven, size_t count,
+                                 const unsigned char *happened, whirl_running **running) {
     place at = *(const place *)context;
     whirl_batch batch = *at.batch;
-    batch.with_change = changed;
+    batch.happened_count = count;
+    for (size_t i = 0; i < count; i++) batch.happened[i] = happened[i];
     at.batch = &batch;
     return whirl_running_new(as_given, &at, lowest, highest, driven, running);
 }
@@ -125,6 +126,7 @@ static whirl_status resting_analyze(worker *w, size_t slot, const resting_machin
                            .running = make_running,
                            .context = &at,
                            .drive_speed = machine->drive_speed,
+                           .course = machine->course,
                            .stop = w->batch->integrate.stop,
                            .placed_count = w->batch->placed_count,
                            .placed = w->batch->placed};

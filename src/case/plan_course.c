@@ -1,0 +1,404 @@
+// The course of a run: its events, and its laws of speed, torque and ground, with the parameters' values at a point.
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "plan.h"
+#include "tree.h"
+
+/// Keys of the formulas of a run that are no event's, in their order.
+static const char *const laws[] = {"rate_law", "torque_law", "load_law", "ground_x", "ground_y"};
+
+/// Variables of every station, after its name and '_', in the order of WHIRL_OF_STATION_.
+static const char *const of_station[WHIRL_OF_STATION] = {"x", "y", "radius", "vx", "vy", "speed"};
+
+// ---------------------------------------------------------------- formulas
+
+/// What names in a formula may be.
+typedef struct course_names {
+    const parameter_table *parameters;
+    const machine_parts *machine; ///< with its stations as variables; NULL: time and speed alone
+    char name[WHIRL_NAME_SIZE];   ///< the last name
+    bool twice;                   ///< it is a parameter's, and a variable's
+} course_names;
+
+/// Returns the index of a variable's name; WHIRL_VARIABLE_STATIONS + WHIRL_OF_STATION * stations if it is none.
+static size_t course_variable(const machine_parts *machine, const char *name) {
+    const size_t stations = machine ? machine->stations.count : 0;
+    if (strcmp(name, "time") == 0) return WHIRL_VARIABLE_TIME;
+    if (strcmp(name, "speed") == 0) return WHIRL_VARIABLE_SPEED;
+    for (size_t s = 0; s < stations; s++) {
+        const char *station = machine->stations.names[s];
+        const size_t length = strlen(station);
+        if (strncmp(name, station, length) != 0 || name[length] != '_') continue;
+        for (size_t k = 0; k < WHIRL_OF_STATION; k++)
+            if (strcmp(name + length + 1, of_station[k]) == 0)
+                return WHIRL_VARIABLE_STATIONS + WHIRL_OF_STATION * s + k;
+    }
+    return WHIRL_VARIABLE_STATIONS + WHIRL_OF_STATION * stations;
+}
+
+static size_t course_variable_count(const machine_parts *machine) {
+    return WHIRL_VARIABLE_STATIONS + WHIRL_OF_STATION * machine->stations.count;
+}
+
+static bool course_knows(void *context, const char *name, size_t length) {
+    course_names *c = context;
+    snprintf(c->name, sizeof c->name, "%.*s", (int)length, name);
+    const size_t none = WHIRL_VARIABLE_STATIONS + WHIRL_OF_STATION * (c->machine ? c->machine->stations.count : 0);
+    const bool known = parameters_find(c->parameters, c->name) < c->parameters->count;
+    const bool variable = course_variable(c->machine, c->name) < none;
+    c->twice = known && variable;
+    return known != variable;
+}
+
+/// Returns a condition without its comparison: "a > b" is a - b. NULL after a problem.
+static const char *course_without_comparison(case_reader *reader, const file_node *where, const char *text) {
+    char shown[SHOWN_SIZE];
+    size_t depth = 0, at = 0, count = 0;
+    for (size_t i = 0; text[i]; i++) {
+        depth += text[i] == '(';
+        depth -= text[i] == ')' && depth > 0;
+        if (strchr("<>!&|?", text[i]) || (text[i] == '=' && text[i + 1] == '=')) {
+            count += depth > 0 || !strchr("<>", text[i]) ? 2 : 1;
+            at = i;
+        }
+    }
+    if (count == 0) return text;
+    if (count > 1) {
+        problem_at(reader->problems, where,
+                   "is = %s, expected one comparison by < or >, or a formula that rises above 0",
+                   text_shown(text, shown));
+        return NULL;
+    }
+    const bool less = text[at] == '<';
+    const char *right = text + at + 1 + (text[at + 1] == '=');
+    const size_t size = strlen(text) + sizeof "()-()";
+    char *made = arena_take(reader->arena, size);
+    if (!made)
+        reader->no_memory = true;
+    else if (less)
+        snprintf(made, size, "(%s)-(%.*s)", right, (int)at, text);
+    else
+        snprintf(made, size, "(%.*s)-(%s)", (int)at, text, right);
+    return made;
+}
+
+/// Reads a formula. machine: with the stations whose motion it may use, or NULL. NULL after a problem.
+static const char *course_read_formula(case_reader *reader, const file_node *where, const machine_parts *machine) {
+    char why[WHY_SIZE], shown[SHOWN_SIZE];
+    course_names names = {.parameters = reader->parameters, .machine = machine};
+    const char *text = where->kind == NODE_TEXT ? where->text : "";
+    if (*text != '=') {
+        problem_at(reader->problems, where, "is %s, expected '= ' and a formula", node_shown(where, shown));
+        return NULL;
+    }
+    text += 1 + strspn(text + 1, " ");
+    if (expression_check(text, course_knows, &names, why)) return text;
+    if (*why)
+        problem_at(reader->problems, where, "%s", why);
+    else if (names.twice)
+        problem_at(reader->problems, where,
+                   "is = %s, where %s is a parameter and a variable of the run, expected another name of the parameter",
+                   text_shown(text, shown), names.name);
+    else
+        problem_at(reader->problems, where,
+                   "is = %s, but no parameter is called %s, nor is it time, speed%s (formulas are in SI)",
+                   text_shown(text, shown), names.name,
+                   machine ? " or the motion of a station, such as STATION_radius, STATION_x or STATION_vy" : "");
+    return NULL;
+}
+
+// ---------------------------------------------------------------- reading
+
+static void course_read_speeds(case_reader *reader, const file_node *where, course_parts *course) {
+    static const whirl_key time = {.name = "time", .unit = "s", .range = WHIRL_NOT_NEGATIVE},
+                           speed = {.name = "speed", .unit = "rad/s", .range = WHIRL_NOT_NEGATIVE};
+    char shown[SHOWN_SIZE];
+    if (where->kind != NODE_LIST || where->count < 2 || where->count > WHIRL_MAX_SPEEDS) {
+        problem_at(reader->problems, where, "is %s, expected 2 to %d pairs [time, speed]",
+                   where->kind == NODE_LIST ? "a list of another length" : node_shown(where, shown), WHIRL_MAX_SPEEDS);
+        return;
+    }
+    course->speeds = arena_take(reader->arena, where->count * sizeof *course->speeds);
+    reader->no_memory = reader->no_memory || !course->speeds;
+    for (const file_node *row = where->first; row && course->speeds; row = row->next) {
+        if (row->kind != NODE_LIST || row->count != 2) {
+            problem_at(reader->problems, row, "is %s, expected a pair [time, speed]", node_shown(row, shown));
+            return;
+        }
+        speed_row *own = &course->speeds[course->speed_count++];
+        own->place = row;
+        if (!formula_read(reader, row->first, &time, &own->time) ||
+            !formula_read(reader, row->last, &speed, &own->speed))
+            return;
+    }
+}
+
+/// Returns the index of the event of a name among the first `count`; `count` if there is none.
+static size_t course_event_named(const course_parts *course, size_t count, const char *name) {
+    size_t i = 0;
+    while (i < count && (!course->events[i].name || strcmp(course->events[i].name, name) != 0)) i++;
+    return i;
+}
+
+/// Reads after which event this one may happen.
+static void course_read_after(case_reader *reader, course_parts *course, course_event *own) {
+    char advice[WHY_SIZE], shown[SHOWN_SIZE];
+    const char *names[WHIRL_MAX_EVENTS];
+    size_t count = 0;
+    const setting *after = settings_find(&own->keys, "after");
+    if (!after) return;
+    const size_t before = (size_t)(own - course->events);
+    for (size_t i = 0; i < before; i++)
+        if (course->events[i].name) names[count++] = course->events[i].name;
+    own->after = course_event_named(course, before, after->word ? after->word : "");
+    if (own->after < before) return;
+    own->after = WHIRL_NO_EVENT;
+    describe_names(after->word ? after->word : "", names, count, advice);
+    problem_at(reader->problems, after->place, "is %s, which is the name of no event before, %s",
+               node_shown(after->place, shown), count > 0 ? advice : "expected one with a name");
+}
+
+static void course_read_event(case_reader *reader, const file_node *where, const machine_parts *machine,
+                              course_parts *course) {
+    course_event *own = &course->events[course->event_count];
+    *own = (course_event){.place = where, .after = WHIRL_NO_EVENT, .station = machine->stations.count};
+    own->keys = (setting_list){.name = "event", .group = &schema_event, .place = where};
+    settings_read(reader, where, &schema_event, &own->keys);
+    resting_read_stations(reader, machine, &own->keys, "loss_at", false);
+    resting_read_change(reader, &own->keys, &own->change);
+    const setting *name = settings_find(&own->keys, "name"), *when = settings_find(&own->keys, "when");
+    const setting *at = settings_find(&own->keys, "loss_at"), *moment = settings_find(&own->keys, "loss_moment");
+    own->name = name ? name->word : NULL;
+    course_read_after(reader, course, own);
+    course->event_count++;
+    if (when) own->when = course_read_formula(reader, when->place, machine);
+    if (own->when) own->when = course_without_comparison(reader, when->place, own->when);
+    if (at && at->word) own->station = named_find(&machine->stations, at->word);
+    if (!at != !moment)
+        problem_at_key(reader->problems, where, "has %s, expected loss_at and loss_moment together",
+                       at ? "loss_at alone" : "loss_moment alone");
+    own->trip = settings_yes(&own->keys, "trip");
+    own->end = settings_yes(&own->keys, "end");
+    if (!when && !settings_find(&own->keys, "time") && !settings_find(&own->keys, "speed") &&
+        !settings_find(&own->keys, "after"))
+        problem_at_key(reader->problems, where, "has no time, speed, when or after, expected one of them");
+    const bool acts = at || own->trip || own->end || settings_find(&own->keys, "change");
+    if (!acts && !own->name)
+        problem_at_key(reader->problems, where, "changes nothing, expected trip, loss_at, change, end or a name");
+}
+
+static void course_read_events(case_reader *reader, const file_node *where, const machine_parts *machine,
+                               course_parts *course) {
+    char shown[SHOWN_SIZE];
+    if (where->kind != NODE_LIST || where->count == 0 || course->event_count + where->count > WHIRL_MAX_EVENTS) {
+        problem_at(reader->problems, where, "is %s, expected a list of 1 to %zu events",
+                   where->kind == NODE_LIST ? where->count ? "a longer list" : "empty" : node_shown(where, shown),
+                   WHIRL_MAX_EVENTS - course->event_count);
+        return;
+    }
+    for (const file_node *one = where->first; one; one = one->next) course_read_event(reader, one, machine, course);
+}
+
+/// Writes what results keep of a key whose value is a list.
+static void course_say(case_reader *reader, setting_list *keys, const char *key, const char *text) {
+    for (size_t i = 0; i < keys->count; i++)
+        if (strcmp(keys->items[i].key->name, key) == 0)
+            keys->items[i].word = arena_text(reader->arena, text, strlen(text));
+}
+
+const course_parts *course_read(case_reader *reader, const machine_parts *machine, setting_list *keys) {
+    const setting *change = settings_find(keys, "change"), *events = settings_find(keys, "events");
+    const setting *speeds = settings_find(keys, "speeds");
+    char text[WHIRL_NAME_SIZE];
+    bool any = change || events || speeds;
+    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) any = any || settings_find(keys, laws[i]);
+    if (!any) return NULL;
+    course_parts *course = arena_take(reader->arena, sizeof *course);
+    reader->no_memory = reader->no_memory || !course;
+    if (!course) return NULL;
+    *course = (course_parts){.event_count = 0};
+    if (change) {
+        course_event *own = &course->events[course->event_count++];
+        *own = (course_event){.place = change->place,
+                              .after = WHIRL_NO_EVENT,
+                              .station = machine->stations.count,
+                              .keys = *keys,
+                              .alone = true};
+        resting_read_change(reader, keys, &own->change);
+    }
+    if (events) course_read_events(reader, events->place, machine, course);
+    if (speeds) course_read_speeds(reader, speeds->place, course);
+    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
+        const setting *given = settings_find(keys, laws[i]);
+        if (given) course->laws[i] = course_read_formula(reader, given->place, NULL);
+    }
+    snprintf(text, sizeof text, "%zu", course->event_count - (change != NULL));
+    course_say(reader, keys, "events", text);
+    snprintf(text, sizeof text, "%zu speeds", course->speed_count);
+    course_say(reader, keys, "speeds", text);
+    return course;
+}
+
+// ---------------------------------------------------------------- values
+
+/// What evaluates the formulas of a run at a point.
+struct course_run {
+    whirl_run_course shown;
+    expression_evaluator *formulas[WHIRL_FORMULAS]; ///< NULL for those that are not given
+    double values[];                                ///< of parameters, then of variables
+};
+
+static double course_value(void *owner, whirl_run_formula formula) {
+    return evaluator_again(((course_run *)owner)->formulas[formula]);
+}
+
+void course_free(course_run *run) {
+    for (size_t i = 0; run && i < WHIRL_FORMULAS; i++) evaluator_free(run->formulas[i]);
+    free(run);
+}
+
+const whirl_run_course *course_shown(const course_run *run) {
+    return run ? &run->shown : NULL;
+}
+
+/// Makes the names of all variables, behind those of the parameters, in names; texts is their memory.
+static void course_name_variables(const machine_parts *machine, const char **names,
+                                  char (*texts)[2 * WHIRL_NAME_SIZE]) {
+    const size_t count = course_variable_count(machine);
+    for (size_t i = 0; i < count; i++) {
+        const size_t station = i < WHIRL_VARIABLE_STATIONS ? 0 : (i - WHIRL_VARIABLE_STATIONS) / WHIRL_OF_STATION;
+        if (i < WHIRL_VARIABLE_STATIONS)
+            snprintf(texts[i], sizeof *texts, "%s", i == WHIRL_VARIABLE_TIME ? "time" : "speed");
+        else
+            snprintf(texts[i], sizeof *texts, "%.63s_%s", machine->stations.names[station],
+                     of_station[(i - WHIRL_VARIABLE_STATIONS) % WHIRL_OF_STATION]);
+        names[i] = texts[i];
+    }
+}
+
+/// Makes the evaluator of a formula. names [count] of its parameters and variables.
+static whirl_status course_add_formula(course_run *run, whirl_run_formula formula, const char *text,
+                                       const char *const *names, size_t count) {
+    char why[WHY_SIZE];
+    run->formulas[formula] = evaluator_new(names, run->values, count);
+    if (!run->formulas[formula]) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the formulas of a run");
+    if (!evaluator_take(run->formulas[formula], text, why)) return whirl_fail(WHIRL_BAD_INPUT, "%s", why);
+    run->shown.has[formula] = true;
+    return whirl_ok();
+}
+
+/// Evaluates a number of an event; NaN if it is not given.
+static double course_number(valuation *v, const course_event *own, const char *key) {
+    char name[WHIRL_NAME_SIZE];
+    snprintf(name, sizeof name, own->alone ? "change_%s" : "%s", key);
+    const setting *given = settings_find(&own->keys, name);
+    double number = NAN;
+    if (given && valuation_number(v, &given->value, &number).code != WHIRL_OK) number = NAN;
+    // A change of old has 0 for what does not make it.
+    return own->alone && number == 0.0 ? (double)NAN : number;
+}
+
+static void course_make_event(valuation *v, const course_event *own, size_t stations, whirl_run_event *out) {
+    const char *passing = own->alone ? "either" : settings_word(&own->keys, "passing");
+    const bool rises = strcmp(passing, "rising") == 0, falls = strcmp(passing, "falling") == 0;
+    *out = (whirl_run_event){.time = course_number(v, own, "time"),
+                             .speed = course_number(v, own, "speed"),
+                             .passing = rises   ? 1
+                                        : falls ? -1
+                                                : 0,
+                             .when = own->when != NULL,
+                             .after = own->after,
+                             .trip = own->trip,
+                             .end = own->end,
+                             .changes = own->change.count > 0};
+    if (own->station == stations) return;
+    const double angle = course_number(v, own, "loss_angle");
+    out->lost = (whirl_placed){own->station, course_number(v, own, "loss_moment"), isnan(angle) ? 0.0 : angle};
+}
+
+static whirl_status course_make_speeds(const course_parts *parts, valuation *v, whirl_run_course *out) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < parts->speed_count && status.code == WHIRL_OK; i++) {
+        status = valuation_number(v, &parts->speeds[i].time, &out->speed_times[i]);
+        if (status.code == WHIRL_OK) status = valuation_number(v, &parts->speeds[i].speed, &out->speeds[i]);
+        if (status.code != WHIRL_OK) break;
+        if (i == 0 ? out->speed_times[i] != 0.0 : !(out->speed_times[i] > out->speed_times[i - 1]))
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              i == 0 ? "the speeds of the run begin at %.6g s, expected 0"
+                                     : "the speeds of the run have %.6g s after a later time, expected "
+                                       "times that rise",
+                              out->speed_times[i]);
+        if (i > 0 && !(out->speeds[i] > 0.0))
+            return whirl_fail(WHIRL_BAD_INPUT, "the speed of the run is %.6g rad/s at %.6g s, expected one above 0",
+                              out->speeds[i], out->speed_times[i]);
+    }
+    out->speed_count = parts->speed_count;
+    return status;
+}
+
+whirl_status course_make(const course_parts *parts, const machine_parts *machine, valuation *v, double length,
+                         course_run **out) {
+    const size_t parameters = v->parameters->count, variables = course_variable_count(machine);
+    const size_t count = parameters + variables;
+    course_run *run = calloc(1, sizeof *run + count * sizeof *run->values);
+    const char **names = malloc(count * sizeof *names);
+    char(*texts)[2 * WHIRL_NAME_SIZE] = malloc(variables * sizeof *texts);
+    *out = run;
+    whirl_status status =
+        run && names && texts ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the course of a run");
+    if (status.code == WHIRL_OK) {
+        memcpy(run->values, v->values, parameters * sizeof *run->values);
+        if (parameters > 0) memcpy(names, v->parameters->names, parameters * sizeof *names);
+        course_name_variables(machine, names + parameters, texts);
+        run->shown.length = length;
+        run->shown.variables = run->values + parameters;
+        run->shown.owner = run;
+        run->shown.value = course_value;
+        run->shown.event_count = parts->event_count;
+        status = course_make_speeds(parts, v, &run->shown);
+    }
+    for (size_t i = 0; i < sizeof laws / sizeof *laws && status.code == WHIRL_OK; i++)
+        if (parts->laws[i]) status = course_add_formula(run, (whirl_run_formula)i, parts->laws[i], names, count);
+    for (size_t i = 0; i < parts->event_count && status.code == WHIRL_OK; i++) {
+        const course_event *own = &parts->events[i];
+        course_make_event(v, own, machine->stations.count, &run->shown.events[i]);
+        if (own->when)
+            status = course_add_formula(run, WHIRL_FORMULA_EVENT + (whirl_run_formula)i, own->when, names, count);
+    }
+    free(names);
+    free(texts);
+    return status;
+}
+
+whirl_status course_given(const course_parts *parts, size_t event, valuation *v, whirl_given *given, size_t *count) {
+    const condition_parts *change = &parts->events[event].change;
+    for (size_t i = 0; i < change->count; i++) {
+        whirl_given *own = &given[*count];
+        own->name = change->parameters[i]->name;
+        const whirl_status status = valuation_number(v, &change->values[i], &own->value);
+        if (status.code != WHIRL_OK) return status;
+        ++*count;
+    }
+    return whirl_ok();
+}
+
+bool course_check(case_reader *reader, valuation *v, const course_parts *parts) {
+    bool good = true;
+    for (size_t i = 0; i < parts->event_count; i++) {
+        const course_event *own = &parts->events[i];
+        if (!own->alone) good = settings_check(reader, v, &own->keys) && good;
+        for (size_t k = 0; k < own->change.count; k++) {
+            double value;
+            good = plan_formula_value(reader, v, own->change.places[k], &own->change.values[k], &value) && good;
+        }
+    }
+    for (size_t i = 0; i < parts->speed_count; i++) {
+        double value;
+        good = plan_formula_value(reader, v, parts->speeds[i].place, &parts->speeds[i].time, &value) && good;
+        good = plan_formula_value(reader, v, parts->speeds[i].place, &parts->speeds[i].speed, &value) && good;
+    }
+    return good;
+}
