@@ -62,6 +62,14 @@ EXPORTED int explorer_assign(whirl_case *object, const char *assignment) {
     return explorer_good(&status);
 }
 
+EXPORTED const char *explorer_case_text(const whirl_case *object) {
+    size_t length;
+    const char *source = whirl_case_text(object, &length);
+    text_clear(&answer);
+    text_add(&answer, "%.*s", (int)length, source);
+    return text_bytes(&answer);
+}
+
 // ---------------------------------------------------------------- describing
 
 /// Writes every member that has a name, in the form of results.
@@ -107,25 +115,31 @@ typedef struct use_list {
     text *to;
 } use_list;
 
+/// Writes meaning, unit and range of a key.
+static void add_key(text *t, const whirl_key *key) {
+    const whirl_range *range = &key->range;
+    json_name(t, "meaning");
+    json_text(t, key->meaning);
+    json_name(t, "unit");
+    json_text(t, key->unit);
+    json_name(t, "low");
+    json_number(t, range->low);
+    json_name(t, "high");
+    json_number(t, range->high);
+    text_add(t, ",\"lowOpen\":%s,\"highOpen\":%s", range->low_open ? "true" : "false",
+             range->high_open ? "true" : "false");
+}
+
 static void add_use(void *context, const whirl_use *use) {
     const use_list *list = context;
-    const whirl_range *range = &use->key->range;
     text *t = list->to;
     if (strcmp(use->parameter, list->parameter) != 0) return;
     json_next(t);
     text_add(t, "{");
     json_name(t, "path");
     json_text(t, use->path);
-    json_name(t, "meaning");
-    json_text(t, use->key->meaning);
-    json_name(t, "unit");
-    json_text(t, use->key->unit);
-    json_name(t, "low");
-    json_number(t, range->low);
-    json_name(t, "high");
-    json_number(t, range->high);
-    text_add(t, ",\"lowOpen\":%s,\"highOpen\":%s,\"alone\":%s}", range->low_open ? "true" : "false",
-             range->high_open ? "true" : "false", use->alone ? "true" : "false");
+    add_key(t, use->key);
+    text_add(t, ",\"alone\":%s}", use->alone ? "true" : "false");
 }
 
 static void add_parameter(text *t, const whirl_case *object, const whirl_parameter *parameter) {
@@ -151,6 +165,33 @@ static void add_parameter(text *t, const whirl_case *object, const whirl_paramet
     text_add(t, "]}");
 }
 
+/// Keys that the page moves while a run is shown, wherever they stand.
+static const char *const moved_keys[] = {"rate",   "torque",      "load_quadratic", "eccentricity",
+                                         "moment", "loss_moment", "friction",       NULL};
+
+/// Writes a number of the case in the form of a parameter, if its key is one that is moved.
+static void add_lever(void *context, const whirl_written_number *number) {
+    text *t = context;
+    const char *const *key = moved_keys;
+    while (*key && strcmp(*key, number->key->name) != 0) key++;
+    if (!*key) return;
+    json_next(t);
+    text_add(t, "{");
+    json_name(t, "name");
+    json_text(t, number->name);
+    json_name(t, "written");
+    json_text(t, number->text);
+    json_name(t, "value");
+    json_number(t, number->value);
+    json_name(t, "unit");
+    json_text(t, number->key->unit);
+    text_add(t, ",\"expression\":false,\"comment\":\"\",\"uses\":[{");
+    json_name(t, "path");
+    json_text(t, number->name);
+    add_key(t, number->key);
+    text_add(t, ",\"alone\":true}]}");
+}
+
 static void add_methods(text *t) {
     json_name(t, "methods");
     text_add(t, "[");
@@ -172,6 +213,7 @@ void add_options(text *t, const whirl_batch *batch) {
     text_add(t, "{");
     add_members(t, whirl_integrate_members(), &batch->integrate);
     add_members(t, whirl_record_members(), &batch->record);
+    if (whirl_analysis_has(batch->analyses, "runup")) add_members(t, whirl_runup_members(), &batch->record.runup);
     text_add(t, "}");
 }
 
@@ -205,6 +247,7 @@ static void add_batch(text *t, const whirl_batch *batch) {
     text_add(t, "]");
     json_name(t, "carry");
     json_text(t, carry_name(batch->carry));
+    text_add(t, ",\"runup\":%s", whirl_analysis_has(batch->analyses, "runup") ? "true" : "false");
     add_options(t, batch);
     text_add(t, "}");
 }
@@ -221,6 +264,10 @@ static void add_case(text *t, const whirl_case *object, const whirl_result *desc
         json_next(t);
         add_parameter(t, object, &described->parameters[i]);
     }
+    text_add(t, "]");
+    json_name(t, "levers");
+    text_add(t, "[");
+    whirl_case_numbers(object, add_lever, t);
     text_add(t, "]");
     add_stations(t, described->stations, described->station_count);
     json_name(t, "contacts");

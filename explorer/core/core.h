@@ -31,6 +31,9 @@ void explorer_case_free(whirl_case *object);
 /// whirl_case_assign.
 int explorer_assign(whirl_case *object, const char *assignment);
 
+/// Returns the present text of the case, which assignments to keys change.
+const char *explorer_case_text(const whirl_case *object);
+
 /// CaseInfo of protocol.ts as JSON.
 const char *explorer_describe(const whirl_case *object);
 
@@ -114,6 +117,19 @@ double explorer_job_turn(job *j);
 
 /// Takes a finished point: returns its index, or -1 if there is none. Writes its block and its end, NaN if it diverged.
 int explorer_job_take(job *j, double *block, double *end);
+
+// ---------------------------------------------------------------- run-ups
+
+/// Requests what the page shows of a run-up over the time: an orbit for every row, and spectra. Call it before
+/// explorer_plan_layout.
+void explorer_plan_run(plan *p);
+
+/// Returns the length of the run in s, as planned.
+double explorer_run_duration(const plan *p);
+
+/// Writes the block [explorer_block_size] of the run at a value. While it runs, Module.passed is called after every
+/// turn of the shaft with the time in s up to which the block is filled in. 0 after a failure.
+int explorer_run(const plan *p, double value, double *block);
 
 // ---------------------------------------------------------------- orbits along branches
 

@@ -73,6 +73,10 @@ EXPORTED int explorer_plan_number(plan *p, const char *name, double value) {
         member = whirl_member_find(whirl_record_members(), name);
         options = &p->batch.record;
     }
+    if (!member) {
+        member = whirl_member_find(whirl_runup_members(), name);
+        options = &p->batch.record.runup;
+    }
     whirl_status status = whirl_fail(WHIRL_BAD_INPUT, "no option is called %.40s", name);
     if (member) status = whirl_key_check_number(&member->key, value);
     if (member && status.code != WHIRL_OK) status = whirl_fail(status.code, "%s %s", name, status.message);

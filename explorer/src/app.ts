@@ -18,6 +18,7 @@ import type { Spot } from './view/parameter_map';
 import type { PaneListener } from './view/pane';
 import type { ParameterMapCardListener } from './view/parameter_map_card';
 import type { RestListener } from './view/rest';
+import type { RunListener } from './view/run';
 import type { SettingsListener } from './view/settings_card';
 import { Takeaway } from './view/takeaway';
 import type { TopbarListener } from './view/topbar';
@@ -46,6 +47,7 @@ export class App {
     });
     this.page = new Page(this.session, {
       rest: this.restListener(),
+      run: this.runListener(),
       topbar: this.topbarListener(),
       card: this.cardListener(),
       map: this.mapListener(),
@@ -59,7 +61,7 @@ export class App {
       changed: (name) => this.later(name),
     });
     this.takeaway = new Takeaway(this.session, {
-      say: (text) => this.page.settings.say(text),
+      say: (text) => this.page.say(text),
       settle: () => this.history.write(),
     });
   }
@@ -146,6 +148,24 @@ export class App {
     };
   }
 
+  private runListener(): RunListener {
+    const { session } = this;
+    return {
+      settings: this.settingsListener(),
+      station: (index) => this.change({ station: session.stations[index]?.name ?? '' }),
+      time: (seconds) => {
+        session.address.time = Math.max(0, seconds);
+        this.later('run');
+      },
+      run: (value) => {
+        session.model.forget();
+        this.cursor('a', value, false);
+      },
+      compute: () => session.wantRun(session.side, true),
+      stop: () => session.model.stop(),
+    };
+  }
+
   private settingsListener(): SettingsListener {
     return {
       assigned: (name, text, settled, value) => this.assign(name, text, settled, value),
@@ -181,6 +201,7 @@ export class App {
     this.watches.endAll();
     for (const side of Object.values(session.sides)) side.forget();
     session.sights.open();
+    session.model.forget();
     session.refineMap(undefined);
     session.sides.a.choice = session.address.a;
     if (session.address.b) session.sides.b.choice = session.address.b;
@@ -196,7 +217,7 @@ export class App {
     if (early) session.openParameter();
     session.openStored();
     if (!session.moves) session.address.b = undefined;
-    if (session.engine && !session.original && session.moves) {
+    if (session.engine && !session.original && session.computes) {
       const outcome = await session.engine.describe(
         { text: machine.text, name: machine.caseName },
         { lane: 'original', priority: 0 },
@@ -211,6 +232,7 @@ export class App {
     session.chooseValue();
     this.later('all');
     await this.refreshSides();
+    if (!session.moves) return;
     if (!session.sight.diagram) void this.recompute(session.sight.range, true);
     else this.refineSoon(); // the address may name a part of the range
   }
@@ -280,7 +302,7 @@ export class App {
   }
 
   private async refreshSide(side: SideModel, settled: boolean): Promise<void> {
-    if (!this.session.moves) return;
+    if (!this.session.computes) return;
     const setting = this.session.settingOf(side);
     const good = await side.describe(setting);
     this.later('all');
@@ -289,6 +311,7 @@ export class App {
 
   private want(side: SideModel, settled: boolean): void {
     const { session } = this;
+    if (session.runsUp) this.wantRun(side, settled);
     if (!session.moves) return;
     const { parameter, units } = session.address;
     const { factor, unit } = parameterMeasure(session.unit, units);
@@ -299,6 +322,14 @@ export class App {
     if (orbit) side.wantOrbit(session.orbitRequest(orbit));
     else side.want(setting, parameter, settled, spoken);
     if (settled && anyFollows(side.info?.parameters ?? [], parameter)) void side.follow(setting, spoken);
+  }
+
+  /// Computes the run of a changed setting; those of the case are stored.
+  private wantRun(side: SideModel, settled: boolean): void {
+    const { session } = this;
+    const { assignments, value } = side.choice;
+    const stored = !session.atRuns || session.atRuns.values.includes(value);
+    if (assignments.size > 0 || !stored || session.model.run) session.wantRun(side, settled);
   }
 
   private cursor(name: SideName, value: number, settled: boolean): void {

@@ -1,8 +1,9 @@
-// Uses of a case's parameters, and their comments in the case, for interactive programs.
+// Uses of a case's parameters, their comments in the case, and its other numbers, for interactive programs.
 #include <stdio.h>
 #include <string.h>
 
 #include "content.h"
+#include "whirl/engine/record.h"
 
 typedef struct walk {
     const whirl_case *object;
@@ -52,6 +53,61 @@ void whirl_case_uses(const whirl_case *object, whirl_case_use_fn see, void *cont
     for (size_t i = 0; i < plan->range_count; i++) see_list(&w, &plan->ranges[i].low);
     for (size_t i = 0; i < plan->range_count; i++) see_list(&w, &plan->ranges[i].high);
 }
+
+// ---------------------------------------------------------------- numbers that are written as such
+
+/// Reports a number at a place of the file if it is a plain one of the key.
+static void number_see(const file_node *place, const char *owner, const whirl_key *key, double value,
+                       whirl_case_number_fn see, void *context) {
+    whirl_written_number number = {.key = key, .text = place->text, .value = value};
+    if (place->kind != NODE_TEXT || !place->text) return;
+    snprintf(number.name, sizeof number.name, "%.60s.%.60s", owner, key->name);
+    see(context, &number);
+}
+
+/// Reports the numbers of a station or an element.
+static void numbers_see_list(const setting_list *list, const char *owner, whirl_case_number_fn see, void *context) {
+    for (size_t i = 0; i < list->count; i++) {
+        const setting *item = &list->items[i];
+        const bool plain = item->good && item->key && item->key->kind == WHIRL_KEY_NUMBER && !item->scaled;
+        if (plain && !item->value.expression && !item->entries)
+            number_see(item->place, owner, item->key, item->value.number, see, context);
+    }
+}
+
+/// Reports the numbers of a run-up; those of several ones have no names.
+static void numbers_see_runup(const file_node *runup, whirl_case_number_fn see, void *context) {
+    for (const file_node *at = runup->kind == NODE_MAPPING ? runup->first : NULL; at; at = at->next)
+        for (const whirl_member *member = whirl_runup_members(); member->part; member++) {
+            double value;
+            const bool own = at->key && member->key.name && strcmp(member->key.name, at->key) == 0;
+            if (own && member->key.kind == WHIRL_KEY_NUMBER && at->text &&
+                whirl_quantity_value(at->text, member->key.unit, &value).code == WHIRL_OK)
+                number_see(at, "runup", &member->key, value, see, context);
+        }
+}
+
+void whirl_case_numbers(const whirl_case *object, whirl_case_number_fn see, void *context) {
+    const machine_parts *machine = &object->content.machine;
+    const file_node *root = object->content.root, *study = root ? node_member(root, "study") : NULL;
+    const file_node *runup = study ? node_member(study, "runup") : NULL;
+    if (runup) numbers_see_runup(runup, see, context);
+    for (size_t i = 0; i < machine->stations.count; i++)
+        numbers_see_list(&machine->stations.items[i], machine->stations.names[i], see, context);
+    for (size_t i = 0; i < machine->element_count; i++) {
+        const setting_list *element = &machine->elements[i];
+        size_t which = 0, all = 0; // among the elements of its kind, from 1
+        char owner[WHIRL_NAME_SIZE];
+        for (size_t k = 0; k < machine->element_count; k++) {
+            all += strcmp(machine->elements[k].name, element->name) == 0;
+            if (k == i) which = all;
+        }
+        snprintf(owner, sizeof owner, all > 1 ? "%.40s[%zu]" : "%.40s", element->name, which);
+        numbers_see_list(element, owner, see, context);
+    }
+}
+
+// ---------------------------------------------------------------- dependence
 
 /// Search for a parameter in an expression, directly or through other parameters.
 typedef struct dependence {

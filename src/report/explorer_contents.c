@@ -79,6 +79,7 @@ static const char *view_of(const whirl_table *table) {
     const shown_kind *kind = shown_kind_of(table);
     const whirl_kind *points = whirl_analysis_kind(table->analyses);
     if (points->moves || points->found) return motions_beside(table) ? "" : "motions";
+    if (kind == &shown_runup) return "runup";
     return kind == &shown_modes ? "modes" : kind == &shown_unbalance ? "unbalance" : "";
 }
 

@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -325,6 +326,63 @@ static void failures_leave_a_message(void **state) {
     explorer_case_free(object);
 }
 
+static const char text_of_runup[] = "whirl: 1\n"
+                                    "rotor:\n"
+                                    "  speed: 1 rad/s\n"
+                                    "  length_scale: 1 m\n"
+                                    "  stations: {disc: {mass: 1 kg, damping: 0.1 N.s/m, eccentricity: 1 m}}\n"
+                                    "  elements:\n"
+                                    "    - spring: {between: [disc, ground], stiffness: 1 N/m}\n"
+                                    "    - rub: {at: disc, gap: 4 m, stiffness: 1 N/m, friction: 0.05, law: paper}\n"
+                                    "    - rub: {at: disc, gap: 9 m, stiffness: 1 N/m, friction: 0.1, law: paper}\n"
+                                    "study: {runup: {rate: 0.02 rad/s2, duration: 100 s, rows: 50, spectra: 5}}\n";
+
+static void a_run_is_that_of_the_study(void **state) {
+    (void)state;
+    whirl_result *result;
+    whirl_case *object = explorer_case_new(text_of_runup, strlen(text_of_runup), "t.yaml");
+    assert_non_null(object);
+    assert_true(explorer_assign(object, "runup.rate=0.03 rad/s2"));
+    assert_int_equal(whirl_case_run(object, &(whirl_run_options){.threads = 1}, &result).code, WHIRL_OK);
+    plan *p = explorer_plan_new(object, "", "");
+    assert_non_null(p);
+    assert_non_null(explorer_plan_layout(p, NAN));
+    assert_int_equal(explorer_block_size(p), result->tables[0].layout.size);
+    assert_float_equal(explorer_run_duration(p), 100.0, 0.0);
+    double *block = calloc(explorer_block_size(p), sizeof *block);
+    assert_non_null(block);
+    assert_true(explorer_run(p, NAN, block));
+    assert_memory_equal(block, result->tables[0].blocks, explorer_block_size(p) * sizeof *block);
+    free(block);
+    explorer_plan_free(p);
+    whirl_result_free(result);
+    explorer_case_free(object);
+}
+
+static void numbers_that_move_a_run_are_named_as_the_command_takes_them(void **state) {
+    (void)state;
+    static const char *const names[] = {"runup.rate", "disc.eccentricity", "rub[1].friction", "rub[2].friction"};
+    whirl_case *object = explorer_case_new(text_of_runup, strlen(text_of_runup), "t.yaml");
+    assert_non_null(object);
+    const char *levers = strstr(explorer_describe(object), "\"levers\":[");
+    assert_non_null(levers);
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        char wanted[64];
+        snprintf(wanted, sizeof wanted, "{\"name\":\"%s\"", names[i]);
+        levers = strstr(levers, wanted);
+        assert_non_null(levers);
+    }
+    assert_non_null(strstr(levers, "\"written\":\"0.1\",\"value\":0.1"));
+    assert_null(strstr(levers, "stiffness"));
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        char assignment[64];
+        snprintf(assignment, sizeof assignment, "%s=0.04", names[i]);
+        assert_true(explorer_assign(object, assignment));
+    }
+    assert_false(explorer_assign(object, "rub.friction=0.04"));
+    explorer_case_free(object);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_are_those_of_a_study),
@@ -336,6 +394,8 @@ int main(void) {
         cmocka_unit_test(a_first_look_has_no_verdict),
         cmocka_unit_test(orbits_are_those_of_their_branch),
         cmocka_unit_test(cells_are_those_of_their_map),
+        cmocka_unit_test(a_run_is_that_of_the_study),
+        cmocka_unit_test(numbers_that_move_a_run_are_named_as_the_command_takes_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -67,7 +67,7 @@ export interface StoredLines {
   readonly moved: string;
 }
 
-export type LiveView = 'modes' | 'unbalance' | 'motions' | '';
+export type LiveView = 'modes' | 'unbalance' | 'motions' | 'runup' | '';
 
 export interface Part {
   /// Name in addresses: MACHINE, or the name of the part's first table.

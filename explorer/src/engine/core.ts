@@ -105,6 +105,10 @@ export class Core {
     this.withTexts([assignment], (at) => this.good(this.module._explorer_assign(object, at!)));
   }
 
+  caseText(object: number): string {
+    return this.text(this.module._explorer_case_text(object));
+  }
+
   describe(object: number): CaseInfo {
     return JSON.parse(this.text(this.module._explorer_describe(object))) as CaseInfo;
   }
@@ -210,6 +214,26 @@ export class Core {
 
   orbit(plan: number, value: number, revolutions: number, period: number, nodes: number, block: number): void {
     this.good(this.module._explorer_orbit(plan, value, revolutions, period, nodes, block));
+  }
+
+  // -------------------------------------------------------------- run-ups
+
+  planRun(plan: number): void {
+    this.module._explorer_plan_run(plan);
+  }
+
+  runDuration(plan: number): number {
+    return this.module._explorer_run_duration(plan);
+  }
+
+  /// Computes a run to its end; `passed` is called after every turn with the time up to which the block is filled in.
+  run(plan: number, value: number, block: number, passed: (time: number) => void): void {
+    this.module.passed = passed;
+    try {
+      this.good(this.module._explorer_run(plan, value, block));
+    } finally {
+      this.module.passed = undefined;
+    }
   }
 
   // -------------------------------------------------------------- motions

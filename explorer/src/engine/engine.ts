@@ -12,6 +12,8 @@ import type {
   Outcome,
   PointRequest,
   PointResult,
+  RunRequest,
+  RunResult,
   Setting,
   SweepListener,
   SweepRequest,
@@ -41,6 +43,7 @@ interface Pending {
   layout?(layout: PartLayout): void;
   points?(points: PartPoints): void;
   revolutions?(count: number): void;
+  run?(so_far: RunResult): void;
 }
 
 /// A worker and its tasks.
@@ -89,6 +92,8 @@ class Pool implements Engine {
   private readonly url: string;
   private readonly core: Uint8Array;
   private readonly broken: ((why: string) => void) | undefined;
+  /// The worker of run-ups: a run is computed in one piece, and ends with its worker.
+  private runner: Seat | undefined;
   private nextId = 0;
   private closed = false;
   /// Parts of sweeps that no worker has started, in their order.
@@ -120,6 +125,7 @@ class Pool implements Engine {
     if (message.kind === 'layout') return pending.layout?.(message.layout);
     if (message.kind === 'points') return pending.points?.(message.points);
     if (message.kind === 'revolutions') return pending.revolutions?.(message.count);
+    if (message.kind === 'run') return pending.run?.(message.run);
     seat.pending.delete(message.id);
     this.feed();
     pending.settle(message.kind === 'done' ? { ok: true, value: message.value } : refused(message.refusal));
@@ -128,6 +134,7 @@ class Pool implements Engine {
   /// Handles a broken worker. If its core failed in a task it is replaced and its tasks fail; a worker that could not
   /// start is not replaced.
   private lose(seat: Seat, message: string, started: boolean): void {
+    if (seat === this.runner) return this.dropRunner(failed(message));
     const at = this.seats.indexOf(seat);
     if (at < 0 || this.closed) return;
     const lost = [...seat.pending.values()];
@@ -138,6 +145,14 @@ class Pool implements Engine {
     for (const pending of lost) pending.settle(failed(message));
     if (!started) while (this.waiting.length > 0) this.waiting.shift()!.settle(failed(message));
     if (this.seats.every((one) => one.broken)) this.broken?.(message);
+  }
+
+  /// Ends the worker of run-ups with its runs.
+  private dropRunner(outcome: Outcome<never>): void {
+    const lost = [...(this.runner?.pending.values() ?? [])];
+    this.runner?.end();
+    this.runner = undefined;
+    for (const pending of lost) pending.settle(outcome);
   }
 
   private begin(pending: Pending): void {
@@ -201,6 +216,26 @@ class Pool implements Engine {
     return this.ask({ kind: 'transient', request }, manner);
   }
 
+  run(request: RunRequest, part?: (so_far: RunResult) => void): Promise<Outcome<RunResult>> {
+    if (this.closed) return Promise.resolve(STALE);
+    this.endRun();
+    return new Promise((resolve) => {
+      this.runner ??= this.newSeat();
+      this.runner.begin({
+        id: this.nextId++,
+        task: { kind: 'run', request },
+        priority: 0,
+        lane: undefined,
+        settle: (outcome) => resolve(outcome as Outcome<RunResult>),
+        ...(part ? { run: part } : {}),
+      });
+    });
+  }
+
+  endRun(): void {
+    if (this.runner && this.runner.pending.size > 0) this.dropRunner(STALE);
+  }
+
   rewrite(setting: Setting, edits: readonly Edit[], manner?: Manner): Promise<Outcome<string>> {
     return this.ask({ kind: 'rewrite', setting, edits }, manner);
   }
@@ -232,6 +267,7 @@ class Pool implements Engine {
   close(): void {
     this.closed = true;
     this.cancel();
+    this.dropRunner(STALE);
     for (const seat of this.seats) seat.end();
     URL.revokeObjectURL(this.url);
   }

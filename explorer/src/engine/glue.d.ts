@@ -11,6 +11,7 @@ declare module 'whirl-core-glue' {
     _explorer_case_new(source: number, length: number, name: number): number;
     _explorer_case_free(object: number): void;
     _explorer_assign(object: number, assignment: number): number;
+    _explorer_case_text(object: number): number;
     _explorer_describe(object: number): number;
     _explorer_edit(source: number, length: number, path: number, value: number): number;
     _explorer_plan_new(object: number, batch: number, parameter: number): number;
@@ -46,6 +47,11 @@ declare module 'whirl-core-glue' {
       nodes: number,
       block: number,
     ): number;
+    _explorer_plan_run(plan: number): void;
+    _explorer_run_duration(plan: number): number;
+    _explorer_run(plan: number, value: number, block: number): number;
+    /// Called by _explorer_run after every turn, with the time up to which the block is filled in.
+    passed?: ((time: number) => void) | undefined;
   }
   interface CoreOptions {
     readonly wasmBinary: Uint8Array;

@@ -107,6 +107,8 @@ export interface BatchInfo {
   readonly parameter: string;
   readonly values: readonly number[];
   readonly carry: Carry;
+  /// True for a run-up over the time.
+  readonly runup: boolean;
   readonly options: Options;
 }
 
@@ -121,6 +123,9 @@ export interface CaseInfo {
   readonly version: string;
   readonly title: string;
   readonly parameters: readonly ParameterInfo[];
+  /// Other numbers of the case that the page moves while it shows a run: rates, unbalances, torques, friction. Their
+  /// names are those of `whirl run --set`.
+  readonly levers: readonly ParameterInfo[];
   readonly stations: readonly StationInfo[];
   readonly contacts: readonly string[];
   /// m
@@ -305,6 +310,30 @@ export interface TransientResult {
   readonly diverged: boolean;
 }
 
+// ---------------------------------------------------------------- run-ups
+
+export interface RunRequest {
+  readonly setting: Setting;
+  /// As in PointRequest.
+  readonly parameter?: string;
+  readonly value?: number;
+  readonly batch?: string;
+}
+
+/// A run-up over the time, as fields of its study; while it is computed, up to a time.
+export interface RunResult {
+  readonly layout: Layout;
+  readonly block: Float64Array;
+  /// s: up to which the block is filled in, and length of the run as planned.
+  readonly time: number;
+  readonly duration: number;
+  readonly lengthScale: number;
+  readonly stations: readonly StationInfo[];
+  readonly options: Options;
+  /// Wall-clock seconds in the worker.
+  readonly seconds: number;
+}
+
 // ---------------------------------------------------------------- cases to keep
 
 /// An edit of a case's text. `path` is the path of a key ("parameters.r_k", "study.sweep.from"), `text` its new value;
@@ -346,6 +375,10 @@ export interface Engine {
   orbit(request: OrbitRequest, manner?: Manner): Promise<Outcome<MotionResult>>;
   sweep(request: SweepRequest, listener?: SweepListener, manner?: Manner): Promise<Outcome<SweepResult>>;
   transient(request: TransientRequest, manner?: Manner): Promise<Outcome<TransientResult>>;
+  /// Computes a run in a worker of its own; `part` receives what is there so far. A new run ends the one before, and so
+  /// does endRun: their outcomes are stale.
+  run(request: RunRequest, part?: (so_far: RunResult) => void): Promise<Outcome<RunResult>>;
+  endRun(): void;
   /// Writes values into the text of a case, keeps comments and layout, and checks the result. Missing keys are added to
   /// their mapping. Assignments of the setting replace the values of their parameters.
   rewrite(setting: Setting, edits: readonly Edit[], manner?: Manner): Promise<Outcome<string>>;

@@ -7,6 +7,8 @@ import type {
   OrbitRequest,
   PointRequest,
   PointResult,
+  RunRequest,
+  RunResult,
   Setting,
   TransientRequest,
   TransientResult,
@@ -50,6 +52,8 @@ export class Tasks {
         return this.part(id, task.request);
       case 'transient':
         return this.transient(task.request);
+      case 'run':
+        return this.runUp(id, task.request);
       case 'rewrite':
         return this.rewrite(task.setting, task.edits);
     }
@@ -124,12 +128,16 @@ export class Tasks {
   }
 
   private *rewrite(setting: Setting, edits: readonly Edit[]): Steps {
-    let text = setting.text;
-    for (const assignment of setting.assignments ?? []) {
-      const equals = assignment.indexOf('=');
-      const name = assignment.slice(0, equals).trim();
-      text = this.core.edit(text, `parameters.${name}`, assignment.slice(equals + 1).trim());
-    }
+    const nameOf = (assignment: string) => assignment.slice(0, assignment.indexOf('=')).trim();
+    const isKey = (assignment: string) => nameOf(assignment).includes('.');
+    const assignments = setting.assignments ?? [];
+    let text = this.core.caseText(this.open({ ...setting, assignments: assignments.filter(isKey) }));
+    for (const assignment of assignments.filter((each) => !isKey(each)))
+      text = this.core.edit(
+        text,
+        `parameters.${nameOf(assignment)}`,
+        assignment.slice(assignment.indexOf('=') + 1).trim(),
+      );
     for (const edit of edits) text = this.core.edit(text, edit.path, edit.text);
     yield;
     this.core.caseFree(this.core.caseNew(text, setting.name ?? 'case.yaml'));
@@ -253,6 +261,42 @@ export class Tasks {
     });
   }
 
+  // -------------------------------------------------------------- run-ups
+
+  /// In one piece: the engine ends the worker to stop it.
+  private *runUp(id: number, request: RunRequest): Steps {
+    const began = performance.now();
+    const { core, post } = this;
+    const value = request.value ?? NaN;
+    const parameter = request.value === undefined ? '' : request.parameter;
+    return yield* this.withPlan(request.setting, request.batch, parameter, function* (plan) {
+      core.planRun(plan);
+      const { layout, options } = core.planLayout(plan, value);
+      const { lengthScale, stations } = core.machine(plan, value);
+      const duration = core.runDuration(plan);
+      const room = core.numbers(layout.size);
+      const seconds = () => (performance.now() - began) / 1000;
+      const soFar = (time: number): RunResult => ({
+        ...{ layout, options, lengthScale, stations, duration, time },
+        block: core.read(room, layout.size),
+        seconds: seconds(),
+      });
+      let reported = performance.now();
+      yield;
+      try {
+        core.run(plan, value, room, (time) => {
+          if (performance.now() - reported < REPORT_RUN_EVERY) return;
+          reported = performance.now();
+          const run = soFar(time);
+          post({ kind: 'run', id, run }, [run.block.buffer as ArrayBuffer]);
+        });
+        return soFar(duration);
+      } finally {
+        core.free(room);
+      }
+    });
+  }
+
   // -------------------------------------------------------------- motions
 
   private *transient(request: TransientRequest): Steps {
@@ -300,6 +344,9 @@ export class Tasks {
     });
   }
 }
+
+/// Milliseconds between two reports of a run, whose blocks are large.
+const REPORT_RUN_EVERY = 150;
 
 /// Returns all finished points of a job that were not taken yet.
 function takePoints(core: Core, plan: number, job: number, room: number, size: number, values: Float64Array) {

@@ -8,6 +8,8 @@ import type {
   PointRequest,
   PointResult,
   Problem,
+  RunRequest,
+  RunResult,
   Setting,
   TransientRequest,
   TransientResult,
@@ -32,6 +34,7 @@ export type Task =
   | { readonly kind: 'orbit'; readonly request: OrbitRequest }
   | { readonly kind: 'part'; readonly request: PartRequest }
   | { readonly kind: 'transient'; readonly request: TransientRequest }
+  | { readonly kind: 'run'; readonly request: RunRequest }
   | { readonly kind: 'rewrite'; readonly setting: Setting; readonly edits: readonly Edit[] };
 
 export type ToWorker =
@@ -58,7 +61,7 @@ export interface Refusal {
 }
 
 /// Result of a task.
-export type Answer = CaseInfo | MotionResult | PointResult | TransientResult | Float64Array | string | null;
+export type Answer = CaseInfo | MotionResult | PointResult | RunResult | TransientResult | Float64Array | string | null;
 
 export type FromWorker =
   | { readonly kind: 'done'; readonly id: number; readonly value: Answer }
@@ -66,4 +69,5 @@ export type FromWorker =
   | { readonly kind: 'failed'; readonly id: number; readonly message: string }
   | { readonly kind: 'layout'; readonly id: number; readonly layout: PartLayout }
   | { readonly kind: 'points'; readonly id: number; readonly points: PartPoints }
+  | { readonly kind: 'run'; readonly id: number; readonly run: RunResult }
   | { readonly kind: 'revolutions'; readonly id: number; readonly count: number };

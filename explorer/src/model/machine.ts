@@ -6,6 +6,7 @@ import paper from '../../../cases/paper.yaml';
 import rigid from '../../../cases/rigid-rotor.yaml';
 import { AtRest } from '../data/rest';
 import { MACHINE, type Part } from '../data/contents';
+import { RunUp } from '../data/runup';
 import type { Run } from '../data/run';
 import type { Scales } from './units';
 
@@ -61,6 +62,10 @@ const AT_REST: Readonly<Record<AtRest['kind'], string>> = {
     'the numbers at the value under the cursor; any station and any angle of the probes may be chosen.',
 };
 
+const RUN =
+  'Play the run, or drag across it: the orbit, the spectrum and the numbers are those of the turn at the cursor. Move ' +
+  'a rate, an unbalance, a torque or a friction with its slider, and the run is computed anew in this page.';
+
 const MAP =
   'Click on a cell of the map: the orbit, its spectrum and its Poincar\u00e9 map are computed on the spot for both ' +
   'of its parameters. The diagram below is the row of the cursor, or with the key C its column; brush a range of it ' +
@@ -69,6 +74,7 @@ const MAP =
 function introOf(run: Run): string {
   const kind = AtRest.kindOf(run);
   if (run.tables.some(({ map }) => map)) return MAP;
+  if (RunUp.isIn(run)) return RUN;
   const preset = PRESETS.find(({ text }) => text === run.case_text);
   return kind ? AT_REST[kind] : ((preset && INTROS[preset.name]) ?? OWN);
 }
@@ -78,6 +84,7 @@ export function introOfPart({ id, view }: Part): string {
   if (id === MACHINE)
     return 'The machine, and what was found of it. The contents lead to all parts of the result and its live views.';
   if (view === 'motions') return OWN;
+  if (view === 'runup') return RUN;
   return view
     ? AT_REST[view]
     : 'What the run has stored; nothing of it is computed here. Figures and tables can be saved, as can their numbers.';

@@ -8,8 +8,10 @@ import type { OrbitOfBranch } from '../data/orbit';
 import { MapPlanes, type ParameterMap } from '../data/parameter_map';
 import { AtRest } from '../data/rest';
 import type { Run, StoredTable } from '../data/run';
+import { RunUp } from '../data/runup';
 import type { CaseInfo, Engine, OrbitRequest, Setting, StationInfo, SweepProgress } from '../engine/protocol';
 import { introOfPart, machinesOf, scalesOf, type Machine } from './machine';
+import { RunModel } from './run_model';
 import { cutOf, plainText, plainValue, type Cut } from './map_cut';
 import { canRefine, MapRefinement, type MapPart } from './map_refinement';
 import { firstValue, plannedRange, sweptParameter } from './original';
@@ -23,8 +25,8 @@ type Range = readonly [number, number];
 
 export type SideName = 'a' | 'b';
 
-/// Part to be redrawn: everything, a side, new points of the diagram, or of the map.
-export type Change = 'all' | SideName | 'grow' | 'map';
+/// Part to be redrawn: everything, a side, new points of the diagram, or of the map, the cursor of a run-up.
+export type Change = 'all' | SideName | 'grow' | 'map' | 'run';
 
 export interface SessionListener {
   changed(what: Change): void;
@@ -58,6 +60,9 @@ export class Session {
   /// Cases by the names of their machines.
   readonly originals = new Map<string, CaseInfo>();
   readonly sights: Sights;
+  /// The run of a run-up at the setting of side A.
+  readonly model: RunModel;
+  private storedRun: { readonly run: Run; readonly point: number; readonly up: RunUp } | undefined;
   /// Classes of regimes hidden by the user.
   hidden: ReadonlySet<number> = new Set();
   /// True until units that suit the machine are chosen.
@@ -74,6 +79,7 @@ export class Session {
     this.readUnits();
     const side = (name: SideName) => new SideModel(name, engine, { changed: () => listener.changed(name) });
     this.sides = { a: side('a'), b: side('b') };
+    this.model = new RunModel(engine, { changed: () => listener.changed('all') });
     this.sights = new Sights(engine, {
       changed: () => listener.changed('all'),
       grown: () => listener.changed('grow'),
@@ -85,6 +91,7 @@ export class Session {
   lose(): void {
     this.sights.stop();
     this.refined?.stop();
+    this.model.lose();
     this.engine = undefined;
     for (const side of Object.values(this.sides)) side.lose();
   }
@@ -132,7 +139,49 @@ export class Session {
 
   /// True if motions are shown, which the engine computes.
   get moves(): boolean {
-    return !this.atRest && (this.part?.view ?? 'motions') === 'motions';
+    return !this.atRest && !this.runsUp && (this.part?.view ?? 'motions') === 'motions';
+  }
+
+  /// True if a run-up is shown.
+  get runsUp(): boolean {
+    return RunUp.isIn(this.run);
+  }
+
+  /// True if the engine computes what is shown.
+  get computes(): boolean {
+    return this.moves || this.runsUp;
+  }
+
+  /// The stored runs of a run-up, along their parameter.
+  get atRuns(): Diagram | undefined {
+    return this.runsUp ? this.storedDiagram : undefined;
+  }
+
+  /// The shown run: computed at the present setting, or else the stored one.
+  get runUp(): RunUp | undefined {
+    const { run } = this;
+    if (this.model.run || !run || !this.runsUp) return this.model.run;
+    const diagram = this.storedDiagram ?? Diagram.stored(run.tables[0]!, run.length_scale);
+    const point = Math.max(0, diagram.nearest(this.side.choice.value));
+    if (this.storedRun?.run !== run || this.storedRun.point !== point)
+      this.storedRun = { run, point, up: RunUp.stored(run, diagram, point) };
+    return this.storedRun.up;
+  }
+
+  /// Computes the run at the setting of a side.
+  wantRun(side: SideModel, settled: boolean): void {
+    const { parameter } = this.address;
+    const { value } = side.choice;
+    const batch = this.run?.tables[0]?.name;
+    this.model.want(
+      {
+        setting: this.settingOf(side),
+        ...(parameter && Number.isFinite(value) ? { parameter, value } : {}),
+        ...(batch ? { batch } : {}),
+      },
+      this.run?.contacts ?? [],
+      settled,
+    );
   }
 
   /// Introduction: what to try first.
@@ -372,6 +421,10 @@ export class Session {
   chooseValue(): void {
     const { a } = this.sides;
     if (Number.isFinite(a.choice.value) || this.part?.view === '') return;
+    if (this.runsUp) {
+      a.choice = { ...a.choice, value: this.atRuns?.values[0] ?? NaN };
+      return;
+    }
     const { map } = this;
     if (!map?.axis(this.address.parameter)) {
       a.choice = { ...a.choice, value: this.firstValue };
@@ -414,7 +467,8 @@ export class Session {
   /// Opens the first sight: the stored diagram, or an empty one over the range of the sweep.
   openParameter(view = this.address.range): void {
     const { run } = this;
-    const swept = sweptParameter(this.original, run?.tables[0]?.parameter);
+    const swept = this.runsUp ? run!.tables[0]!.parameter : sweptParameter(this.original, run?.tables[0]?.parameter);
+    if (this.runsUp) this.address.parameter = swept;
     const known =
       this.original?.parameters.some(({ name }) => name === this.address.parameter) ||
       this.address.parameter === swept ||

@@ -63,6 +63,8 @@ export interface Address {
   units: Units;
   computation: Computation;
   rest: RestChoice;
+  /// Cursor of a run-up in s; NaN before the first choice.
+  time: number;
 }
 
 const LENGTHS = ['um', 'mil', 'scale', 'own'] as const;
@@ -70,6 +72,8 @@ const SPEEDS = ['rpm', 'rad/s'] as const;
 const FREQUENCIES = ['order', 'Hz', 'own'] as const;
 const AMPLITUDES = ['0-p', 'p-p', 'rms'] as const;
 const NAME = /^[A-Za-z_][A-Za-z0-9_]{0,63}$/;
+/// A parameter, or a key of the case: "rub[2].friction".
+const SETTABLE = /^[A-Za-z_][A-Za-z0-9_.[\]-]{0,127}$/;
 const MAX_TEXT = 128;
 const MAX_ORBITS = 1_000_000;
 
@@ -95,7 +99,7 @@ function readSide(all: URLSearchParams, value: string, set: string, on: string):
   const assignments = new Map<string, string>();
   for (const text of all.getAll(set)) {
     const [, name = '', written = ''] = /^([^=]*)=(.*)$/s.exec(text) ?? [];
-    if (NAME.test(name) && written.trim() && written.length <= MAX_TEXT && !/[\r\n]/.test(written))
+    if (SETTABLE.test(name) && written.trim() && written.length <= MAX_TEXT && !/[\r\n]/.test(written))
       assignments.set(name, written);
   }
   const orbit = whole(all.get(on), 1, MAX_ORBITS);
@@ -153,6 +157,7 @@ export function readAddress(hash: string, fallback: Units): Address {
       all: all.get('modes') === 'all',
       probe: angle(all.get('probe')),
     },
+    time: number(all.get('t')),
   };
 }
 
@@ -186,6 +191,7 @@ export function writeAddress(address: Address): string {
   put('damping', decrement ? 'decrement' : undefined);
   put('modes', every ? 'all' : undefined);
   put('probe', probe);
+  put('t', Number(address.time.toPrecision(6)));
   return `#${all.toString()}`;
 }
 

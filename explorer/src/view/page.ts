@@ -15,6 +15,7 @@ import { Pane, type PaneListener } from './pane';
 import type { Spot } from './parameter_map';
 import { ParameterMapCard, type ParameterMapCardListener } from './parameter_map_card';
 import { RestView, type RestListener } from './rest';
+import { RunView, type RunListener } from './run';
 import { SettingsCard, type SettingsListener } from './settings_card';
 import { Topbar, type TopbarListener } from './topbar';
 
@@ -25,6 +26,7 @@ export interface PageListener {
   readonly settings: SettingsListener;
   readonly pane: PaneListener;
   readonly rest: RestListener;
+  readonly run: RunListener;
   readonly document: DocumentListener;
 }
 
@@ -35,6 +37,7 @@ export class Page {
   readonly settings: SettingsCard;
   readonly panes: Readonly<Record<SideName, Pane>>;
   private readonly rest: RestView;
+  private readonly run: RunView;
   private readonly document: DocumentView;
   private readonly motions: HTMLElement;
   private readonly topbar: Topbar;
@@ -52,6 +55,7 @@ export class Page {
     this.mapCard = new ParameterMapCard(listener.map);
     this.settings = new SettingsCard(listener.settings);
     this.rest = new RestView(listener.rest);
+    this.run = new RunView(listener.run);
     this.document = new DocumentView(listener.document);
     this.motions = el(
       'div',
@@ -64,7 +68,7 @@ export class Page {
       this.topbar.root,
       this.banner,
       this.document.contents,
-      el('main', {}, this.motions, this.rest.root, this.document.root),
+      el('main', {}, this.motions, this.rest.root, this.run.root, this.document.root),
       el('footer', {}, this.footer),
       this.help.root,
     );
@@ -78,6 +82,11 @@ export class Page {
       : 'Computed in this page by the C core of whirl; nothing leaves your computer.';
   }
 
+  /// Shows a message about an export.
+  say(text: string): void {
+    for (const card of [this.settings, this.run.settings]) card.say(text);
+  }
+
   setTheme(dark: boolean): void {
     setDark(dark);
     document.documentElement.classList.toggle('dark', dark);
@@ -86,6 +95,7 @@ export class Page {
     this.card.map.refresh();
     this.mapCard.map.refresh();
     this.rest.redraw();
+    this.run.redraw();
   }
 
   openHelp(): void {
@@ -93,14 +103,18 @@ export class Page {
   }
 
   show(changes: ReadonlySet<Change>): void {
-    const { atRest, moves, parts, part } = this.session;
-    this.motions.hidden = this.footer.hidden = !moves; // other views compute nothing
+    const { atRest, moves, runsUp, parts, part } = this.session;
+    this.motions.hidden = !moves;
+    this.footer.hidden = !moves && !runsUp; // other views compute nothing
     this.rest.root.hidden = atRest === undefined;
+    this.run.root.hidden = !runsUp;
+    if (!runsUp) this.run.setPlaying(false);
     this.document.show(parts, part);
     this.document.mark(this.session.stations[this.session.station]?.name ?? '');
     if (!moves) {
       this.showTop();
       if (atRest) this.rest.show(this.session, atRest);
+      if (runsUp) this.run.show(this.session);
       return;
     }
     if (changes.has('all')) this.showAll();

@@ -29,7 +29,11 @@ export class SettingsCard {
   private readonly notice = el('p', { class: 'notice', role: 'status' });
   private computation: Computation = {};
 
-  constructor(private readonly listener: SettingsListener) {
+  constructor(
+    private readonly listener: SettingsListener,
+    /// True for the options of motions.
+    private readonly moves = true,
+  ) {
     this.parameters = new ParametersView(listener);
     this.method = select('Method of integration', [], '', (value) => this.change('method', value));
     this.fields = new Map(LENGTHS_OF_RUNS.map(({ key, low, high }) => [key, this.wholeField(key, low, high)]));
@@ -50,7 +54,7 @@ export class SettingsCard {
       this.parameters.root,
       el(
         'details',
-        { class: 'computation' },
+        { class: 'computation', hidden: !moves },
         el('summary', {}, 'How motions are computed'),
         el(
           'div',
@@ -76,7 +80,7 @@ export class SettingsCard {
     this.title.textContent = subject.comparing ? `Parameters of ${subject.side.toUpperCase()}` : 'Parameters';
     this.trouble.textContent = subject.trouble;
     this.parameters.show(subject);
-    this.showComputation(subject.original, subject.computation, subject.trouble);
+    if (this.moves) this.showComputation(subject.original, subject.computation, subject.trouble);
   }
 
   say(text: string): void {

@@ -241,7 +241,10 @@ typedef struct whirl_resting {
     /// [count] of its course have happened in this order. Errors as whirl_running_new.
     whirl_status (*running)(const void *context, double lowest, double highest, bool driven, size_t count,
                             const unsigned char *happened, whirl_running **running);
-    const void *context;            ///< passed to at_speed, at_frequency and running
+    const void *context; ///< passed to at_speed, at_frequency and running
+    /// Called by run-ups after every turn, with the time up to which the block is filled in, s; NULL: by nobody.
+    void (*passed)(void *watcher, double time);
+    void *watcher;                  ///< passed to it
     double drive_speed;             ///< whirl_machine.drive_speed
     const whirl_run_course *course; ///< whirl_machine.course
     const whirl_stop *stop;         ///< NULL, or becomes true when long work shall end; its numbers mean nothing then

@@ -114,6 +114,21 @@ typedef void (*whirl_case_use_fn)(void *context, const whirl_use *use);
 /// Reports every use of every parameter in rotor, stations, elements and initial states.
 void whirl_case_uses(const whirl_case *object, whirl_case_use_fn see, void *context);
 
+/// A number that the case writes as such, not as an expression, and that whirl_case_set can change.
+typedef struct whirl_written_number {
+    char name[128];       ///< as whirl_case_set takes it: "disc.eccentricity", "rub[2].friction", "runup.rate"
+    const whirl_key *key; ///< its descriptor
+    const char *text;     ///< as written, "0.003 rad/s2"
+    double value;         ///< in the unit of the key
+} whirl_written_number;
+
+/// Receives such a number; it is valid during the call.
+typedef void (*whirl_case_number_fn)(void *context, const whirl_written_number *number);
+
+/// Reports the numbers of the run-up, of stations and of elements that the case writes as such, in this order. Numbers
+/// of several run-ups have no names and are left out.
+void whirl_case_numbers(const whirl_case *object, whirl_case_number_fn see, void *context);
+
 /// Writes the comment of the case on a parameter's line, at most `size` bytes; "" if there is none or the line has
 /// several parameters.
 void whirl_case_comment(const whirl_case *object, const char *name, char *comment, size_t size);

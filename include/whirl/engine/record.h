@@ -102,6 +102,9 @@ const whirl_member *whirl_runup_members(void);
 /// Returns whether the torques of the machine turn the shaft: the run has no rate, speeds or formula of them.
 bool whirl_runup_driven(const whirl_runup_options *options);
 
+/// Returns the length of the run in s, as planned.
+double whirl_runup_duration(const whirl_runup_options *options);
+
 /// Checks these options. WHIRL_BAD_INPUT with a sentence for options that mean nothing or contradict each other.
 /// driven: the machine has a drive, whose motor has the speed `no_load` without load, rad/s; 0: no such speed.
 whirl_status whirl_runup_check(const whirl_runup_options *options, bool driven, double no_load);

@@ -215,6 +215,7 @@ static const field_plan fields[FIELD_COUNT] = {
 /// Rows as they fill.
 typedef struct filling {
     const block_view *view;
+    const whirl_resting *point;
     const whirl_system *system;
     size_t rows, contacts, torques;
     double duration, way;
@@ -292,6 +293,7 @@ static void runup_fill_row(void *context, const runup_turn *turn) {
     torque[1] = turn->torques.load;
     torque[2] = turn->torques.friction;
     torque[3] = turn->torques.rotor;
+    if (f->point->passed) f->point->passed(f->point->watcher, turn->end);
 }
 
 /// The highest speed that the run may reach, by which numbers are laid out.
@@ -418,6 +420,7 @@ static whirl_status runup_run_machine(whirl_running *running, const changing *c,
     runup_happening events[RUNUP_EVENTS];
     runup_run run = {.peaks = peaks, .contacts = touched, .torques = extremes, .events = events, .last = numbers};
     filling f = {.view = view,
+                 .point = point,
                  .system = system,
                  .rows = (size_t)o->rows,
                  .contacts = contacts,
@@ -440,7 +443,7 @@ static whirl_status runup_run_machine(whirl_running *running, const changing *c,
     if (status.code == WHIRL_OK) {
         f.radius = numbers + 2 * d;
         f.force = f.radius + probes;
-        f.duration = o->duration > 0.0 ? o->duration : fabs(o->to - o->from) / o->rate;
+        f.duration = whirl_runup_duration(o);
         if (probes > 0) f.way = whirl_probe_way(&system->probes[0]);
         plan.start = numbers + d;
         plan.integrate.stop = point->stop;

@@ -223,6 +223,10 @@ const whirl_member *whirl_runup_members(void) {
     return runs;
 }
 
+double whirl_runup_duration(const whirl_runup_options *options) {
+    return options->duration > 0.0 ? options->duration : fabs(options->to - options->from) / options->rate;
+}
+
 /// Most numbers of a station in a window, or in all spectra of a run.
 static const double MAX_RUNUP_NUMBERS = 4e6;
 

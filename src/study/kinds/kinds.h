@@ -4,6 +4,7 @@
 #define STUDY_KINDS_H
 
 #include "pass.h"
+#include "resting_point.h"
 #include "whirl/engine/study.h"
 
 #include <stdbool.h>

@@ -63,47 +63,6 @@ static whirl_status resting_locate(worker *w, size_t slot, resting_machine *own)
     return whirl_ok();
 }
 
-/// A batch, at a value of its parameter.
-typedef struct place {
-    const whirl_study *study;
-    const whirl_batch *batch;
-    double value;
-} place;
-
-static whirl_status at_speed(const void *context, double speed, whirl_variant variant, double variant_value,
-                             whirl_machine *machine) {
-    const place *at = context;
-    whirl_batch batch = *at->batch;
-    batch.speed = speed;
-    batch.variant = variant;
-    batch.variant_value = variant_value;
-    return at->study->machine(at->study->family, &batch, at->value, machine);
-}
-
-static whirl_status at_frequency(const void *context, double frequency, whirl_variant variant, double variant_value,
-                                 whirl_machine *machine) {
-    place at = *(const place *)context;
-    whirl_batch batch = *at.batch;
-    batch.asynchronous = true;
-    batch.frequency = frequency;
-    at.batch = &batch;
-    return at_speed(&at, 0.0, variant, variant_value, machine);
-}
-
-static whirl_status as_given(const void *context, double speed, whirl_machine *machine) {
-    return at_speed(context, speed, WHIRL_AS_GIVEN, 0.0, machine);
-}
-
-static whirl_status make_running(const void *context, double lowest, double highest, bool driven, size_t count,
-                                 const unsigned char *happened, whirl_running **running) {
-    place at = *(const place *)context;
-    whirl_batch batch = *at.batch;
-    batch.happened_count = count;
-    for (size_t i = 0; i < count; i++) batch.happened[i] = happened[i];
-    at.batch = &batch;
-    return whirl_running_new(as_given, &at, lowest, highest, driven, running);
-}
-
 /// Returns true if other equilibria are looked for: for turning machines with their own bearings.
 static bool looks_elsewhere(const worker *w, const whirl_machine *machine) {
     return w->table->count > 1 && machine->speed != 0.0 &&
@@ -111,25 +70,13 @@ static bool looks_elsewhere(const worker *w, const whirl_machine *machine) {
 }
 
 static whirl_status resting_analyze(worker *w, size_t slot, const resting_machine *own) {
-    const place at = {w->run->study, w->batch, own->value};
+    const resting_place at = {w->run->study, w->batch, own->value};
     const whirl_machine *machine = &own->machine;
-    whirl_resting point = {.system = machine->system,
-                           .start = machine->start,
-                           .clock = machine->clock,
-                           .speed = machine->speed,
-                           .modes = own->modes,
-                           .critical_count = w->count,
-                           .critical = w->found,
-                           .before = own->before,
-                           .at_speed = at_speed,
-                           .at_frequency = at_frequency,
-                           .running = make_running,
-                           .context = &at,
-                           .drive_speed = machine->drive_speed,
-                           .course = machine->course,
-                           .stop = w->batch->integrate.stop,
-                           .placed_count = w->batch->placed_count,
-                           .placed = w->batch->placed};
+    whirl_resting point = resting_point_of(&at, machine);
+    point.modes = own->modes;
+    point.critical_count = w->count;
+    point.critical = w->found;
+    point.before = own->before;
     double *elsewhere = NULL;
     whirl_status status = whirl_ok();
     if (looks_elsewhere(w, machine))

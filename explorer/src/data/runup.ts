@@ -1,0 +1,217 @@
+// A run-up over the time: rows, orbits and spectra of one run, stored or computed in the page.
+import { findField, type RunResult, type StationInfo } from '../engine/protocol';
+import { Diagram } from './diagram';
+import { FIELD } from './fields';
+import type { Run } from './run';
+
+/// Orders of the speed whose amplitudes a run has.
+export const RUN_ORDERS = 4;
+const RADIAN = Math.PI / 180;
+const NOTHING = new Float64Array(0);
+
+export interface RunOrbit {
+  /// s and rad/s of its turn; NaN before the first turn.
+  readonly time: number;
+  readonly speed: number;
+  /// From the mark on over one turn, not closed, in length scales.
+  readonly x: Float64Array;
+  readonly y: Float64Array;
+  /// True if these are samples; false: the sum of the mean and of orders 1 to 4.
+  readonly sampled: boolean;
+}
+
+/// A spectrum over the orders of the speed, in length scales.
+export interface RunSpectrum {
+  readonly time: number;
+  readonly speed: number;
+  readonly order: Float64Array;
+  readonly forward: Float64Array;
+  readonly backward: Float64Array;
+}
+
+/// Instants of events, s; NaN: never.
+export interface RunEvents {
+  readonly trip: number;
+  readonly loss: number;
+  readonly change: number;
+}
+
+/// Returns a column of a field: all of its rows for a station or contact.
+type Read = (field: string, which: number, column: number) => Float64Array;
+
+export class RunUp {
+  private readonly known = new Map<string, Float64Array>();
+  /// s of every row; NaN for rows without a turn.
+  readonly time: Float64Array;
+  /// rad/s of every row.
+  readonly speed: Float64Array;
+  /// Rows with a turn, in the order of the time.
+  readonly rows: readonly number[];
+
+  private constructor(
+    private readonly read: Read,
+    /// Length of the run in s, as planned.
+    readonly duration: number,
+    readonly lengthScale: number,
+    readonly stations: readonly StationInfo[],
+    readonly contacts: readonly string[],
+  ) {
+    this.time = this.column(FIELD.RUNUP_TIME);
+    this.speed = this.column(FIELD.RUNUP_SPEED);
+    this.rows = Array.from(this.time.keys()).filter((row) => Number.isFinite(this.time[row]));
+  }
+
+  /// Returns true if a stored run is a run-up.
+  static isIn(run: Run | undefined): boolean {
+    return run?.tables[0]?.fields.some(({ name }) => name === FIELD.RUNUP_END) ?? false;
+  }
+
+  /// Returns the stored run of a point.
+  static stored(run: Run, diagram: Diagram, point: number): RunUp {
+    const read: Read = (field, which, column) => {
+      const found = diagram.column(field, which, column);
+      return found ? Float64Array.from(found.data.subarray(point * found.rows, (point + 1) * found.rows)) : NOTHING;
+    };
+    const end = diagram.number(point, FIELD.RUNUP_END_TIME);
+    return new RunUp(read, end, diagram.lengthScales[point] ?? run.length_scale, run.stations, run.contacts);
+  }
+
+  /// Returns a run of the engine, which may be still under way.
+  static computed({ layout, block, duration, lengthScale, stations }: RunResult, contacts: readonly string[]): RunUp {
+    const read: Read = (name, which, column) => {
+      const field = findField(layout, name);
+      if (!field || which >= field.repeat || column >= field.columns) return NOTHING;
+      const first = field.offset + which * field.rows * field.columns + column;
+      return Float64Array.from({ length: field.rows }, (_, row) => block[first + row * field.columns]!);
+    };
+    return new RunUp(read, duration, lengthScale, stations, contacts);
+  }
+
+  /// Returns all rows of a column of a field; empty if the run has none.
+  column(field: string, which = 0, column = 0): Float64Array {
+    const key = `${field} ${which} ${column}`;
+    const found = this.known.get(key) ?? this.read(field, which, column);
+    this.known.set(key, found);
+    return found;
+  }
+
+  number(field: string, which = 0, column = 0): number {
+    return this.column(field, which, column)[0] ?? NaN;
+  }
+
+  /// Time of the last turn so far, s.
+  get reached(): number {
+    const row = this.rows.at(-1);
+    return row === undefined ? 0 : this.time[row]!;
+  }
+
+  get events(): RunEvents {
+    const [trip, loss, change] = [0, 1, 2].map((column) => this.number(FIELD.RUNUP_EVENTS, 0, column));
+    return { trip: trip!, loss: loss!, change: change! };
+  }
+
+  /// Returns the row at a time; -1 without any.
+  rowAt(time: number): number {
+    return nearestOf(this.rows, (row) => Math.abs(this.time[row]! - time));
+  }
+
+  /// Returns the row at a passage of a speed: of several the one that is nearest in time to `time`.
+  rowAtSpeed(speed: number, time: number): number {
+    const { rows } = this;
+    const away = (i: number) => (i in rows ? Math.abs(this.speed[rows[i]!]! - speed) : Infinity);
+    const passages = rows.flatMap((row, i) => (away(i) <= away(i - 1) && away(i) <= away(i + 1) ? [row] : []));
+    const distance = (row: number) => Math.abs(this.speed[row]! - speed);
+    const best = Math.min(...passages.map(distance));
+    const step = Math.max(0, ...rows.slice(1).map((row, i) => Math.abs(this.speed[row]! - this.speed[rows[i]!]!)));
+    return nearestOf(
+      passages.filter((row) => distance(row) <= best + step),
+      (row) => Math.abs(this.time[row]! - time),
+    );
+  }
+
+  /// Returns the orbit at a time: samples of the turn where the run has them.
+  orbitAt(station: number, time: number): RunOrbit | undefined {
+    const times = this.column(FIELD.RUNUP_ORBIT_TIME);
+    const found = nearestOf(
+      Array.from(times.keys()).filter((orbit) => Number.isFinite(times[orbit])),
+      (orbit) => Math.abs(times[orbit]! - time),
+    );
+    const row = this.rowAt(time);
+    // An orbit of another time is worse than the sum of a few orders of this one.
+    const apart = row < 0 ? 0 : Math.abs((times[found] ?? NaN) - this.time[row]!);
+    if (found >= 0 && apart <= this.duration / Math.max(this.time.length, 1))
+      return this.sampledOrbit(station, found, times[found]!);
+    return row < 0 ? undefined : this.summedOrbit(station, row);
+  }
+
+  private sampledOrbit(station: number, orbit: number, time: number): RunOrbit {
+    const [x, y] = [0, 1].map((axis) => this.column(FIELD.RUNUP_ORBIT, station, axis)) as [Float64Array, Float64Array];
+    const samples = x.length / this.column(FIELD.RUNUP_ORBIT_TIME).length;
+    const part = (values: Float64Array) => values.subarray(orbit * samples, (orbit + 1) * samples);
+    const speed = this.column(FIELD.RUNUP_ORBIT_SPEED)[orbit]!;
+    return { time, speed, x: part(x), y: part(y), sampled: true };
+  }
+
+  private summedOrbit(station: number, row: number): RunOrbit {
+    const SAMPLES = 128;
+    const axis = (which: number) => {
+      const mean = this.column(FIELD.RUNUP_CENTRE, station, which)[row] ?? NaN;
+      const parts = Array.from({ length: RUN_ORDERS }, (_, k) => [
+        this.column(FIELD.RUNUP_AMPLITUDE, station, 2 * k + which)[row] ?? NaN,
+        (this.column(FIELD.RUNUP_LAG, station, 2 * k + which)[row] || 0) * RADIAN,
+      ]);
+      return Float64Array.from({ length: SAMPLES }, (_, i) =>
+        parts.reduce(
+          (sum, [size, lag], k) => sum + size! * Math.cos(((k + 1) * 2 * Math.PI * i) / SAMPLES - lag!),
+          mean,
+        ),
+      );
+    };
+    return { time: this.time[row]!, speed: this.speed[row]!, x: axis(0), y: axis(1), sampled: false };
+  }
+
+  /// s of every spectrum; NaN where there is none.
+  get spectrumTimes(): Float64Array {
+    return this.column(FIELD.RUNUP_SPECTRUM_TIME);
+  }
+
+  /// Returns the number of the spectrum nearest to a time; -1 without any.
+  spectrumNear(time: number): number {
+    const times = this.spectrumTimes;
+    return nearestOf(
+      Array.from(times.keys()).filter((i) => Number.isFinite(times[i])),
+      (i) => Math.abs(times[i]! - time),
+    );
+  }
+
+  spectrum(station: number, index: number): RunSpectrum {
+    const order = this.column(FIELD.RUNUP_SPECTRUM_ORDER);
+    const part = (way: number) =>
+      this.column(FIELD.RUNUP_SPECTRUM, station, way).subarray(index * order.length, (index + 1) * order.length);
+    return {
+      time: this.spectrumTimes[index] ?? NaN,
+      speed: this.column(FIELD.RUNUP_SPECTRUM_SPEED)[index] ?? NaN,
+      order,
+      forward: part(0),
+      backward: part(1),
+    };
+  }
+
+  /// Largest amplitude of all spectra of a station.
+  largestInSpectra(station: number): number {
+    let most = 0;
+    for (const way of [0, 1])
+      for (const value of this.column(FIELD.RUNUP_SPECTRUM, station, way)) if (value > most) most = value;
+    return most;
+  }
+}
+
+/// Returns the item with the least distance; -1 without any.
+function nearestOf(items: readonly number[], distance: (item: number) => number): number {
+  let [best, least] = [-1, Infinity];
+  for (const item of items) {
+    const away = distance(item);
+    if (away < least) [best, least] = [item, away];
+  }
+  return best;
+}

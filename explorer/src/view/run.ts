@@ -1,0 +1,454 @@
+// The page of a run-up: what moves it, the run over time and speed, and its turn at the cursor, which plays.
+import { FIELD } from '../data/fields';
+import type { RunUp } from '../data/runup';
+import { button, el, isTouched, select, Segments, setChoices } from '../dom';
+import type { Range } from '../figure/chart';
+import { shortName } from '../model/machine';
+import type { Session } from '../model/session';
+import { markField, typedQuantity } from '../model/typed';
+import { amplitudeMeasure, lengthMeasure, parameterMeasure, shown, written } from '../model/units';
+import { numbersTable } from './numbers';
+import { fileName, saveMenu, type Panel } from './panel';
+import { keyElements } from './rest_subject';
+import { RunOverSpeed, RunOverTime, type RunChart } from './run_charts';
+import { RunOrbitPanel, RunSpectrumPanel, RunWaterfallPanel } from './run_panels';
+import type { RunSubject } from './run_subject';
+import { SettingsCard, type SettingsListener } from './settings_card';
+import type { Mode } from './stack';
+
+export interface RunListener {
+  readonly settings: SettingsListener;
+  station(index: number): void;
+  /// Called after the cursor was moved, or while the run plays.
+  time(seconds: number): void;
+  /// Called after another run of several was chosen, by the value of their parameter.
+  run(value: number): void;
+  /// Computes the run at the present setting; ends that.
+  compute(): void;
+  stop(): void;
+}
+
+/// Seconds of a run that pass in a second of the clock.
+const RATES = [0.1, 0.25, 0.5, 1, 2, 4, 8, 16, 32, 64];
+/// Seconds of the clock that a whole run should take at first.
+const USUAL = 20;
+
+export class RunView {
+  readonly root: HTMLElement;
+  readonly settings: SettingsCard;
+  private readonly overTime: RunOverTime;
+  private readonly overSpeed: RunOverSpeed;
+  private readonly cards: readonly ChartCard[];
+  private readonly panels: readonly Panel<RunSubject>[] = [
+    new RunOrbitPanel(),
+    new RunSpectrumPanel(),
+    new RunWaterfallPanel(),
+  ];
+  private readonly field = el('input', {
+    type: 'text',
+    inputmode: 'decimal',
+    autocomplete: 'off',
+    spellcheck: 'false',
+    class: 'value',
+    id: 'value-run',
+  });
+  private readonly state = el('strong', { class: 'verdict', role: 'status' });
+  private readonly how = el('p', { class: 'how' });
+  private readonly trouble = el('p', { class: 'trouble', role: 'alert' });
+  private readonly numbers = el('div', {
+    class: 'numbers',
+    role: 'region',
+    tabindex: 0,
+    'aria-label': 'Numbers at the cursor',
+  });
+  private readonly bar = el('progress', { max: 1, value: 0, 'aria-label': 'Progress of the run' });
+  private readonly runs: HTMLSelectElement;
+  private readonly compute: HTMLButtonElement;
+  private readonly cancel: HTMLButtonElement;
+  private readonly play: HTMLButtonElement;
+  private readonly rate: HTMLSelectElement;
+  private subject: RunSubject | undefined;
+  private playing = false;
+  private chosenRate: number | undefined;
+
+  constructor(private readonly listener: RunListener) {
+    this.settings = new SettingsCard(listener.settings, false);
+    const stackOf = (chart: () => ChartCard) => ({
+      brushed: (range: Range) => chart().view(range),
+      viewed: (range: Range) => chart().view(range, true),
+      back: () => chart().back(),
+      station: (index: number) => listener.station(index),
+    });
+    this.overTime = new RunOverTime({
+      ...stackOf(() => this.cards[0]!),
+      cursor: (time) => this.go(time),
+    });
+    this.overSpeed = new RunOverSpeed({
+      ...stackOf(() => this.cards[1]!),
+      cursor: (speed) => {
+        const { run, time } = this.subject ?? {};
+        const row = run?.rowAtSpeed(speed, time ?? 0) ?? -1;
+        if (run && row >= 0) this.go(run.time[row]!);
+      },
+    });
+    this.cards = [new ChartCard(this.overTime), new ChartCard(this.overSpeed)];
+    this.overTime.changed = () => this.cards[0]!.legends();
+    this.play = button('\u25b6', 'Play the run', () => this.setPlaying(!this.playing), {
+      class: 'icon play',
+      'aria-pressed': 'false',
+    });
+    this.rate = select(
+      'Seconds of the run in a second',
+      RATES.map((rate) => ({ value: String(rate), text: `${rate} s/s` })),
+      '1',
+      (value) => (this.chosenRate = Number(value)),
+    );
+    this.runs = select('Run', [], '', (value) => listener.run(Number(value)));
+    this.compute = button('Compute', 'Compute the run in this page, with the orbits of all turns', () =>
+      listener.compute(),
+    );
+    this.cancel = button('Stop', 'Stop computing', () => listener.stop());
+    this.field.addEventListener('change', () => this.typed());
+    this.root = el(
+      'div',
+      { class: 'live run', hidden: true },
+      this.settings.root,
+      el('div', { class: 'diagrams' }, ...this.cards.map(({ root }) => root)),
+      el(
+        'div',
+        { class: 'panes' },
+        el(
+          'section',
+          { class: 'pane', 'aria-label': 'At the cursor' },
+          el(
+            'header',
+            { class: 'card pane-head' },
+            el(
+              'div',
+              { class: 'pane-value' },
+              this.play,
+              this.rate,
+              el('label', { for: 'value-run' }, 'time'),
+              this.field,
+              el('span', { class: 'unit' }, 's'),
+              this.state,
+              this.runs,
+              this.compute,
+              this.bar,
+              this.cancel,
+            ),
+            this.trouble,
+            this.how,
+          ),
+          el('section', { class: 'card' }, this.numbers),
+          el('div', { class: 'panels' }, ...this.panels.map(({ root }) => root)),
+        ),
+      ),
+    );
+  }
+
+  show(session: Session): void {
+    const { model, side } = session;
+    const run = session.runUp;
+    this.showSettings(session);
+    const busy = model.progress !== undefined;
+    this.bar.hidden = this.cancel.hidden = !busy;
+    this.bar.value = model.progress ?? 0;
+    this.compute.hidden = busy || !session.engine;
+    this.trouble.textContent = session.inWords(side.trouble || model.trouble);
+    this.root.classList.toggle('busy', busy);
+    this.showRuns(session);
+    if (!run) return;
+    const { address, station, stations, scales } = session;
+    const time = Number.isFinite(address.time) ? Math.min(address.time, run.duration) : firstTime(run);
+    const row = run.rowAt(time);
+    this.subject = {
+      ...{ run, time, row, station },
+      info: run.stations[station] ?? stations[station]!,
+      units: address.units,
+      scales: { ...scales, length: run.lengthScale, speed: run.speed[row] ?? scales.speed },
+      name: shortName(session.machine),
+      label: `${shown(time, 5)} s`,
+    };
+    for (const card of this.cards) card.show(this.subject);
+    this.how.textContent = howText(session);
+    this.rate.value = String(this.rateOf(run));
+    this.showCursor();
+  }
+
+  redraw(): void {
+    for (const card of this.cards) card.redraw();
+    for (const panel of this.panels) panel.redraw();
+  }
+
+  setPlaying(on: boolean): void {
+    if (on === this.playing) return;
+    this.playing = on;
+    this.play.textContent = on ? '\u23f8' : '\u25b6';
+    this.play.title = on ? 'Pause' : 'Play the run';
+    this.play.setAttribute('aria-label', this.play.title);
+    this.play.setAttribute('aria-pressed', String(on));
+    if (!on) return;
+    const { run, time } = this.subject ?? {};
+    if (run && time !== undefined && time >= run.reached) this.listener.time(0);
+    let before = performance.now();
+    const frame = (now: number) => {
+      const { run: of, time: at } = this.subject ?? {};
+      if (!this.playing || !of || at === undefined) return;
+      const next = at + ((now - before) / 1000) * this.rateOf(of);
+      before = now;
+      // A run that is still computed is played as far as it is.
+      const done = next >= of.duration;
+      this.listener.time(Math.min(next, Math.max(of.reached, at)));
+      if (done || (next >= of.reached && this.bar.hidden)) this.setPlaying(false);
+      else requestAnimationFrame(frame);
+    };
+    requestAnimationFrame(frame);
+  }
+
+  private rateOf({ duration }: RunUp): number {
+    return (
+      this.chosenRate ?? RATES.reduce((best, rate) => (rate <= (1.01 * duration) / USUAL ? rate : best), RATES[0]!)
+    );
+  }
+
+  private go(time: number): void {
+    this.setPlaying(false);
+    this.listener.time(time);
+  }
+
+  private typed(): void {
+    const typed = typedQuantity(this.field.value);
+    const good = typeof typed !== 'string' && (typed.unit === '' || typed.unit === 's');
+    markField(this.field, !good);
+    if (good) this.go(typed.value);
+    else this.trouble.textContent = `time: ${typeof typed === 'string' ? typed : 'expected a number of seconds'}`;
+  }
+
+  private showRuns(session: Session): void {
+    const { atRuns: diagram, unit, address } = session;
+    const { factor, unit: name } = parameterMeasure(unit, address.units);
+    const points = diagram ? Array.from(diagram.values.keys()).filter((point) => diagram.done[point]) : [];
+    this.runs.hidden = points.length < 2;
+    if (!diagram || points.length < 2) return;
+    const choices = points.map((point) => ({
+      value: String(diagram.values[point]),
+      text: `${address.parameter} ${shown(diagram.values[point]! * factor, 5)} ${name}`.trim(),
+    }));
+    setChoices(this.runs, choices, String(diagram.values[diagram.nearest(session.side.choice.value)]));
+  }
+
+  private showSettings(session: Session): void {
+    const { original, side } = session;
+    this.settings.root.hidden = !original || !session.engine;
+    if (!original || !session.engine) return;
+    const withLevers = (info: typeof original) => ({ ...info, parameters: [...info.levers, ...info.parameters] });
+    const current = side.info ?? original;
+    this.settings.show({
+      original: withLevers(original),
+      current: withLevers({
+        ...current,
+        parameters: current.parameters.map((parameter) =>
+          parameter.expression ? parameter : { ...parameter, value: session.valueOf(side, parameter.name) },
+        ),
+      }),
+      assignments: side.choice.assignments,
+      swept: session.address.parameter,
+      units: session.address.units,
+      side: side.name,
+      comparing: false,
+      computation: {},
+      trouble: session.inWords(side.trouble),
+    });
+  }
+
+  private showCursor(): void {
+    const subject = this.subject!;
+    const { run, time, row, units } = subject;
+    if (!isTouched(this.field)) {
+      markField(this.field, false);
+      this.field.value = written(time, 6);
+    }
+    const speed = parameterMeasure('rad/s', units);
+    this.state.textContent = row < 0 ? '' : `${shown(run.speed[row]! * speed.factor, 5)} ${speed.unit}`;
+    for (const chart of [this.overTime, this.overSpeed]) chart.cursor(subject);
+    for (const panel of this.panels) panel.update(subject);
+    this.numbers.replaceChildren(stationsTable(subject), ...contactsTable(subject), turnTable(subject));
+  }
+}
+
+/// Returns the time that is shown first: that of the largest motion.
+function firstTime(run: RunUp): number {
+  const radius = run.column(FIELD.RUNUP_RADIUS, 0);
+  const best = run.rows.reduce(
+    (most, row) => ((radius[row] ?? 0) > (radius[most] ?? 0) ? row : most),
+    run.rows[0] ?? 0,
+  );
+  return run.time[best] ?? 0;
+}
+
+function stationsTable({ run, row, station, units, scales }: RunSubject): HTMLElement {
+  const length = lengthMeasure(units, scales);
+  const amplitude = amplitudeMeasure(units, scales);
+  const number = (field: string, which: number, column: number, factor: number) =>
+    shown((run.column(field, which, column)[row] ?? NaN) * factor);
+  const heading = [
+    'station',
+    `x at 1X (${amplitude.unit})`,
+    'lag (\u00b0)',
+    `y at 1X (${amplitude.unit})`,
+    'lag (\u00b0)',
+    `largest radius (${length.unit})`,
+    `mean x (${length.unit})`,
+    `mean y (${length.unit})`,
+  ];
+  const rows = run.stations.map(({ name }, i) => [
+    name,
+    ...[0, 1].flatMap((axis) => [
+      number(FIELD.RUNUP_AMPLITUDE, i, axis, amplitude.factor),
+      number(FIELD.RUNUP_LAG, i, axis, 1),
+    ]),
+    number(FIELD.RUNUP_RADIUS, i, 0, length.factor),
+    number(FIELD.RUNUP_CENTRE, i, 0, length.factor),
+    number(FIELD.RUNUP_CENTRE, i, 1, length.factor),
+  ]);
+  return numbersTable('Motion at the cursor', heading, rows, station);
+}
+
+function contactsTable({ run, row }: RunSubject): HTMLElement[] {
+  if (run.contacts.length === 0) return [];
+  const rows = run.contacts.map((name, i) => {
+    const [force, share] = [FIELD.RUNUP_FORCE, FIELD.RUNUP_SHARE].map((field) => run.column(field, i)[row] ?? NaN);
+    return [name, force! > 0 ? 'closed' : 'open', shown(force!), shown(100 * share!, 3)];
+  });
+  return [numbersTable('Contacts at the cursor', ['contact', '', 'largest force (N)', 'of the turn (%)'], rows)];
+}
+
+/// Turns so far, and the torques where the run has them: with a rate it has none.
+function turnTable({ run, row, units }: RunSubject): HTMLElement {
+  const torque = parameterMeasure('N m', units);
+  const torques = ['motor', 'load', 'friction', 'unbalance and weight'].flatMap((name, i) => {
+    const value = run.column(FIELD.RUNUP_TORQUE, 0, i)[row] ?? NaN;
+    return Number.isFinite(value) ? [{ heading: `${name} (${torque.unit})`, text: shown(value * torque.factor) }] : [];
+  });
+  return numbersTable(
+    'The shaft at the cursor',
+    ['turns', ...torques.map(({ heading }) => heading)],
+    [[shown(run.column(FIELD.RUNUP_TURNS)[row] ?? NaN, 6), ...torques.map(({ text }) => text)]],
+  );
+}
+
+const ENDS = ['as planned', 'the shaft stood still', 'the motion left all bounds', 'the solver could not go on'];
+
+function howText(session: Session): string {
+  const { model, runUp } = session;
+  const { result } = model;
+  const stored = !model.run;
+  const end = stored || model.progress === undefined ? ENDS[runUp?.number(FIELD.RUNUP_END) ?? 0] : undefined;
+  const ended = end ? `; ended ${end === ENDS[0] ? end : `since ${end}`}` : '';
+  if (stored) return `Stored run${ended}. Compute shows the orbits of all turns.`;
+  if (model.progress !== undefined) return `${model.quick ? 'A quick look' : 'The run'}, computed so far\u2026`;
+  const { options, seconds } = result!;
+  return (
+    `${model.quick ? 'A quick look' : 'Computed in this page'} by ${options['runup_method']}, tolerance ` +
+    `${options['runup_rtol']}, ${shown(seconds, 3)} s${ended}.`
+  );
+}
+
+/// The card of a pair of charts with its own view.
+class ChartCard {
+  readonly root: HTMLElement;
+  private readonly legend = el('div', { class: 'legend' });
+  private readonly backButton: HTMLButtonElement;
+  private views: Range[] = [];
+  private subject: RunSubject | undefined;
+  private shown: { readonly run: RunUp; readonly of: string } | undefined;
+
+  constructor(private readonly chart: RunChart) {
+    const { title, stack } = chart;
+    const modes = new Segments(
+      'What dragging does',
+      [
+        { value: 'point', text: 'Point', title: 'Drag: the turn under the cursor' },
+        { value: 'range', text: 'Range', title: 'Drag: enlarge that range, or that rectangle' },
+        { value: 'pan', text: 'Pan', title: 'Drag: move the view; the wheel zooms' },
+      ],
+      'point',
+      (value) => (stack.mode = value as Mode),
+    );
+    this.backButton = button('Back', 'Back to the view before', () => stack.back());
+    const reset = button('Reset', 'The whole run', () => {
+      stack.fit();
+      this.views = [];
+      this.refresh();
+    });
+    const figure = { root: stack.root, redraw: () => stack.redraw(), picture: () => chart.picture() };
+    this.root = el(
+      'section',
+      { class: 'card map-card', 'aria-label': title },
+      el(
+        'header',
+        {},
+        el('h2', {}, title),
+        el(
+          'div',
+          { class: 'tools' },
+          ...chart.tools,
+          saveMenu(
+            title,
+            () => fileName('whirl', this.subject?.name ?? '', title),
+            () => figure,
+            () => chart.table(),
+          ),
+        ),
+      ),
+      el('div', { class: 'tools' }, modes.root, this.backButton, reset),
+      stack.root,
+      this.legend,
+    );
+  }
+
+  /// Redraws only if the lines change; the cursor moves over them.
+  show(subject: RunSubject): void {
+    this.subject = subject;
+    const of = JSON.stringify([subject.units, subject.station]);
+    if (this.shown?.run === subject.run && this.shown.of === of) return;
+    this.shown = { run: subject.run, of };
+    this.refresh();
+  }
+
+  redraw(): void {
+    this.chart.stack.redraw();
+  }
+
+  legends(): void {
+    this.legend.replaceChildren(...keyElements(this.chart.keys()));
+  }
+
+  /// Shows a range of the axis, within the whole; `moved`: in place of the present view.
+  view([low, high]: Range, moved = false): void {
+    const [from, to] = this.whole;
+    const size = Math.min(high - low, to - from);
+    if (!(size > 1e-6 * (to - from))) return;
+    const start = Math.min(Math.max(low, from), to - size);
+    this.views = [...this.views.slice(0, moved ? -1 : undefined), [start, start + size]];
+    this.refresh();
+  }
+
+  back(): void {
+    this.views = this.views.slice(0, -1);
+    this.refresh();
+  }
+
+  private get whole(): Range {
+    return this.subject ? this.chart.whole(this.subject.run) : [0, 1];
+  }
+
+  private refresh(): void {
+    if (!this.subject) return;
+    this.backButton.disabled = this.views.length === 0;
+    this.chart.show(this.subject, this.views.at(-1) ?? this.whole);
+    this.chart.cursor(this.subject);
+    this.legends();
+  }
+}

@@ -1,0 +1,374 @@
+// A run over the time, and over the speed: pairs of charts with cursors that belong together.
+import { FIELD } from '../data/fields';
+import type { RunUp } from '../data/runup';
+import { el, select, setChoices, type Choice } from '../dom';
+import { Chart, type Frame, type Range } from '../figure/chart';
+import type { Picture } from '../figure/figure';
+import type { Pen } from '../figure/pen';
+import type { Theme } from '../figure/theme';
+import { amplitudeMeasure, labelled, lengthMeasure, parameterMeasure } from '../model/units';
+import type { Table } from './panel';
+import { lineKey, pictureOf, type Key } from './rest_subject';
+import { drawRows, scaled, spanOf, type RunSubject } from './run_subject';
+import { Stack, type StackListener } from './stack';
+
+/// A line over the rows, in shown units.
+interface Curve {
+  readonly text: string;
+  readonly values: Float64Array;
+  readonly dash: readonly number[];
+  readonly colour: (colours: Theme) => string;
+}
+
+const DASHES = [[], [7, 4], [2, 3], [9, 3, 2, 3]] as const;
+const COLOURS: readonly ((colours: Theme) => string)[] = [
+  (colours) => colours.x,
+  (colours) => colours.y,
+  (colours) => colours.muted,
+  (colours) => colours.ink,
+];
+const SIGNS = ['\u2501', '\u254d', '\u2508', '\u2505'] as const;
+const KINDS = ['x', 'y', 'plain', 'plain'] as const;
+
+function curve(text: string, values: Float64Array, index: number): Curve {
+  const style = index % COLOURS.length;
+  return { text, values, dash: DASHES[style]!, colour: COLOURS[style]! };
+}
+
+function keyOf({ text, dash, colour }: Curve, index: number): Key {
+  const style = index % COLOURS.length;
+  return lineKey(SIGNS[style]!, KINDS[style]!, text, dash, colour);
+}
+
+/// Largest radius, and amplitudes of x and y at the speed, of a station.
+function motionCurves({ run, station, units, scales }: RunSubject): readonly Curve[] {
+  const length = lengthMeasure(units, scales).factor;
+  const amplitude = amplitudeMeasure(units, scales);
+  const at = (axis: number) => scaled(run.column(FIELD.RUNUP_AMPLITUDE, station, axis), amplitude.factor);
+  return [
+    curve(`x at 1X (${amplitude.unit})`, at(0), 0),
+    curve(`y at 1X (${amplitude.unit})`, at(1), 1),
+    curve(
+      `largest radius (${lengthMeasure(units, scales).unit})`,
+      scaled(run.column(FIELD.RUNUP_RADIUS, station), length),
+      2,
+    ),
+  ];
+}
+
+/// What the lower chart over the time shows.
+interface Below {
+  readonly id: string;
+  readonly text: string;
+  readonly axis: string;
+  readonly curves: (subject: RunSubject) => readonly Curve[];
+}
+
+function belowOf({ run, units }: RunSubject): readonly Below[] {
+  const speed = parameterMeasure('rad/s', units);
+  const torque = parameterMeasure('N m', units);
+  const torques = ['motor', 'load', 'friction', 'unbalance and weight'];
+  const each = (field: string) => (subject: RunSubject) =>
+    run.contacts.map((name, i) => curve(name, subject.run.column(field, i), i));
+  const contacts: readonly Below[] =
+    run.contacts.length > 0
+      ? [
+          { id: 'force', text: 'Contact force', axis: 'normal force (N)', curves: each(FIELD.RUNUP_FORCE) },
+          {
+            id: 'share',
+            text: 'Share of a turn in contact',
+            axis: 'share of the turn',
+            curves: each(FIELD.RUNUP_SHARE),
+          },
+        ]
+      : [];
+  return [
+    {
+      id: 'speed',
+      text: 'Speed',
+      axis: labelled('speed', speed.unit),
+      curves: (subject) => [curve('speed', scaled(subject.run.speed, speed.factor), 0)],
+    },
+    ...contacts,
+    {
+      id: 'torque',
+      text: 'Torques on the shaft',
+      axis: labelled('torque', torque.unit),
+      curves: (subject) =>
+        torques.map((name, i) => curve(name, scaled(subject.run.column(FIELD.RUNUP_TORQUE, 0, i), torque.factor), i)),
+    },
+  ];
+}
+
+export interface RunChart {
+  readonly title: string;
+  readonly stack: Stack;
+  readonly tools: readonly HTMLElement[];
+  /// Shows a run within a range of the axis (SI).
+  show(subject: RunSubject, range: Range): void;
+  /// The whole range of the axis in SI.
+  whole(run: RunUp): Range;
+  /// Moves the cursor; the lines stay.
+  cursor(subject: RunSubject): void;
+  keys(): readonly Key[];
+  picture(): Picture;
+  table(): Table;
+}
+
+abstract class RunPair implements RunChart {
+  readonly stack: Stack;
+  protected readonly main: Chart;
+  protected readonly lower: Chart;
+  protected subject: RunSubject | undefined;
+  protected upperCurves: readonly Curve[] = [];
+  protected lowerCurves: readonly Curve[] = [];
+  abstract readonly tools: readonly HTMLElement[];
+  /// Where the run is on its first line: a speed may be passed several times.
+  private readonly dot = el('div', { class: 'run-dot', hidden: true });
+
+  constructor(
+    readonly title: string,
+    private readonly parameter: string,
+    private readonly unit: string,
+    upper: string,
+    lower: string,
+    listener: StackListener,
+    walk: (subject: RunSubject, value: number, steps: number) => number,
+  ) {
+    this.main = new Chart({
+      title: upper,
+      bareX: true,
+      under: (pen, frame, colours) => this.drawUnder(pen, frame, colours),
+      over: (pen, frame, colours) => this.draw(pen, frame, colours, this.upperCurves, Infinity),
+    });
+    this.lower = new Chart({
+      title: lower,
+      ...(parameter === 'speed' ? { yTicks: [0, 90, 180, 270, 360] } : {}),
+      under: (pen, frame, colours) => this.drawUnder(pen, frame, colours),
+      over: (pen, frame, colours) =>
+        this.draw(pen, frame, colours, this.lowerCurves, parameter === 'speed' ? 180 : Infinity),
+    });
+    this.main.overlay.append(this.dot);
+    this.stack = new Stack(this.main, this.lower, listener, (value, steps) =>
+      this.subject ? walk(this.subject, value, steps) : value,
+    );
+  }
+
+  /// The axis in shown units, by rows.
+  protected abstract along(subject: RunSubject): Float64Array;
+  /// Draws what lies below the lines.
+  protected drawUnder(_pen: Pen, _frame: Frame, _colours: Theme): void {}
+  abstract whole(run: RunUp): Range;
+  /// Value of the cursor on the axis, in SI.
+  protected abstract placeOf(subject: RunSubject): number;
+
+  cursor(subject: RunSubject): void {
+    this.subject = subject;
+    this.stack.setCursors(this.placeOf(subject), NaN, wordsOf(subject));
+    const [x, y] = [this.along(subject)[subject.row] ?? NaN, this.upperCurves[0]?.values[subject.row] ?? NaN];
+    this.dot.hidden = !(this.main.isSeen(x, 'x') && this.main.isSeen(y, 'y'));
+    this.dot.style.transform = `translate(${this.main.placeOf(x)}px, ${this.main.heightOf(y)}px)`;
+  }
+
+  protected showPair(subject: RunSubject, range: Range, upper: string, lower: string, lag: boolean): void {
+    const { units, name, station } = subject;
+    this.subject = subject;
+    this.stack.show({ name, parameter: this.parameter, unit: this.unit, units, range }, station, lower);
+    const xLabel = labelled(this.parameter, parameterMeasure(this.unit, units).unit);
+    this.main.setAxes(xLabel, upper);
+    this.lower.setAxes(xLabel, lower);
+    const shownRows = (curves: readonly Curve[]) =>
+      curves.map(({ values }) => subject.run.rows.map((row) => values[row]!));
+    this.main.show(this.stack.range, spanOf(shownRows(this.upperCurves)));
+    this.lower.show(this.stack.range, lag ? [0, 360] : spanOf(shownRows(this.lowerCurves)));
+    this.stack.redraw();
+  }
+
+  abstract show(subject: RunSubject, range: Range): void;
+
+  private draw(pen: Pen, frame: Frame, colours: Theme, curves: readonly Curve[], jump: number): void {
+    const { subject } = this;
+    if (!subject) return;
+    const xs = this.along(subject);
+    for (const { values, dash, colour } of [...curves].reverse())
+      drawRows(pen, frame, xs, values, subject.run.rows, { colour: colour(colours), dash }, jump);
+  }
+
+  keys(): readonly Key[] {
+    const lower = this.lowerCurves.length > 1 && this.parameter === 'time' ? this.lowerCurves : [];
+    return [...this.upperCurves.map(keyOf), ...lower.map(keyOf)];
+  }
+
+  picture(): Picture {
+    return pictureOf(this.title, this.stack, this.keys());
+  }
+
+  table(): Table {
+    const subject = this.subject!;
+    const { run, units } = subject;
+    const speed = parameterMeasure('rad/s', units);
+    const curves = [...this.upperCurves, ...this.lowerCurves];
+    return {
+      heading: ['time (s)', labelled('speed', speed.unit), 'turns', ...curves.map(({ text }) => text)],
+      rows: run.rows.map((row) => [
+        run.time[row]!,
+        run.speed[row]! * speed.factor,
+        run.column(FIELD.RUNUP_TURNS)[row]!,
+        ...curves.map(({ values }) => values[row]!),
+      ]),
+    };
+  }
+}
+
+/// Draws lines at instants of events.
+function drawEvents(pen: Pen, frame: Frame, colours: Theme, events: readonly number[]): void {
+  pen.strokeStyle = colours.touch;
+  pen.lineWidth = frame.ratio;
+  pen.setLineDash([3 * frame.ratio, 3 * frame.ratio]);
+  for (const at of events) {
+    pen.beginPath();
+    pen.moveTo(frame.x(at), frame.top);
+    pen.lineTo(frame.x(at), frame.top + frame.height);
+    pen.stroke();
+  }
+  pen.setLineDash([]);
+}
+
+export class RunOverTime extends RunPair {
+  readonly tools: readonly HTMLElement[];
+  private readonly station: HTMLSelectElement;
+  private readonly below: HTMLSelectElement;
+  private chosen = 'speed';
+  private range: Range = [0, 1];
+
+  constructor(listener: StackListener & { station(index: number): void }) {
+    super(
+      'The run over the time',
+      'time',
+      's',
+      'Amplitude over the time',
+      'Speed over the time',
+      listener,
+      (subject, value, steps) => stepped(subject, value, steps),
+    );
+    this.station = select('Station', [], '', (value) => listener.station(Number(value)));
+    this.below = select('What the lower chart shows', [], '', (value) => {
+      this.chosen = value;
+      if (this.subject) this.show(this.subject, this.range);
+      this.changed?.();
+    });
+    this.tools = [this.station, this.below];
+  }
+
+  /// Called after the user chose another quantity.
+  changed?: () => void;
+
+  show(subject: RunSubject, range: Range): void {
+    const { run } = subject;
+    const choices = belowOf(subject);
+    const below = choices.find(({ id }) => id === this.chosen) ?? choices[0]!;
+    this.range = range;
+    setSame(
+      this.station,
+      run.stations.map(({ name }, i) => ({ value: String(i), text: name })),
+      String(subject.station),
+    );
+    this.station.hidden = run.stations.length < 2;
+    setSame(
+      this.below,
+      choices.map(({ id, text }) => ({ value: id, text })),
+      below.id,
+    );
+    this.upperCurves = motionCurves(subject);
+    this.lowerCurves = below.curves(subject);
+    this.showPair(
+      subject,
+      range,
+      labelled('motion', lengthMeasure(subject.units, subject.scales).unit),
+      below.axis,
+      false,
+    );
+  }
+
+  whole(run: RunUp): Range {
+    return [0, run.duration > 0 ? run.duration : 1];
+  }
+
+  protected placeOf({ time }: RunSubject): number {
+    return time;
+  }
+
+  protected along({ run }: RunSubject): Float64Array {
+    return run.time;
+  }
+
+  protected override drawUnder(pen: Pen, frame: Frame, colours: Theme): void {
+    const { events } = this.subject?.run ?? {};
+    drawEvents(pen, frame, colours, events ? Object.values(events).filter(Number.isFinite) : []);
+  }
+}
+
+export class RunOverSpeed extends RunPair {
+  readonly tools: readonly HTMLElement[] = [];
+
+  constructor(listener: StackListener) {
+    super(
+      'The run over the speed',
+      'speed',
+      'rad/s',
+      'Amplitude over the speed',
+      'Lag over the speed',
+      listener,
+      (subject, _, steps) => {
+        const { rows } = subject.run;
+        const at = rows.indexOf(subject.row) + steps;
+        return subject.run.speed[rows[Math.min(rows.length - 1, Math.max(0, at))] ?? -1] ?? NaN;
+      },
+    );
+  }
+
+  show(subject: RunSubject, range: Range): void {
+    const { run, station, units, scales } = subject;
+    const lag = (axis: number) => run.column(FIELD.RUNUP_LAG, station, axis);
+    this.upperCurves = motionCurves(subject);
+    this.lowerCurves = [curve('lag of x (\u00b0)', lag(0), 0), curve('lag of y (\u00b0)', lag(1), 1)];
+    this.showPair(subject, range, labelled('motion', lengthMeasure(units, scales).unit), 'lag at 1X (\u00b0)', true);
+  }
+
+  whole(run: RunUp): Range {
+    const speeds = run.rows.map((row) => run.speed[row]!);
+    const high = Math.max(0, ...speeds);
+    return [0, high > 0 ? 1.02 * high : 1];
+  }
+
+  protected placeOf({ run, row }: RunSubject): number {
+    return run.speed[row] ?? NaN;
+  }
+
+  protected along({ run, units }: RunSubject): Float64Array {
+    return scaled(run.speed, parameterMeasure('rad/s', units).factor);
+  }
+}
+
+/// Returns the time `steps` rows from a time.
+function stepped({ run }: RunSubject, time: number, steps: number): number {
+  const at = run.rows.indexOf(run.rowAt(time)) + steps;
+  return run.time[run.rows[Math.min(run.rows.length - 1, Math.max(0, at))] ?? -1] ?? time;
+}
+
+/// Words of a slider in addition to its value.
+function wordsOf({ run, row, station, units, scales }: RunSubject): string {
+  if (row < 0) return '';
+  const { factor, unit } = amplitudeMeasure(units, scales);
+  const speed = parameterMeasure('rad/s', units);
+  const size = (run.column(FIELD.RUNUP_AMPLITUDE, station, 0)[row] ?? NaN) * factor;
+  return `${run.time[row]!.toPrecision(4)} s, ${(run.speed[row]! * speed.factor).toPrecision(4)} ${speed.unit}, x ${size.toPrecision(3)} ${unit}`;
+}
+
+/// Sets the choices of a list, unless they are the same.
+function setSame(list: HTMLSelectElement, choices: readonly Choice[], value: string): void {
+  const same =
+    choices.length === list.options.length && choices.every((each, i) => list.options[i]!.text === each.text);
+  if (!same) setChoices(list, choices, value);
+  list.value = value;
+}

@@ -1,0 +1,152 @@
+// A run-up in the explorer: what is stored, what is computed anew, and its cursor, against the result file.
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { closeBrowser, command, folder, makePage, open, saved } from './browser.mjs';
+
+const RAMP = `whirl: 1
+title: A rotor that rubs on its way up
+rotor:
+  speed: 1 rad/s
+  length_scale: 1 m
+  stations:
+    disc: {mass: 1 kg, damping: 0.1 N.s/m, eccentricity: 1 m}
+  elements:
+    - spring: {between: [disc, ground], stiffness: 1 N/m}
+    - rub:    {at: disc, gap: 4 m, stiffness: 1 N/m, friction: 0.05, law: paper}
+study:
+  runup: {rate: 0.003 rad/s2, duration: 700 s}
+`;
+const RADIAN = Math.PI / 180;
+
+let ramp;
+before(() => {
+  ramp = makePage('ramp', RAMP);
+});
+after(closeBrowser);
+
+function rowsOf(csv) {
+  const [heading, ...lines] = csv.trim().split(/\r?\n/);
+  return { heading: heading.split(','), rows: lines.map((line) => line.split(',').map(Number)) };
+}
+
+const table = async (page, panel) => rowsOf((await saved(page, panel, 'csv')).bytes.toString('utf8'));
+const card = (title) => `.run .map-card[aria-label="${title}"]`;
+
+/// A table of the result file, as the command exports it: rows of a field.
+function exported(name, field) {
+  command('export', `${name}.h5`, '--csv', `${name}-csv`, '--force');
+  return rowsOf(readFileSync(join(folder, `${name}-csv`, `runup-runup-${field}.csv`), 'utf8'));
+}
+
+const opened = async (address, options) => {
+  const made = await open(address, options);
+  await made.page.waitForSelector('.run .numbers tbody td');
+  await made.page.waitForFunction(() => !document.querySelector('.run .settings-card').hidden);
+  return made;
+};
+
+/// Waits for the run at the present setting to be there.
+const computed = (page) =>
+  page.waitForFunction(
+    () =>
+      /^Computed in this page/.test(document.querySelector('.run .how').textContent) &&
+      !document.querySelector('.run').classList.contains('busy'),
+    undefined,
+    { timeout: 60_000 },
+  );
+
+test('a stored run is shown over time and speed, with one cursor', async () => {
+  const { page, complaints, close } = await opened(`${ramp}#t=300&units=scale,rad/s,order,0-p`);
+  assert.match(await page.textContent('.run .how'), /^Stored run; ended as planned/);
+  const time = exported('ramp', 'time').rows.map((row) => row.at(-1));
+  const speed = exported('ramp', 'speed').rows.map((row) => row.at(-1));
+  // Rows of the last turn have no amplitude where it is not whole: rows by their numbers.
+  const amplitude = new Map(exported('ramp', 'amplitude').rows.map((row) => [row[3], row.at(-8)]));
+  const numbers = exported('ramp', 'time').rows.map((row) => row[2]);
+  const { rows } = await table(page, card('The run over the time'));
+  const there = [...time.keys()];
+  assert.equal(rows.length, there.length);
+  assert.ok(amplitude.size >= there.length - 1);
+  there.forEach((i, row) => {
+    assert.ok(Math.abs(rows[row][0] - time[i]) <= 1e-6 * 700);
+    assert.ok(Math.abs(rows[row][1] - speed[i]) <= 1e-6 * 2.1);
+    if (amplitude.has(numbers[i])) assert.ok(Math.abs(rows[row][3] - amplitude.get(numbers[i])) <= 1e-6 * 11);
+  });
+  // The same row by its time and by its speed, and from the keyboard.
+  const at = there.reduce((best, i) => (Math.abs(time[i] - 300) < Math.abs(time[best] - 300) ? i : best), there[0]);
+  assert.ok(
+    Math.abs(Number.parseFloat(await page.textContent('.run .pane-value .verdict')) - speed[at]) < 1e-4 * speed[at],
+  );
+  const slider = (title) => page.locator(`${card(title)} [role="slider"]`);
+  assert.ok(Math.abs(Number(await slider('The run over the speed').getAttribute('aria-valuenow')) - speed[at]) < 1e-6);
+  await slider('The run over the speed').focus();
+  await page.keyboard.press('ArrowRight');
+  await page.waitForFunction((before) => document.querySelector('#value-run').value !== before, '300');
+  const next = there[there.indexOf(at) + 1];
+  assert.ok(Math.abs(Number(await page.inputValue('#value-run')) - time[next]) < 1e-5 * 700);
+  assert.match(page.url(), /t=30\d/);
+  // Without stored orbits: the sum of the orders, whose largest x is that of the numbers.
+  assert.match(await page.textContent('.panel-run-orbit'), /sum of orders 1 to 4/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a moved rate gives the run that the command gives', async () => {
+  const { page, complaints, close } = await opened(`${ramp}#t=80&units=scale,rad/s,order,0-p`);
+  assert.deepEqual(await page.$$eval('.run .parameter label', (labels) => labels.map((label) => label.textContent)), [
+    'runup.rate',
+    'disc.eccentricity',
+    'rub.friction',
+  ]);
+  await page.fill('[id="parameter-runup.rate"]', '0.01');
+  await page.keyboard.press('Enter');
+  await computed(page);
+  command('run', 'ramp.yaml', '--set', 'runup.rate=0.01 rad/s2', '--set', 'runup.orbits=400', '-q', '-o', 'fast.h5');
+  const amplitude = exported('fast', 'amplitude').rows.map((row) => row.at(-8));
+  const { rows } = await table(page, card('The run over the time'));
+  const whole = amplitude.filter(Number.isFinite);
+  assert.equal(rows.length, whole.length);
+  rows.forEach((row, i) => assert.ok(Math.abs(row[3] - whole[i]) <= 1e-9 * 11, `row ${i}: ${row[3]}, ${whole[i]}`));
+  // The orbit of the turn at the cursor, from the mark on.
+  const orbit = await table(page, '.panel-run-orbit');
+  const times = exported('fast', 'orbit_time').rows.map((row) => row.at(-1));
+  const best = times.reduce((least, at, i) => (Math.abs(at - 80) < Math.abs(times[least] - 80) ? i : least), 0);
+  const samples = exported('fast', 'orbit').rows.slice(best * 128, (best + 1) * 128);
+  assert.equal(orbit.rows.length, 128);
+  orbit.rows.forEach(([, x, y], k) => {
+    assert.ok(Math.abs(x - samples[k].at(-2)) <= 1e-9 && Math.abs(y - samples[k].at(-1)) <= 1e-9);
+  });
+  assert.match(page.url(), /runup\.rate/);
+  // The spectrum of that time is there, and stands out in the waterfall.
+  const spectrum = await table(page, '.panel-run-spectrum');
+  assert.ok(spectrum.rows.length > 100);
+  // Back to the case.
+  await page.click('.run [aria-label="Reset all parameters to the case"], .run >> text=Reset all');
+  await computed(page);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a run is played, paused and stopped', async () => {
+  const { page, complaints, close } = await opened(`${ramp}#t=100&units=scale,rad/s,order,0-p`);
+  await page.selectOption('.run [aria-label="Seconds of the run in a second"]', '64');
+  await page.click('.run .play');
+  await page.waitForFunction(() => Number(document.querySelector('#value-run').value) > 120);
+  await page.click('.run .play');
+  const paused = await page.inputValue('#value-run');
+  await page.waitForTimeout(200);
+  assert.equal(await page.inputValue('#value-run'), paused);
+  // A run of many turns ends when it is told to, and says how far it is.
+  await page.fill('[id="parameter-runup.rate"]', '40');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('.run.busy');
+  await page.click('.run >> text=Stop');
+  await page.waitForSelector('.run:not(.busy)');
+  await page.fill('[id="parameter-runup.rate"]', '-1');
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => /number/.test(document.querySelector('.run .settings-card .trouble').textContent));
+  assert.deepEqual(complaints, []);
+  await close();
+});
