@@ -10,10 +10,10 @@
 #include "output.h"
 #include "whirl/engine/figure.h"
 
-enum { KEY_FORCE = 0x100, KEY_LIST, KEY_FORMAT, KEY_UNITS, KEY_LOG, KEY_PANELS, KEY_GNUPLOT };
+enum { KEY_FORCE = 0x100, KEY_LIST, KEY_FORMAT, KEY_UNITS, KEY_LOG, KEY_PANELS, KEY_GNUPLOT, KEY_WITH };
 
 typedef struct figure_arguments {
-    const char *result, *name, *output, *format, *gnuplot;
+    const char *result, *name, *output, *format, *gnuplot, *with;
     whirl_figure_options how;
     bool force, list;
 } figure_arguments;
@@ -31,6 +31,10 @@ static const struct argp_option options[] = {
     {.name = "units", .key = KEY_UNITS, .arg = "UNITS", .doc = "Units of the figure, such as 'um, rpm, Hz, p-p'"},
     {.name = "log", .key = KEY_LOG, .arg = "AXES", .doc = "Make these axes logarithmic: x, y or xy"},
     {.name = "panels", .key = KEY_PANELS, .arg = "NAMES", .doc = "These panels alone, such as x,exponent"},
+    {.name = "with",
+     .key = KEY_WITH,
+     .arg = "FILE",
+     .doc = "Draw the same figure of this result or record into it, dashed: a measurement over a model"},
     {.name = "gnuplot", .key = KEY_GNUPLOT, .arg = "PROGRAM", .doc = "gnuplot program (default: the one on the PATH)"},
     {.name = "force", .key = KEY_FORCE, .doc = "Replace an existing file"},
     {0},
@@ -66,6 +70,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
         return 0;
     case KEY_PANELS:
         arguments->how.panels = argument;
+        return 0;
+    case KEY_WITH:
+        arguments->with = argument;
         return 0;
     case KEY_GNUPLOT:
         arguments->gnuplot = argument;
@@ -130,18 +137,27 @@ static int write(const whirl_result *result, const figure_arguments *arguments) 
 }
 
 static int act(const whirl_result *result, const void *given) {
-    const figure_arguments *arguments = given;
-    return arguments->list ? print_names(result, arguments) : write(result, arguments);
+    figure_arguments arguments = *(const figure_arguments *)given;
+    whirl_result *with = NULL;
+    if (arguments.list) return print_names(result, &arguments);
+    int outcome = arguments.with ? load_result(arguments.with, &with) : EXIT_DONE;
+    arguments.how.with = with;
+    if (outcome == EXIT_DONE) outcome = write(result, &arguments);
+    whirl_result_free(with);
+    return outcome;
 }
 
 static int run(int argc, char **argv) {
     static const struct argp argp = {
         .options = options,
         .parser = parse,
-        .args_doc = "RESULT.h5 [NAME]\nRESULT.h5 --list",
-        .doc = "Writes one figure of the report of a result: a picture, or its panels, axes and series as JSON. The "
-               "default is the first figure. The names FIELD[:OF][:COLUMN] ('orbit/mean:disc:y'), @VALUE[:STATION] and "
-               "@#NUMBER[:STATION] make figures of any field and of any point. TABLE/NAME is the figure of that table.",
+        .args_doc = "RESULT [NAME]\nRESULT --list",
+        .doc =
+            "Writes one figure of the report of a result: a picture, or its panels, axes and series as JSON. The "
+            "default is the first figure. The names FIELD[:OF][:COLUMN] ('orbit/mean:disc:y'), @VALUE[:STATION] and "
+            "@#NUMBER[:STATION] make figures of any field and of any point. TABLE/NAME is the figure of that table. "
+            "RESULT is a result file, or a record of a run-up or coast-down (NAME.csv) with the headings 'time [s]', "
+            "'keyphasor' or 'speed [rpm]', and two probes a station: 'de x [um]', or 'de 45 [um]' in degrees.",
     };
     figure_arguments arguments = {0};
     const int read = read_arguments(&argp, argc, argv, 0, &arguments);

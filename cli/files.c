@@ -72,8 +72,14 @@ static int load(const char *path, whirl_status (*read)(const char *, whirl_resul
     return status.code == WHIRL_OK ? EXIT_DONE : status.code == WHIRL_NO_MEMORY ? EXIT_FAILED : EXIT_BAD_INPUT;
 }
 
+/// Returns true for the name of a table of numbers.
+static bool is_record(const char *path) {
+    const size_t length = strlen(path);
+    return length > 4 && strcmp(path + length - 4, ".csv") == 0;
+}
+
 int load_result(const char *path, whirl_result **result) {
-    return load(path, whirl_result_read, result);
+    return load(path, is_record(path) ? whirl_result_read_record : whirl_result_read, result);
 }
 
 int with_result(const char *path, result_action *act, const void *arguments) {

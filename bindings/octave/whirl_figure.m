@@ -2,6 +2,8 @@ function drawn = whirl_figure(file, varargin)
 % WHIRL_FIGURE  Draws a figure of a result as reports show it: its panels, units, colours, ticks and legend.
 %   WHIRL_FIGURE(FILE) draws the first figure of the result FILE (.h5), or of what WHIRL_READ gave, that is not the
 %   machine, into the current figure window, which is cleared.
+%   FILE may also be a measured record of a run-up or coast-down (.csv; guide, chapter 16), and 'with', FILE2 draws the
+%   same figure of another result or record into this one, dashed.
 %   WHIRL_FIGURE(FILE, NAME) draws that figure; WHIRL_FIGURE(FILE, 'list') prints all names, and
 %   NAMES = WHIRL_FIGURE(FILE, 'list') returns them.
 %   WHIRL_FIGURE(..., 'panels', 'x,exponent') draws these panels alone, 'units', 'um, rpm' in these units, 'log', 'xy'
@@ -20,7 +22,7 @@ end
 if nargin < 1 || ~is_text(text_of(file))
     error('whirl:badInput', 'whirl_figure takes the name of a result file, or what whirl_read gives');
 end
-[places, options] = arguments_of(varargin, {''}, struct('panels', '', 'units', '', 'log', ''));
+[places, options] = arguments_of(varargin, {''}, struct('panels', '', 'units', '', 'log', '', 'with', ''));
 arguments = ['figure ' quoted(file_of(text_of(file)))];
 if strcmp(places{1}, 'list')
     listing = answer([arguments ' --list' given(options)]);

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "content.h"
-#include "whirl/engine/record.h"
+#include "whirl/engine/analyze.h"
 
 typedef struct walk {
     const whirl_case *object;

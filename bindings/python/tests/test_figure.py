@@ -372,3 +372,31 @@ def test_what_is_carried_down_is_told_apart():
     drawn = {y for series in crosses for y in series.get("y", [])}
     down = table["poincare/section"][table.branch < 0, 0, :, 0] * table.length_scale[0]
     assert drawn and drawn <= set(down.ravel()) and {"last value to first"} <= {series["name"] for series in crosses}
+
+
+def test_a_record_lies_in_the_figure_of_a_model(tmp_path):
+    time = np.arange(6001) / 2000
+    angle = 2 * np.pi * (30 * time - 4 * time**2)
+    columns = [time, np.sin(angle), 20 * np.cos(angle), 20 * np.sin(angle)]
+    file = tmp_path / "down.csv"
+    np.savetxt(file, np.transpose(columns), "%.12g", ",", header="time [s],keyphasor,de x [um],de y [um]", comments="")
+    record = whirl.signals.load(file)
+    assert record.title == "down.csv" and "runup-de" in record.figures()
+    (tmp_path / "model.yaml").write_text(
+        "whirl: 1\nrotor:\n  speed: 1800 rpm\n  length_scale: 1 um\n"
+        "  stations: {de: {mass: 1 kg, damping: 20 N.s/m, eccentricity: 10 um}}\n"
+        "  elements: [spring: {between: [de, ground], stiffness: 35000 N/m}]\n"
+        "study: {runup: {speed_from: 1800 rpm, speed_to: 600 rpm, rate: 50 rad/s2, rows: 50}}\n"
+    )
+    command("run", tmp_path / "model.yaml", "-o", tmp_path / "model.h5", "-q")
+    model = whirl.open(tmp_path / "model.h5")
+    both = model.figure_data("runup-de", other=record)
+    own = record.figure_data("runup-de", units="um")
+    added = [series for series in both["panels"][1]["series"] if series["dashed"]]
+    assert [series["name"] for series in added] == ["$x$ at 1X, measured", "$y$ at 1X, measured"]
+    assert added[0]["y"] == own["panels"][1]["series"][0]["y"]
+    assert np.allclose(added[0]["y"], 20.0, rtol=1e-3)
+    plt.close(model.figure("runup-de", other=record))
+    file.write_text("time [s],keyphasor,de x [um]\n0,0,0\n")
+    with pytest.raises(whirl.BadInput, match=r"down.csv:1:20: de has one probe"):
+        whirl.signals.load(file)

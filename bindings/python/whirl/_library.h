@@ -71,6 +71,7 @@ whirl_status whirl_journal_remove(whirl_journal *journal);
 
 whirl_status whirl_result_read(const char *path, whirl_result **result);
 whirl_status whirl_result_read_outline(const char *path, whirl_result **outline);
+whirl_status whirl_result_read_record(const char *path, whirl_result **result);
 whirl_status whirl_result_write(const whirl_result *result, const char *path);
 whirl_status whirl_result_verify(const whirl_result *result, const char *path);
 whirl_status whirl_result_add_fact(whirl_result *result, const char *name, const char *value);
@@ -118,8 +119,8 @@ whirl_status whirl_table_copy(const whirl_table *table, size_t field, double *nu
 void whirl_table_words(const whirl_table *table, size_t point, char *name, char *reason, size_t size);
 whirl_status whirl_table_attractor_numbers(const whirl_table *table, size_t *numbers, double *shares, double *errors);
 const char *whirl_table_option(const whirl_table *table, size_t index, char *text, size_t size);
-whirl_status whirl_result_figure(const whirl_result *result, const char *name, const char *units, const char *panels,
-                                 const char *log, char **json);
+whirl_status whirl_result_figure_with(const whirl_result *result, const whirl_result *with, const char *name,
+                                      const char *units, const char *panels, const char *log, char **json);
 bool whirl_result_name_fits(const char *path);
 whirl_status whirl_nearest_value(const whirl_result *result, const char *parameter, const double *values, size_t count,
                                  const char *told, size_t *index);

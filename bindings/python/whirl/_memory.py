@@ -61,6 +61,15 @@ class MemorySource:
         return cls(out[0])
 
     @classmethod
+    def record(cls, path):
+        """Reads a measured record."""
+        ensure_allowed()
+        out, name = ffi.new("whirl_result **"), path_bytes(path)
+        require_file(path, "the record")
+        check(lib.whirl_result_read_record(name, out))
+        return cls(out[0])
+
+    @classmethod
     def outline(cls, path):
         """Reads a file without the numbers of its points."""
         out = ffi.new("whirl_result **")

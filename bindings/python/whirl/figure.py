@@ -40,11 +40,12 @@ def names_of(handle) -> dict[str, str]:
     return dict(line.split("\t", 1) for line in taken(out).splitlines())
 
 
-def describe(handle, name, units, panels, log) -> dict[str, Any]:
-    """Returns the document of a figure."""
+def describe(handle, name, units, panels, log, other=None) -> dict[str, Any]:
+    """Returns the document of a figure; `other`: the handle of a result that is drawn into it."""
     out = ffi.new("char **")
     chosen = ",".join(panels) if isinstance(panels, (list, tuple)) else panels
-    check(lib.whirl_result_figure(handle, _word(name), _word(units), _word(chosen), _word(log), out))
+    words = _word(name), _word(units), _word(chosen), _word(log)
+    check(lib.whirl_result_figure_with(handle, ffi.NULL if other is None else other, *words, out))
     return json.loads(taken(out))
 
 

@@ -354,6 +354,7 @@ class Result:
         panels: str | list[str] | None = None,
         log: str | None = None,
         units: str | None = None,
+        other: "Result | None" = None,
     ) -> dict[str, Any]:
         """A figure as data, the document of docs/figures.md: panels with axes and series, in the units shown.
 
@@ -367,10 +368,13 @@ class Result:
             "x", "y" or "xy": axes that shall be logarithmic.
         units : str, optional
             "um, rpm, Hz, p-p"; those of the result.
+        other : Result, optional
+            A result whose figure of the same name is drawn into this one, dashed: a measured record
+            (:func:`whirl.signals.load`) over a model.
         """
         from .figure import describe
 
-        return describe(self._figured(), name, units, panels, log)
+        return describe(self._figured(), name, units, panels, log, None if other is None else other._figured())
 
     def figure(
         self,
@@ -379,6 +383,7 @@ class Result:
         log: str | None = None,
         units: str | None = None,
         ax: Axes | None = None,
+        other: "Result | None" = None,
     ) -> Figure:
         """Draws a figure of reports in Matplotlib, or one of its panels into axes that are given.
 
@@ -387,7 +392,7 @@ class Result:
         """
         from .figure import draw
 
-        return draw(self.figure_data(name, panels, log, units), ax)
+        return draw(self.figure_data(name, panels, log, units, other), ax)
 
     def statements(self, units: str | None = None) -> Statements:
         """What was found of machines at rest, of branches, tori and spectra: a list of :class:`whirl.Statement`.

@@ -23,9 +23,12 @@ from ._library import check, ffi, lib
 from .errors import BadInput
 
 if TYPE_CHECKING:
+    import os
+
     import pandas
 
     from ._signals_plot import Plots
+    from .result import Result
 
 __all__ = [
     "Spectrum",
@@ -47,6 +50,7 @@ __all__ = [
     "rain_flow",
     "damage",
     "check_pulses",
+    "load",
     "Record",
 ]
 
@@ -249,6 +253,27 @@ def _points(points: ArrayLike) -> np.ndarray:
 
 def _size_of(points: np.ndarray, size: Optional[float]) -> float:
     return motion_size(points.T) if size is None else float(size)
+
+
+# ---------------------------------------------------------------- records as results
+
+
+def load(path: "str | os.PathLike") -> "Result":
+    """Reads a record of a run-up or coast-down as a result, with the fields and figures of the study ``runup``.
+
+    >>> record = whirl.signals.load("coast-down.csv")
+    >>> whirl.open("model.h5").figure("runup-de", other=record)    # both in one picture
+
+    Parameters
+    ----------
+    path : path
+        Comma-separated values with the headings ``time [s]``, ``keyphasor`` or ``speed [rpm]``, and two probes a
+        station: ``de x [um]`` and ``de y [um]``, or degrees from the x axis in the sense of rotation, ``de 45 [um]``.
+    """
+    from ._memory import MemorySource
+    from .result import Result
+
+    return Result(MemorySource.record(path))
 
 
 # ---------------------------------------------------------------- functions of arrays

@@ -221,9 +221,18 @@ typedef enum whirl_variant {
     WHIRL_WITH_STATICS,   ///< as WHIRL_AS_GIVEN, with the effects of weight on its shafts
 } whirl_variant;
 
+/// A measured run as samples at equal angles of the shaft, the beginning of each turn first.
+typedef struct whirl_measured {
+    size_t turns, samples; ///< number of turns, samples of a turn
+    const double *time;    ///< [turns][samples] s, from the beginning of the record
+    const double *end;     ///< [turns] s, of each turn
+    const double *x, *y;   ///< [stations][turns][samples] displacements in the unit of length of the block
+} whirl_measured;
+
 /// A machine at rest, for its analyses.
 typedef struct whirl_resting {
-    const whirl_system *system;     ///< the machine
+    const whirl_system *system;     ///< the machine; for a measured run its stations
+    const whirl_measured *measured; ///< NULL, or what a run-up is read from in place of a machine
     const double *start;            ///< [dimension] start of the search for its equilibrium
     double clock, speed;            ///< rad/s: of the system's time, and of the shaft
     const whirl_modes *modes;       ///< its modes if requested, else NULL

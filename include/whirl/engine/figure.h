@@ -127,6 +127,8 @@ typedef struct whirl_figure_options {
     const char *panels; ///< "x,exponent": only these; NULL: all
     /// "x", "y" or "xy": axes that are logarithmic if all their numbers are above 0; NULL: the figure's default.
     const char *log;
+    /// NULL, or a result whose figure of the same name is drawn into this one, dashed: a measured record over a model.
+    const whirl_result *with;
 } whirl_figure_options;
 
 /// Name and subject of a figure of a result.
@@ -142,8 +144,9 @@ typedef struct whirl_figure_name {
 whirl_status whirl_figure_names(const whirl_result *result, const char *units, whirl_figure_name **names,
                                 size_t *count);
 
-/// Builds a figure by its name (NULL: the first). WHIRL_BAD_INPUT with a sentence for an unknown name, and for words
-/// that are not units. Freed by whirl_figure_free.
+/// Builds a figure by its name (NULL: the first). WHIRL_BAD_INPUT with a sentence for an unknown name, for words that
+/// are not units, and for two results whose figures cannot lie in one picture: other units, or colours that have a
+/// meaning. Freed by whirl_figure_free.
 whirl_status whirl_figure_new(const whirl_result *result, const char *name, const whirl_figure_options *options,
                               whirl_figure **figure);
 

@@ -483,8 +483,100 @@ static whirl_runup_options runup_with_table(const whirl_resting *point, const wh
     return o;
 }
 
+// ---------------------------------------------------------------- measured runs
+
+/// Takes a measured turn apart: means, orders and largest radii of all stations, and samples for spectra and orbits.
+static void runup_read_turn(const filling *f, const whirl_measured *m, size_t n, runup_station *stations) {
+    const size_t probes = f->system->probe_count;
+    for (size_t p = 0; p < probes; p++) {
+        const double *x = m->x + (p * m->turns + n) * m->samples, *y = m->y + (p * m->turns + n) * m->samples;
+        stations[p] = (runup_station){.radius = 0.0};
+        for (size_t k = 0; k < m->samples; k++) {
+            const double share = 1.0 / (double)m->samples, angle = 2.0 * acos(-1.0) * (double)k * share;
+            stations[p].radius = fmax(stations[p].radius, hypot(x[k], y[k]));
+            stations[p].mean[0] += share * x[k];
+            stations[p].mean[1] += share * y[k];
+            for (size_t order = 1; order <= RUNUP_ORDERS; order++) {
+                const double complex turned = 2.0 * share * cexp(-I * (double)order * angle);
+                stations[p].x[order - 1] += turned * x[k];
+                stations[p].y[order - 1] += turned * y[k];
+            }
+            if (f->views.samples.numbers) {
+                double *row = f->views.samples.numbers + k * f->views.samples.width;
+                row[0] = m->time[n * m->samples + k];
+                row[1 + 2 * p] = x[k];
+                row[2 + 2 * p] = y[k];
+            }
+        }
+    }
+}
+
+/// Fills in the largest motion of a station: that of its samples.
+static void runup_fill_measured_peak(const block_view *view, const whirl_measured *m, size_t probe) {
+    for (size_t i = 0; i < m->turns * m->samples; i++) {
+        const double radius = hypot(m->x[probe * m->turns * m->samples + i], m->y[probe * m->turns * m->samples + i]);
+        const size_t turn = i / m->samples;
+        if (radius <= *view_numbers(view, PEAK, probe)) continue;
+        *view_numbers(view, PEAK, probe) = radius;
+        *view_numbers(view, PEAK_TIME, probe) = m->time[i];
+        *view_numbers(view, PEAK_SPEED, probe) = 2.0 * acos(-1.0) / (m->end[turn] - m->time[turn * m->samples]);
+    }
+}
+
+/// Fills a run from a record in place of a machine.
+static whirl_status runup_fill_measured(const whirl_resting *point, const whirl_runup_options *o,
+                                        const block_view *view) {
+    const whirl_measured *m = point->measured;
+    const size_t probes = point->system->probe_count;
+    double *radius = calloc(probes + 1, sizeof *radius);
+    runup_station *stations = calloc(probes + 1, sizeof *stations);
+    filling f = {.view = view,
+                 .point = point,
+                 .system = point->system,
+                 .rows = (size_t)o->rows,
+                 .duration = o->duration,
+                 .way = 1.0,
+                 .radius = radius,
+                 .status = whirl_ok()};
+    whirl_status status =
+        radius && stations ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the turns of a record");
+    if (status.code == WHIRL_OK) status = runup_views_new(view, o, point->system, 0, f.duration, &f.views);
+    for (size_t n = 0; n < m->turns && status.code == WHIRL_OK; n++) {
+        const double begin = m->time[n * m->samples], end = m->end[n];
+        runup_read_turn(&f, m, n, stations);
+        const runup_turn turn = {.time = 0.5 * (begin + end),
+                                 .speed = 2.0 * acos(-1.0) / (end - begin),
+                                 .end = end,
+                                 .turns = (double)(n + 1),
+                                 .whole = true,
+                                 .torques = {NAN, NAN, NAN, NAN, NAN},
+                                 .stations = stations,
+                                 .samples = f.views.samples.numbers};
+        runup_fill_row(&f, &turn);
+        status = f.status;
+    }
+    if (status.code == WHIRL_OK) status = runup_views_end(&f.views, o->duration);
+    if (status.code == WHIRL_OK) {
+        *view_numbers(view, END, 0) = RUNUP_DONE;
+        *view_numbers(view, END_TIME, 0) = m->end[m->turns - 1];
+        *view_numbers(view, END_SPEED, 0) =
+            2.0 * acos(-1.0) / (m->end[m->turns - 1] - m->time[(m->turns - 1) * m->samples]);
+        *view_numbers(view, END_TURNS, 0) = (double)m->turns;
+        for (size_t p = 0; p < probes; p++) {
+            *view_numbers(view, PEAK, p) = -1.0;
+            runup_fill_measured_peak(view, m, p);
+        }
+        runup_fill_slow_roll(view, o, probes);
+    }
+    runup_views_free(&f.views);
+    free(radius);
+    free(stations);
+    return status;
+}
+
 static whirl_status runup_compute(const whirl_resting *point, const whirl_record_options *options,
                                   const block_view *view) {
+    if (point->measured) return runup_fill_measured(point, &options->runup, view);
     const whirl_runup_options o = runup_with_table(point, &options->runup);
     const changing c = {point, runup_lowest_speed(point, &o), runup_highest_speed(point, &o), whirl_runup_driven(&o)};
     whirl_running *running = NULL;

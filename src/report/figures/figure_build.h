@@ -59,6 +59,10 @@ void axis_show(whirl_axis *axis, span range);
 whirl_series *panel_level(whirl_figure *figure, whirl_panel *panel, double y, const char *colour, double width);
 whirl_series *panel_upright(whirl_figure *figure, whirl_panel *panel, double x, const char *colour, double width);
 
+/// Adds the series of another figure of the same panels, dashed, before figure_finish; `own` and `its` are words for
+/// both in the legend. WHIRL_BAD_INPUT if axes have other units, or colours have a meaning; WHIRL_NO_MEMORY.
+whirl_status figure_overlay(whirl_figure *figure, const whirl_figure *other, const char *own, const char *its);
+
 /// Keeps only the named panels ("x,exponent"). WHIRL_BAD_INPUT for an unknown name.
 whirl_status figure_choose(whirl_figure *figure, const char *names);
 

@@ -34,27 +34,35 @@ whirl_status figures_list(const drawing *of, figure_list *list) {
     return whirl_fail(WHIRL_NO_MEMORY, "no memory for the list of figures");
 }
 
-whirl_status figure_make(const drawing *of, const figure_place *place, const whirl_figure_options *options,
-                         whirl_figure **out) {
+/// Describes a figure of the list: its panels and series, without ranges and places.
+static whirl_status figure_described(const drawing *of, const figure_place *place, whirl_figure **out) {
     whirl_figure *figure = calloc(1, sizeof *figure);
-    *out = NULL;
+    *out = figure;
     if (!figure) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the figure %.100s", place->name.name);
     figure->width = 12.0;
     figure->font = 7.0;
     memcpy(figure->name, place->name.name, sizeof figure->name);
     memcpy(figure->title, place->name.title, sizeof figure->title);
     place->kind->describe(of, place, figure);
-    whirl_status status = figure->failed
-                              ? whirl_fail(WHIRL_NO_MEMORY, "no memory for the figure %.100s", place->name.name)
-                          : options && options->panels ? figure_choose(figure, options->panels)
-                                                       : whirl_ok();
+    if (!figure->failed) return whirl_ok();
+    return whirl_fail(WHIRL_NO_MEMORY, "no memory for the figure %.100s", place->name.name);
+}
+
+/// Chooses panels and places them; frees the figure after a failure.
+static whirl_status figure_completed(whirl_status status, const whirl_figure_options *options, whirl_figure **figure) {
+    if (status.code == WHIRL_OK && options && options->panels) status = figure_choose(*figure, options->panels);
     if (status.code == WHIRL_OK) {
-        figure_finish(figure, options ? options->log : NULL);
-        *out = figure;
-    } else {
-        whirl_figure_free(figure);
+        figure_finish(*figure, options ? options->log : NULL);
+        return status;
     }
+    whirl_figure_free(*figure);
+    *figure = NULL;
     return status;
+}
+
+whirl_status figure_make(const drawing *of, const figure_place *place, const whirl_figure_options *options,
+                         whirl_figure **out) {
+    return figure_completed(figure_described(of, place, out), options, out);
 }
 
 // ---------------------------------------------------------------- for others
@@ -182,16 +190,36 @@ static whirl_status find_figure(shown_result *shown, const char *name, size_t *a
     return status.code == WHIRL_OK && *at == shown->list.count ? no_figure(shown, NULL, name) : status;
 }
 
-whirl_status whirl_figure_new(const whirl_result *result, const char *name, const whirl_figure_options *options,
-                              whirl_figure **figure) {
+/// Describes the figure of a name (NULL: the first) of a result.
+static whirl_status figure_of_result(const whirl_result *result, const char *name, const char *units,
+                                     whirl_figure **figure) {
     shown_result shown;
     size_t at = 0;
     *figure = NULL;
-    whirl_status status = shown_new(result, options ? options->units : NULL, &shown);
+    whirl_status status = shown_new(result, units, &shown);
     if (status.code == WHIRL_OK && name) status = find_figure(&shown, name, &at);
     while (!name && at < shown.list.count && shown.list.items[at].kind->whole) at++;
     if (status.code == WHIRL_OK && !name && at == shown.list.count) status = no_figure(&shown, NULL, "");
-    if (status.code == WHIRL_OK) status = figure_make(&shown.of, &shown.list.items[at], options, figure);
+    if (status.code == WHIRL_OK) status = figure_described(&shown.of, &shown.list.items[at], figure);
     shown_free(&shown);
     return status;
+}
+
+/// Word for what a result is next to another one.
+static const char *figure_origin(const whirl_result *result) {
+    return *whirl_result_fact(result, "measured") ? "measured" : "computed";
+}
+
+whirl_status whirl_figure_new(const whirl_result *result, const char *name, const whirl_figure_options *options,
+                              whirl_figure **figure) {
+    const char *units = options ? options->units : NULL;
+    whirl_figure *other = NULL;
+    whirl_status status = figure_of_result(result, name, units, figure);
+    if (status.code == WHIRL_OK && options && options->with) {
+        status = figure_of_result(options->with, name ? name : (*figure)->name, units, &other);
+        if (status.code == WHIRL_OK)
+            status = figure_overlay(*figure, other, figure_origin(result), figure_origin(options->with));
+        whirl_figure_free(other);
+    }
+    return figure_completed(status, options, figure);
 }

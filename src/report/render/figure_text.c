@@ -11,7 +11,12 @@ static whirl_status write_figure(const void *of, FILE *stream) {
 
 whirl_status whirl_result_figure(const whirl_result *result, const char *name, const char *units, const char *panels,
                                  const char *log, char **json) {
-    const whirl_figure_options options = {.units = units, .panels = panels, .log = log};
+    return whirl_result_figure_with(result, NULL, name, units, panels, log, json);
+}
+
+whirl_status whirl_result_figure_with(const whirl_result *result, const whirl_result *with, const char *name,
+                                      const char *units, const char *panels, const char *log, char **json) {
+    const whirl_figure_options options = {.units = units, .panels = panels, .log = log, .with = with};
     whirl_figure *figure;
     *json = NULL;
     whirl_status status = whirl_figure_new(result, name, &options, &figure);
