@@ -127,7 +127,8 @@ typedef struct whirl_figure_options {
     const char *panels; ///< "x,exponent": only these; NULL: all
     /// "x", "y" or "xy": axes that are logarithmic if all their numbers are above 0; NULL: the figure's default.
     const char *log;
-    /// NULL, or a result whose figure of the same name is drawn into this one, dashed: a measured record over a model.
+    /// NULL, or a result whose figure of the same name is drawn into this one, dashed and in the same units: a measured
+    /// record over a model.
     const whirl_result *with;
 } whirl_figure_options;
 

@@ -191,18 +191,21 @@ static whirl_status find_figure(shown_result *shown, const char *name, size_t *a
 }
 
 /// Describes the figure of a name (NULL: the first) of a result.
-static whirl_status figure_of_result(const whirl_result *result, const char *name, const char *units,
-                                     whirl_figure **figure) {
-    shown_result shown;
+static whirl_status figure_of_result(shown_result *shown, const char *name, whirl_figure **figure) {
     size_t at = 0;
+    whirl_status status = name ? find_figure(shown, name, &at) : whirl_ok();
     *figure = NULL;
-    whirl_status status = shown_new(result, units, &shown);
-    if (status.code == WHIRL_OK && name) status = find_figure(&shown, name, &at);
-    while (!name && at < shown.list.count && shown.list.items[at].kind->whole) at++;
-    if (status.code == WHIRL_OK && !name && at == shown.list.count) status = no_figure(&shown, NULL, "");
-    if (status.code == WHIRL_OK) status = figure_described(&shown.of, &shown.list.items[at], figure);
-    shown_free(&shown);
-    return status;
+    while (!name && at < shown->list.count && shown->list.items[at].kind->whole) at++;
+    if (status.code == WHIRL_OK && !name && at == shown->list.count) status = no_figure(shown, NULL, "");
+    return status.code == WHIRL_OK ? figure_described(&shown->of, &shown->list.items[at], figure) : status;
+}
+
+/// Shows a result in the units of another one, lengths in the same unit or over the same scale.
+static void shown_like(shown_result *shown, const shown_result *first) {
+    const double length = first->units.length * shown->view->length_scale / first->view->length_scale;
+    shown->units = first->units;
+    shown->units.result = shown->view;
+    shown->units.length = length;
 }
 
 /// Word for what a result is next to another one.
@@ -213,13 +216,21 @@ static const char *figure_origin(const whirl_result *result) {
 whirl_status whirl_figure_new(const whirl_result *result, const char *name, const whirl_figure_options *options,
                               whirl_figure **figure) {
     const char *units = options ? options->units : NULL;
+    const whirl_result *with = options ? options->with : NULL;
+    shown_result shown, second = {.view = NULL};
     whirl_figure *other = NULL;
-    whirl_status status = figure_of_result(result, name, units, figure);
-    if (status.code == WHIRL_OK && options && options->with) {
-        status = figure_of_result(options->with, name ? name : (*figure)->name, units, &other);
-        if (status.code == WHIRL_OK)
-            status = figure_overlay(*figure, other, figure_origin(result), figure_origin(options->with));
-        whirl_figure_free(other);
+    *figure = NULL;
+    whirl_status status = shown_new(result, units, &shown);
+    if (status.code == WHIRL_OK) status = figure_of_result(&shown, name, figure);
+    if (status.code == WHIRL_OK && with) status = shown_new(with, units, &second);
+    if (status.code == WHIRL_OK && with) {
+        shown_like(&second, &shown);
+        status = figure_of_result(&second, name ? name : (*figure)->name, &other);
     }
+    if (status.code == WHIRL_OK && with)
+        status = figure_overlay(*figure, other, figure_origin(result), figure_origin(with));
+    whirl_figure_free(other);
+    shown_free(&second);
+    shown_free(&shown);
     return figure_completed(status, options, figure);
 }
