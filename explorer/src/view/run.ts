@@ -321,7 +321,7 @@ function contactsTable({ run, row }: RunSubject): HTMLElement[] {
     const [force, share] = [FIELD.RUNUP_FORCE, FIELD.RUNUP_SHARE].map((field) => run.column(field, i)[row] ?? NaN);
     return [name, force! > 0 ? 'closed' : 'open', shown(force!), shown(100 * share!, 3)];
   });
-  return [numbersTable('Contacts at the cursor', ['contact', '', 'largest force (N)', 'of the turn (%)'], rows)];
+  return [numbersTable('Contacts at the cursor', ['contact', 'now', 'largest force (N)', 'of the turn (%)'], rows)];
 }
 
 /// Turns so far, and the torques where the run has them: with a rate it has none.
