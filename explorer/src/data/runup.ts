@@ -84,7 +84,9 @@ export class RunUp {
       const first = field.offset + which * field.rows * field.columns + column;
       return Float64Array.from({ length: field.rows }, (_, row) => block[first + row * field.columns]!);
     };
-    return new RunUp(read, duration, lengthScale, stations, contacts);
+    // A run whose length follows from a table is as long as it is.
+    const reached = read(FIELD.RUNUP_TIME, 0, 0).reduce((most, time) => (time > most ? time : most), 0);
+    return new RunUp(read, duration > 0 ? duration : reached, lengthScale, stations, contacts);
   }
 
   /// Returns all rows of a column of a field; empty if the run has none.
