@@ -7,9 +7,10 @@
 #include "report_parts.h"
 #include "shown_kinds.h"
 
-/// Returns true if sentences cover a table; detail points are covered by the sweep.
+/// Returns true if sentences cover a table; detail points are covered by the sweep. Branches and tori of which none was
+/// found have a statement that says so.
 static bool is_covered(const whirl_result *result, const whirl_table *table) {
-    if (table->count == 0) return false;
+    if (table->count == 0) return shown_kind_of(table);
     return table->role != WHIRL_ROLE_DETAIL || result->table_count == 1;
 }
 
