@@ -29,13 +29,6 @@ export interface RunSpectrum {
   readonly backward: Float64Array;
 }
 
-/// Instants of events, s; NaN: never.
-export interface RunEvents {
-  readonly trip: number;
-  readonly loss: number;
-  readonly change: number;
-}
-
 /// Returns a column of a field: all of its rows for a station or contact.
 type Read = (field: string, which: number, column: number) => Float64Array;
 
@@ -107,9 +100,9 @@ export class RunUp {
     return row === undefined ? 0 : this.time[row]!;
   }
 
-  get events(): RunEvents {
-    const [trip, loss, change] = [0, 1, 2].map((column) => this.number(FIELD.RUNUP_EVENTS, 0, column));
-    return { trip: trip!, loss: loss!, change: change! };
+  /// Instants of events that happened, s.
+  get events(): readonly number[] {
+    return [...this.column(FIELD.RUNUP_HAPPENED)].filter((time) => Number.isFinite(time));
   }
 
   /// Returns the row at a time; -1 without any.

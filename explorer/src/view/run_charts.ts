@@ -303,8 +303,7 @@ export class RunOverTime extends RunPair {
   }
 
   protected override drawUnder(pen: Pen, frame: Frame, colours: Theme): void {
-    const { events } = this.subject?.run ?? {};
-    drawEvents(pen, frame, colours, events ? Object.values(events).filter(Number.isFinite) : []);
+    drawEvents(pen, frame, colours, this.subject?.run.events ?? []);
   }
 }
 
