@@ -7,6 +7,7 @@ import csv
 import io
 import json
 import re
+import textwrap
 from html.parser import HTMLParser
 
 import numpy as np
@@ -241,6 +242,39 @@ def test_pages_have_all_of_it(file, tmp_path):
         step = 1 + (len(sheet) - 1) // 80  # a page has up to 80 points
         shown = rows[:1] + (rows[1::step] if [rows[0], *rows[1::step]] in tables else rows[1:])
         assert shown in tables, key
+
+
+def test_no_number_is_rounding_noise():
+    """By symmetry the slope in the middle of a shaft and the cross coupling of its magnets are 0."""
+    magnet = (
+        "{at: %s, gap: 0.5 mm, bias: 4 A, turns: 200, area: 8 cm2, max_current: 9 A, proportional: 1.8e4 A/m, "
+        "integral: 8e4 A/m/s, derivative: 28 A.s/m, derivative_filter: 0.1 ms, sensor_bandwidth: 10 kHz, "
+        "amplifier_bandwidth: 2.5 kHz}"
+    )
+    text = f"""
+        whirl: 1
+        rotor:
+          speed: 10000 rpm
+          length_scale: 0.25 mm
+          shafts: {{main: {{mesh_to: 2 kHz, modes: 6}}}}
+          stations:
+            de: {{position: 120 mm, mass: 3 kg}}
+            core: {{position: 500 mm, mass: 55 kg, diametral: 1.9 kg.m2, polar: 0.32 kg.m2}}
+            nde: {{position: 880 mm, mass: 3 kg}}
+          elements:
+            - gravity: {{}}
+            - segment: {{length: 200 mm, outer: 80 mm}}
+            - segment: {{length: 600 mm, outer: 110 mm}}
+            - segment: {{length: 200 mm, outer: 80 mm}}
+            - magnetic: {magnet % "de"}
+            - magnetic: {magnet % "nde"}
+        study: {{statics: {{}}}}
+        """
+    result = whirl.run(whirl.Case(text=textwrap.dedent(text)), progress=False)
+    weight, bearings = result.sheet("statics/weight"), result.sheet("statics/coefficients")
+    slopes = weight["slope"]
+    assert slopes[1] == 0.0 and slopes[0] == pytest.approx(-slopes[2], rel=1e-9) and slopes[0] != 0.0
+    assert np.all(bearings["kxy"] == 0.0) and np.all(bearings["kxx"] > 0.0)
 
 
 def test_motions_without_spectra_have_none():

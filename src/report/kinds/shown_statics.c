@@ -15,6 +15,19 @@ static double length(const finder *of, size_t point, const char *field, size_t s
     return whirl_result_length_scale(of->result, of->table, point) * number(of, point, field, station);
 }
 
+/// Returns 0 for a value that is rounding noise next to the largest of its kind.
+static double without_noise(double value, double largest) {
+    return fabs(value) <= 1e-12 * largest ? 0.0 : value;
+}
+
+/// Largest slope of the shafts at a point, rad.
+static double largest_slope(const finder *of, size_t point) {
+    double largest = 0.0;
+    for (size_t station = 0; station < of->result->station_count; station++)
+        largest = fmax(largest, fabs(number(of, point, WHIRL_FIELD_STATICS_SLOPE, station)));
+    return largest;
+}
+
 static void find_weight(const finder *of, const size_t *ends, size_t count) {
     whirl_sheet *sheet = find_sheet(of, "weight", "Weight, loads of bearings and sag");
     sheet->about = "What the weight does to each shaft on its own bearings, which hold it without giving way, "
@@ -39,7 +52,9 @@ static void find_weight(const finder *of, const size_t *ends, size_t count) {
             cell_number(of, sheet, number(of, *point, WHIRL_FIELD_STATICS_LOAD, station));
             cell_number(of, sheet, length(of, *point, WHIRL_FIELD_STATICS_ELEVATION, station));
             cell_number(of, sheet, deflection);
-            cell_number(of, sheet, number(of, *point, WHIRL_FIELD_STATICS_SLOPE, station));
+            cell_number(
+                of, sheet,
+                without_noise(number(of, *point, WHIRL_FIELD_STATICS_SLOPE, station), largest_slope(of, *point)));
             cell_number(of, sheet, number(of, *point, WHIRL_FIELD_STATICS_MOMENT, station));
             cell_number(of, sheet, mass ? mass[0] : (double)NAN);
             cell_number(of, sheet, mass ? mass[1] : (double)NAN);
@@ -180,7 +195,11 @@ static void find_coefficients(const finder *of) {
             sheet_row(of, sheet);
             cell_value(of, sheet, point);
             cell_station(of, sheet, station);
-            for (size_t i = 0; i < 8; i++) cell_number(of, sheet, i < 4 ? k[i] : c[i - 4]);
+            for (size_t i = 0; i < 8; i++) {
+                const double *const own = i < 4 ? k : c;
+                const double largest = fmax(fmax(fabs(own[0]), fabs(own[1])), fmax(fabs(own[2]), fabs(own[3])));
+                cell_number(of, sheet, without_noise(own[i % 4], largest));
+            }
         }
     find_sheet_end(of);
 }
