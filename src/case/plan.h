@@ -217,12 +217,18 @@ void resting_read(case_reader *reader, const machine_parts *machine, plan_parts 
 /// Makes the batches of studies at rest after the existing ones, as plan_make does.
 void resting_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result);
 
-/// Reads the key `change`: parameters with the values that they have after it.
-void resting_read_change(case_reader *reader, setting_list *keys, condition_parts *change);
+// ---------------------------------------------------------------- plan_names
+// What studies name: stations of the machine, and parameters with values.
 
 /// Reads one station, or several as a list, or as a text with blanks as in options of analyses.
-void resting_read_stations(case_reader *reader, const machine_parts *machine, const setting_list *keys, const char *key,
-                           bool several);
+void plan_read_stations(case_reader *reader, const machine_parts *machine, const setting_list *keys, const char *key,
+                        bool several);
+
+/// Reads a value that a condition, or a change, gives to a parameter.
+void plan_read_given(case_reader *reader, const file_node *where, condition_parts *condition);
+
+/// Reads the key `change`: parameters with the values that they have after it.
+void plan_read_change(case_reader *reader, setting_list *keys, condition_parts *change);
 
 // ---------------------------------------------------------------- plan_course
 // The course of a run: its events, and its laws of speed, torque and ground.

@@ -167,8 +167,8 @@ static void course_read_event(case_reader *reader, const file_node *where, const
     *own = (course_event){.place = where, .after = WHIRL_NO_EVENT, .station = machine->stations.count};
     own->keys = (setting_list){.name = "event", .group = &schema_event, .place = where};
     settings_read(reader, where, &schema_event, &own->keys);
-    resting_read_stations(reader, machine, &own->keys, "loss_at", false);
-    resting_read_change(reader, &own->keys, &own->change);
+    plan_read_stations(reader, machine, &own->keys, "loss_at", false);
+    plan_read_change(reader, &own->keys, &own->change);
     const setting *name = settings_find(&own->keys, "name"), *when = settings_find(&own->keys, "when");
     const setting *at = settings_find(&own->keys, "loss_at"), *moment = settings_find(&own->keys, "loss_moment");
     own->name = name ? name->word : NULL;
@@ -227,7 +227,7 @@ const course_parts *course_read(case_reader *reader, const machine_parts *machin
                               .station = machine->stations.count,
                               .keys = *keys,
                               .alone = true};
-        resting_read_change(reader, keys, &own->change);
+        plan_read_change(reader, keys, &own->change);
     }
     if (events) course_read_events(reader, events->place, machine, course);
     if (speeds) course_read_speeds(reader, speeds->place, course);

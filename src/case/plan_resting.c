@@ -51,56 +51,6 @@ static void resting_read_name(case_reader *reader, const plan_parts *parts, rest
                        "is another %s of the same name, expected a name of its own: {name: ..., ...}", group);
 }
 
-/// Appends the name of a station; returns false after a problem.
-static bool add_station(case_reader *reader, const file_node *where, const machine_parts *machine, const char *name,
-                        char names[WHIRL_NAME_SIZE]) {
-    char advice[WHY_SIZE], shown[SHOWN_SIZE];
-    const size_t used = strlen(names), length = strlen(name);
-    if (named_find(&machine->stations, name) == machine->stations.count) {
-        machine_advise(machine, name, false, advice);
-        problem_at(reader->problems, where, "is %s, which is no station, %s", text_shown(name, shown), advice);
-        return false;
-    }
-    if (used + length + 2 > WHIRL_NAME_SIZE) {
-        problem_at(reader->problems, where, "is one name too many, expected names of at most %d letters together",
-                   WHIRL_NAME_SIZE - 1);
-        return false;
-    }
-    if (used > 0) names[used] = ' ';
-    memcpy(names + used + (used > 0), name, length + 1);
-    return true;
-}
-
-/// Appends the stations of a text; returns false after a problem.
-static bool add_stations(case_reader *reader, const file_node *where, const machine_parts *machine,
-                         char names[WHIRL_NAME_SIZE]) {
-    char shown[SHOWN_SIZE], name[WHIRL_NAME_SIZE];
-    const char *text = where->kind == NODE_TEXT ? where->text : "";
-    bool any = false;
-    for (; name_list_next(&text, name); any = true)
-        if (!add_station(reader, where, machine, name, names)) return false;
-    if (!any) problem_at(reader->problems, where, "is %s, expected the name of a station", node_shown(where, shown));
-    return any;
-}
-
-void resting_read_stations(case_reader *reader, const machine_parts *machine, const setting_list *keys, const char *key,
-                           bool several) {
-    char names[WHIRL_NAME_SIZE] = "";
-    for (size_t i = 0; i < keys->count; i++) {
-        setting *given = &keys->items[i];
-        if (strcmp(given->key->name, key) != 0) continue;
-        const file_node *where = given->place, *first = where->kind == NODE_LIST ? where->first : where;
-        for (const file_node *one = first; one; one = where->kind == NODE_LIST ? one->next : NULL)
-            if (!add_stations(reader, one, machine, names)) return;
-        if (!*names || (!several && strchr(names, ' '))) {
-            problem_at(reader->problems, where, "names %s station, expected one", *names ? "more than one" : "no");
-            return;
-        }
-        given->word = arena_text(reader->arena, names, strlen(names));
-        reader->no_memory = reader->no_memory || !given->word;
-    }
-}
-
 /// Reads the study at rest whose unbalances by rule these motions have.
 static void read_unbalances(case_reader *reader, const plan_parts *parts, resting_parts *resting) {
     char shown[SHOWN_SIZE], advice[WHY_SIZE];
@@ -130,23 +80,6 @@ static void read_unbalances(case_reader *reader, const plan_parts *parts, restin
                    node_shown(given->place, shown));
 }
 
-/// Reads a value that a condition, or a change, gives to a parameter.
-static void read_given(case_reader *reader, const file_node *where, condition_parts *condition) {
-    char advice[WHY_SIZE];
-    const parameter_table *parameters = reader->parameters;
-    const size_t index = parameters_find(parameters, where->key);
-    if (index == parameters->count) {
-        describe_names(where->key, parameters->names, parameters->count, advice);
-        problem_at_key(reader->problems, where, "is no parameter, %s", advice);
-        return;
-    }
-    const parameter *own = &parameters->items[index];
-    const whirl_key key = {.name = own->name, .unit = parameter_expected_unit(own), .range = WHIRL_ANY};
-    if (!formula_read(reader, where, &key, &condition->values[condition->count])) return;
-    condition->parameters[condition->count] = own;
-    condition->places[condition->count++] = where;
-}
-
 static void read_condition(case_reader *reader, const file_node *where, plan_parts *parts) {
     char shown[SHOWN_SIZE];
     if (!is_name_of_table(where->key))
@@ -161,7 +94,7 @@ static void read_condition(case_reader *reader, const file_node *where, plan_par
     condition_parts *condition = &parts->conditions[parts->condition_count++];
     condition->place = where;
     for (const file_node *one = where->first; one && condition->count < WHIRL_MAX_GIVEN; one = one->next)
-        read_given(reader, one, condition);
+        plan_read_given(reader, one, condition);
 }
 
 static void read_conditions(case_reader *reader, plan_parts *parts) {
@@ -178,29 +111,6 @@ static void read_conditions(case_reader *reader, plan_parts *parts) {
     if (parts->resting_count == 0)
         problem_at_key(reader->problems, where, "needs a study of machines at rest or motions, which is done at each");
     for (const file_node *one = where->first; one; one = one->next) read_condition(reader, one, parts);
-}
-
-void resting_read_change(case_reader *reader, setting_list *keys, condition_parts *change) {
-    char shown[SHOWN_SIZE], names[WHIRL_NAME_SIZE] = "";
-    setting *given = NULL;
-    for (size_t i = 0; i < keys->count; i++)
-        if (strcmp(keys->items[i].key->name, "change") == 0) given = &keys->items[i];
-    if (!given) return;
-    const file_node *where = given->place;
-    change->place = where;
-    if (where->kind != NODE_MAPPING || where->count == 0 || where->count > WHIRL_MAX_GIVEN) {
-        problem_at(reader->problems, where, "is %s, expected 1 to %d parameters with their values after the change",
-                   where->kind == NODE_MAPPING ? where->count ? "a longer list" : "empty" : node_shown(where, shown),
-                   WHIRL_MAX_GIVEN);
-        return;
-    }
-    for (const file_node *one = where->first; one; one = one->next) {
-        const size_t used = strlen(names);
-        read_given(reader, one, change);
-        snprintf(names + used, sizeof names - used, "%s%.40s", used ? ", " : "", one->key);
-    }
-    given->word = arena_text(reader->arena, names, strlen(names));
-    reader->no_memory = reader->no_memory || !given->word;
 }
 
 static void read_one(case_reader *reader, const file_node *where, const whirl_group *group,
@@ -220,10 +130,10 @@ static void read_one(case_reader *reader, const file_node *where, const whirl_gr
     const bool varies = settings_find(&axis->keys, "parameter") != NULL;
     if (varies) plan_read_axis(reader, axis);
     check_bearings(reader, axis);
-    resting_read_stations(reader, machine, &axis->keys, "at", false);
-    resting_read_stations(reader, machine, &axis->keys, "probes_at", true);
-    resting_read_stations(reader, machine, &axis->keys, "coupling", true);
-    resting_read_stations(reader, machine, &axis->keys, "loss_at", false);
+    plan_read_stations(reader, machine, &axis->keys, "at", false);
+    plan_read_stations(reader, machine, &axis->keys, "probes_at", true);
+    plan_read_stations(reader, machine, &axis->keys, "coupling", true);
+    plan_read_stations(reader, machine, &axis->keys, "loss_at", false);
     if (group == &schema_at_rest[SCHEMA_AT_REST_runup]) resting->course = course_read(reader, machine, &axis->keys);
     if (group == &schema_motions) read_unbalances(reader, parts, resting);
     for (size_t i = 0; i < sizeof keys / sizeof *keys && !varies; i++) {

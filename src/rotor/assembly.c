@@ -36,6 +36,7 @@ void assembly_clear(assembly *to) {
     free(to->frequencies);
     free(to->runouts);
     free(to->turnings);
+    free(to->weights);
     free(to->torques);
     free(to->links);
     body_clear(&to->body);
@@ -443,6 +444,23 @@ void assembly_pull(assembly *to, double x, double y) {
         } else {
             if (at->moves_x) assembly_term(to, (linear_term){at->coordinate[AXIS_X], SOURCE_ONE, 0, pull_x});
             if (at->moves_y) assembly_term(to, (linear_term){at->coordinate[AXIS_Y], SOURCE_ONE, 0, pull_y});
+        }
+    }
+}
+
+void assembly_weigh(assembly *to) {
+    for (size_t s = 0; s < to->station_count; s++) {
+        const assembly_station *at = &to->stations[s];
+        for (axis along = AXIS_X; along <= AXIS_TILT_Y; along++) {
+            const bool across = along == AXIS_Y || along == AXIS_TILT_Y;
+            const double moment = at->shaft != NO_SHAFT ? at->pull_moment : 0.0;
+            const double force = along == AXIS_TILT_X || along == AXIS_TILT_Y ? moment : at->mass;
+            if (at->coordinate[along] == NO_COORDINATE || force == 0.0) continue;
+            turning_inertia *list = room_for_one(to, to->weights, to->weight_count, &to->weight_room, sizeof *list);
+            if (!list) return;
+            to->weights = list;
+            list[to->weight_count++] =
+                (turning_inertia){at->coordinate[along], across ? 0.0 : force, across ? force : 0.0};
         }
     }
 }

@@ -39,6 +39,7 @@
 #define assembly_frequencies whirl_assembly_frequencies
 #define assembly_runout whirl_assembly_runout
 #define assembly_pull whirl_assembly_pull
+#define assembly_weigh whirl_assembly_weigh
 #define assembly_ground_damping whirl_assembly_ground_damping
 
 /// Marks a motion without a coordinate, a station without a shaft, and a missing station.
@@ -133,8 +134,10 @@ typedef struct assembly {
     station_runout *runouts; ///< runout of probes
     size_t turning_count, turning_room;
     turning_inertia *turnings; ///< inertias that turn with the rotor's own shaft
-    double pull[2];            ///< m/s2, gravity across the shafts
-    shaft_drive drive;         ///< motor and load of a shaft whose speed is a state
+    size_t weight_count, weight_room;
+    turning_inertia *weights; ///< forces by a pull of 1 m/s2 along x (cos) and along y (sin), kg or kg m of a tilt
+    double pull[2];           ///< m/s2, gravity across the shafts
+    shaft_drive drive;        ///< motor and load of a shaft whose speed is a state
     size_t torque_count;
     shaft_torque *torques; ///< [torque_count] other torques on such a shaft
     size_t link_count, link_room;
@@ -248,6 +251,9 @@ void assembly_runout(assembly *to, size_t station, whirl_runout seen);
 
 /// Adds a pull (m/s2) on the own masses of all stations.
 void assembly_pull(assembly *to, double x, double y);
+
+/// Lists the forces that a pull along x and y has on all masses. Call it once, when all inertia is known.
+void assembly_weigh(assembly *to);
 
 /// Adds damping (N s/m) between a station and the ground.
 void assembly_ground_damping(assembly *to, size_t station, double damping);

@@ -126,16 +126,6 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
     return used;
 }
 
-/// Adds what pulls along x and y on a station have for forces.
-static void add_weight(whirl_rotor *rotor, const assembly *of, const assembly_station *at) {
-    for (axis along = AXIS_X; along <= AXIS_TILT_Y; along++) {
-        const bool tilts = along == AXIS_TILT_X || along == AXIS_TILT_Y;
-        const size_t way = along == AXIS_Y || along == AXIS_TILT_Y, i = at->coordinate[along];
-        const double moment = at->shaft != NO_SHAFT ? at->pull_moment : 0.0;
-        if (i != NO_COORDINATE) rotor->weight[way * of->degrees + i] += tilts ? moment : at->mass;
-    }
-}
-
 /// A station that moves along one axis, or twists alone, has one coordinate, which is used for both.
 static void add_probes(whirl_rotor *rotor, const building *b) {
     const size_t degrees = b->assembly.degrees;
@@ -358,7 +348,11 @@ static whirl_rotor *finish(building *b) {
     rotor->link_count = b->assembly.link_count;
     if (b->assembly.links) memcpy(rotor->links, b->assembly.links, rotor->link_count * sizeof *rotor->links);
     // Stations, numbers and elements.
-    for (size_t s = 0; s < b->assembly.station_count; s++) add_weight(rotor, &b->assembly, &b->assembly.stations[s]);
+    for (size_t i = 0; i < b->assembly.weight_count; i++) {
+        const turning_inertia *own = &b->assembly.weights[i];
+        rotor->weight[own->row] += own->cos;
+        rotor->weight[b->assembly.degrees + own->row] += own->sin;
+    }
     add_probes(rotor, b);
     add_twists(rotor, &b->assembly);
     add_runouts(rotor, &b->assembly);

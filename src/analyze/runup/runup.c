@@ -592,6 +592,11 @@ static bool runup_happen(runner *r, int what) {
 static bool runup_is_here(const runner *r, const coming *what) {
     const double value = what->of(r, r->x, what->which);
     if (what->of == runup_formula_quantity) return value >= 0.0;
+    if (what->of == runup_speed_quantity && what->passing != 0) {
+        whirl_torques torques;
+        r->machine->torques(r->machine, runup_placed(r, r->x), runup_angle_of(r, r->x), &torques);
+        if (!(torques.acceleration * what->passing > 0.0)) return false;
+    }
     return fabs(value - what->target) <= 1e-12 * what->target;
 }
 

@@ -224,6 +224,7 @@ whirl_status building_assemble(building *b, const whirl_design *design, const si
     if (status.code == WHIRL_OK) status = bow_build(&b->mesh, design, &b->assembly);
     for (size_t i = 0; i < design->type_count && status.code == WHIRL_OK; i++)
         status = add_elements(b, design->types[i]);
+    if (status.code == WHIRL_OK) assembly_weigh(&b->assembly);
     b->assembly.balanced = false;
     for (size_t i = 0; i < design->placed_count && status.code == WHIRL_OK; i++)
         assembly_unbalance(&b->assembly, design->placed[i].station, design->placed[i].moment, design->placed[i].angle);

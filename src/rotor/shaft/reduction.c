@@ -414,6 +414,26 @@ static void reduce_turnings(reducing *r) {
     free(old);
 }
 
+/// Transforms the weights, as forces are transformed.
+static bool reduce_weights(reducing *r) {
+    assembly *of = r->of;
+    turning_inertia *made = calloc(r->degrees + 1, sizeof *made);
+    if (!made) return false;
+    for (size_t d = 0; d < r->degrees; d++) made[d].row = d;
+    for (size_t t = 0; t < of->weight_count; t++) {
+        const turning_inertia *old = &of->weights[t];
+        const blend *row = &r->old[old->row];
+        for (size_t a = 0; a < row->count; a++) {
+            made[row->of[a]].cos += row->weight[a] * old->cos;
+            made[row->of[a]].sin += row->weight[a] * old->sin;
+        }
+    }
+    free(of->weights);
+    of->weights = made;
+    of->weight_count = of->weight_room = r->degrees;
+    return true;
+}
+
 static size_t renamed(const reducing *r, size_t coordinate) {
     if (coordinate == NO_COORDINATE || !r->kept[coordinate]) return NO_COORDINATE;
     return r->old[coordinate].of[0];
@@ -457,6 +477,7 @@ static whirl_status reduce(reducing *r, element *elements, size_t element_count,
     reduce_masses(r, matrix);
     reduce_terms(r);
     reduce_turnings(r);
+    if (!reduce_weights(r)) r->of->no_memory = true;
     rename_all(r, elements, element_count);
     memcpy(r->of->inertia, r->inertia, r->degrees * sizeof *r->inertia);
     memcpy(r->of->unit, r->unit, r->degrees * sizeof *r->unit);
