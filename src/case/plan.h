@@ -274,6 +274,9 @@ bool course_check(case_reader *reader, valuation *v, const course_parts *parts);
 whirl_status course_make(const course_parts *parts, const machine_parts *machine, valuation *v, double length,
                          course_run **out);
 const whirl_run_course *course_shown(const course_run *run);
+
+/// Checks that its laws have values at the beginning, at a speed in rad/s. WHIRL_BAD_INPUT with a sentence.
+whirl_status course_begins(const course_run *run, double speed);
 void course_free(course_run *run);
 
 /// Adds the values that an event gives to parameters behind given [*count], at most WHIRL_MAX_GIVEN.

@@ -104,9 +104,10 @@ static const char *course_read_formula(case_reader *reader, const file_node *whe
                    text_shown(text, shown), names.name);
     else
         problem_at(reader->problems, where,
-                   "is = %s, but no parameter is called %s, nor is it time, speed%s (formulas are in SI)",
+                   "is = %s, but no parameter is called %s, nor is it time%s (formulas are in SI)",
                    text_shown(text, shown), names.name,
-                   machine ? " or the motion of a station, such as STATION_radius, STATION_x or STATION_vy" : "");
+                   machine ? ", speed or the motion of a station, such as STATION_radius, STATION_x or STATION_vy"
+                           : " or speed");
     return NULL;
 }
 
@@ -279,14 +280,24 @@ static void course_name_variables(const machine_parts *machine, const char **nam
     }
 }
 
-/// Makes the evaluator of a formula. names [count] of its parameters and variables.
-static whirl_status course_add_formula(course_run *run, whirl_run_formula formula, const char *text,
+/// Makes the evaluator of a formula of a key. names [count] of its parameters and variables.
+static whirl_status course_add_formula(course_run *run, whirl_run_formula formula, const char *key, const char *text,
                                        const char *const *names, size_t count) {
     char why[WHY_SIZE];
     run->formulas[formula] = evaluator_new(names, run->values, count);
     if (!run->formulas[formula]) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the formulas of a run");
-    if (!evaluator_take(run->formulas[formula], text, why)) return whirl_fail(WHIRL_BAD_INPUT, "%s", why);
+    if (!evaluator_take(run->formulas[formula], text, why)) return whirl_fail(WHIRL_BAD_INPUT, "%s %s", key, why);
     run->shown.has[formula] = true;
+    return whirl_ok();
+}
+
+whirl_status course_begins(const course_run *run, double speed) {
+    run->shown.variables[WHIRL_VARIABLE_TIME] = 0.0;
+    run->shown.variables[WHIRL_VARIABLE_SPEED] = speed;
+    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++)
+        if (run->formulas[i] && !isfinite(evaluator_again(run->formulas[i])))
+            return whirl_fail(WHIRL_BAD_INPUT, "%s has no value at 0 s and %.6g rad/s, expected a finite one", laws[i],
+                              speed);
     return whirl_ok();
 }
 
@@ -361,12 +372,14 @@ whirl_status course_make(const course_parts *parts, const machine_parts *machine
         status = course_make_speeds(parts, v, &run->shown);
     }
     for (size_t i = 0; i < sizeof laws / sizeof *laws && status.code == WHIRL_OK; i++)
-        if (parts->laws[i]) status = course_add_formula(run, (whirl_run_formula)i, parts->laws[i], names, count);
+        if (parts->laws[i])
+            status = course_add_formula(run, (whirl_run_formula)i, laws[i], parts->laws[i], names, count);
     for (size_t i = 0; i < parts->event_count && status.code == WHIRL_OK; i++) {
         const course_event *own = &parts->events[i];
         course_make_event(v, own, machine->stations.count, &run->shown.events[i]);
         if (own->when)
-            status = course_add_formula(run, WHIRL_FORMULA_EVENT + (whirl_run_formula)i, own->when, names, count);
+            status =
+                course_add_formula(run, WHIRL_FORMULA_EVENT + (whirl_run_formula)i, "when", own->when, names, count);
     }
     free(names);
     free(texts);
