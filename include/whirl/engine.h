@@ -36,6 +36,7 @@
 #include "whirl/engine/stop.h"
 #include "whirl/engine/study.h"
 #include "whirl/engine/system.h"
+#include "whirl/engine/torsion.h"
 #include "whirl/engine/torus.h"
 #include "whirl/engine/torus_branch.h"
 #include "whirl/engine/verdict.h"

@@ -92,6 +92,8 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
         .at_rest = is_at_rest(set),
         .twists = system->twist != NULL,
         .torque_count = system->torque_count,
+        .excitation_count = system->torsion ? system->torsion->excitation_count : 0,
+        .path_count = system->torsion ? system->torsion->path_count : 0,
         .options = options,
     };
     for (size_t p = 0; p < system->probe_count; p++) shape.runout_count += system->probes[p].runout_count;
@@ -100,6 +102,7 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
         const char *name = whirl_analyses()[a].name;
         const analysis_plan *plan = analysis_plans[a];
         status = check_needs(name, plan, options);
+        if (status.code == WHIRL_OK && plan->check_system) status = plan->check_system(system);
         for (size_t f = 0; f < plan->field_count && status.code == WHIRL_OK; f++) {
             status = add_field(layout, &plan->fields[f], &shape);
         }
@@ -122,6 +125,7 @@ whirl_status whirl_layout_known(whirl_layout *layout) {
     const whirl_runout runout = {.order = 1};
     const whirl_probe probes[2] = {
         {.runout_count = 1, .runout = &runout}}; // a station with two: a single row would be taken for one a station
+    const whirl_torsion torsion = {.excitation_count = 2, .path_count = 2};
     const whirl_system system = {.dimension = 2,
                                  .probe_count = 2,
                                  .contact_count = 1,
@@ -129,7 +133,8 @@ whirl_status whirl_layout_known(whirl_layout *layout) {
                                  .probes = probes,
                                  .range = two_ranges,
                                  .twist = no_twist,
-                                 .torque_count = 2};
+                                 .torque_count = 2,
+                                 .torsion = &torsion};
     const whirl_integrate_options integrate = whirl_integrate_default();
     whirl_record_options options = whirl_record_default();
     options.spectra = true;

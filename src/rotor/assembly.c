@@ -39,6 +39,9 @@ void assembly_clear(assembly *to) {
     free(to->weights);
     free(to->torques);
     free(to->links);
+    free(to->holds);
+    free(to->harmonics);
+    free(to->fatigues);
     body_clear(&to->body);
 }
 
@@ -284,16 +287,27 @@ static bool is_twist(const assembly *of, size_t coordinate) {
     return coordinate != NO_COORDINATE && coordinate - of->first_twist < of->twist_count;
 }
 
-/// Notes a spring between two twists.
+/// Notes a spring between two twists, or between a twist and the ground.
 static void note_link(assembly *to, const size_t coordinate[2], const double share[2], const joining *by) {
     const bool twists[] = {is_twist(to, coordinate[0]), is_twist(to, coordinate[1])};
     if (twists[0] != twists[1] && by->stiffness != 0.0) to->grounded = true;
-    if (!twists[0] || !twists[1]) return;
-    twist_link *list = room_for_one(to, to->links, to->link_count, &to->link_room, sizeof *list);
-    if (!list) return;
-    to->links = list;
-    to->links[to->link_count++] =
-        (twist_link){{coordinate[0], coordinate[1]}, {share[0], share[1]}, by->stiffness, by->damping};
+    if (!twists[0] && !twists[1]) return;
+    if (twists[0] != twists[1] && by->stiffness == 0.0 && by->damping == 0.0 && by->inertance == 0.0) return;
+    if (twists[0] != twists[1] && coordinate[twists[0]] != NO_COORDINATE) return;
+    const size_t first = twists[0] ? 0 : 1; // the ground is the second place
+    const twist_link own = {{coordinate[first], coordinate[1 - first]},
+                            {share[first], share[1 - first]},
+                            by->stiffness,
+                            by->damping,
+                            by->inertance,
+                            by->modulus};
+    if (twists[0] && twists[1]) {
+        twist_link *list = room_for_one(to, to->links, to->link_count, &to->link_room, sizeof *list);
+        if (list) to->links = list, to->links[to->link_count++] = own;
+    } else {
+        twist_link *list = room_for_one(to, to->holds, to->hold_count, &to->hold_room, sizeof *list);
+        if (list) to->holds = list, to->holds[to->hold_count++] = own;
+    }
 }
 
 void assembly_join(assembly *to, const size_t coordinate[2], const double share[2], const joining *by) {
@@ -320,6 +334,20 @@ void assembly_twist(assembly *to, size_t one, size_t other, const joining *by) {
         share[i] = assembly_share(to, station[i], AXIS_TWIST);
     }
     assembly_join(to, coordinate, share, by);
+}
+
+void assembly_harmonic(assembly *to, const harmonic_torque *torque) {
+    harmonic_torque *list = room_for_one(to, to->harmonics, to->harmonic_count, &to->harmonic_room, sizeof *list);
+    if (!list) return;
+    to->harmonics = list;
+    to->harmonics[to->harmonic_count++] = *torque;
+}
+
+void assembly_fatigue(assembly *to, const twist_fatigue *curve) {
+    twist_fatigue *list = room_for_one(to, to->fatigues, to->fatigue_count, &to->fatigue_room, sizeof *list);
+    if (!list) return;
+    to->fatigues = list;
+    to->fatigues[to->fatigue_count++] = *curve;
 }
 
 whirl_status assembly_torque(assembly *to, const shaft_torque *torque) {

@@ -28,6 +28,8 @@
 #define assembly_join whirl_assembly_join
 #define assembly_twist whirl_assembly_twist
 #define assembly_torque whirl_assembly_torque
+#define assembly_harmonic whirl_assembly_harmonic
+#define assembly_fatigue whirl_assembly_fatigue
 #define assembly_damper whirl_assembly_damper
 #define assembly_inertance whirl_assembly_inertance
 #define assembly_inerter whirl_assembly_inerter
@@ -89,8 +91,39 @@ typedef struct turning_inertia {
 typedef struct twist_link {
     size_t coordinate[2];
     double share[2];
-    double stiffness, damping; ///< N m/rad, N m s/rad
+    double stiffness, damping, inertance; ///< N m/rad, N m s/rad, kg m2
+    double modulus;                       ///< m3, of its weakest section against torsion; 0: unknown
 } twist_link;
+
+/// How often a harmonic torque pulsates.
+typedef enum harmonic_rate {
+    HARMONIC_STEADY,     ///< it does not
+    HARMONIC_BY_ROTOR,   ///< `rate` times the speed of the rotor
+    HARMONIC_BY_STATION, ///< `rate` times the speed of its station
+    HARMONIC_FIXED       ///< `rate` rad/s
+} harmonic_rate;
+
+/// A steady or harmonic torque on a station that twists, for its response to torques.
+typedef struct harmonic_torque {
+    size_t station;
+    harmonic_rate of;
+    double rate, phase; ///< phase: rad, at t = 0
+    bool about_z;       ///< it counts about z; else along the rotation of its station
+    bool felt;          ///< a steady torque that the machine's equations have already
+    size_t count;       ///< rows of its table over the speed of its station; 1: constant
+    double speeds[WHIRL_MAX_LIST], torques[WHIRL_MAX_LIST]; ///< rad/s, N m
+} harmonic_torque;
+
+/// S-N curve of the torque between two stations, by ranges (peak to peak) of the torque or of the shear stress.
+typedef struct twist_fatigue {
+    size_t station[2];
+    bool by_stress;       ///< ranges are Pa; else N m
+    double modulus;       ///< m3, of the section that counts; 0: the one of what joins the stations
+    double concentration; ///< of the stress in it
+    size_t count;         ///< points of the curve
+    double ranges[WHIRL_MAX_LIST], lives[WHIRL_MAX_LIST]; ///< falling ranges, growing lives
+    double slope, endurance;                              ///< as in whirl_signals_damage
+} twist_fatigue;
 
 typedef struct assembly_station {
     const char *name;
@@ -141,13 +174,19 @@ typedef struct assembly {
     size_t torque_count;
     shaft_torque *torques; ///< [torque_count] other torques on such a shaft
     size_t link_count, link_room;
-    twist_link *links;     ///< [link_count] what joins twists
-    bool grounded;         ///< a spring holds a twist to the ground
-    double stages;         ///< factor of the stages' cross couplings
-    double cross_coupling; ///< N/m, the sum of cross couplings, each counted once
-    bool balanced;         ///< unbalance and skew are ignored
-    const char *aside;     ///< station with an unbalance that turns with the rotor, on a shaft of another speed
-    bool no_memory;        ///< a term was lost
+    twist_link *links; ///< [link_count] what joins twists
+    size_t hold_count, hold_room;
+    twist_link *holds; ///< [hold_count] what joins twists to the ground; the second coordinate is NO_COORDINATE
+    size_t harmonic_count, harmonic_room;
+    harmonic_torque *harmonics; ///< [harmonic_count] torques to which the twists respond
+    size_t fatigue_count, fatigue_room;
+    twist_fatigue *fatigues; ///< [fatigue_count] S-N curves of torques
+    bool grounded;           ///< a spring holds a twist to the ground
+    double stages;           ///< factor of the stages' cross couplings
+    double cross_coupling;   ///< N/m, the sum of cross couplings, each counted once
+    bool balanced;           ///< unbalance and skew are ignored
+    const char *aside;       ///< station with an unbalance that turns with the rotor, on a shaft of another speed
+    bool no_memory;          ///< a term was lost
 } assembly;
 
 /// Makes an assembly of stations that move in x and y and have no mass yet; WHIRL_NO_MEMORY. Freed by assembly_clear.
@@ -209,7 +248,14 @@ void assembly_inerter(assembly *to, size_t one, size_t other, double mass);
 /// What joins two places: N/m, N s/m and kg, of angles N m/rad, N m s/rad and kg m2.
 typedef struct joining {
     double stiffness, damping, inertance;
+    double modulus; ///< as in twist_link
 } joining;
+
+/// Returns the section modulus of a round shaft against torsion, m3: shear stress is the torque over it.
+static inline double joining_modulus(double outer, double inner) {
+    const double share = inner / outer;
+    return 0.19634954084936207740 * outer * outer * outer * (1.0 - share * share * share * share); // pi/16
+}
 
 /// Joins two places, one of them perhaps the ground, whose coordinate is NO_COORDINATE. share: the motion of each place
 /// over that of its coordinate (assembly_share).
@@ -217,6 +263,12 @@ void assembly_join(assembly *to, const size_t coordinate[2], const double share[
 
 /// Joins the twists of two stations, one of them perhaps NO_STATION, the ground. Nothing where neither twists.
 void assembly_twist(assembly *to, size_t one, size_t other, const joining *by);
+
+/// Adds a torque to which the twists respond.
+void assembly_harmonic(assembly *to, const harmonic_torque *torque);
+
+/// Adds the S-N curve of a torque.
+void assembly_fatigue(assembly *to, const twist_fatigue *curve);
 
 /// Adds a torque that acts while the speed of the shaft is a state. WHIRL_BAD_INPUT for one too many.
 whirl_status assembly_torque(assembly *to, const shaft_torque *torque);

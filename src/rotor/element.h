@@ -15,6 +15,7 @@
 #include "vector.h"
 #include "whirl/engine/rotor.h"
 #include "whirl/engine/stop.h"
+#include "whirl/engine/torsion.h"
 #include "whirl/status.h"
 
 // Symbols that elements outside the library use have names of the library.
@@ -59,6 +60,7 @@ typedef struct element {
     size_t states;           ///< number of its states: those of its type, unless `build` sets fewer
     size_t first_switch;     ///< index of its first switch, in those of the machine
     size_t station;          ///< index of its station
+    size_t ends[2];          ///< stations of an element between two places (GROUND: the ground); else 0
     double *number;          ///< [type->number_count]
 } element;
 
@@ -93,6 +95,18 @@ typedef struct element_range {
 typedef struct element_place {
     double q[MAX_PORTS], v[MAX_PORTS], s[MAX_ELEMENT_STATES];
 } element_place;
+
+/// What an element between two twists carries. It is pressed together by a closing, a sum of its ports' places.
+typedef struct element_carried {
+    double closing[MAX_PORTS]; ///< closing by the place of each port, in the state's units
+    double unit;               ///< m or rad of one unit of closing
+    double lever[2];           ///< torque on each place about z, N m, by one unit of force; 0: the place does not twist
+    double force;              ///< force (N) or moment (N m) that presses it together, in this state
+    double play;               ///< closing to either side within which no force acts
+    double stiffness, damping; ///< its derivatives by the closing and its rate beyond, means over turning phases
+    bool open;                 ///< the state is within its play
+    double error_order, error[2]; ///< closing less Re(error exp(i error_order tau)) counts; 0: no error
+} element_carried;
 
 /// Kernels of an element in lanes, for one instruction set. NULL for those that it does not have.
 typedef struct element_kernels {
@@ -178,6 +192,11 @@ typedef struct whirl_element_type {
 
     /// Returns 1 if its friction takes power, which its contact's kernel reports; -1 if the radius is unknown; else 0.
     int (*rubs)(const element *own);
+
+    /// Optional, for elements that may join two twists: finds what it carries in a state. The play of a spring or mesh
+    /// is open where no force acts.
+    void (*carry)(const element *own, const element_place *at, element_carried *out);
+    whirl_torque_kind carries_as; ///< kind of that torque
 
     /// Returns true if contact does not follow from the gap alone: a force that depends on velocity (and jumps, unless
     /// `jumps` denies it), a stator that moves or is not all around.

@@ -15,6 +15,12 @@ typedef struct station_twist {
     double share;
 } station_twist;
 
+/// A rigid pair of gears: the twist of the second station is `ratio` times that of the first.
+typedef struct rigid_pair {
+    size_t first, second;
+    double ratio;
+} rigid_pair;
+
 struct whirl_rotor {
     double speed, clock, length;
     double cross_coupling; ///< N/m, of all stages
@@ -67,6 +73,16 @@ struct whirl_rotor {
     /// angular momentum of that turn, kg m2 (NULL: nothing twists).
     double *rigid, *momentum;
     bool grounded; ///< a spring holds a twist to the ground
+    size_t hold_count, harmonic_count, pair_count;
+    twist_link *holds;          ///< [hold_count] as in the assembly
+    harmonic_torque *harmonics; ///< [harmonic_count] likewise
+    size_t fatigue_count;
+    twist_fatigue *fatigues; ///< [fatigue_count] likewise
+    rigid_pair *pairs;       ///< [pair_count] rigid gears
+    double *polar;           ///< [station_count] kg m2 of the stations against twist
+    size_t excitation_count;
+    whirl_excitation *excitations; ///< [excitation_count]
+    whirl_torsion torsion;
     size_t driver; ///< station whose turn is the shaft's, of its motor; the number of stations: none twists
     /// Station that nothing joins to the others' twists; NO_STATION: all turn together.
     size_t aside;
@@ -97,6 +113,22 @@ void rotor_lanes_fill(whirl_rotor *rotor);
 
 /// Finds the rigid turn of a rotor whose stations twist, from its links and its elements (turn.c).
 void rotor_find_turn(whirl_rotor *rotor, const assembly *from);
+
+/// Computes accelerations by time from forces [degrees], N or N m, including mass coupling between coordinates: out
+/// [degrees] in units of the coordinates.
+void rotor_accelerate(const whirl_rotor *rotor, const double *force, double *out);
+
+/// Checks that every S-N curve has a torque. WHIRL_BAD_INPUT (torsion.c).
+whirl_status rotor_check_fatigue(const whirl_rotor *rotor);
+
+/// Finds what excites the twists and what carries torque, after the rigid turn (torsion.c).
+void rotor_find_torsion(whirl_rotor *rotor, const assembly *from);
+
+/// Returns the places, velocities and states that an element sees in a state x [dimension].
+element_place rotor_see(const whirl_rotor *rotor, const element *own, const double *x);
+
+/// Returns true for an element that carries torque between two twists, or a twist and the ground.
+bool rotor_carries(const whirl_rotor *rotor, const element *own);
 
 /// Returns the number of torques that a run-up watches: its own, and of springs between twists.
 size_t rotor_watched_count(const whirl_rotor *rotor);

@@ -41,6 +41,8 @@
     X(gear)                                                                                                            \
     X(induction_motor)                                                                                                 \
     X(synchronous_start)                                                                                               \
+    X(fatigue)                                                                                                         \
+    X(pulsation)                                                                                                       \
     X(short_circuit)                                                                                                   \
     X(timed_torque)
 

@@ -62,36 +62,43 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
     const size_t coupled = coupling_count(&b->assembly);
     const body_panels *shafts = &b->panels;
     size_t used = aligned(sizeof *rotor);
-    void *const parts[] = {cut(block, &used, b->element_count * sizeof *rotor->elements),
-                           cut(block, &used, total_numbers(b) * sizeof *rotor->numbers),
-                           cut(block, &used, b->assembly.term_count * sizeof *rotor->terms),
-                           cut(block, &used, (stations + b->element_count) * sizeof *rotor->places),
-                           cut(block, &used, stations * sizeof *rotor->probes),
-                           cut(block, &used, (b->assembly.degrees + 1) * sizeof *rotor->groups),
-                           cut(block, &used, (2 * b->assembly.degrees + b->state_count) * sizeof *rotor->turns),
-                           cut(block, &used, contacts * sizeof *rotor->contacts),
-                           cut(block, &used, contacts * sizeof *rotor->contact_text),
-                           cut(block, &used, contacts * sizeof *rotor->contact_names),
-                           cut(block, &used, coupled * sizeof *rotor->coupled.row),
-                           cut(block, &used, (coupled ? b->assembly.degrees : 0) * sizeof *rotor->coupled.place),
-                           cut(block, &used, coupled * coupled * sizeof *rotor->coupled.share),
-                           cut(block, &used, coupled * sizeof *rotor->coupled.end),
-                           cut(block, &used, shafts->count * sizeof *shafts->panels),
-                           cut(block, &used, shafts->part_count * sizeof *shafts->parts),
-                           cut(block, &used, shafts->column_count * sizeof *shafts->columns),
-                           cut(block, &used, shafts->number_count * sizeof *shafts->numbers),
-                           cut(block, &used, b->between_count * sizeof *rotor->between),
-                           cut(block, &used, b->assembly.frequency_count * sizeof *rotor->frequencies),
-                           cut(block, &used, b->assembly.runout_count * sizeof *rotor->runouts),
-                           cut(block, &used, b->assembly.degrees * sizeof *rotor->inertia),
-                           cut(block, &used, b->assembly.degrees * sizeof *rotor->unit),
-                           cut(block, &used, b->assembly.turning_count * sizeof *rotor->turnings),
-                           cut(block, &used, stations * sizeof *rotor->twists),
-                           cut(block, &used, b->assembly.torque_count * sizeof *rotor->torques),
-                           cut(block, &used, b->assembly.link_count * sizeof *rotor->links),
-                           cut(block, &used, b->assembly.degrees * sizeof *rotor->rigid),
-                           cut(block, &used, b->assembly.degrees * sizeof *rotor->momentum),
-                           cut(block, &used, 2 * b->assembly.degrees * sizeof *rotor->weight)};
+    void *const parts[] = {
+        cut(block, &used, b->element_count * sizeof *rotor->elements),
+        cut(block, &used, total_numbers(b) * sizeof *rotor->numbers),
+        cut(block, &used, b->assembly.term_count * sizeof *rotor->terms),
+        cut(block, &used, (stations + b->element_count) * sizeof *rotor->places),
+        cut(block, &used, stations * sizeof *rotor->probes),
+        cut(block, &used, (b->assembly.degrees + 1) * sizeof *rotor->groups),
+        cut(block, &used, (2 * b->assembly.degrees + b->state_count) * sizeof *rotor->turns),
+        cut(block, &used, contacts * sizeof *rotor->contacts),
+        cut(block, &used, contacts * sizeof *rotor->contact_text),
+        cut(block, &used, contacts * sizeof *rotor->contact_names),
+        cut(block, &used, coupled * sizeof *rotor->coupled.row),
+        cut(block, &used, (coupled ? b->assembly.degrees : 0) * sizeof *rotor->coupled.place),
+        cut(block, &used, coupled * coupled * sizeof *rotor->coupled.share),
+        cut(block, &used, coupled * sizeof *rotor->coupled.end),
+        cut(block, &used, shafts->count * sizeof *shafts->panels),
+        cut(block, &used, shafts->part_count * sizeof *shafts->parts),
+        cut(block, &used, shafts->column_count * sizeof *shafts->columns),
+        cut(block, &used, shafts->number_count * sizeof *shafts->numbers),
+        cut(block, &used, b->between_count * sizeof *rotor->between),
+        cut(block, &used, b->assembly.frequency_count * sizeof *rotor->frequencies),
+        cut(block, &used, b->assembly.runout_count * sizeof *rotor->runouts),
+        cut(block, &used, b->assembly.degrees * sizeof *rotor->inertia),
+        cut(block, &used, b->assembly.degrees * sizeof *rotor->unit),
+        cut(block, &used, b->assembly.turning_count * sizeof *rotor->turnings),
+        cut(block, &used, stations * sizeof *rotor->twists),
+        cut(block, &used, b->assembly.torque_count * sizeof *rotor->torques),
+        cut(block, &used, b->assembly.link_count * sizeof *rotor->links),
+        cut(block, &used, b->assembly.degrees * sizeof *rotor->rigid),
+        cut(block, &used, b->assembly.degrees * sizeof *rotor->momentum),
+        cut(block, &used, 2 * b->assembly.degrees * sizeof *rotor->weight),
+        cut(block, &used, b->assembly.hold_count * sizeof *rotor->holds),
+        cut(block, &used, b->assembly.harmonic_count * sizeof *rotor->harmonics),
+        cut(block, &used, stations * sizeof *rotor->pairs),
+        cut(block, &used, stations * sizeof *rotor->polar),
+        cut(block, &used, (b->assembly.harmonic_count + b->element_count) * sizeof *rotor->excitations),
+        cut(block, &used, b->assembly.fatigue_count * sizeof *rotor->fatigues)};
     if (!rotor) return used;
     rotor->elements = parts[0];
     rotor->numbers = parts[1];
@@ -123,6 +130,12 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
     rotor->rigid = parts[27];
     rotor->momentum = parts[28];
     rotor->weight = parts[29];
+    rotor->holds = parts[30];
+    rotor->harmonics = parts[31];
+    rotor->pairs = parts[32];
+    rotor->polar = parts[33];
+    rotor->excitations = parts[34];
+    rotor->fatigues = parts[35];
     return used;
 }
 
@@ -347,6 +360,14 @@ static whirl_rotor *finish(building *b) {
     if (b->assembly.torques) memcpy(rotor->torques, b->assembly.torques, rotor->torque_count * sizeof *rotor->torques);
     rotor->link_count = b->assembly.link_count;
     if (b->assembly.links) memcpy(rotor->links, b->assembly.links, rotor->link_count * sizeof *rotor->links);
+    rotor->hold_count = b->assembly.hold_count;
+    if (b->assembly.holds) memcpy(rotor->holds, b->assembly.holds, rotor->hold_count * sizeof *rotor->holds);
+    rotor->fatigue_count = b->assembly.fatigue_count;
+    if (b->assembly.fatigues)
+        memcpy(rotor->fatigues, b->assembly.fatigues, rotor->fatigue_count * sizeof *rotor->fatigues);
+    rotor->harmonic_count = b->assembly.harmonic_count;
+    if (b->assembly.harmonics)
+        memcpy(rotor->harmonics, b->assembly.harmonics, rotor->harmonic_count * sizeof *rotor->harmonics);
     // Stations, numbers and elements.
     for (size_t i = 0; i < b->assembly.weight_count; i++) {
         const turning_inertia *own = &b->assembly.weights[i];
@@ -366,6 +387,7 @@ static whirl_rotor *finish(building *b) {
     rotor_find_turn(rotor, &b->assembly);
     // Functions of lanes and of the system.
     rotor->lanes.degrees = b->assembly.degrees;
+    rotor_find_torsion(rotor, &b->assembly);
     rotor->lanes.states = b->state_count;
     rotor->lanes.number_count = total_numbers(b);
     rotor_lanes_fill(rotor);
@@ -394,7 +416,7 @@ static whirl_status rotor_check_model(const whirl_rotor *rotor) {
             return whirl_fail(WHIRL_BAD_INPUT,
                               "the rotor's scaled coefficients are beyond all numbers: look at masses, "
                               "stiffnesses, speed and length scale");
-    return whirl_ok();
+    return rotor_check_fatigue(rotor);
 }
 
 whirl_status whirl_rotor_check(const whirl_design *design, whirl_rotor_tell *tell, void *context, size_t *problems) {

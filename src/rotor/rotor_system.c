@@ -144,7 +144,7 @@ static size_t states_seen(const element *own) {
     return own->states < MAX_ELEMENT_STATES ? own->states : MAX_ELEMENT_STATES;
 }
 
-static element_place see(const whirl_rotor *rotor, const element *own, const double *x) {
+element_place rotor_see(const whirl_rotor *rotor, const element *own, const double *x) {
     element_place seen = {.q = {0.0}};
     for (size_t p = 0; p < MAX_PORTS; p++) {
         if (own->port[p] == NO_COORDINATE) continue;
@@ -170,7 +170,7 @@ static void spread(const whirl_rotor *rotor, const element *own, const element_p
 static void switch_gradient(const void *model, double t, const double *x, size_t index, double *gradient,
                             double *by_time) {
     const element *own = owner_of(model, &index);
-    const element_place at = see(model, own, x);
+    const element_place at = rotor_see(model, own, x);
     element_place by = {.q = {0.0}};
     (void)t;
     *by_time = 0.0;
@@ -180,7 +180,7 @@ static void switch_gradient(const void *model, double t, const double *x, size_t
 
 void rotor_gradient_with(const whirl_rotor *rotor, double *numbers, const double *x, size_t index, double *gradient) {
     element own = *owner_of(rotor, &index);
-    const element_place at = see(rotor, &own, x);
+    const element_place at = rotor_see(rotor, &own, x);
     element_place by = {.q = {0.0}};
     own.number = numbers + own.first_number;
     own.type->switch_gradient(&own, &at, index, &by);
@@ -189,7 +189,7 @@ void rotor_gradient_with(const whirl_rotor *rotor, double *numbers, const double
 
 static void switch_curvature(const void *model, double t, const double *x, size_t index, const double *u, double *out) {
     const element *own = owner_of(model, &index);
-    const element_place at = see(model, own, x), along = see(model, own, u);
+    const element_place at = rotor_see(model, own, x), along = rotor_see(model, own, u);
     element_place by = {.q = {0.0}};
     (void)t;
     own->type->switch_curvature(own, &at, index, &along, &by);
@@ -271,7 +271,7 @@ static void rotor_loop(const void *model, const double *x, size_t index, double 
     const size_t degrees = rotor->lanes.degrees;
     const element *own = rotor->elements;
     for (; index >= own->type->loops; own++) index -= own->type->loops;
-    const element_place at = see(rotor, own, x);
+    const element_place at = rotor_see(rotor, own, x);
     double acceleration[MAX_PORTS] = {0}, seen[MAX_PORTS] = {0};
     memset(input, 0, rotor->system.dimension * sizeof *input);
     memset(sensed, 0, rotor->system.dimension * sizeof *sensed);
@@ -301,7 +301,7 @@ static bool rotor_settle(const void *model, double *x, whirl_settled *kinds) {
         bool idle[MAX_ELEMENT_STATES] = {false};
         if (tells_time(own)) kinds[first + own->type->clock(own)] = WHIRL_IDLE;
         if (!own->type->settle) continue;
-        const element_place at = see(rotor, own, x);
+        const element_place at = rotor_see(rotor, own, x);
         balanced = own->type->settle(own, at.q, x + first, idle) && balanced;
         for (size_t k = 0; k < own->states; k++) kinds[first + k] = idle[k] ? WHIRL_IDLE : WHIRL_SETTLED;
     }
@@ -320,7 +320,7 @@ static size_t station_of_ports(const whirl_rotor *rotor, const size_t port[2]) {
 /// Returns the film of an element between journal ports 2 index, 2 index + 1 and the ports of its housing.
 static element_film film_of(const whirl_rotor *rotor, const element *own, const double *x, size_t index) {
     const element_type *type = own->type;
-    const element_place at = see(rotor, own, x);
+    const element_place at = rotor_see(rotor, own, x);
     const size_t journal = 2 * index, housing = journal + (type->ring_clearance ? 4 : 2);
     element_film out = {.clearance = index > 0 ? type->ring_clearance(own) : type->bearing_clearance(own)};
     out.least = out.wall = out.clearance;
@@ -429,6 +429,7 @@ void rotor_system_fill(whirl_rotor *rotor) {
                                    .adopt = rotor_adopt,
                                    .twist = rotor->twist_count > 0 ? rotor_twist : NULL,
                                    .torque_count = rotor_watched_count(rotor),
+                                   .torsion = rotor->twist_count > 0 ? &rotor->torsion : NULL,
                                    .model = rotor,
                                    .lanes = &rotor->lanes};
 }

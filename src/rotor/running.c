@@ -329,22 +329,6 @@ static whirl_status running_find_numbers(running_rotor *r, whirl_machine_at *mak
 
 // ---------------------------------------------------------------- what turns with the shaft
 
-/// Computes accelerations from forces, including mass coupling between coordinates.
-static void running_accelerate(const whirl_rotor *rotor, const double *force, double *out) {
-    const coupling *by = &rotor->coupled;
-    const size_t degrees = rotor->lanes.degrees;
-    for (size_t d = 0; d < degrees; d++) out[d] = force[d] / (rotor->inertia[d] * rotor->unit[d]);
-    if (by->count == 0) return;
-    for (size_t i = 0; i < degrees; i++) {
-        double sum = 0.0;
-        if (by->place[i] == NO_COORDINATE) continue;
-        for (size_t j = 0; j < by->count; j++)
-            sum += by->share[by->place[i] * by->count + j] * force[by->row[j]] /
-                   (rotor->inertia[by->row[j]] * rotor->unit[by->row[j]]);
-        out[i] = sum;
-    }
-}
-
 /// Returns true if a station moves along x (way: 0) or y (1).
 static bool running_probe_moves(const whirl_probe *probe, size_t way) {
     return probe->x != probe->y || (way == 1) == probe->along_y;
@@ -370,7 +354,7 @@ static whirl_status running_add_turnings(running_rotor *r) {
     r->evaluations = r->friction + 3 * rotor->contact_count;
     r->shake = r->evaluations + 1;
     r->shaken = r->shake + 2;
-    for (size_t way = 0; way < 2; way++) running_accelerate(rotor, rotor->weight + way * n, r->shaken + way * n);
+    for (size_t way = 0; way < 2; way++) rotor_accelerate(rotor, rotor->weight + way * n, r->shaken + way * n);
     for (size_t i = 0; i < rotor->turning_count; i++) {
         r->force_cos[rotor->turnings[i].row] += rotor->turnings[i].cos;
         r->force_sin[rotor->turnings[i].row] += rotor->turnings[i].sin;
@@ -380,8 +364,8 @@ static whirl_status running_add_turnings(running_rotor *r) {
         for (unsigned char way = 0; way < 2; way++)
             if (running_probe_moves(&rotor->probes[p], way))
                 r->along[way == 0 ? rotor->probes[p].x : rotor->probes[p].y] = way;
-    running_accelerate(rotor, r->force_cos, r->own_cos);
-    running_accelerate(rotor, r->force_sin, r->own_sin);
+    rotor_accelerate(rotor, r->force_cos, r->own_cos);
+    rotor_accelerate(rotor, r->force_sin, r->own_sin);
     return whirl_ok();
 }
 
@@ -403,8 +387,8 @@ static void running_lose(whirl_running *running, size_t count, const whirl_place
             r->lost_force_sin[probe->y] += c;
         }
     }
-    running_accelerate(rotor, r->lost_force_cos, r->lost_cos);
-    running_accelerate(rotor, r->lost_force_sin, r->lost_sin);
+    rotor_accelerate(rotor, r->lost_force_cos, r->lost_cos);
+    rotor_accelerate(rotor, r->lost_force_sin, r->lost_sin);
 }
 
 // ---------------------------------------------------------------- the equation of the shaft
@@ -563,7 +547,7 @@ static faster running_faster(const running_rotor *r, const double *numbers, cons
     else if (slopes)
         memset(slopes, 0, r->own * sizeof *slopes);
     // All that twists changes the angular momentum of the rigid turn.
-    if (driven && twists) running_accelerate(rotor, r->torque, r->torque_acceleration);
+    if (driven && twists) rotor_accelerate(rotor, r->torque, r->torque_acceleration);
     for (size_t i = rotor->first_twist; i < rotor->first_twist + rotor->twist_count; i++) {
         if (driven) a[i] += r->torque_acceleration[i] / (square * w * w);
         turned += rotor->momentum[i] * rotor->unit[i] * w * w * a[i];

@@ -83,6 +83,21 @@ void rotor_find_turn(whirl_rotor *rotor, const assembly *from) {
     }
 }
 
+void rotor_accelerate(const whirl_rotor *rotor, const double *force, double *out) {
+    const coupling *by = &rotor->coupled;
+    const size_t degrees = rotor->lanes.degrees;
+    for (size_t d = 0; d < degrees; d++) out[d] = force[d] / (rotor->inertia[d] * rotor->unit[d]);
+    if (by->count == 0) return;
+    for (size_t i = 0; i < degrees; i++) {
+        double sum = 0.0;
+        if (by->place[i] == NO_COORDINATE) continue;
+        for (size_t j = 0; j < by->count; j++)
+            sum += by->share[by->place[i] * by->count + j] * force[by->row[j]] /
+                   (rotor->inertia[by->row[j]] * rotor->unit[by->row[j]]);
+        out[i] = sum;
+    }
+}
+
 double rotor_turns(const whirl_rotor *rotor, size_t station) {
     if (rotor->twist_count == 0 || station == NO_STATION) return 1.0;
     const station_twist *own = &rotor->twists[station];

@@ -156,6 +156,11 @@ const element_machine element_machines[] = {
      0},
     {"synchronous_start", "synchronous_start: {frequency: 50 Hz, poles: 4, mean: 40 N.m, pulsating: 20 N.m}", 0},
     {"short_circuit", "short_circuit: {torque: 40 N.m, frequency: 50 Hz, first: 7, decay: 80 ms}", 0},
+    {"pulsation", TWISTING "pulsation: {at: rotor, orders: [1, 2], amplitudes: [20 N.m, 5 N.m], steady: 9 N.m}", 0},
+    {"fatigue",
+     TWISTING "coupling: {between: [rotor, stator], twist: 900 N.m/rad, twist_damping: 2 N.m.s/rad}\n"
+              "    - fatigue: {between: [rotor, stator], torque_ranges: 100 N.m, cycles: 1e6, slope: 5}",
+     0},
     {"timed_torque", "timed_torque: {times: [0, 1 s], torques: [0, 5 N.m]}", 0},
     {"runout", "runout: {at: rotor, amplitude: 10 um, angle: @70}", 0},
     {"segment",

@@ -399,6 +399,54 @@ static void shafts_of_elements(void **state) {
     whirl_result_free(same);
 }
 
+/// The same torque again: cycles of the range 2 T J2/(J1 + J2), ten in ten periods, whose damage by an S-N curve is
+/// known; of torques, and of shear stresses at a notch. A range above a curve of points has no damage.
+static void damage_of_a_start(void **state) {
+    static const double k = 8000.0, one = 2.0, two = 3.0, torque = 100.0, slope = 5.0;
+    const double period = 2.0 * pi / sqrt(k * (1.0 / one + 1.0 / two)), range = 2.0 * torque * two / (one + two);
+    const double section = pi * 0.03 * 0.03 * 0.03 / 16.0;
+    const struct {
+        const char *keys;
+        double damage; ///< NaN: the range is above the curve
+    } curves[] = {
+        {"torque_ranges: 60 N.m, cycles: 2e6, slope: 5", 10.0 * pow(range / 60.0, slope) / 2e6},
+        {"torque_ranges: 60 N.m, cycles: 2e6, slope: 5, endurance_torque: 130 N.m", 0.0},
+        {"stress_ranges: 20 MPa, cycles: 2e6, slope: 5, stress_concentration: 1.7",
+         10.0 * pow(1.7 * range / section / 20e6, slope) / 2e6},
+        {"stress_ranges: 20 MPa, cycles: 2e6, slope: 5, diameter: 60 mm",
+         10.0 * pow(range / (8.0 * section) / 20e6, slope) / 2e6},
+        {"torque_ranges: [240 N.m, 60 N.m], cycles: [1e3, 1e5]",
+         10.0 / (1e3 * pow(100.0, log(240.0 / range) / log(4.0)))},
+        {"torque_ranges: [110 N.m, 60 N.m], cycles: [1e3, 1e5]", NAN},
+    };
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(curves); i++) {
+        char rotor[SIZE], study[128];
+        snprintf(rotor, sizeof rotor,
+                 "  length_scale: 1 m\n"
+                 "  stations:\n"
+                 "    one: {polar: %g kg.m2, moves: twist}\n"
+                 "    two: {polar: %g kg.m2, moves: twist}\n"
+                 "  elements:\n"
+                 "    - coupling: {between: [one, two], twist: %g N.m/rad, diameter: 30 mm}\n"
+                 "    - timed_torque: {at: one, times: [0 s, 1 s], torques: [%g N.m, %g N.m]}\n"
+                 "    - fatigue: {between: [two, one], %s}\n",
+                 one, two, k, torque, torque, curves[i].keys);
+        snprintf(study, sizeof study,
+                 "duration: %.17g s, speed_from: 100 rad/s, speed_to: 400 rad/s, rtol: 1e-10, rows: 20", 10.0 * period);
+        whirl_result *result = start(rotor, study);
+        const double *damage = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_RUNUP_DAMAGE, 0) + 2;
+        check_within("Motor starts", words("curve %zu: ranges above it", i), isnan(curves[i].damage) ? 1.0 : 0.0,
+                     damage[1], 0.0);
+        if (isnan(curves[i].damage))
+            check_holds("Motor starts", "there is no damage by a curve that says nothing", isnan(damage[0]));
+        else
+            check_within("Motor starts", words("curve %zu: damage of a run", i), curves[i].damage, damage[0],
+                         1e-3 * curves[i].damage);
+        whirl_result_free(result);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(motor_is_switched_on),
                                        cmocka_unit_test(synchronous_motor_starts),
@@ -409,6 +457,7 @@ int main(void) {
                                        cmocka_unit_test(motor_otherwise),
                                        cmocka_unit_test(gears_refer),
                                        cmocka_unit_test(stiff_shafts_are_rigid),
-                                       cmocka_unit_test(shafts_of_elements)};
+                                       cmocka_unit_test(shafts_of_elements),
+                                       cmocka_unit_test(damage_of_a_start)};
     return cmocka_run_group_tests_name("starts", tests, NULL, NULL);
 }

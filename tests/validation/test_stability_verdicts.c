@@ -410,9 +410,9 @@ static const char *const elements[] = {
 
 /// Forces by time alone, shafts of finite elements (tests of their own), what needs a misalignment, or twists.
 static const char *const others[] = {
-    "unbalance",     "force",         "gravity", "segment", "runout",          "unbalance_grade",
-    "joint",         "coupling_load", "drive",   "gear",    "induction_motor", "synchronous_start",
-    "short_circuit", "timed_torque"};
+    "unbalance",     "force",         "gravity",   "segment", "runout",          "unbalance_grade",
+    "joint",         "coupling_load", "drive",     "gear",    "induction_motor", "synchronous_start",
+    "short_circuit", "timed_torque",  "pulsation", "fatigue"};
 
 static double distance(const whirl_system *system, const double *a, const double *b) {
     double square = 0.0;

@@ -48,6 +48,19 @@ static const char films[] = "whirl: 1\n"
                             "    - gravity: 9.8 m/s2\n"
                             "study:\n";
 
+static const char train[] = "whirl: 1\n"
+                            "parameters: {omega: 100 rad/s}\n"
+                            "rotor:\n"
+                            "  speed: = omega\n"
+                            "  length_scale: 1 mm\n"
+                            "  stations:\n"
+                            "    a: {polar: 2 kg.m2, moves: twist}\n"
+                            "    b: {polar: 3 kg.m2, moves: twist}\n"
+                            "  elements:\n"
+                            "    - coupling: {between: [a, b], twist: 9e4 N.m/rad, twist_damping: 9 N.m.s/rad}\n"
+                            "    - pulsation: {at: a, orders: [1, 3], amplitudes: [20 N.m, 4 N.m]}\n"
+                            "study:\n";
+
 static const char beam[] = "whirl: 1\n"
                            "parameters: {kappa: 10, omega: 100 rad/s}\n"
                            "rotor:\n"
@@ -97,6 +110,7 @@ static const struct {
     {machine, "  critical_speeds: {parameter: kappa, from: 5, to: 20, points: 3}\n"},
     {beam, "  stability: {parameter: kappa, from: 5, to: 20, points: 3}\n"},
     {beam, "  statics: {parameter: kappa, from: 5, to: 20, points: 3}\n"},
+    {train, "  torsion: {parameter: omega, from: 100, to: 200, points: 3}\n"},
     {beam,
      "  runup: {parameter: kappa, from: 5, to: 20, points: 3, rate: 40 rad/s2, speed_from: 50 rad/s, duration: 1 s, "
      "rows: 8, spectra: 3, spectrum_turns: 2}\n"},

@@ -58,7 +58,7 @@ typedef struct whirl_field {
 } whirl_field;
 
 /// Most fields of a block, and most columns with names.
-enum { WHIRL_MAX_FIELDS = 256, WHIRL_MAX_COLUMNS = 32 };
+enum { WHIRL_MAX_FIELDS = 384, WHIRL_MAX_COLUMNS = 32 };
 
 /// The fields of a point's block.
 typedef struct whirl_layout {
@@ -100,6 +100,8 @@ typedef struct whirl_kind {
           "Wachel, von Nimitz 1981; API 617", TURNING)                                                                 \
     study(statics, "sag, bending moments and loads of bearings by the weight, and elevations of bearings",             \
           "Przemieniecki 1968", STILL)                                                                                 \
+    study(torsion, "steady response of stations that twist to torques at orders of the speed and fixed frequencies",   \
+          "Holzer 1921; Nestorides 1958; API RP 684", TURNING)                                                         \
     study(runup, "run up or down: the motion over time while the speed changes, by a rate or by a drive",              \
           "Lewis 1932; Sommerfeld 1902; Kononenko 1969", RUNNING)
 // clang-format on

@@ -11,6 +11,7 @@
 #include <stddef.h>
 
 #include "whirl/engine/descriptor.h"
+#include "whirl/engine/torsion.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -239,6 +240,9 @@ typedef struct whirl_system {
     double (*twist)(const void *model, const double *v, double *shape);
 
     size_t torque_count; ///< torques that a run-up by the machine's own torques watches (whirl_running.watch)
+
+    /// Optional, for machines with stations that twist: what excites them and what carries torque; borrowed.
+    const whirl_torsion *torsion;
 } whirl_system;
 
 /// An unbalance that turns with the rotor.

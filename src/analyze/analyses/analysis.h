@@ -16,9 +16,10 @@ typedef struct block_shape {
     size_t dimension, station_count, contact_count, touch_count, range_count;
     size_t runout_count; ///< for all probes
     size_t samples_per_revolution;
-    bool at_rest;        ///< points are of machines at rest
-    bool twists;         ///< stations twist
-    size_t torque_count; ///< as in the system
+    bool at_rest;                        ///< points are of machines at rest
+    bool twists;                         ///< stations twist
+    size_t torque_count;                 ///< as in the system
+    size_t excitation_count, path_count; ///< as in its torsion
     const whirl_record_options *options;
 } block_shape;
 
@@ -94,6 +95,8 @@ typedef struct analysis_plan {
     /// For tori, likewise.
     whirl_status (*compute_torus)(const whirl_torus_trace *trace, const whirl_record_options *options,
                                   const block_view *view);
+    /// Optional: refuses systems that it cannot analyse. WHIRL_BAD_INPUT.
+    whirl_status (*check_system)(const whirl_system *system);
     /// Optional: fills the fields that a diverged motion still has.
     void (*compute_diverged)(const whirl_record *record, const block_view *view);
 } analysis_plan;
@@ -103,8 +106,8 @@ block_view view_of(const analysis_plan *plan, const whirl_layout *layout, double
 
 extern const analysis_plan poincare_analysis, orbit_analysis, rub_analysis, waveform_analysis, spectrum_analysis,
     lyapunov_analysis, exponents_analysis, regime_analysis, winding_analysis, evidence_analysis, modes_analysis,
-    unbalance_analysis, critical_speeds_analysis, stability_analysis, statics_analysis, runup_analysis,
-    floquet_analysis, trace_analysis, torus_analysis, ranges_analysis;
+    unbalance_analysis, torsion_analysis, critical_speeds_analysis, stability_analysis, statics_analysis,
+    runup_analysis, floquet_analysis, trace_analysis, torus_analysis, ranges_analysis;
 
 /// The plans, in the order of whirl_analyses().
 extern const analysis_plan *const analysis_plans[];

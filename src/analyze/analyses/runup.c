@@ -154,6 +154,10 @@ static const field_plan fields[FIELD_COUNT] = {
                 "range, number (N m, the upper end of a class of ranges; cycles of the torque in it by rain flow, ASTM "
                 "E1049: all classes of the first torque, then of the next)",
                 WHIRL_PER_POINT, 2, runup_every_torque_and_class},
+    [DAMAGE] = {WHIRL_FIELD_RUNUP_DAMAGE, "1",
+                "sum, beyond (Miner's sum of these cycles over the torque's S-N curve; 1: some ranges are above it, of "
+                "which it says nothing, and the sum is missing; missing without a curve)",
+                WHIRL_PER_POINT, 2, runup_every_torque},
     [STATION_SPEED] = {WHIRL_FIELD_RUNUP_STATION_SPEED, "rad/s",
                        "of the station at the end of the row, in the sense of its rotation", WHIRL_PER_STATION, 1,
                        runup_every_row_with_torques},
@@ -333,6 +337,18 @@ static whirl_status runup_find_start(const whirl_resting *point, const whirl_run
     return status;
 }
 
+/// Returns the number of torques that act on stations, before those between twists.
+static size_t runup_first_path(const whirl_running *running) {
+    size_t index = 0;
+    for (; index < running->watched_count; index++) {
+        const char *name;
+        size_t station[2];
+        running->watched(running, index, station, &name);
+        if (strcmp(name, torque_kinds[0]) == 0) break;
+    }
+    return index;
+}
+
 static void runup_fill_extremes(const filling *f, const whirl_running *running, const runup_run *run) {
     for (size_t t = 0; t < f->torques; t++) {
         const char *name;
@@ -463,7 +479,8 @@ static whirl_status runup_run_machine(whirl_running *running, const changing *c,
     if (status.code == WHIRL_OK) runup_fill_slow_roll(view, o, probes);
     if (status.code == WHIRL_OK) runup_fill_extremes(&f, running, &run);
     if (status.code == WHIRL_OK && torques > 0)
-        status = runup_cycles_count(f.histories, torques, view_numbers(view, CYCLES, 0));
+        status = runup_cycles_count(f.histories, torques, point->system, runup_first_path(running),
+                                    view_numbers(view, CYCLES, 0), view_numbers(view, DAMAGE, 0));
     runup_cycles_free(f.histories, torques);
     runup_views_free(&f.views);
     free(numbers);

@@ -53,15 +53,31 @@ static void cycles_sort(const double *cycles, size_t rows, double *out) {
     }
 }
 
-whirl_status runup_cycles_count(const runup_history *histories, size_t torques, double *out) {
+/// Sums up the damage of cycles [rows][3] by the S-N curve of a path; nothing without one.
+static whirl_status cycles_sum_damage(const whirl_system *system, size_t path, const double *cycles, size_t rows,
+                                      double *damage) {
+    whirl_torque_curve curve;
+    double largest = 0.0;
+    if (!system->torsion || !system->torsion->curve(system->model, path, &curve)) return whirl_ok();
+    for (size_t i = 0; i < rows; i++) largest = fmax(largest, cycles[WHIRL_SIGNALS_CYCLE * i]);
+    damage[1] = curve.count > 1 && largest > curve.ranges[0];
+    if (damage[1] > 0.0) return whirl_ok();
+    return whirl_signals_damage(cycles, rows, curve.ranges, curve.lives, curve.count, curve.slope, curve.endurance,
+                                &damage[0]);
+}
+
+whirl_status runup_cycles_count(const runup_history *histories, size_t torques, const whirl_system *system,
+                                size_t first, double *out, double *damage) {
     for (size_t t = 0; t < torques; t++) {
         const runup_history *own = &histories[t];
         size_t rows = 0;
         if (own->count < 2 || own->full) continue;
         double *cycles = malloc(WHIRL_SIGNALS_CYCLE * own->count * sizeof *cycles);
         if (!cycles) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the cycles of a torque");
-        const whirl_status status = whirl_signals_rain_flow(own->values, own->count, cycles, &rows);
+        whirl_status status = whirl_signals_rain_flow(own->values, own->count, cycles, &rows);
         if (status.code == WHIRL_OK && rows > 0) cycles_sort(cycles, rows, out + 2 * t * RUNUP_CLASSES);
+        if (status.code == WHIRL_OK && t >= first)
+            status = cycles_sum_damage(system, t - first, cycles, rows, damage + 2 * t);
         free(cycles);
         if (status.code != WHIRL_OK) return status;
     }

@@ -42,6 +42,7 @@ enum {
     STATIONARY,
     FOLD,
     CYCLES,
+    DAMAGE,
     SLOW_ROLL,
     SLOW_ROLL_CHANGE,
     COMPENSATED,
@@ -100,8 +101,11 @@ typedef struct runup_history {
 /// Notes torques [torques] at an instant that follows the last one. Returns false without memory.
 bool runup_cycles_note(runup_history *histories, size_t torques, const double *torque);
 
-/// Counts cycles by rain flow: out [torques][RUNUP_CLASSES][2] as in the field runup/cycles. WHIRL_NO_MEMORY.
-whirl_status runup_cycles_count(const runup_history *histories, size_t torques, double *out);
+/// Counts cycles by rain flow: out [torques][RUNUP_CLASSES][2] as in the field runup/cycles, and sums up the damage of
+/// those with an S-N curve, damage [torques][2] as in runup/damage. first: index of the first torque that is a path of
+/// the system's torsion. WHIRL_NO_MEMORY.
+whirl_status runup_cycles_count(const runup_history *histories, size_t torques, const whirl_system *system,
+                                size_t first, double *out, double *damage);
 void runup_cycles_free(runup_history *histories, size_t torques);
 
 /// Orders of the bins of a spectrum of a run: multiples of 1/spectrum_turns up to highest_order.

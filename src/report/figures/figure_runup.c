@@ -215,7 +215,7 @@ static void runup_draw_torque(const drawing *of, const figure_place *place, size
     char name[2 * WHIRL_NAME_SIZE + 40];
     whirl_panel *panel = figure_panel(figure, "torque", 1.0, height);
     if (!panel || !names || !values || !rows) return;
-    runup_name_torque(of->result, names + 3 * torque, name, sizeof name);
+    torque_name(of->result, names + 3 * torque, name, sizeof name);
     snprintf(panel->title, sizeof panel->title, "%.80s", name);
     runup_label_over(of, &panel->x, false);
     snprintf(panel->y.label, sizeof panel->y.label, "torque (%s)", unit->name);

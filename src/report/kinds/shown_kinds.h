@@ -29,7 +29,7 @@ void find_lines(const finder *of);
 int shown_modes_growing(const whirl_table *table, size_t point);
 
 extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance, shown_critical_speeds,
-    shown_stability, shown_statics, shown_runup;
+    shown_stability, shown_statics, shown_runup, shown_twists;
 
 /// Finds torsional modes in a table of modes: their excitations, separations and shapes.
 void find_torsion(const finder *of);
@@ -47,8 +47,15 @@ torsion_excitation torsion_excitation_at(const whirl_table *table, int index);
 /// Returns the frequency of an excitation at a speed, both in rad/s.
 double torsion_excitation_frequency(const whirl_table *table, torsion_excitation by, double speed);
 
-/// Writes the name of a torque by its row of the field runup/torque_of: "motor to load", "induction motor at motor".
-void runup_name_torque(const whirl_result *result, const double *of, char *name, size_t size);
+/// Writes the name of a torque by its row of the fields runup/torque_of and torsion/torque_of: "motor to load",
+/// "induction motor at motor", "mesh of wheel and pinion".
+void torque_name(const whirl_result *result, const double *of, char *name, size_t size);
+
+/// Writes the name of an excitation of a response to torques: "2X", "100 Hz".
+void twists_name_excitation(const whirl_table *table, size_t index, char *name, size_t size);
+
+/// Chooses the torques of a response with the largest sums, at most `most`, in falling order; returns how many.
+size_t twists_choose(const whirl_table *table, size_t most, size_t *chosen);
 
 /// Returns true for a mode with more than half of its kinetic energy in twists.
 bool mode_is_torsional(const whirl_table *table, size_t point, size_t mode);

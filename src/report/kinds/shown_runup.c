@@ -183,22 +183,6 @@ static void runup_find_contacts(const finder *of) {
     find_sheet_end(of);
 }
 
-void runup_name_torque(const whirl_result *result, const double *of, char *name, size_t size) {
-    static const char *const kinds[] = {"twist", "induction motor", "synchronous start", "short circuit",
-                                        "torque over time"};
-    const char *station[2];
-    for (size_t end = 0; end < 2; end++) {
-        const bool named = of[1 + end] >= 0.0 && of[1 + end] < (double)result->station_count;
-        station[end] = named ? result->stations[(size_t)of[1 + end]].name : "";
-    }
-    const size_t kind = of[0] > 0.0 && of[0] < sizeof kinds / sizeof *kinds ? (size_t)of[0] : 0;
-    if (kind == 0)
-        snprintf(name, size, "%s to %s", *station[0] ? station[0] : "between stations",
-                 *station[1] ? station[1] : "between stations");
-    else
-        snprintf(name, size, *station[0] ? "%s at %s" : "%s", kinds[kind], station[0]);
-}
-
 /// Extremes of torques of motors and between twists.
 static void runup_find_torques(const finder *of) {
     const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_TORQUE_OF);
@@ -218,7 +202,7 @@ static void runup_find_torques(const finder *of) {
         for (size_t row = 0; names && extremes && row < rows->rows; row++) {
             char name[2 * WHIRL_NAME_SIZE + 40];
             if (isnan(names[3 * row])) continue;
-            runup_name_torque(of->result, names + 3 * row, name, sizeof name);
+            torque_name(of->result, names + 3 * row, name, sizeof name);
             sheet_row(of, sheet);
             cell_value(of, sheet, point);
             cell_text(of, sheet, find_text(of->findings, "%s", name));
@@ -249,7 +233,7 @@ static void runup_find_cycles(const finder *of) {
             char name[2 * WHIRL_NAME_SIZE + 40];
             size_t shown = 0;
             if (names[3 * t] != 0.0) continue;
-            runup_name_torque(of->result, names + 3 * t, name, sizeof name);
+            torque_name(of->result, names + 3 * t, name, sizeof name);
             for (size_t k = classes; k-- > 0 && shown < CLASSES_SHOWN;) {
                 const double *own = cycles + 2 * (t * classes + k);
                 if (!(own[1] > 0.0)) continue;
@@ -259,6 +243,63 @@ static void runup_find_cycles(const finder *of) {
                 cell_text(of, sheet, find_text(of->findings, "%s", name));
                 for (size_t i = 0; i < 2; i++) cell_number(of, sheet, own[i]);
             }
+        }
+    }
+    find_sheet_end(of);
+}
+
+/// Reports torques whose cycles were not counted, as there were too many.
+static void runup_find_uncounted(const finder *of) {
+    const whirl_field *torques = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_TORQUE_OF);
+    const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_CYCLES);
+    for (size_t point = 0; torques && rows && point < of->table->count; point++) {
+        const double *names = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_TORQUE_OF, 0);
+        const double *cycles = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_CYCLES, 0);
+        const double *extremes = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_TORQUE_EXTREME, 0);
+        for (size_t t = 0; names && cycles && extremes && t < torques->rows; t++) {
+            char name[2 * WHIRL_NAME_SIZE + 40];
+            if (!isnan(cycles[2 * t * (rows->rows / torques->rows)]) || !(extremes[4 * t] > extremes[4 * t + 2]))
+                continue;
+            torque_name(of->result, names + 3 * t, name, sizeof name);
+            whirl_statement *own = find_statement(of, "cycles");
+            if (*of->table->parameter) phrase_value(of, &own->at, 6, of->table->values[point]);
+            phrase_text(of, &own->found,
+                        "of %s are not counted: the run has more than 4000000 turning points of this "
+                        "torque, expected a shorter run",
+                        name);
+        }
+    }
+}
+
+/// Reports the damage of a run by Miner's sum, where a torque has an S-N curve.
+static void runup_find_damage(const finder *of) {
+    const whirl_field *torques = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_DAMAGE);
+    if (!torques) return;
+    whirl_sheet *sheet = find_sheet(of, "fatigue", "Fatigue by the torques of a run");
+    sheet->about = "Miner's sum over the S-N curve of the case, without a correction for the mean; failure is expected "
+                   "where the sum of all runs is 1.";
+    sheet_values(of, sheet, "", 6);
+    sheet_texts(of, sheet, "torque", "torque");
+    sheet_column(of, sheet, "damage", "damage of a run", WHIRL_QUANTITY_NUMBER, 5);
+    sheet_column(of, sheet, "runs", "runs to failure", WHIRL_QUANTITY_NUMBER, 5);
+    sheet_texts(of, sheet, "remark", "remark");
+    for (size_t point = 0; point < of->table->count; point++) {
+        const double *names = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_TORQUE_OF, 0);
+        const double *damage = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_DAMAGE, 0);
+        for (size_t t = 0; names && damage && t < torques->rows; t++) {
+            char name[2 * WHIRL_NAME_SIZE + 40];
+            const double sum = damage[2 * t];
+            if (isnan(damage[2 * t + 1])) continue;
+            torque_name(of->result, names + 3 * t, name, sizeof name);
+            sheet_row(of, sheet);
+            cell_value(of, sheet, point);
+            cell_text(of, sheet, find_text(of->findings, "%s", name));
+            cell_number(of, sheet, sum);
+            cell_number(of, sheet, sum > 0.0 ? 1.0 / sum : (double)NAN);
+            cell_text(of, sheet,
+                      damage[2 * t + 1] > 0.0 ? "ranges above the S-N curve"
+                      : sum > 0.0             ? sum >= 1.0 ? "fails in one run" : ""
+                                              : "no damage");
         }
     }
     find_sheet_end(of);
@@ -336,6 +377,8 @@ static void runup_find(const finder *of) {
     runup_find_contacts(of);
     runup_find_torques(of);
     runup_find_cycles(of);
+    runup_find_uncounted(of);
+    runup_find_damage(of);
     runup_find_stationary(of);
 }
 

@@ -39,6 +39,8 @@ whirl_status element_between(const key_value *between, const assembly *to, const
     const size_t one = between->station[0], other = between->station[1];
     if (one == other) return whirl_fail(WHIRL_BAD_INPUT, "between names one station twice, expected two");
     out->station = one == GROUND ? other : one;
+    out->ends[0] = one;
+    out->ends[1] = other;
     whirl_status status = find_place(to, one, axes, count, out->port, out->share);
     if (status.code == WHIRL_OK) status = find_place(to, other, axes, count, out->port + count, out->share + count);
     return status.code == WHIRL_OK ? check_moving(to, out->station, axes, count, out->port) : status;

@@ -127,7 +127,9 @@ static void add_mass(const laying *l, const piece_matrices *matrices) {
 static void add_twist(const mesh_piece *own, const piece_matrices *matrices, const mesh *from, assembly *to) {
     const double stiffness = matrices->twist_stiffness, coupled = matrices->twist_inertia[1];
     const shaft_settings *shaft = &own->settings;
+    const double *outer = own->piece.outer, *inner = own->piece.inner;
     const joining between = {.stiffness = stiffness,
+                             .modulus = fmin(joining_modulus(outer[0], inner[0]), joining_modulus(outer[1], inner[1])),
                              .damping = (shaft->beta + shaft->viscous) * stiffness - shaft->alpha * coupled,
                              .inertance = shaft->lumped ? 0.0 : 0.0 - coupled};
     size_t station[2];

@@ -447,6 +447,8 @@ static void rename_all(reducing *r, element *elements, size_t count) {
     for (size_t i = 0; i < r->of->link_count; i++)
         for (size_t end = 0; end < 2; end++)
             r->of->links[i].coordinate[end] = renamed(r, r->of->links[i].coordinate[end]);
+    for (size_t i = 0; i < r->of->hold_count; i++)
+        r->of->holds[i].coordinate[0] = renamed(r, r->of->holds[i].coordinate[0]);
     for (size_t i = 0; i < count; i++)
         for (size_t p = 0; p < MAX_PORTS; p++) elements[i].port[p] = renamed(r, elements[i].port[p]);
 }

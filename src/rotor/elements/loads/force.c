@@ -145,6 +145,23 @@ static void add_steady(const key_value *values, assembly *to, const element *out
     }
 }
 
+/// Notes the torques, to which the twists respond at their own frequency.
+static void force_note_torque(const key_value *values, assembly *to) {
+    const double sense = copysign(1.0, to->turn);
+    harmonic_torque own = {.station = values[AT].station[0], .about_z = true, .count = 1};
+    if (values[TORQUE].given) {
+        own.of = values[FREQUENCY].given ? HARMONIC_FIXED : HARMONIC_BY_ROTOR;
+        own.rate = values[FREQUENCY].given ? 6.283185307179586476925 * values[FREQUENCY].number : values[RATIO].number;
+        own.phase = values[PHASE].number;
+        own.torques[0] = sense * values[TORQUE].number;
+        assembly_harmonic(to, &own);
+    }
+    if (!values[STEADY_TORQUE].given) return;
+    own = (harmonic_torque){.station = own.station, .about_z = true, .felt = true, .count = 1};
+    own.torques[0] = sense * values[STEADY_TORQUE].number;
+    assembly_harmonic(to, &own);
+}
+
 static whirl_status force_build(const key_value *values, assembly *to, element *out) {
     const double per_hertz = 6.283185307179586476925 / to->pace;
     const double rate = values[FREQUENCY].given ? values[FREQUENCY].number * per_hertz : values[RATIO].number;
@@ -154,6 +171,7 @@ static whirl_status force_build(const key_value *values, assembly *to, element *
     if (status.code != WHIRL_OK) return status;
     const int size = values[MOMENT].given ? MOMENT : is_torque(values) ? TORQUE : AMPLITUDE;
     add_steady(values, to, out);
+    if (is_torque(values)) force_note_torque(values, to);
     const double sense = is_torque(values) ? copysign(1.0, to->turn) : 1.0;
     harmonic_force(out, to, values[size].given ? sense * values[size].number : 0.0, sides[values[LAW].choice],
                    values[ANGLE].number, values[PHASE].number, rate * to->turn);

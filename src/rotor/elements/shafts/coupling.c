@@ -15,6 +15,8 @@ enum {
     RADIAL_DAMPING,
     TILT_DAMPING,
     TWIST_DAMPING,
+    DIAMETER,
+    BORE,
     RUNS_OFF,
     RUNS_OFF_ANGLE,
     KINK,
@@ -37,6 +39,10 @@ static const whirl_key keys[KEY_COUNT] = {
                                 "damping of an angle between both shafts"),
     [TWIST_DAMPING] =
         NUMBER_KEY("twist_damping", "c_z", "N m s/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "damping of twist"),
+    [DIAMETER] = NUMBER_KEY("diameter", "d", "m", OPTIONAL, WHIRL_POSITIVE,
+                            "outer diameter of the shaft that it represents, where that is weakest: for the shear "
+                            "stress by its torque"),
+    [BORE] = NUMBER_KEY("inner", "d_i", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "inner diameter there"),
     [RUNS_OFF] = NUMBER_KEY("bore_offset", "e", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                             "bores off centre: distance of the first shaft's axis from the second's, turning with "
                             "them, while no force bends the coupling"),
@@ -88,7 +94,12 @@ static whirl_status join_twists(const key_value *values, assembly *to) {
         const whirl_status status = assembly_find(to, station[i], AXIS_TWIST, &coordinate);
         if (status.code != WHIRL_OK) return status;
     }
-    const joining by = {.stiffness = values[TWIST].number, .damping = values[TWIST_DAMPING].number};
+    const double outer = values[DIAMETER].number, inner = values[BORE].number;
+    if (values[BORE].given && !(values[DIAMETER].given && inner < outer))
+        return whirl_fail(WHIRL_BAD_INPUT, "has an inner diameter, expected a greater outer one (diameter)");
+    const joining by = {.stiffness = values[TWIST].number,
+                        .damping = values[TWIST_DAMPING].number,
+                        .modulus = values[DIAMETER].given ? joining_modulus(outer, inner) : 0.0};
     assembly_twist(to, station[0], station[1], &by);
     return whirl_ok();
 }

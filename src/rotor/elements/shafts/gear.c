@@ -16,7 +16,7 @@ enum { GEAR_PLAY = 1, GEAR_PAIRS = 2, GEAR_ERROR = 4 };
 #define GEAR_SWITCHES(own) (((own)->law & GEAR_PLAY ? 2 : 0) + ((own)->law & GEAR_PAIRS ? 1 : 0))
 
 /// The line of action along x and y; newtons and length scales; half the share of more pairs, rad of psi; the error
-/// by cos psi and by -sin psi; psi'.
+/// by cos psi and by -sin psi; psi'; m, levers of the force about the axes of both gears; m of a length scale.
 enum {
     GEAR_ALONG_X,
     GEAR_ALONG_Y,
@@ -28,6 +28,9 @@ enum {
     GEAR_ERROR_COS,
     GEAR_ERROR_SIN,
     GEAR_RATE,
+    GEAR_LEVER,
+    GEAR_LEVER_SECOND,
+    GEAR_LENGTH,
     GEAR_NUMBERS
 };
 
@@ -146,7 +149,9 @@ static void gear_set_numbers(const key_value *values, const assembly *to, elemen
     for (size_t i = 0; i < 2; i++) {
         const size_t port = i == 0 ? 2 : 5;
         out->share[port] *= (i == 0 ? 1.0 : -1.0) * flat * values[RADII].list[i];
+        number[GEAR_LEVER + i] = out->port[port] == NO_COORDINATE ? 0.0 : -flat * values[RADII].list[i];
     }
+    number[GEAR_LENGTH] = to->length;
     generic_tilts(out, to);
     number[GEAR_ALONG_X] = flat * sin(alpha - gamma);
     number[GEAR_ALONG_Y] = flat * cos(alpha - gamma);
@@ -186,6 +191,37 @@ static whirl_status gear_build(const key_value *values, assembly *to, element *o
 static double gear_rounds(const element *own, size_t state) {
     (void)state;
     return own->number[GEAR_RATE];
+}
+
+/// Finds the force of the mesh, as its kernel does.
+static void gear_carry(const element *own, const element_place *at, element_carried *out) {
+    const double *n = own->number, along[KERNEL_AXES] = {n[GEAR_ALONG_X], n[GEAR_ALONG_Y], 1.0};
+    const double share = n[GEAR_SHARE] / pi, cosine = cos(at->s[0]), sine = sin(at->s[0]);
+    const bool varies = own->law & GEAR_PAIRS, errs = own->law & GEAR_ERROR;
+    *out = (element_carried){.unit = n[GEAR_LENGTH], .damping = n[GEAR_DAMPING]};
+    double closing = 0.0, rate = 0.0;
+    for (size_t port = 0; port < (size_t)KERNEL_PORTS; port++) {
+        const size_t a = port % KERNEL_AXES;
+        out->closing[port] = (port < KERNEL_AXES ? 1.0 : -1.0) * along[a] * unit_of(own, (int)port);
+        closing += out->closing[port] * at->q[port];
+        rate += out->closing[port] * at->v[port];
+    }
+    for (size_t i = 0; i < 2; i++) out->lever[i] = n[GEAR_LEVER + i];
+    if (errs) {
+        out->error_order = n[GEAR_RATE];
+        out->error[0] = n[GEAR_ERROR_COS];
+        out->error[1] = n[GEAR_ERROR_SIN];
+        closing -= n[GEAR_ERROR_COS] * cosine - n[GEAR_ERROR_SIN] * sine;
+        rate += n[GEAR_RATE] * (n[GEAR_ERROR_COS] * sine + n[GEAR_ERROR_SIN] * cosine);
+    }
+    out->stiffness = varies ? share * n[GEAR_STIFFNESS] + (1.0 - share) * n[GEAR_STIFFNESS_LESS] : n[GEAR_STIFFNESS];
+    const bool more = !varies || cos(at->s[0] - n[GEAR_SHARE]) > cos(n[GEAR_SHARE]);
+    const double gap = own->law & GEAR_PLAY ? n[GEAR_GAP] : 0.0;
+    out->open = (own->law & GEAR_PLAY) && fabs(closing) <= gap;
+    out->play = gap;
+    if (!out->open)
+        out->force = (more ? n[GEAR_STIFFNESS] : n[GEAR_STIFFNESS_LESS]) * (closing - copysign(gap, closing)) +
+                     n[GEAR_DAMPING] * rate;
 }
 
 /// The stiffness jumps, and so does the force of a damper where teeth meet.
@@ -228,7 +264,7 @@ KERNELS_OF_EVERY_ISA(gear_kernels);
               NULL},                                                                                                   \
     .number_count = KERNEL_NUMBERS + 2 * KERNEL_PORTS, .kernels = kernels, .inertia = gear_inertia,                    \
     .build = gear_build, GENERIC_SWITCHES, .switch_curvature = gear_curvature, .touches = gear_touches,                \
-    .jumps = gear_jumps
+    .jumps = gear_jumps, .carry = gear_carry, .carries_as = WHIRL_TORQUE_MESH
 
 const element_type gear_element = {GEAR_TYPE};
 

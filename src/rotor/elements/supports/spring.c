@@ -6,8 +6,8 @@
 #define KERNEL_SWITCHES 4
 #define KERNEL_TILTS
 
-/// Numbers in newtons and length scales; for tilts in N m and the unit of the first tilt.
-enum { SPRING_STIFFNESS, SPRING_DAMPING, SPRING_GAP, SPRING_NUMBERS };
+/// Numbers in newtons and length scales; for tilts in N m and the unit of the first tilt; that unit, m or rad.
+enum { SPRING_STIFFNESS, SPRING_DAMPING, SPRING_GAP, SPRING_UNIT, SPRING_NUMBERS };
 
 #include "elements/along.h"
 #include "generic.h"
@@ -50,7 +50,24 @@ static whirl_status spring_build(const key_value *values, assembly *to, element 
     out->number[SPRING_STIFFNESS] = stiffness * unit;
     out->number[SPRING_DAMPING] = damping * unit * to->clock;
     out->number[SPRING_GAP] = gap->number / unit;
+    out->number[SPRING_UNIT] = unit;
     return whirl_ok();
+}
+
+/// Finds the torque of a spring along the twist, as its kernel does along its first axis.
+static void spring_carry(const element *own, const element_place *at, element_carried *out) {
+    const double *n = own->number;
+    *out = (element_carried){.unit = n[SPRING_UNIT],
+                             .lever = {-1.0, 1.0},
+                             .play = n[SPRING_GAP],
+                             .stiffness = n[SPRING_STIFFNESS],
+                             .damping = n[SPRING_DAMPING]};
+    out->closing[0] = unit_of(own, 0);
+    out->closing[KERNEL_AXES] = -unit_of(own, KERNEL_AXES);
+    const double closing = out->closing[0] * at->q[0] + out->closing[KERNEL_AXES] * at->q[KERNEL_AXES];
+    const double rate = out->closing[0] * at->v[0] + out->closing[KERNEL_AXES] * at->v[KERNEL_AXES];
+    out->open = fabs(closing) <= n[SPRING_GAP];
+    if (!out->open) out->force = out->stiffness * (closing - copysign(n[SPRING_GAP], closing)) + out->damping * rate;
 }
 
 /// With damping the force jumps as the play ends.
@@ -67,6 +84,8 @@ const element_type spring_element = {
     .kernels = kernels,
     .build = spring_build,
     .jumps = spring_jumps,
+    .carry = spring_carry,
+    .carries_as = WHIRL_TORQUE_WITH_PLAY,
     GENERIC_SWITCHES,
 };
 #endif
