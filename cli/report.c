@@ -14,7 +14,7 @@ typedef struct report_arguments {
     char **results; ///< paths, borrowed from argv
     size_t count;
     const char *directory, *claims, *gnuplot, *weasyprint, *explorer, *units;
-    bool lateral, quiet, force;
+    bool lateral, torsional, quiet, force;
 } report_arguments;
 
 /// One result with the folder name that it gets in the report.
@@ -28,6 +28,7 @@ enum {
     KEY_GNUPLOT,
     KEY_EXPLORER,
     KEY_LATERAL,
+    KEY_TORSIONAL,
     KEY_WEASYPRINT,
     KEY_UNITS,
     KEY_FORCE,
@@ -57,10 +58,13 @@ static const struct argp_option options[] = {
     {.name = "lateral",
      .key = KEY_LATERAL,
      .doc = "Also write lateral.html and lateral.pdf: a lateral analysis, from the machine to margins and stability"},
+    {.name = "torsional",
+     .key = KEY_TORSIONAL,
+     .doc = "Also write torsional.html and torsional.pdf: a torsional analysis, from the train to starts and fatigue"},
     {.name = "weasyprint",
      .key = KEY_WEASYPRINT,
      .arg = "PROGRAM",
-     .doc = "Make lateral.pdf with this weasyprint (default: the one on the PATH)"},
+     .doc = "Make these PDFs with this weasyprint (default: the one on the PATH)"},
     {.name = "force", .key = KEY_FORCE, .doc = "Replace existing files"},
     {.name = "quiet", .key = 'q', .doc = "Print errors only"},
     {0},
@@ -89,6 +93,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
         return 0;
     case KEY_LATERAL:
         arguments->lateral = true;
+        return 0;
+    case KEY_TORSIONAL:
+        arguments->torsional = true;
         return 0;
     case KEY_WEASYPRINT:
         arguments->weasyprint = argument;
@@ -175,6 +182,7 @@ static int write_report(const report_arguments *arguments, const entry *entries,
                                           .explorer = explorer,
                                           .units = arguments->units,
                                           .lateral = arguments->lateral,
+                                          .torsional = arguments->torsional,
                                           .weasyprint = arguments->weasyprint};
         kept = !arguments->force &&
                whirl_report_find(names, arguments->count, arguments->directory, &how, found, sizeof found);
@@ -187,7 +195,12 @@ static int write_report(const report_arguments *arguments, const entry *entries,
     if (status.code == WHIRL_OK && !arguments->quiet) {
         printf("%s/report.html\n", arguments->directory);
         tell_explorer(arguments, explorer != NULL);
-        if (arguments->lateral) printf("%s/lateral.html\n%s/lateral.pdf\n", arguments->directory, arguments->directory);
+        const char *const documents[] = {arguments->lateral ? "lateral" : NULL,
+                                         arguments->torsional ? "torsional" : NULL};
+        for (size_t i = 0; i < 2; i++)
+            if (documents[i])
+                printf("%s/%s.html\n%s/%s.pdf\n", arguments->directory, documents[i], arguments->directory,
+                       documents[i]);
     }
     return complain_of(&status);
 }

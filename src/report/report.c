@@ -57,7 +57,9 @@ bool whirl_report_find(const char *const *names, size_t count, const char *direc
     } pages[] = {{"report.html", true},
                  {"explorer.html", options && options->explorer},
                  {"lateral.html", options && options->lateral},
-                 {"lateral.pdf", options && options->lateral}};
+                 {"lateral.pdf", options && options->lateral},
+                 {"torsional.html", options && options->torsional},
+                 {"torsional.pdf", options && options->torsional}};
     bool is_there = false;
     for (size_t i = 0; i < sizeof pages / sizeof *pages && !is_there; i++) {
         snprintf(found, size, "%s/%s", directory, pages[i].name);
@@ -159,10 +161,14 @@ static void report_compare(report *made, const whirl_result *const *results, siz
             claim_compare(claims, &claims->items[c], results[r], &made->outcomes[c * count + r]);
 }
 
+/// Writes a document of an analysis, or (ANALYSES) the report.
 static whirl_status write_page(const report *made, const whirl_result *const *results, const char *const *names,
-                               size_t count, const char *directory, const whirl_report_options *options, bool lateral) {
+                               size_t count, const char *directory, const whirl_report_options *options,
+                               analysis_kind kind) {
     report_file file = {0};
-    const whirl_status status = report_file_open(&file, directory, lateral ? "lateral.html" : "report.html");
+    char name[64] = "report.html";
+    if (kind != ANALYSES) snprintf(name, sizeof name, "%s.html", analysis_names[kind]);
+    const whirl_status status = report_file_open(&file, directory, name);
     if (status.code != WHIRL_OK) return status;
     bool failed = false;
     const page to = {
@@ -179,10 +185,10 @@ static whirl_status write_page(const report *made, const whirl_result *const *re
         .machines = (const whirl_case *const *)made->machines,
         .failed = &failed,
         .explorer = options->explorer != NULL,
-        .printed = lateral,
+        .printed = kind != ANALYSES,
     };
-    if (lateral)
-        lateral_write(&to);
+    if (kind != ANALYSES)
+        analysis_write(&to, kind);
     else
         page_write(&to);
     if (!failed) return report_file_close(&file);
@@ -190,12 +196,15 @@ static whirl_status write_page(const report *made, const whirl_result *const *re
     return whirl_fail(WHIRL_NO_MEMORY, "no memory for the page of a report");
 }
 
-/// Writes the page of a lateral analysis, and the same page as a PDF. WHIRL_MISSING_PROGRAM without weasyprint.
-static whirl_status write_lateral(const report *made, const whirl_result *const *results, const char *const *names,
-                                  size_t count, const char *directory, const whirl_report_options *options) {
-    const whirl_status status = write_page(made, results, names, count, directory, options, true);
-    return status.code == WHIRL_OK ? document_print(options->weasyprint, directory, "lateral.html", "lateral.pdf")
-                                   : status;
+/// Writes the page of an analysis, and the same page as a PDF. WHIRL_MISSING_PROGRAM without weasyprint.
+static whirl_status write_analysis(const report *made, const whirl_result *const *results, const char *const *names,
+                                   size_t count, const char *directory, const whirl_report_options *options,
+                                   analysis_kind kind) {
+    char from[64], to[64];
+    snprintf(from, sizeof from, "%s.html", analysis_names[kind]);
+    snprintf(to, sizeof to, "%s.pdf", analysis_names[kind]);
+    const whirl_status status = write_page(made, results, names, count, directory, options, kind);
+    return status.code == WHIRL_OK ? document_print(options->weasyprint, directory, from, to) : status;
 }
 
 static whirl_status report_make(report *made, const whirl_result *const *results, const char *const *names,
@@ -206,12 +215,14 @@ static whirl_status report_make(report *made, const whirl_result *const *results
     const whirl_status drawn = draw(made, options->gnuplot);
     if (drawn.code == WHIRL_NO_MEMORY) return drawn;
     if (options->claims) report_compare(made, results, count, options->claims);
-    status = write_page(made, results, names, count, directory, options, false);
+    status = write_page(made, results, names, count, directory, options, ANALYSES);
     if (status.code == WHIRL_OK && options->explorer)
         status = explorer_write(options->explorer, results, (const whirl_case *const *)made->machines, names, count,
                                 directory, options->units);
     if (status.code == WHIRL_OK && options->lateral)
-        status = write_lateral(made, results, names, count, directory, options);
+        status = write_analysis(made, results, names, count, directory, options, ANALYSIS_LATERAL);
+    if (status.code == WHIRL_OK && options->torsional)
+        status = write_analysis(made, results, names, count, directory, options, ANALYSIS_TORSIONAL);
     return status.code == WHIRL_OK ? drawn : status;
 }
 

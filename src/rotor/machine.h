@@ -8,6 +8,7 @@
 #include "mesh.h"
 #include "whirl/engine/rotor.h"
 #include "whirl/engine/system.h"
+#include "whirl/internal/model.h"
 
 /// The twist of a station: its coordinate, NO_COORDINATE where it does not twist, and its share of that.
 typedef struct station_twist {
@@ -117,6 +118,9 @@ void rotor_find_turn(whirl_rotor *rotor, const assembly *from);
 /// Computes accelerations by time from forces [degrees], N or N m, including mass coupling between coordinates: out
 /// [degrees] in units of the coordinates.
 void rotor_accelerate(const whirl_rotor *rotor, const double *force, double *out);
+
+/// Fills in the inertias, speeds and joints of stations that twist. Errors as whirl_rotor_new (torsion.c).
+whirl_status rotor_model_train(const whirl_design *design, whirl_model *out);
 
 /// Checks that every S-N curve has a torque. WHIRL_BAD_INPUT (torsion.c).
 whirl_status rotor_check_fatigue(const whirl_rotor *rotor);

@@ -132,14 +132,14 @@ static double torsion_sum(const whirl_rotor *rotor, double *size) {
     return sum;
 }
 
-/// Returns the torque of the motor of the drive, which takes up the others; its station in `station`, else NO_STATION.
+/// Returns the torque of the motor, which takes up the others: of the first motor, or of the drive; its station in
+/// `station`, NO_STATION without one.
 static double torsion_motor(const whirl_rotor *rotor, size_t *station) {
+    bool driven = rotor->drive.given;
     double size;
-    *station = rotor->drive.given ? rotor->drive.at : NO_STATION;
-    if (*station == NO_STATION || rotor->twists[*station].coordinate == NO_COORDINATE) *station = NO_STATION;
-    const double turns = *station == NO_STATION ? 0.0 : rotor_turns(rotor, *station);
-    if (!(turns > 0.0)) *station = NO_STATION;
-    return *station == NO_STATION ? 0.0 : -torsion_sum(rotor, &size) / turns;
+    for (size_t i = 0; i < rotor->torque_count; i++) driven = driven || rotor->torques[i].law->motor;
+    *station = driven && rotor->driver < rotor->station_count ? rotor->driver : NO_STATION;
+    return *station == NO_STATION ? 0.0 : -torsion_sum(rotor, &size) / rotor_turns(rotor, *station);
 }
 
 static double torsion_unbalanced(const void *model, double *size) {
@@ -331,10 +331,31 @@ static void torsion_pair(const torsion_motion *m, const rigid_pair *pair, double
 }
 
 /// Returns the station whose twist is that of an end of a link; the number of stations for a node between them.
-static size_t torsion_end(const whirl_rotor *rotor, const twist_link *own, size_t end) {
+static size_t torsion_station(const whirl_rotor *rotor, const twist_link *own, size_t end) {
     size_t found = rotor->station_count;
     for (size_t s = rotor->station_count; s-- > 0;)
         if (rotor->twists[s].coordinate == own->coordinate[end] && rotor->twists[s].share == own->share[end]) found = s;
+    return found;
+}
+
+/// Returns the link that goes on from an end of another one at a node between stations, and its far end; NULL without.
+static const twist_link *torsion_next(const whirl_rotor *rotor, const twist_link *own, size_t end, size_t *far) {
+    for (size_t i = 0; i < rotor->link_count; i++)
+        for (size_t k = 0; k < 2; k++)
+            if (&rotor->links[i] != own && rotor->links[i].coordinate[k] == own->coordinate[end]) {
+                *far = 1 - k;
+                return &rotor->links[i];
+            }
+    return NULL;
+}
+
+/// Returns the first station from an end of a link on, along the pieces of its shaft.
+static size_t torsion_end(const whirl_rotor *rotor, const twist_link *own, size_t end) {
+    size_t found = torsion_station(rotor, own, end);
+    for (size_t steps = 0; own && found == rotor->station_count && steps < rotor->link_count; steps++) {
+        own = torsion_next(rotor, own, end, &end);
+        if (own) found = torsion_station(rotor, own, end);
+    }
     return found;
 }
 
@@ -403,7 +424,8 @@ static bool torsion_curve(const void *model, size_t path, whirl_torque_curve *ou
 }
 
 whirl_status rotor_check_fatigue(const whirl_rotor *rotor) {
-    for (size_t i = 0; i < rotor->fatigue_count; i++) {
+    // An element that is checked alone has nothing to join its stations.
+    for (size_t i = 0; i < rotor->fatigue_count && rotor->torsion.path_count > 0; i++) {
         const twist_fatigue *own = &rotor->fatigues[i];
         const char *name[2] = {rotor->probes[own->station[0]].name, rotor->probes[own->station[1]].name};
         bool found = false;
@@ -501,4 +523,60 @@ void rotor_find_torsion(whirl_rotor *rotor, const assembly *from) {
                                      .open = torsion_open,
                                      .twists = torsion_twists,
                                      .speed = torsion_speed};
+}
+
+// ---------------------------------------------------------------- the model
+
+/// Adds a joint, or a piece of a shaft to the joint of its stretch between two stations.
+static void train_add(whirl_model *to, const whirl_model_joint *own, bool piece) {
+    for (size_t i = 0; i < to->joint_count && piece; i++) {
+        whirl_model_joint *same = &to->joints[i];
+        if (same->path.kind != WHIRL_TORQUE_BETWEEN || same->path.station[0] != own->path.station[0] ||
+            same->path.station[1] != own->path.station[1])
+            continue;
+        const double ratio = same->damping / same->stiffness;
+        const bool alike = fabs(own->damping / own->stiffness - ratio) <= 1e-9 * fabs(ratio);
+        same->stiffness = 1.0 / (1.0 / same->stiffness + 1.0 / own->stiffness);
+        same->damping = alike || (ratio == 0.0 && own->damping == 0.0) ? ratio * same->stiffness : (double)NAN;
+        if (own->path.modulus > 0.0) same->path.modulus = fmin(same->path.modulus, own->path.modulus);
+        return;
+    }
+    to->joints[to->joint_count++] = *own;
+}
+
+whirl_status rotor_model_train(const whirl_design *design, whirl_model *out) {
+    whirl_rotor *rotor = NULL;
+    whirl_status status = whirl_rotor_new(design, &rotor);
+    if (status.code != WHIRL_OK) return status;
+    for (size_t s = 0; s < rotor->station_count && rotor->twist_count > 0; s++) {
+        if (rotor->twists[s].coordinate == NO_COORDINATE) continue;
+        out->stations[s].twist = rotor->polar[s];
+        out->stations[s].turns = rotor_turns(rotor, s);
+    }
+    const size_t count = rotor->twist_count > 0 ? rotor->torsion.path_count : 0;
+    out->joints = calloc(count + 1, sizeof *out->joints);
+    if (!out->joints) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the model of a machine");
+    for (size_t k = 0; k < count && status.code == WHIRL_OK; k++) {
+        const torsion_path_of of = torsion_path_at(rotor, k);
+        whirl_model_joint own = {.stiffness = NAN, .damping = NAN};
+        torsion_path(rotor, k, &own.path);
+        own.turns = own.path.station[0] < rotor->station_count ? rotor_turns(rotor, own.path.station[0]) : (double)NAN;
+        bool piece = false;
+        if (of.link) {
+            own.stiffness = of.link->stiffness;
+            own.damping = of.link->damping;
+            for (size_t end = 0; end < 2; end++)
+                piece = piece || torsion_station(rotor, of.link, end) == rotor->station_count;
+        }
+        if (of.element) {
+            // Of the first gear about its axis.
+            element_carried by;
+            of.element->type->carry(of.element, &at_centre, &by);
+            own.stiffness = by.stiffness / by.unit * by.lever[0] * by.lever[0];
+            own.damping = by.damping / (by.unit * rotor->clock) * by.lever[0] * by.lever[0];
+        }
+        train_add(out, &own, piece);
+    }
+    whirl_rotor_free(rotor);
+    return status;
 }

@@ -39,8 +39,8 @@ SIGNS = {
     "tilting_pad": ("turned",),
 }
 ALIKE = (
-    "beam cubic_spring drive fatigue film floating_ring friction induction_motor looseness mount pulsation rub seal shaft "
-    "short_circuit spring squeeze stage synchronous_start timed_torque".split()
+    "beam cubic_spring drive fatigue film floating_ring friction induction_motor looseness mount pulsation rub seal "
+    "shaft short_circuit spring squeeze stage synchronous_start timed_torque".split()
 )
 
 CASES = [path for path in sorted((ROOT / "cases").glob("*.yaml")) if "claims" not in path.name]

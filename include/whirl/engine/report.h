@@ -23,7 +23,8 @@ typedef struct whirl_report_options {
     /// Units of figures and pages, "um, rpm, Hz, p-p" (docs/guide/04-studies.md), instead of those of the case; NULL:
     /// none. WHIRL_BAD_INPUT for a word that is not a unit.
     const char *units;
-    bool lateral; ///< also write DIR/lateral.html and lateral.pdf, a lateral analysis in the usual order of its parts
+    bool lateral;   ///< also write DIR/lateral.html and lateral.pdf, a lateral analysis in the usual order of its parts
+    bool torsional; ///< likewise DIR/torsional.html and torsional.pdf, a torsional analysis
     const char *weasyprint; ///< program that makes that PDF; NULL: "weasyprint" on the PATH
 } whirl_report_options;
 

@@ -150,7 +150,7 @@ static whirl_status torsion_fill_steady(const whirl_resting *point, const block_
     for (size_t k = 0; k < torsion->path_count && status.code == WHIRL_OK; k++) {
         double torque[2];
         torsion->carry(system->model, k, torsion->excitation_count, rest, v, torque, &power);
-        view_numbers(view, STEADY, 0)[k] = torque[0];
+        view_numbers(view, STEADY, 0)[k] = fabs(torque[0]) > rounding * size || size == 0.0 ? torque[0] : 0.0;
     }
     return status;
 }

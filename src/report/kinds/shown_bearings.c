@@ -481,5 +481,6 @@ void find_machine(const finder *of) {
         }
         find_sheet_end(of);
     }
+    find_train(of, &model);
     whirl_model_free(&model);
 }

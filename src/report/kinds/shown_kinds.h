@@ -7,6 +7,7 @@
 #include "report_parts.h"
 #include "whirl/engine/result.h"
 #include "whirl/engine/shown.h"
+#include "whirl/internal/model.h"
 
 typedef struct shown_kind {
     const char *field;         ///< field that only its tables have
@@ -21,6 +22,9 @@ const shown_kind *shown_kind_of(const whirl_table *table);
 
 /// Finds the bearings, seals, dampers, magnets and supports of the machine.
 void find_machine(const finder *of);
+
+/// Finds the inertias and joints of stations that twist.
+void find_train(const finder *of, const whirl_model *model);
 
 /// Finds spectral lines of motions along a parameter, below and above the synchronous one.
 void find_lines(const finder *of);

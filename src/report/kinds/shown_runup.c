@@ -305,6 +305,32 @@ static void runup_find_damage(const finder *of) {
     find_sheet_end(of);
 }
 
+/// Reports the torque with the largest damage of a run.
+static void runup_find_worst_damage(const finder *of) {
+    const whirl_field *torques = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_DAMAGE);
+    double largest = -1.0;
+    size_t at = 0, which = 0;
+    for (size_t point = 0; torques && point < of->table->count; point++) {
+        const double *damage = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_DAMAGE, 0);
+        for (size_t t = 0; damage && t < torques->rows; t++) {
+            const double own = damage[2 * t + 1] > 0.0 ? (double)INFINITY : damage[2 * t];
+            if (own > largest) largest = own, at = point, which = t;
+        }
+    }
+    if (largest < 0.0) return;
+    char name[2 * WHIRL_NAME_SIZE + 40];
+    torque_name(of->result, runup_numbers_of(of, at, WHIRL_FIELD_RUNUP_TORQUE_OF, 0) + 3 * which, name, sizeof name);
+    whirl_statement *own = find_statement(of, "fatigue");
+    if (*of->table->parameter) phrase_value(of, &own->at, 6, of->table->values[at]);
+    if (!isfinite(largest))
+        phrase_text(of, &own->found, "not known for %s: ranges of its torque are above its S-N curve", name);
+    else if (largest > 0.0)
+        phrase_text(of, &own->found, "%s fails after %.4g such runs (Miner's sum of one: %.4g)", name, 1.0 / largest,
+                    largest);
+    else
+        phrase_text(of, &own->found, "no damage: all ranges of torques are within their endurance");
+}
+
 /// Where a motor could stay for ever, and by how much its torque must change for that; a run may pass there.
 static void runup_find_stationary(const finder *of) {
     const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_STATIONARY);
@@ -379,6 +405,7 @@ static void runup_find(const finder *of) {
     runup_find_cycles(of);
     runup_find_uncounted(of);
     runup_find_damage(of);
+    runup_find_worst_damage(of);
     runup_find_stationary(of);
 }
 

@@ -129,6 +129,38 @@ static void torsion_judge(const finder *of, const mode_lines *lines, const separ
     }
 }
 
+/// Reports what a response to torques says about a separation that fails: the largest shear stress where the machine
+/// runs, of all its tables.
+static void torsion_justify(const finder *of) {
+    double largest = -1.0, low, high;
+    bool computed = false;
+    margin_running(of->table, &low, &high);
+    for (size_t t = 0; t < of->result->table_count; t++) {
+        const whirl_table *table = &of->result->tables[t];
+        const whirl_field *stress = whirl_layout_field(&table->layout, WHIRL_FIELD_TORSION_STRESS);
+        for (size_t point = 0; stress && point < table->count; point++) {
+            const double speed = whirl_table_number(table, point, WHIRL_FIELD_TORSION_SPEED, 0);
+            if (!whirl_table_done(table, point) || speed < low * (1.0 - 1e-9) || speed > high * (1.0 + 1e-9)) continue;
+            computed = true;
+            for (size_t k = 0; k < stress->rows; k++) {
+                const double own = whirl_table_field(table, point, WHIRL_FIELD_TORSION_STRESS, 0)[k];
+                if (own > largest) largest = own;
+            }
+        }
+    }
+    whirl_phrase *found = &find_statement(of, "what may justify a separation that fails")->found;
+    if (largest >= 0.0) {
+        phrase_text(of, found, "the response to torques: shear stresses of at most ");
+        phrase_number(of, found, WHIRL_QUANTITY_PRESSURE, 4, largest);
+        phrase_text(of, found, " zero to peak where the machine runs, to be judged by the endurance of the shafts");
+    } else {
+        phrase_text(of, found,
+                    computed ? "the response to torques; diameters of shafts are missing for stresses"
+                             : "nothing: there is no response to torques where the machine runs (study: "
+                               "torsion)");
+    }
+}
+
 /// The twists of the stations in the torsional modes at the last point.
 static void torsion_shapes(const finder *of, const mode_lines *lines, size_t point) {
     const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_TORSION);
@@ -159,8 +191,10 @@ void find_torsion(const finder *of) {
     mode_lines lines;
     if (done == 0 || !whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_TORSION)) return;
     if (!mode_lines_of(of->table, &lines)) lines = (mode_lines){.line = NULL};
-    if (lines.line && torsion_sheet(of, &lines, &least) > 0 && margin_asked(of->table))
+    if (lines.line && torsion_sheet(of, &lines, &least) > 0 && margin_asked(of->table)) {
         torsion_judge(of, &lines, &least);
+        if (least.had < asked_separation) torsion_justify(of);
+    }
     torsion_shapes(of, &lines, ends[done - 1]);
     mode_lines_free(&lines);
 }

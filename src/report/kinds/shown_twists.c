@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "shown_kinds.h"
 #include "whirl/engine/response_peaks.h"
@@ -99,6 +100,38 @@ static bool twists_largest(const finder *of, const char *field, size_t which, si
     return largest >= 0.0;
 }
 
+/// Returns true if two torques are of the same stations: pieces of one stretch of a shaft.
+static bool twists_are_one(const whirl_table *table, size_t one, size_t other) {
+    const size_t point = twists_first(table);
+    const double *of = point < table->count ? whirl_table_field(table, point, WHIRL_FIELD_TORSION_TORQUE_OF, 0) : NULL;
+    return of && memcmp(of + 3 * one, of + 3 * other, 3 * sizeof *of) == 0;
+}
+
+/// Returns true for the first torque of its stations.
+static bool twists_leads(const whirl_table *table, size_t path) {
+    for (size_t k = 0; k < path; k++)
+        if (twists_are_one(table, k, path)) return false;
+    return true;
+}
+
+/// Finds the largest sum of the torques of the stations of `path`, of all points or those at running speeds: its point
+/// and its own torque. Returns false without a number.
+static bool twists_largest_of(const finder *of, size_t path, bool running, size_t *at, size_t *which) {
+    double largest = -1.0;
+    for (size_t k = path; k < twists_rows(of->table, WHIRL_FIELD_TORSION_TORQUE_OF); k++) {
+        size_t point = 0;
+        if (!twists_are_one(of->table, path, k) ||
+            !twists_largest(of, WHIRL_FIELD_TORSION_TORQUE_SUM, 0, k, running, &point))
+            continue;
+        const double own = twists_numbers(of, point, WHIRL_FIELD_TORSION_TORQUE_SUM, 0)[k];
+        if (!(own > largest)) continue;
+        largest = own;
+        *at = point;
+        *which = k;
+    }
+    return largest >= 0.0;
+}
+
 size_t twists_choose(const whirl_table *table, size_t most, size_t *chosen) {
     const size_t paths = twists_rows(table, WHIRL_FIELD_TORSION_TORQUE_OF);
     double *sizes = calloc(paths + 1, sizeof *sizes);
@@ -108,7 +141,13 @@ size_t twists_choose(const whirl_table *table, size_t most, size_t *chosen) {
         for (size_t k = 0; k < paths && own && whirl_table_done(table, point); k++)
             sizes[k] = fmax(sizes[k], isnan(own[k]) ? 0.0 : own[k]);
     }
+    // Of pieces of one stretch the largest.
+    for (size_t k = 0; sizes && k < paths; k++)
+        for (size_t other = 0; other < k; other++)
+            if (sizes[other] >= 0.0 && sizes[k] >= 0.0 && twists_are_one(table, k, other))
+                sizes[sizes[k] > sizes[other] ? other : k] = -1.0;
     for (size_t k = 0; sizes && k < paths; k++) {
+        if (sizes[k] < 0.0) continue;
         size_t at = count < most ? count++ : most;
         for (; at > 0 && sizes[chosen[at - 1]] < sizes[k]; at--)
             if (at < most) chosen[at] = chosen[at - 1];
@@ -174,10 +213,10 @@ static void twists_find_torques(const finder *of) {
     sheet_column(of, sheet, "stress", "shear stress", WHIRL_QUANTITY_PRESSURE, 4);
     sheet_column(of, sheet, "power", "power of damping", WHIRL_QUANTITY_POWER, 4);
     for (size_t k = 0; k < twists_rows(of->table, WHIRL_FIELD_TORSION_TORQUE_OF); k++) {
-        size_t point = 0;
+        size_t point = 0, which = 0;
         for (int running = 0; running < 2; running++)
-            if (twists_largest(of, WHIRL_FIELD_TORSION_TORQUE_SUM, 0, k, running == 1, &point))
-                twists_row(of, sheet, k, point, running == 1);
+            if (twists_leads(of->table, k) && twists_largest_of(of, k, running == 1, &point, &which))
+                twists_row(of, sheet, which, point, running == 1);
     }
     find_sheet_end(of);
 }
@@ -248,6 +287,7 @@ static void twists_find_peaks_of(const finder *of, whirl_sheet *sheet, size_t pa
 
 /// Reports peaks over the speed, with the mode that is nearest.
 static void twists_find_peaks(const finder *of) {
+    size_t point = 0, which = 0;
     double *speeds = malloc((3 * of->table->count + 1) * sizeof *speeds);
     if (!speeds) {
         of->findings->failed = true;
@@ -265,7 +305,9 @@ static void twists_find_peaks(const finder *of) {
     sheet_texts(of, sheet, "found_by", "found by");
     for (size_t k = 0; k < twists_rows(of->table, WHIRL_FIELD_TORSION_TORQUE_OF); k++)
         for (size_t i = 0; i < twists_rows(of->table, WHIRL_FIELD_TORSION_ORDER); i++)
-            twists_find_peaks_of(of, sheet, k, i, speeds, speeds + of->table->count, speeds + 2 * of->table->count);
+            if (twists_leads(of->table, k) && twists_largest_of(of, k, false, &point, &which))
+                twists_find_peaks_of(of, sheet, which, i, speeds, speeds + of->table->count,
+                                     speeds + 2 * of->table->count);
     find_sheet_end(of);
     free(speeds);
 }

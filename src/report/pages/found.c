@@ -39,7 +39,7 @@ static void list_judged(const page *to, whirl_judgement judgement) {
 }
 
 /// Writes the number of acceptance criteria that hold, and the ones that fail.
-static void write_judgements(const page *to) {
+static void write_judgements(const page *to, const char *lacks) {
     size_t all = 0, held = 0;
     for (size_t r = 0; r < to->count; r++)
         for (size_t i = 0; i < to->findings[r]->statement_count; i++) {
@@ -49,9 +49,7 @@ static void write_judgements(const page *to) {
         }
     fputs("<li><strong>What is asked for.</strong> ", to->stream);
     if (all == 0)
-        fputs("Nothing: no response to unbalance has its running speeds (running_from, running_to), and there is no "
-              "study of stability",
-              to->stream);
+        fprintf(to->stream, "Nothing: %s", lacks);
     else
         fprintf(to->stream, "%zu of %zu hold", held, all);
     list_judged(to, WHIRL_FAILS);
@@ -59,7 +57,7 @@ static void write_judgements(const page *to) {
     fputs(all > 0 ? ". See the table below.</li>\n" : ".</li>\n", to->stream);
 }
 
-void found_at_rest(const page *to) {
+void found_at_rest(const page *to, const char *lacks) {
     for (size_t r = 0; r < to->count; r++)
         for (size_t i = 0; i < to->findings[r]->statement_count; i++) {
             const whirl_statement *own = &to->findings[r]->statements[i];
@@ -72,7 +70,7 @@ void found_at_rest(const page *to) {
             html_text(to->stream, text);
             fputs(".</li>\n", to->stream);
         }
-    write_judgements(to);
+    write_judgements(to, lacks);
 }
 
 // ---------------------------------------------------------------- motions, and lines of the summary

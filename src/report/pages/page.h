@@ -49,8 +49,14 @@ typedef struct page {
 /// Writes the whole page.
 void page_write(const page *to);
 
-/// Writes the page of a lateral analysis, in the usual order of such reports.
-void lateral_write(const page *to);
+/// Documents of an analysis, in the usual order of such reports.
+typedef enum analysis_kind { ANALYSIS_LATERAL, ANALYSIS_TORSIONAL, ANALYSES } analysis_kind;
+
+/// Names of their files, without ending: "lateral", "torsional".
+extern const char *const analysis_names[ANALYSES];
+
+/// Writes the page of an analysis.
+void analysis_write(const page *to, analysis_kind kind);
 
 /// Sections.
 void page_head(const page *to, const char *title);
@@ -102,8 +108,8 @@ typedef void each_table(const page *to, size_t result, const whirl_table *table,
 /// motions). Returns the number of tables.
 size_t found_each(const page *to, const char *field, each_table *act, void *context);
 
-/// Writes the findings of studies at rest, and the number of criteria that hold.
-void found_at_rest(const page *to);
+/// Writes the findings of studies at rest, and the number of criteria that hold; `lacks`: why there may be none.
+void found_at_rest(const page *to, const char *lacks);
 
 /// Writes the summary of a table: kinds of motion with their ranges, confidence, doubts, attractors, jumps.
 void found_table(const page *to, size_t result, const whirl_table *table);

@@ -7,6 +7,7 @@
 
 #include "building.h"
 #include "laws.h"
+#include "machine.h"
 #include "pads_build.h"
 #include "shafts.h"
 
@@ -166,7 +167,7 @@ static void model_add_station(const building *b, size_t station, whirl_model *ou
     const assembly_station *from = &b->assembly.stations[station];
     const key_value *values = b->design->stations[station].values;
     whirl_model_mass *to = &out->stations[station];
-    *to = (whirl_model_mass){from->mass, from->polar, from->diametral, from->shaft, from->position, false};
+    *to = (whirl_model_mass){from->mass, from->polar, from->diametral, from->shaft, from->position, false, NAN, NAN};
     for (size_t k = 0; k < station_group.key_count; k++)
         if (strcmp(station_group.keys[k].name, "eccentricity") == 0) to->unbalanced = is_above_zero(&values[k]);
 }
@@ -207,6 +208,11 @@ whirl_status whirl_design_model(const whirl_design *design, whirl_model *out) {
         else
             status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the model of a machine");
     }
+    for (size_t s = 0; s < design->station_count && status.code == WHIRL_OK; s++)
+        if (b.assembly.stations[s].twists) {
+            status = rotor_model_train(design, out);
+            break;
+        }
     if (status.code != WHIRL_OK) whirl_model_free(out);
     building_end(&b);
     return status;
@@ -225,5 +231,6 @@ void whirl_model_free(whirl_model *model) {
     free(model->stations);
     free(model->shafts);
     free(model->elements);
+    free(model->joints);
     *model = (whirl_model){0};
 }

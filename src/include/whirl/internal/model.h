@@ -7,6 +7,7 @@
 
 #include "whirl/engine/bearing.h"
 #include "whirl/engine/rotor.h"
+#include "whirl/engine/torsion.h"
 #include "whirl/status.h"
 
 #ifdef __cplusplus
@@ -27,7 +28,16 @@ typedef struct whirl_model_mass {
     size_t shaft;                  ///< index in the design; WHIRL_MODEL_NONE for a station on no shaft
     double position;               ///< along that shaft, m
     bool unbalanced;               ///< true if it has an eccentricity, or an element with an unbalance
+    /// kg m2 against twist, with its part of the shaft, and its speed over that of the rotor; NaN: it does not twist.
+    double twist, turns;
 } whirl_model_mass;
+
+/// What joins the twists of two stations, pieces of a shaft in series. SI.
+typedef struct whirl_model_joint {
+    whirl_torque_path path;    ///< with the weakest section
+    double stiffness, damping; ///< N m/rad of the first station, N m s/rad; NaN: a rigid gear, or not known
+    double turns;              ///< speed of the first station over that of the rotor
+} whirl_model_joint;
 
 /// No station (the ground), or no shaft.
 #define WHIRL_MODEL_NONE ((size_t)-1)
@@ -73,6 +83,8 @@ typedef struct whirl_model {
     size_t section_count, station_count, shaft_count, element_count; ///< lengths of the following arrays
     whirl_model_section *sections; ///< [section_count] shaft by shaft, in order along each
     whirl_model_mass *stations;    ///< [station_count]
+    size_t joint_count;
+    whirl_model_joint *joints;     ///< [joint_count] of stations that twist; NULL: none
     whirl_model_total *shafts;     ///< [shaft_count]
     whirl_model_element *elements; ///< [element_count] without segments, in the order of the design
     whirl_model_value *values;     ///< memory of the values of all elements

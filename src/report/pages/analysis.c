@@ -1,5 +1,5 @@
-// Page of a lateral analysis: summary, machine, model, critical speeds, modes, responses with their margins, stability,
-// and the nonlinear motions.
+// Pages of a lateral and of a torsional analysis: summary, machine, model, modes, responses with their margins,
+// stability, and the nonlinear motions; or the train, interference, response to torques, and runs.
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -12,6 +12,23 @@
 #include "whirl/engine/case.h"
 #include "whirl/internal/model.h"
 #include "whirl/version.h"
+
+/// A chapter: all tables that have a certain field or, with NULL, all motions.
+typedef struct chapter {
+    const char *title, *about, *field;
+    bool parts;         ///< it begins with the bearings, seals, dampers and supports
+    const char *absent; ///< sentence where the case does not ask for it
+} chapter;
+
+/// A document.
+typedef struct analysis_document {
+    const char *title;
+    const char *asks; ///< what a result lacks whose findings have no criteria
+    size_t count;
+    const chapter *chapters; ///< [count]
+    bool moves;              ///< with a summary of motions
+    bool train;              ///< chapter 2 has the parts of the machine
+} analysis_document;
 
 // ---------------------------------------------------------------- summary
 
@@ -33,10 +50,16 @@ static size_t laws_left(const whirl_result *result) {
     return count;
 }
 
-static void write_found(const page *to) {
+static void write_found(const page *to, const analysis_document *document) {
     size_t written = 0;
     fputs("<section id=\"found\">\n<h2>1. What was found</h2>\n<ol>\n", to->stream);
-    found_at_rest(to);
+    found_at_rest(to, document->asks);
+    if (!document->moves) {
+        fputs("</ol>\n", to->stream);
+        page_asked(to);
+        fputs("</section>\n", to->stream);
+        return;
+    }
     fputs("<li><strong>Nonlinear motions.</strong> ", to->stream);
     found_each(to, NULL, tell_motions, &written);
     if (!written) fputs("Not computed (study: motions).", to->stream);
@@ -150,36 +173,57 @@ static void write_table(const page *to, size_t result, const whirl_table *table,
     }
 }
 
-/// A chapter: all tables that have a certain field or, with NULL, all motions.
-typedef struct chapter {
-    const char *title, *about, *field;
-    bool parts; ///< it begins with the bearings, seals, dampers and supports
-} chapter;
-
-static const chapter chapters[] = {
+static const chapter lateral_chapters[] = {
     {"Bearings and weight",
      "Bearings, seals, dampers and supports as the case gives them; the weight carried by each bearing, sag and "
      "bending "
      "moments, places of rest, stiffness and damping of bearings; what elevations couplings ask for.",
-     WHIRL_FIELD_STATICS_LOAD, true},
+     WHIRL_FIELD_STATICS_LOAD, true, "Weight and places of rest: not asked for (study: statics)."},
     {"Undamped critical speed map",
      "Critical speeds of the machine without damping, over the stiffness of its supports where the study says so.",
-     WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, false},
+     WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, false, "Not asked for."},
     {"Damped modes",
      "Natural frequencies over the speed (Campbell diagram), critical speeds with damping, thresholds of stability, "
      "and "
      "shapes.",
-     WHIRL_FIELD_MODES_FREQUENCY, false},
+     WHIRL_FIELD_MODES_FREQUENCY, false, "Not asked for."},
     {"Response to unbalance",
      "Amplitudes and lags that probes see, amplification factors and separation margins of the peaks, and responses "
      "scaled "
      "to the vibration limit, compared with clearances.",
-     WHIRL_FIELD_UNBALANCE_AMPLITUDE, false},
+     WHIRL_FIELD_UNBALANCE_AMPLITUDE, false, "Not asked for."},
     {"Stability", "Logarithmic decrements with bearings, stages, seals and impellers.", WHIRL_FIELD_STABILITY_BASIC,
-     false},
-    {"Nonlinear motions", "Motions in the real films with contacts, computed in time.", NULL, false},
+     false, "Not asked for."},
+    {"Nonlinear motions", "Motions in the real films with contacts, computed in time.", NULL, false, "Not asked for."},
 };
-enum { CHAPTERS = sizeof chapters / sizeof *chapters, FIRST_CHAPTER = 3 };
+
+static const chapter torsional_chapters[] = {
+    {"Torsional modes and interference",
+     "Natural frequencies over the speed with the excitations that meet them (interference diagram), their separation "
+     "from the excitations where the machine runs, and shapes.",
+     WHIRL_FIELD_MODES_TORSION, false, "Not asked for (study: modes)."},
+    {"Response to torques",
+     "Steady vibration by torques at orders of the speed and at fixed frequencies: vibratory torques with their shear "
+     "stress, peaks with their modes, twists of the stations.",
+     WHIRL_FIELD_TORSION_TORQUE, false, "Not asked for (study: torsion)."},
+    {"Starts, short circuits and other runs",
+     "Torques over time while motors turn the train: their extremes, their cycles by rain flow, and the damage of a "
+     "run "
+     "where the case gives S-N curves.",
+     WHIRL_FIELD_RUNUP_TORQUE_OF, false, "Not asked for (study: runup, by torques)."},
+};
+enum { FIRST_CHAPTER = 3 };
+
+const char *const analysis_names[ANALYSES] = {"lateral", "torsional"};
+
+static const analysis_document documents[ANALYSES] = {
+    [ANALYSIS_LATERAL] = {"Lateral analysis",
+                          "no response to unbalance has its running speeds (running_from, running_to), and there is no "
+                          "study of stability",
+                          sizeof lateral_chapters / sizeof *lateral_chapters, lateral_chapters, true, false},
+    [ANALYSIS_TORSIONAL] = {"Torsional analysis", "modes have no running speeds (running_from, running_to)",
+                            sizeof torsional_chapters / sizeof *torsional_chapters, torsional_chapters, false, true},
+};
 
 /// Writes bearings, seals, dampers and supports of every machine.
 static void write_parts(const page *to) {
@@ -189,8 +233,7 @@ static void write_parts(const page *to) {
     }
 }
 
-static void write_chapter(const page *to, size_t index) {
-    const chapter *own = &chapters[index];
+static void write_chapter(const page *to, const chapter *own, size_t index) {
     chapter_state state = {.kind = NULL};
     fprintf(to->stream, "<section id=\"chapter-%zu\">\n<h2>%zu. %s</h2>\n<p>%s</p>\n", index, index + FIRST_CHAPTER,
             own->title, own->about);
@@ -198,8 +241,7 @@ static void write_chapter(const page *to, size_t index) {
     if (found_each(to, own->field, NULL, NULL) > 0)
         found_each(to, own->field, write_table, &state);
     else
-        fprintf(to->stream, "<p>%s</p>\n",
-                own->parts ? "Weight and places of rest: not asked for (study: statics)." : "Not asked for.");
+        fprintf(to->stream, "<p>%s</p>\n", own->absent);
     free(state.section);
     fputs("</section>\n", to->stream);
 }
@@ -305,7 +347,7 @@ static void write_shafts(const page *to, size_t r, const whirl_model *model) {
     if (count > 0 && model->section_count > 0) write_sections(to, r, model, shafts);
 }
 
-static void write_machine(const page *to) {
+static void write_machine(const page *to, const analysis_document *document) {
     fputs("<section id=\"machine\">\n<h2>2. Machine and model</h2>\n", to->stream);
     for (size_t r = 0; r < to->count; r++) {
         const whirl_result *result = to->results[r];
@@ -315,12 +357,18 @@ static void write_machine(const page *to) {
         fputs("</h3>\n", to->stream);
         page_warnings(to, r);
         page_machine(to, r);
-        html_weight(to->stream, &to->units[r]);
+        if (!document->train) html_weight(to->stream, &to->units[r]);
         whirl_model model = {0};
         const bool known = machine && whirl_case_model(machine, &model).code == WHIRL_OK;
         write_shafts(to, r, &model);
-        write_stations(to, r, known ? &model : NULL);
+        bool masses = !document->train || !known; // a train without masses has its inertias in the sheet below
+        for (size_t s = 0; s < model.station_count && known; s++) masses = masses || model.stations[s].mass > 0.0;
+        if (masses) write_stations(to, r, known ? &model : NULL);
         whirl_model_free(&model);
+        if (document->train) {
+            page_statements(to, r, NULL);
+            page_sheets(to, r, NULL);
+        }
         page_parameters(to, r);
     }
     fputs("</section>\n", to->stream);
@@ -328,8 +376,8 @@ static void write_machine(const page *to) {
 
 // ---------------------------------------------------------------- the whole
 
-static void write_appendix(const page *to) {
-    fprintf(to->stream, "<section id=\"appendix\">\n<h2>%d. Appendix</h2>\n", CHAPTERS + FIRST_CHAPTER);
+static void write_appendix(const page *to, size_t chapters) {
+    fprintf(to->stream, "<section id=\"appendix\">\n<h2>%zu. Appendix</h2>\n", chapters + FIRST_CHAPTER);
     fputs("<p>Amplitudes say whether they are zero to peak (0-p) or peak to peak (p-p).</p>\n", to->stream);
     for (size_t r = 0; r < to->count; r++) {
         page_computed(to, r);
@@ -342,16 +390,17 @@ static void write_appendix(const page *to) {
     fputs("</section>\n", to->stream);
 }
 
-void lateral_write(const page *to) {
+void analysis_write(const page *to, analysis_kind kind) {
+    const analysis_document *document = &documents[kind];
     char title[512];
     const char *of = to->count == 1 && *to->results[0]->title ? to->results[0]->title : to->names[0];
-    snprintf(title, sizeof title, "Lateral analysis: %.400s", to->count > 0 ? of : "");
+    snprintf(title, sizeof title, "%s: %.400s", document->title, to->count > 0 ? of : "");
     page_head(to, title);
     page_document(to);
     fputs("<p class=\"soft\">Written by whirl " WHIRL_VERSION ".</p>\n</header>\n<main>\n", to->stream);
-    write_found(to);
-    write_machine(to);
-    for (size_t i = 0; i < CHAPTERS; i++) write_chapter(to, i);
-    write_appendix(to);
+    write_found(to, document);
+    write_machine(to, document);
+    for (size_t i = 0; i < document->count; i++) write_chapter(to, &document->chapters[i], i);
+    write_appendix(to, document->count);
     fputs("</main>\n</body>\n</html>\n", to->stream);
 }
