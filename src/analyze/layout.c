@@ -102,11 +102,17 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
         const char *name = whirl_analyses()[a].name;
         const analysis_plan *plan = analysis_plans[a];
         status = check_needs(name, plan, options);
-        if (status.code == WHIRL_OK && plan->check_system) status = plan->check_system(system);
         for (size_t f = 0; f < plan->field_count && status.code == WHIRL_OK; f++) {
             status = add_field(layout, &plan->fields[f], &shape);
         }
     }
+    return status;
+}
+
+whirl_status whirl_analysis_check(const whirl_system *system, whirl_analysis_set set) {
+    whirl_status status = whirl_ok();
+    for (size_t a = 0; analysis_plans[a] && status.code == WHIRL_OK; a++)
+        if ((set >> a & 1u) && analysis_plans[a]->check_system) status = analysis_plans[a]->check_system(system);
     return status;
 }
 

@@ -108,6 +108,47 @@ static void warn_of_weight(warner *w, const whirl_batch *batch, const whirl_give
              "the element gravity");
 }
 
+/// Warns of torques without effect in a run whose speed a rate changes.
+static void warn_of_rate(warner *w, const whirl_batch *batch) {
+    static const char *const kinds[] = {"drive", "induction_motor", "synchronous_start", "short_circuit",
+                                        "timed_torque"};
+    char path[2 * WHIRL_NAME_SIZE], text[WHIRL_MESSAGE_SIZE] = "";
+    if (!whirl_analysis_has(batch->analyses, "runup") || !(batch->record.runup.rate > 0.0)) return;
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
+        for (size_t i = 0; i < w->content->machine.element_count; i++)
+            if (strcmp(w->content->machine.elements[i].name, kinds[k]) == 0) {
+                snprintf(text + strlen(text), sizeof text - strlen(text), "%s%s", *text ? ", " : "", kinds[k]);
+                break;
+            }
+    if (!*text) return;
+    snprintf(text + strlen(text), sizeof text - strlen(text), " %s",
+             "has no effect where a rate changes the speed; without a rate torques do");
+    snprintf(path, sizeof path, "study.%s.rate", batch->name);
+    warn(w, path, text);
+}
+
+/// Warns of unbalances on stations that twist in a run by torques.
+static void warn_of_twisted_unbalances(warner *w, const whirl_batch *batch, const whirl_given *given, size_t count) {
+    char path[2 * WHIRL_NAME_SIZE];
+    valuation v;
+    whirl_model model = {0};
+    bool any = false;
+    if (w->status.code != WHIRL_OK || !whirl_analysis_has(batch->analyses, "runup") || batch->record.runup.rate > 0.0)
+        return;
+    whirl_status status = valuation_open(&v, &w->content->parameters, given, count);
+    if (status.code == WHIRL_OK) status = machine_model(&w->content->machine, &v, &model);
+    valuation_close(&v);
+    if (status.code == WHIRL_NO_MEMORY) w->status = status;
+    for (size_t s = 0; s < model.station_count && status.code == WHIRL_OK; s++)
+        any = any || (model.stations[s].unbalanced && isfinite(model.stations[s].twist));
+    whirl_model_free(&model);
+    snprintf(path, sizeof path, "study.%s", batch->name);
+    if (any)
+        warn(w, path,
+             "unbalances of stations that twist turn with the mean angle of the train: their phase errs by the twist of "
+             "their station from that mean");
+}
+
 /// Warns about a point of a batch, given by its index among the values of its axes.
 static void warn_of_point(warner *w, const whirl_batch *batch, size_t point) {
     whirl_given given[PLAN_MAX_GIVEN];
@@ -115,6 +156,8 @@ static void warn_of_point(warner *w, const whirl_batch *batch, size_t point) {
     const size_t count = plan_given_at(batch, point, given);
     warn_of_machine(w, given, count);
     warn_of_weight(w, batch, given, count);
+    warn_of_rate(w, batch);
+    warn_of_twisted_unbalances(w, batch, given, count);
     if (w->status.code != WHIRL_OK || !plan_moves(batch)) return;
     w->status = case_tell_fits(w->content, given, count, w->result, doubt);
     snprintf(path, sizeof path, "study.%s", batch->name);

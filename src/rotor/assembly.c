@@ -350,7 +350,18 @@ void assembly_fatigue(assembly *to, const twist_fatigue *curve) {
     to->fatigues[to->fatigue_count++] = *curve;
 }
 
+whirl_status assembly_turns(const assembly *of, size_t station) {
+    if (station == NO_STATION || of->stations[station].twists || of->stations[station].ratio == 1.0) return whirl_ok();
+    return whirl_fail(
+        WHIRL_BAD_INPUT,
+        "acts on '%s', whose shaft turns at %g times the speed of the rotor and does not twist, expected a "
+        "station of the rotor's own speed, or a shaft with twist: yes",
+        of->stations[station].name, of->stations[station].ratio);
+}
+
 whirl_status assembly_torque(assembly *to, const shaft_torque *torque) {
+    const whirl_status status = assembly_turns(to, torque->station);
+    if (status.code != WHIRL_OK) return status;
     if (!to->torques) to->torques = calloc(MAX_TORQUES, sizeof *to->torques);
     if (!to->torques) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the torques of a rotor");
     if (to->torque_count == MAX_TORQUES)

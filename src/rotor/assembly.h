@@ -28,6 +28,7 @@
 #define assembly_join whirl_assembly_join
 #define assembly_twist whirl_assembly_twist
 #define assembly_torque whirl_assembly_torque
+#define assembly_turns whirl_assembly_turns
 #define assembly_harmonic whirl_assembly_harmonic
 #define assembly_fatigue whirl_assembly_fatigue
 #define assembly_damper whirl_assembly_damper
@@ -270,7 +271,12 @@ void assembly_harmonic(assembly *to, const harmonic_torque *torque);
 /// Adds the S-N curve of a torque.
 void assembly_fatigue(assembly *to, const twist_fatigue *curve);
 
-/// Adds a torque that acts while the speed of the shaft is a state. WHIRL_BAD_INPUT for one too many.
+/// Checks that a torque on a station, or on the shaft as a whole (NO_STATION), turns the rotor's own shaft or a station
+/// that twists. WHIRL_BAD_INPUT for a shaft of another speed that does not twist.
+whirl_status assembly_turns(const assembly *of, size_t station);
+
+/// Adds a torque that acts while the speed of the shaft is a state. WHIRL_BAD_INPUT for one too many, and as
+/// assembly_turns.
 whirl_status assembly_torque(assembly *to, const shaft_torque *torque);
 
 /// Adds a term that is already scaled.

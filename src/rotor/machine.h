@@ -119,7 +119,7 @@ void rotor_find_turn(whirl_rotor *rotor, const assembly *from);
 /// [degrees] in units of the coordinates.
 void rotor_accelerate(const whirl_rotor *rotor, const double *force, double *out);
 
-/// Fills in the inertias, speeds and joints of stations that twist. Errors as whirl_rotor_new (torsion.c).
+/// Fills in the inertias, speeds and joints of stations that twist. Errors as whirl_rotor_new (train.c).
 whirl_status rotor_model_train(const whirl_design *design, whirl_model *out);
 
 /// Checks that every S-N curve has a torque. WHIRL_BAD_INPUT (torsion.c).
@@ -128,13 +128,35 @@ whirl_status rotor_check_fatigue(const whirl_rotor *rotor);
 /// Finds what excites the twists and what carries torque, after the rigid turn (torsion.c).
 void rotor_find_torsion(whirl_rotor *rotor, const assembly *from);
 
+/// Returns the number of states that an element sees, at most MAX_ELEMENT_STATES.
+size_t rotor_states_seen(const element *own);
+
 /// Returns the places, velocities and states that an element sees in a state x [dimension].
 element_place rotor_see(const whirl_rotor *rotor, const element *own, const double *x);
 
 /// Returns true for an element that carries torque between two twists, or a twist and the ground.
 bool rotor_carries(const whirl_rotor *rotor, const element *own);
 
-/// Returns the number of torques that a run-up watches: its own, and of springs between twists.
+/// A path of torsion (whirl_torsion.path): one of these, the others NULL.
+typedef struct rotor_path {
+    const twist_link *link;
+    const element *element;
+    const rigid_pair *pair;
+} rotor_path;
+rotor_path rotor_path_at(const whirl_rotor *rotor, size_t index);
+
+/// Returns the station whose twist is that of an end of a link; the number of stations for a node between them.
+size_t rotor_link_station(const whirl_rotor *rotor, const twist_link *own, size_t end);
+
+/// Returns element `index` of those that carry torque (rotor_carries); NULL past the last.
+const element *rotor_carrier(const whirl_rotor *rotor, size_t index);
+
+/// Returns the torque that such an element carries in a state x [dimension], with other numbers of the machine in place
+/// of its own, as whirl_torque_path says.
+double rotor_carried(const whirl_rotor *rotor, const element *carrier, double *numbers, const double *x);
+
+/// Returns the number of torques that a run-up watches: its own, of springs between twists, of meshes and springs with
+/// play.
 size_t rotor_watched_count(const whirl_rotor *rotor);
 
 /// Returns the speed of a station in a rigid turn over that of the shaft, at least 0; 1 if it does not twist.

@@ -140,21 +140,6 @@ static const element *owner_of(const whirl_rotor *rotor, size_t *index) {
     }
 }
 
-static size_t states_seen(const element *own) {
-    return own->states < MAX_ELEMENT_STATES ? own->states : MAX_ELEMENT_STATES;
-}
-
-element_place rotor_see(const whirl_rotor *rotor, const element *own, const double *x) {
-    element_place seen = {.q = {0.0}};
-    for (size_t p = 0; p < MAX_PORTS; p++) {
-        if (own->port[p] == NO_COORDINATE) continue;
-        seen.q[p] = x[own->port[p]];
-        seen.v[p] = x[rotor->lanes.degrees + own->port[p]];
-    }
-    memcpy(seen.s, x + rotor->lanes.degrees + own->state, states_seen(own) * sizeof *x);
-    return seen;
-}
-
 /// Converts a derivative by the inputs of an element into one by the state.
 static void spread(const whirl_rotor *rotor, const element *own, const element_place *by, double *out) {
     const size_t degrees = rotor->lanes.degrees;
@@ -164,7 +149,7 @@ static void spread(const whirl_rotor *rotor, const element *own, const element_p
         out[own->port[p]] = by->q[p];
         out[degrees + own->port[p]] = by->v[p];
     }
-    memcpy(out + degrees + own->state, by->s, states_seen(own) * sizeof *out);
+    memcpy(out + degrees + own->state, by->s, rotor_states_seen(own) * sizeof *out);
 }
 
 static void switch_gradient(const void *model, double t, const double *x, size_t index, double *gradient,

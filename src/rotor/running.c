@@ -828,6 +828,9 @@ static void running_watch(const whirl_running *running, const double *x, double 
     }
     for (size_t i = 0; i < r->rotor->link_count; i++)
         if (r->rotor->links[i].stiffness > 0.0) *torque++ = running_link_torque(r, &r->rotor->links[i], &s);
+    const element *carrier;
+    for (size_t i = 0; (carrier = rotor_carrier(r->rotor, i)) != NULL; i++)
+        *torque++ = rotor_carried(r->rotor, carrier, running_numbers_at(r, s.w), x);
 }
 
 /// Returns the station at an end of a spring between twists.
@@ -852,9 +855,13 @@ static void running_watched(const whirl_running *running, size_t index, size_t s
     for (size_t i = 0; i < rotor->link_count; i++) {
         if (!(rotor->links[i].stiffness > 0.0) || index-- > 0) continue;
         for (size_t end = 0; end < 2; end++) station[end] = running_end_of(r, &rotor->links[i], end);
-        break;
+        *name = "twist";
+        return;
     }
-    *name = "twist";
+    const element *carrier = rotor_carrier(rotor, index);
+    for (size_t end = 0; end < 2; end++)
+        if (carrier->ends[end] != GROUND) station[end] = carrier->ends[end];
+    *name = carrier->type->group.name;
 }
 
 static void running_speeds(const whirl_running *running, const double *x, double *speed) {

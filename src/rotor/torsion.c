@@ -269,10 +269,34 @@ static double torsion_carried(const torsion_motion *m, const element *own, eleme
            rotor->clock;
 }
 
-static const element *torsion_element(const whirl_rotor *rotor, size_t index) {
+const element *rotor_carrier(const whirl_rotor *rotor, size_t index) {
     for (size_t i = 0; i < rotor->element_count; i++)
         if (rotor_carries(rotor, &rotor->elements[i]) && index-- == 0) return &rotor->elements[i];
     return NULL;
+}
+
+size_t rotor_watched_count(const whirl_rotor *rotor) {
+    size_t count = rotor->torque_count, carriers = 0;
+    for (size_t i = 0; i < rotor->link_count; i++) count += rotor->links[i].stiffness > 0.0;
+    while (rotor_carrier(rotor, carriers)) carriers++;
+    return count + carriers;
+}
+
+/// Returns the factor from the force that an element carries to its torque about the axis of its first place, or where
+/// that is the ground of its second, along the rotation.
+static double torsion_lever(const whirl_rotor *rotor, const element *own, const element_carried *by) {
+    const size_t first = own->ends[0] == GROUND ? 1 : 0;
+    const station_twist *at = &rotor->twists[own->ends[first]];
+    return copysign(1.0, rotor->rigid[at->coordinate] * at->share) * -by->lever[first];
+}
+
+double rotor_carried(const whirl_rotor *rotor, const element *carrier, double *numbers, const double *x) {
+    element own = *carrier;
+    element_carried by;
+    const element_place at = rotor_see(rotor, &own, x);
+    own.number = numbers + own.first_number;
+    own.type->carry(&own, &at, &by);
+    return torsion_lever(rotor, carrier, &by) * by.force;
 }
 
 /// Returns whether an element acts on the twist of a station in a way that is not known here.
@@ -331,7 +355,7 @@ static void torsion_pair(const torsion_motion *m, const rigid_pair *pair, double
 }
 
 /// Returns the station whose twist is that of an end of a link; the number of stations for a node between them.
-static size_t torsion_station(const whirl_rotor *rotor, const twist_link *own, size_t end) {
+size_t rotor_link_station(const whirl_rotor *rotor, const twist_link *own, size_t end) {
     size_t found = rotor->station_count;
     for (size_t s = rotor->station_count; s-- > 0;)
         if (rotor->twists[s].coordinate == own->coordinate[end] && rotor->twists[s].share == own->share[end]) found = s;
@@ -351,33 +375,26 @@ static const twist_link *torsion_next(const whirl_rotor *rotor, const twist_link
 
 /// Returns the first station from an end of a link on, along the pieces of its shaft.
 static size_t torsion_end(const whirl_rotor *rotor, const twist_link *own, size_t end) {
-    size_t found = torsion_station(rotor, own, end);
+    size_t found = rotor_link_station(rotor, own, end);
     for (size_t steps = 0; own && found == rotor->station_count && steps < rotor->link_count; steps++) {
         own = torsion_next(rotor, own, end, &end);
-        if (own) found = torsion_station(rotor, own, end);
+        if (own) found = rotor_link_station(rotor, own, end);
     }
     return found;
 }
 
-/// A path by its index: one of these.
-typedef struct torsion_path_of {
-    const twist_link *link;
-    const element *element;
-    const rigid_pair *pair;
-} torsion_path_of;
-
-static torsion_path_of torsion_path_at(const whirl_rotor *rotor, size_t index) {
+rotor_path rotor_path_at(const whirl_rotor *rotor, size_t index) {
     for (size_t i = 0; i < rotor->link_count; i++)
-        if (rotor->links[i].stiffness > 0.0 && index-- == 0) return (torsion_path_of){.link = &rotor->links[i]};
-    const element *own = torsion_element(rotor, index);
-    if (own) return (torsion_path_of){.element = own};
+        if (rotor->links[i].stiffness > 0.0 && index-- == 0) return (rotor_path){.link = &rotor->links[i]};
+    const element *own = rotor_carrier(rotor, index);
+    if (own) return (rotor_path){.element = own};
     for (size_t i = 0; i < rotor->element_count; i++) index -= rotor_carries(rotor, &rotor->elements[i]);
-    return (torsion_path_of){.pair = &rotor->pairs[index]};
+    return (rotor_path){.pair = &rotor->pairs[index]};
 }
 
 static void torsion_path(const void *model, size_t index, whirl_torque_path *out) {
     const whirl_rotor *rotor = model;
-    const torsion_path_of own = torsion_path_at(rotor, index);
+    const rotor_path own = rotor_path_at(rotor, index);
     *out = (whirl_torque_path){.kind = WHIRL_TORQUE_BETWEEN};
     for (size_t end = 0; end < 2; end++) {
         if (own.link) out->station[end] = torsion_end(rotor, own.link, end);
@@ -452,7 +469,7 @@ whirl_status rotor_check_fatigue(const whirl_rotor *rotor) {
 static void torsion_carry(const void *model, size_t path, size_t index, const double *rest, const double *v,
                           double torque[2], double *power) {
     const whirl_rotor *rotor = model;
-    const torsion_path_of own = torsion_path_at(rotor, path);
+    const rotor_path own = rotor_path_at(rotor, path);
     const bool steady = index == rotor->excitation_count;
     const torsion_motion m = {rotor, index, steady, steady ? 0.0 : rotor->excitations[index].frequency / rotor->clock,
                               rest,  v};
@@ -463,12 +480,8 @@ static void torsion_carry(const void *model, size_t path, size_t index, const do
         *power = torsion_link(&m, own.link, false, torque);
     } else if (own.element) {
         element_carried by;
-        const size_t first = own.element->ends[0] == GROUND ? 1 : 0;
-        const station_twist *at = &rotor->twists[own.element->ends[first]];
         *power = torsion_carried(&m, own.element, &by, torque);
-        sense = rotor->rigid[at->coordinate] * at->share;
-        // On the first place, which gives it; where that is the ground, on the second.
-        for (size_t k = 0; k < 2; k++) torque[k] *= -by.lever[first];
+        for (size_t k = 0; k < 2; k++) torque[k] *= torsion_lever(rotor, own.element, &by);
     } else {
         const station_twist *at = &rotor->twists[own.pair->first];
         torsion_pair(&m, own.pair, torque);
@@ -523,60 +536,4 @@ void rotor_find_torsion(whirl_rotor *rotor, const assembly *from) {
                                      .open = torsion_open,
                                      .twists = torsion_twists,
                                      .speed = torsion_speed};
-}
-
-// ---------------------------------------------------------------- the model
-
-/// Adds a joint, or a piece of a shaft to the joint of its stretch between two stations.
-static void train_add(whirl_model *to, const whirl_model_joint *own, bool piece) {
-    for (size_t i = 0; i < to->joint_count && piece; i++) {
-        whirl_model_joint *same = &to->joints[i];
-        if (same->path.kind != WHIRL_TORQUE_BETWEEN || same->path.station[0] != own->path.station[0] ||
-            same->path.station[1] != own->path.station[1])
-            continue;
-        const double ratio = same->damping / same->stiffness;
-        const bool alike = fabs(own->damping / own->stiffness - ratio) <= 1e-9 * fabs(ratio);
-        same->stiffness = 1.0 / (1.0 / same->stiffness + 1.0 / own->stiffness);
-        same->damping = alike || (ratio == 0.0 && own->damping == 0.0) ? ratio * same->stiffness : (double)NAN;
-        if (own->path.modulus > 0.0) same->path.modulus = fmin(same->path.modulus, own->path.modulus);
-        return;
-    }
-    to->joints[to->joint_count++] = *own;
-}
-
-whirl_status rotor_model_train(const whirl_design *design, whirl_model *out) {
-    whirl_rotor *rotor = NULL;
-    whirl_status status = whirl_rotor_new(design, &rotor);
-    if (status.code != WHIRL_OK) return status;
-    for (size_t s = 0; s < rotor->station_count && rotor->twist_count > 0; s++) {
-        if (rotor->twists[s].coordinate == NO_COORDINATE) continue;
-        out->stations[s].twist = rotor->polar[s];
-        out->stations[s].turns = rotor_turns(rotor, s);
-    }
-    const size_t count = rotor->twist_count > 0 ? rotor->torsion.path_count : 0;
-    out->joints = calloc(count + 1, sizeof *out->joints);
-    if (!out->joints) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the model of a machine");
-    for (size_t k = 0; k < count && status.code == WHIRL_OK; k++) {
-        const torsion_path_of of = torsion_path_at(rotor, k);
-        whirl_model_joint own = {.stiffness = NAN, .damping = NAN};
-        torsion_path(rotor, k, &own.path);
-        own.turns = own.path.station[0] < rotor->station_count ? rotor_turns(rotor, own.path.station[0]) : (double)NAN;
-        bool piece = false;
-        if (of.link) {
-            own.stiffness = of.link->stiffness;
-            own.damping = of.link->damping;
-            for (size_t end = 0; end < 2; end++)
-                piece = piece || torsion_station(rotor, of.link, end) == rotor->station_count;
-        }
-        if (of.element) {
-            // Of the first gear about its axis.
-            element_carried by;
-            of.element->type->carry(of.element, &at_centre, &by);
-            own.stiffness = by.stiffness / by.unit * by.lever[0] * by.lever[0];
-            own.damping = by.damping / (by.unit * rotor->clock) * by.lever[0] * by.lever[0];
-        }
-        train_add(out, &own, piece);
-    }
-    whirl_rotor_free(rotor);
-    return status;
 }

@@ -103,9 +103,3 @@ double rotor_turns(const whirl_rotor *rotor, size_t station) {
     const station_twist *own = &rotor->twists[station];
     return own->coordinate == NO_COORDINATE ? 1.0 : fabs(rotor->rigid[own->coordinate] * own->share);
 }
-
-size_t rotor_watched_count(const whirl_rotor *rotor) {
-    size_t count = rotor->torque_count;
-    for (size_t i = 0; i < rotor->link_count; i++) count += rotor->links[i].stiffness > 0.0;
-    return count;
-}

@@ -447,6 +447,41 @@ static void damage_of_a_start(void **state) {
     }
 }
 
+/// Teeth begin in the middle of their play, a torque T on the first gear closes them after t, they bounce and are free
+/// for 2 t: the motion of delta = r1 th1 + r2 th2 is delta'' = T r1/J1, less k (delta - b)/m in contact, 1/m = r1^2/J1
+/// + r2^2/J2.
+static void teeth_bounce(void **state) {
+    static const double one = 0.5, two = 2.0, r1 = 0.1, r2 = 0.25, k = 2e6, b = 1e-4, torque = 40.0;
+    static const char *const rotations[] = {"", "  rotation: clockwise\n"};
+    const double a = torque * r1 / one, w = sqrt(k * (r1 * r1 / one + r2 * r2 / two));
+    const double t = sqrt(2.0 * b / a), v = a * t, closed = 2.0 * (pi - atan(v * w / a)) / w;
+    const double most = k * (a / (w * w) + hypot(a / (w * w), v / w));
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(rotations); i++) {
+        char rotor[SIZE], study[128];
+        snprintf(rotor, sizeof rotor,
+                 "%s  length_scale: 1 mm\n"
+                 "  stations:\n"
+                 "    one: {polar: %g kg.m2, moves: twist}\n"
+                 "    two: {polar: %g kg.m2, moves: twist}\n"
+                 "  elements:\n"
+                 "    - gear: {between: [one, two], base_radii: [%g m, %g m], stiffness: %g N/m, backlash: %g m}\n"
+                 "    - timed_torque: {at: one, times: [0 s, 1 s], torques: [%g N.m, %g N.m]}\n",
+                 rotations[i], one, two, r1, r2, k, 2.0 * b, torque, torque);
+        snprintf(study, sizeof study,
+                 "duration: %.17g s, speed_from: 10 rad/s, speed_to: 100 rad/s, rtol: 1e-11, rows: 20, begin: centre",
+                 3.0 * t + closed);
+        whirl_result *result = start(rotor, study);
+        const double open = number(result, WHIRL_FIELD_RUNUP_OPEN, 1), known = 3.0 * t / (3.0 * t + closed);
+        check_within("Motor starts", "teeth bounce: largest torque on the first gear, N m", r1 * most,
+                     extreme(result, 1, false, false), 1e-6 * r1 * most);
+        check_within("Motor starts", "teeth bounce: kind of the torque", 5.0,
+                     number(result, WHIRL_FIELD_RUNUP_TORQUE_OF, 3), 0.0);
+        check_within("Motor starts", "teeth bounce: share of the time without contact", known, open, 5e-3);
+        whirl_result_free(result);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(motor_is_switched_on),
                                        cmocka_unit_test(synchronous_motor_starts),
@@ -458,6 +493,7 @@ int main(void) {
                                        cmocka_unit_test(gears_refer),
                                        cmocka_unit_test(stiff_shafts_are_rigid),
                                        cmocka_unit_test(shafts_of_elements),
-                                       cmocka_unit_test(damage_of_a_start)};
+                                       cmocka_unit_test(damage_of_a_start),
+                                       cmocka_unit_test(teeth_bounce)};
     return cmocka_run_group_tests_name("starts", tests, NULL, NULL);
 }

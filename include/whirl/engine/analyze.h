@@ -151,6 +151,9 @@ void whirl_analysis_needs(whirl_analysis_set set, whirl_record_options *options)
 whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_options *integrate,
                               const whirl_record_options *options, whirl_analysis_set set, whirl_layout *layout);
 
+/// Checks that a system has what the analyses look at, such as torques of a response to torques. WHIRL_BAD_INPUT.
+whirl_status whirl_analysis_check(const whirl_system *system, whirl_analysis_set set);
+
 /// Builds the layout of all fields, for a machine of one station and one contact, with several rows for each field that
 /// can have them.
 whirl_status whirl_layout_known(whirl_layout *layout);

@@ -28,8 +28,14 @@ static size_t runup_every_row_with_torques(const block_shape *shape) {
 }
 
 /// Elements by number in the field of torques.
-static const char *const torque_kinds[] = {"twist", "induction_motor", "synchronous_start", "short_circuit",
-                                           "timed_torque"};
+static const char *const torque_kinds[WHIRL_TORQUE_KINDS] = {[WHIRL_TORQUE_BETWEEN] = "twist",
+                                                             [WHIRL_TORQUE_INDUCTION_MOTOR] = "induction_motor",
+                                                             [WHIRL_TORQUE_SYNCHRONOUS_START] = "synchronous_start",
+                                                             [WHIRL_TORQUE_SHORT_CIRCUIT] = "short_circuit",
+                                                             [WHIRL_TORQUE_TIMED] = "timed_torque",
+                                                             [WHIRL_TORQUE_MESH] = "gear",
+                                                             [WHIRL_TORQUE_RIGID_GEAR] = "",
+                                                             [WHIRL_TORQUE_WITH_PLAY] = "spring"};
 
 static size_t runup_with_slow_roll(const block_shape *shape) {
     return shape->options->runup.slow_roll > 0.0 ? 1 : 0;
@@ -141,7 +147,8 @@ static const field_plan fields[FIELD_COUNT] = {
                         NULL},
     [TORQUE_OF] = {WHIRL_FIELD_RUNUP_TORQUE_OF, "1",
                    "kind, first, second (0 between the twists of two stations, 1 of an induction motor, 2 of a "
-                   "synchronous start, 3 of a short circuit, 4 over time; indices of stations from 0, -1: the shaft as "
+                   "synchronous start, 3 of a short circuit, 4 over time, 5 of a mesh, 7 of a spring with play; "
+                   "indices of stations from 0, -1: the shaft as "
                    "a whole, or between stations)",
                    WHIRL_PER_POINT, 3, runup_every_torque},
     [TORQUE_EXTREME] = {WHIRL_FIELD_RUNUP_TORQUE_EXTREME, "1",
@@ -154,6 +161,9 @@ static const field_plan fields[FIELD_COUNT] = {
                 "range, number (N m, the upper end of a class of ranges; cycles of the torque in it by rain flow, ASTM "
                 "E1049: all classes of the first torque, then of the next)",
                 WHIRL_PER_POINT, 2, runup_every_torque_and_class},
+    [OPEN] = {WHIRL_FIELD_RUNUP_OPEN, "1",
+              "share of the run in which nothing carries the torque: of meshes and springs with play, within it",
+              WHIRL_PER_POINT, 1, runup_every_torque},
     [DAMAGE] = {WHIRL_FIELD_RUNUP_DAMAGE, "1",
                 "sum, beyond (Miner's sum of these cycles over the torque's S-N curve; 1: some ranges are above it, of "
                 "which it says nothing, and the sum is missing; missing without a curve)",
@@ -259,7 +269,7 @@ static size_t runup_row_at(const filling *f, double time) {
 static void runup_fill_torques(void *context, double time, const double *torque, const double *speed) {
     filling *f = context;
     const size_t row = runup_row_at(f, time);
-    if (!runup_cycles_note(f->histories, f->torques, torque))
+    if (!runup_cycles_note(f->histories, f->torques, time, torque))
         f->status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the torques of a run");
     for (size_t t = 0; t < f->torques; t++) {
         double *own = view_numbers(f->view, TORQUE_COURSE, 0) + 2 * (t * f->rows + row);
@@ -337,16 +347,15 @@ static whirl_status runup_find_start(const whirl_resting *point, const whirl_run
     return status;
 }
 
-/// Returns the number of torques that act on stations, before those between twists.
-static size_t runup_first_path(const whirl_running *running) {
-    size_t index = 0;
-    for (; index < running->watched_count; index++) {
-        const char *name;
-        size_t station[2];
-        running->watched(running, index, station, &name);
-        if (strcmp(name, torque_kinds[0]) == 0) break;
+/// Returns the number of torques that act on stations, before those that are paths of the machine's torsion.
+static size_t runup_first_path(const whirl_running *running, const whirl_system *system) {
+    size_t paths = 0;
+    for (size_t k = 0; system->torsion && k < system->torsion->path_count; k++) {
+        whirl_torque_path path;
+        system->torsion->path(system->model, k, &path);
+        paths += path.kind != WHIRL_TORQUE_RIGID_GEAR;
     }
-    return index;
+    return running->watched_count - paths;
 }
 
 static void runup_fill_extremes(const filling *f, const whirl_running *running, const runup_run *run) {
@@ -356,11 +365,13 @@ static void runup_fill_extremes(const filling *f, const whirl_running *running, 
         double *of = view_numbers(f->view, TORQUE_OF, 0) + 3 * t;
         double *extreme = view_numbers(f->view, TORQUE_EXTREME, 0) + 4 * t;
         running->watched(running, t, station, &name);
-        for (size_t k = 0; k < sizeof torque_kinds / sizeof *torque_kinds; k++)
+        for (size_t k = 0; k < WHIRL_TORQUE_KINDS; k++)
             if (strcmp(name, torque_kinds[k]) == 0) of[0] = (double)k;
         for (size_t end = 0; end < 2; end++)
             of[1 + end] = station[end] < f->system->probe_count ? (double)station[end] : -1.0;
         if (!isfinite(run->torques[t].largest.value)) continue;
+        if (of[0] >= WHIRL_TORQUE_MESH && f->histories[t].time > 0.0)
+            view_numbers(f->view, OPEN, 0)[t] = f->histories[t].open / f->histories[t].time;
         extreme[0] = run->torques[t].largest.value, extreme[1] = run->torques[t].largest.time;
         extreme[2] = run->torques[t].least.value, extreme[3] = run->torques[t].least.time;
     }
@@ -479,7 +490,7 @@ static whirl_status runup_run_machine(whirl_running *running, const changing *c,
     if (status.code == WHIRL_OK) runup_fill_slow_roll(view, o, probes);
     if (status.code == WHIRL_OK) runup_fill_extremes(&f, running, &run);
     if (status.code == WHIRL_OK && torques > 0)
-        status = runup_cycles_count(f.histories, torques, point->system, runup_first_path(running),
+        status = runup_cycles_count(f.histories, torques, point->system, runup_first_path(running, point->system),
                                     view_numbers(view, CYCLES, 0), view_numbers(view, DAMAGE, 0));
     runup_cycles_free(f.histories, torques);
     runup_views_free(&f.views);

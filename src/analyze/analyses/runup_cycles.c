@@ -32,9 +32,18 @@ static bool cycles_add(runup_history *to, double value) {
     return true;
 }
 
-bool runup_cycles_note(runup_history *histories, size_t torques, const double *torque) {
+bool runup_cycles_note(runup_history *histories, size_t torques, double time, const double *torque) {
     bool kept = true;
-    for (size_t t = 0; t < torques; t++) kept = cycles_add(&histories[t], torque[t]) && kept;
+    for (size_t t = 0; t < torques; t++) {
+        runup_history *own = &histories[t];
+        const bool idle = torque[t] == 0.0;
+        if (own->count == 0) own->began = time;
+        // Between two instants of which one has no torque half of the time has none.
+        own->open += 0.5 * (time - own->began - own->time) * ((own->idle && own->count > 0) + idle);
+        own->time = time - own->began;
+        own->idle = idle;
+        kept = cycles_add(own, torque[t]) && kept;
+    }
     return kept;
 }
 

@@ -42,6 +42,7 @@ enum {
     STATIONARY,
     FOLD,
     CYCLES,
+    OPEN,
     DAMAGE,
     SLOW_ROLL,
     SLOW_ROLL_CHANGE,
@@ -95,11 +96,13 @@ enum { RUNUP_CLASSES = 32 };
 typedef struct runup_history {
     size_t count, room;
     double *values;
-    bool full; ///< there were more than can be kept
+    bool full;                ///< there were more than can be kept
+    bool idle;                ///< the torque was 0 at the last instant
+    double began, time, open; ///< s: of the first instant; since then until the last; of that without torque
 } runup_history;
 
-/// Notes torques [torques] at an instant that follows the last one. Returns false without memory.
-bool runup_cycles_note(runup_history *histories, size_t torques, const double *torque);
+/// Notes torques [torques] at a time, s, that follows the last one. Returns false without memory.
+bool runup_cycles_note(runup_history *histories, size_t torques, double time, const double *torque);
 
 /// Counts cycles by rain flow: out [torques][RUNUP_CLASSES][2] as in the field runup/cycles, and sums up the damage of
 /// those with an S-N curve, damage [torques][2] as in runup/damage. first: index of the first torque that is a path of

@@ -222,12 +222,14 @@ static whirl_status torsion_compute(const whirl_resting *point, const whirl_reco
     const whirl_system *system = point->system;
     const whirl_torsion *torsion = system->torsion;
     const size_t d = system->dimension;
+    whirl_status status = torsion_check_system(system);
+    if (status.code != WHIRL_OK) return status;
     double *rest = calloc(8 * d + 2 * system->probe_count + 1, sizeof *rest);
     if (!rest) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the response of %zu coordinates", d);
     double *drive = rest + d, *v = drive + 2 * d, *turn = v + 2 * d, *shape = turn + 3 * d;
     // Rest, modes, steady torques, then one excitation after another.
     memcpy(rest, point->start, d * sizeof *rest);
-    whirl_status status = whirl_equilibrium(system, rest);
+    status = whirl_equilibrium(system, rest);
     *view_numbers(view, SPEED, 0) = point->speed;
     if (status.code == WHIRL_OK) status = torsion_check_rest(point, view, rest);
     if (status.code == WHIRL_OK) status = torsion_fill_modes(point, options, view);

@@ -188,14 +188,16 @@ static void runup_find_torques(const finder *of) {
     const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_TORQUE_OF);
     if (!rows) return;
     whirl_sheet *sheet = find_sheet(of, "torques", "Torques of a run");
-    sheet->about = "Torques of motors on their stations and of shafts between stations that twist, positive where they "
-                   "drive; the largest and the least instant of the run.";
+    sheet->about =
+        "Torques of motors on their stations and of shafts and meshes between stations that twist, positive where "
+        "they drive; the largest and the least instant of the run.";
     sheet_values(of, sheet, "", 6);
     sheet_texts(of, sheet, "torque", "torque");
     sheet_column(of, sheet, "largest", "largest", WHIRL_QUANTITY_MOMENT, 6);
     sheet_column(of, sheet, "largest_time", "at", WHIRL_QUANTITY_TIME, 6);
     sheet_column(of, sheet, "least", "least", WHIRL_QUANTITY_MOMENT, 6);
     sheet_column(of, sheet, "least_time", "at", WHIRL_QUANTITY_TIME, 6);
+    sheet_column(of, sheet, "open", "without contact", WHIRL_QUANTITY_PERCENT, 4);
     for (size_t point = 0; point < of->table->count; point++) {
         const double *names = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_TORQUE_OF, 0);
         const double *extremes = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_TORQUE_EXTREME, 0);
@@ -207,6 +209,7 @@ static void runup_find_torques(const finder *of) {
             cell_value(of, sheet, point);
             cell_text(of, sheet, find_text(of->findings, "%s", name));
             for (size_t i = 0; i < 4; i++) cell_number(of, sheet, extremes[4 * row + i]);
+            cell_number(of, sheet, 100.0 * whirl_table_field(of->table, point, WHIRL_FIELD_RUNUP_OPEN, 0)[row]);
         }
     }
     find_sheet_end(of);
@@ -232,7 +235,7 @@ static void runup_find_cycles(const finder *of) {
         for (size_t t = 0; names && cycles && t < torques->rows; t++) {
             char name[2 * WHIRL_NAME_SIZE + 40];
             size_t shown = 0;
-            if (names[3 * t] != 0.0) continue;
+            if (names[3 * t] != WHIRL_TORQUE_BETWEEN && names[3 * t] < WHIRL_TORQUE_MESH) continue;
             torque_name(of->result, names + 3 * t, name, sizeof name);
             for (size_t k = classes; k-- > 0 && shown < CLASSES_SHOWN;) {
                 const double *own = cycles + 2 * (t * classes + k);

@@ -50,6 +50,9 @@ static whirl_status drive_build(const key_value *values, assembly *to, element *
     if (values[NO_LOAD].given && !values[TORQUE].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has no_load_speed without torque, expected both");
     const size_t at = values[AT].given ? values[AT].station[0] : NO_STATION;
+    whirl_status status = assembly_turns(to, at);
+    if (status.code == WHIRL_OK && values[LOAD_AT].given) status = assembly_turns(to, values[LOAD_AT].station[0]);
+    if (status.code != WHIRL_OK) return status;
     *drive = (shaft_drive){.given = true,
                            .at = at,
                            .load_at = values[LOAD_AT].given ? values[LOAD_AT].station[0] : at,
