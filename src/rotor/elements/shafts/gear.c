@@ -10,8 +10,12 @@
 #define KERNEL_CURVED
 #define KERNEL_TILTS
 
-/// The law: with play; the number of pairs in contact, and with it the stiffness, changes; with an error.
-enum { GEAR_PLAY = 1, GEAR_PAIRS = 2, GEAR_ERROR = 4 };
+/// The law: with play; the number of pairs in contact, and with it the stiffness, changes; with an error; with a
+/// profile of the stiffness, the number of whose harmonics is the rest of the law.
+enum { GEAR_PLAY = 1, GEAR_PAIRS = 2, GEAR_ERROR = 4, GEAR_PROFILE = 8, GEAR_LAWS = 16 };
+
+/// Harmonics of a profile: fewer than linear analyses have phases, so that their means are exact.
+enum { GEAR_HARMONICS = 15 };
 
 #define GEAR_SWITCHES(own) (((own)->law & GEAR_PLAY ? 2 : 0) + ((own)->law & GEAR_PAIRS ? 1 : 0))
 
@@ -31,7 +35,8 @@ enum {
     GEAR_LEVER,
     GEAR_LEVER_SECOND,
     GEAR_LENGTH,
-    GEAR_NUMBERS
+    GEAR_PARTS, ///< stiffness by cos n psi, then by sin n psi, of every harmonic
+    GEAR_NUMBERS = GEAR_PARTS + 2 * GEAR_HARMONICS
 };
 
 #include "generic.h"
@@ -55,6 +60,7 @@ enum {
     TEETH,
     VARIATION,
     SHARE,
+    PROFILE,
     ERROR,
     ERROR_ANGLE,
     KEY_COUNT
@@ -89,8 +95,8 @@ static const whirl_key keys[KEY_COUNT] = {
                             "whole play along the line of action, the middle of which is the place of rest; absent: "
                             "teeth never part"),
     [TEETH] = WHOLE_KEY("teeth", "z", OPTIONAL, WHIRL_FROM_TO(1, 1000),
-                        "number of teeth of the first gear, which turns as its shaft does; required with variation or "
-                        "error"),
+                        "number of teeth of the first gear, which turns as its shaft does; required with variation, "
+                        "profile or error"),
     [VARIATION] =
         CITED_NUMBER_KEY("variation", "eps", "1", DEFAULT("0"), WHIRL_FROM_TO(0.0, 1.0),
                          "share by which the stiffness is above its mean while more pairs of teeth touch, and "
@@ -98,6 +104,11 @@ static const whirl_key keys[KEY_COUNT] = {
                          "Kahraman, Blankenship 1997"),
     [SHARE] = NUMBER_KEY("contact_share", "d", "1", DEFAULT("0.5"), WHIRL_FROM_TO(0.001, 0.999),
                          "share of a tooth's period with more pairs: contact ratio less its whole part"),
+    [PROFILE] =
+        CITED_NUMBERS_KEY("profile", "", "1", OPTIONAL, WHIRL_POSITIVE,
+                          "factors of the stiffness at 3 to 31 equal angles of the mesh, from tooth to tooth, in "
+                          "place of variation; between them the trigonometric polynomial through them",
+                          "Gauss 1866"),
     [ERROR] =
         NUMBER_KEY("error", "e", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                    "amplitude of the transmission error along the line of action, once a tooth, in the sense of the "
@@ -112,8 +123,8 @@ static bool gear_is_rigid(const key_value *values) {
 /// Checks keys that contradict each other. Stations that do not twist are found where coordinates are numbered or
 /// looked up.
 static whirl_status gear_check(const key_value *values) {
-    static const int of_meshes[] = {DAMPING,        BACKLASH,  VARIATION, SHARE, ERROR,
-                                    PRESSURE_ANGLE, DIRECTION, HELIX,     TEETH};
+    static const int of_meshes[] = {DAMPING, BACKLASH,       VARIATION, SHARE, PROFILE,
+                                    ERROR,   PRESSURE_ANGLE, DIRECTION, HELIX, TEETH};
     if (values[RADII].count != 2)
         return whirl_fail(WHIRL_BAD_INPUT, "has %zu base_radii, expected those of both gears", values[RADII].count);
     for (size_t i = 0; gear_is_rigid(values) && i < sizeof of_meshes / sizeof *of_meshes; i++)
@@ -122,9 +133,15 @@ static whirl_status gear_check(const key_value *values) {
                               "has %s and no stiffness, without which a mesh is rigid, expected both or "
                               "neither",
                               keys[of_meshes[i]].name);
-    const bool varies = values[VARIATION].number > 0.0 || values[ERROR].number > 0.0;
+    const bool varies = values[VARIATION].number > 0.0 || values[ERROR].number > 0.0 || values[PROFILE].given;
     if (varies && !values[TEETH].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has a variation or an error and no teeth, expected their number");
+    if (values[PROFILE].given && (values[VARIATION].given || values[SHARE].given))
+        return whirl_fail(WHIRL_BAD_INPUT, "has a profile and a variation, expected one of them");
+    if (values[PROFILE].given &&
+        (values[PROFILE].count < 3 || values[PROFILE].count > 2 * GEAR_HARMONICS + 1 || values[PROFILE].rows > 1))
+        return whirl_fail(WHIRL_BAD_INPUT, "has a profile of %zu numbers, expected 3 to %d", values[PROFILE].count,
+                          2 * GEAR_HARMONICS + 1);
     const size_t *station = values[BETWEEN].station;
     if (gear_is_rigid(values) && (station[0] == GROUND || station[1] == GROUND))
         return whirl_fail(WHIRL_BAD_INPUT, "is rigid and joins the ground, expected two stations that twist");
@@ -138,6 +155,46 @@ static whirl_status gear_inertia(const key_value *values, assembly *to) {
     const size_t *station = values[BETWEEN].station;
     if (station[0] == GROUND || station[1] == GROUND || station[0] == station[1]) return whirl_ok();
     return assembly_gear(to, station[1], station[0], -values[RADII].list[0] / values[RADII].list[1]);
+}
+
+/// Returns the stiffness of a mesh at its phase psi, as its kernel does.
+static double gear_stiffness_at(const element *own, double psi) {
+    const double *n = own->number;
+    double sum = n[GEAR_STIFFNESS];
+    if (own->law & GEAR_PAIRS) return cos(psi - n[GEAR_SHARE]) > cos(n[GEAR_SHARE]) ? sum : n[GEAR_STIFFNESS_LESS];
+    for (int k = 0; k < own->law / GEAR_LAWS; k++)
+        sum += n[GEAR_PARTS + k] * cos((k + 1) * psi) + n[GEAR_PARTS + GEAR_HARMONICS + k] * sin((k + 1) * psi);
+    return sum;
+}
+
+/// Sets the harmonics of a profile, of which `stiffness` is the factor. WHIRL_BAD_INPUT where the polynomial through
+/// its values is not above 0.
+static whirl_status gear_set_profile(const key_value *profile, double stiffness, element *out) {
+    enum { LOOKS = 720 };
+    const size_t count = profile->count, harmonics = count / 2;
+    double mean = 0.0;
+    for (size_t i = 0; i < count; i++) mean += profile->list[i] / (double)count;
+    out->number[GEAR_STIFFNESS] = stiffness * mean;
+    out->law |= GEAR_PROFILE | (int)harmonics * GEAR_LAWS;
+    for (size_t k = 1; k <= harmonics; k++) {
+        // The last of an even number has a cosine alone, of half the weight.
+        const double weight = stiffness * (2 * k == count ? 1.0 : 2.0) / (double)count;
+        double c = 0.0, s = 0.0;
+        for (size_t i = 0; i < count; i++) {
+            const double angle = 2.0 * pi * (double)(k * i % count) / (double)count;
+            c += weight * profile->list[i] * cos(angle);
+            s += weight * profile->list[i] * sin(angle);
+        }
+        out->number[GEAR_PARTS + k - 1] = c;
+        out->number[GEAR_PARTS + GEAR_HARMONICS + k - 1] = 2 * k == count ? 0.0 : s;
+    }
+    for (int i = 0; i < LOOKS; i++)
+        if (!(gear_stiffness_at(out, 2.0 * pi * i / LOOKS) > 0.0))
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "has a profile between whose values the stiffness falls to 0, at %.3g of a tooth's "
+                              "period, expected more or smoother values",
+                              (double)i / LOOKS);
+    return whirl_ok();
 }
 
 /// Sets the numbers of a mesh, whose forces are in newtons and whose closing is in length scales.
@@ -182,7 +239,11 @@ static whirl_status gear_build(const key_value *values, assembly *to, element *o
     gear_set_numbers(values, to, out);
     out->number[GEAR_RATE] = values[TEETH].number * fabs(ratio * to->turn);
     out->states = 0;
-    if (!(out->law & (GEAR_PAIRS | GEAR_ERROR))) return whirl_ok();
+    if (values[PROFILE].given) {
+        status = gear_set_profile(&values[PROFILE], values[STIFFNESS].number * to->length, out);
+        if (status.code != WHIRL_OK) return status;
+    }
+    if (!(out->law & (GEAR_PAIRS | GEAR_ERROR | GEAR_PROFILE))) return whirl_ok();
     out->states = 1;
     out->type = &gear_turning;
     return whirl_ok();
@@ -215,13 +276,11 @@ static void gear_carry(const element *own, const element_place *at, element_carr
         rate += n[GEAR_RATE] * (n[GEAR_ERROR_COS] * sine + n[GEAR_ERROR_SIN] * cosine);
     }
     out->stiffness = varies ? share * n[GEAR_STIFFNESS] + (1.0 - share) * n[GEAR_STIFFNESS_LESS] : n[GEAR_STIFFNESS];
-    const bool more = !varies || cos(at->s[0] - n[GEAR_SHARE]) > cos(n[GEAR_SHARE]);
     const double gap = own->law & GEAR_PLAY ? n[GEAR_GAP] : 0.0;
     out->open = (own->law & GEAR_PLAY) && fabs(closing) <= gap;
     out->play = gap;
     if (!out->open)
-        out->force = (more ? n[GEAR_STIFFNESS] : n[GEAR_STIFFNESS_LESS]) * (closing - copysign(gap, closing)) +
-                     n[GEAR_DAMPING] * rate;
+        out->force = gear_stiffness_at(own, at->s[0]) * (closing - copysign(gap, closing)) + n[GEAR_DAMPING] * rate;
 }
 
 /// The stiffness jumps, and so does the force of a damper where teeth meet.

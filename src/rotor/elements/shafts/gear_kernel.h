@@ -4,7 +4,7 @@
 //     delta = n_x (x1 - x2) + n_y (y1 - y2) + r1 theta1 + r2 theta2 - e cos(psi + phi)
 //     F = k(psi) (delta - b) + c delta'    where delta > b,
 //     F = k(psi) (delta + b) + c delta'    where delta < -b,    else 0
-//     k(psi) = k (1 + eps) where |psi - pi d| < pi d, else k (1 - eps);
+//     k(psi) = k (1 + eps) where |psi - pi d| < pi d, else k (1 - eps), or a sum of cosines and sines of n psi;
 //
 // the switches are delta - b and delta + b, where there is play, then, where the stiffness changes, cos(psi - pi d) -
 // cos(pi d), as a product that rounding does not disturb at its zeros, one of which is at the beginning of a
@@ -65,6 +65,21 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     if (own->law & GEAR_PAIRS)
         stiffness = n_select(above[GEAR_SWITCHES(own) - 1], n_of(number[GEAR_STIFFNESS * stride]),
                              n_of(number[GEAR_STIFFNESS_LESS * stride]));
+    if (own->law & GEAR_PROFILE) {
+        // cos and sin of n psi from those of (n - 1) psi.
+        num c, s1, cosine, sine;
+        n_sincos(s[0], &s1, &c);
+        cosine = c;
+        sine = s1;
+        for (int n = 0; n < own->law / GEAR_LAWS; n++) {
+            const num by_cos = n_scale(number[(size_t)(GEAR_PARTS + n) * stride], cosine);
+            const num by_sin = n_scale(number[(size_t)(GEAR_PARTS + GEAR_HARMONICS + n) * stride], sine);
+            stiffness = n_add(stiffness, n_add(by_cos, by_sin));
+            const num next = n_sub(n_mul(cosine, c), n_mul(sine, s1));
+            sine = n_add(n_mul(sine, c), n_mul(cosine, s1));
+            cosine = next;
+        }
+    }
     const num damper = n_scale(number[GEAR_DAMPING * stride], rate);
     num pressed = n_add(n_mul(stiffness, closing), damper);
     if (own->law & GEAR_PLAY) {
