@@ -14,8 +14,8 @@
 /// profile of the stiffness, the number of whose harmonics is the rest of the law.
 enum { GEAR_PLAY = 1, GEAR_PAIRS = 2, GEAR_ERROR = 4, GEAR_PROFILE = 8, GEAR_LAWS = 16 };
 
-/// Harmonics of a profile: fewer than linear analyses have phases, so that their means are exact.
-enum { GEAR_HARMONICS = 15 };
+/// Phases over which linear analyses take means, and harmonics of a profile, whose mean they have exactly.
+enum { GEAR_PHASES = 16, GEAR_HARMONICS = GEAR_PHASES - 1 };
 
 #define GEAR_SWITCHES(own) (((own)->law & GEAR_PLAY ? 2 : 0) + ((own)->law & GEAR_PAIRS ? 1 : 0))
 
@@ -257,8 +257,8 @@ static double gear_rounds(const element *own, size_t state) {
 /// Finds the force of the mesh, as its kernel does.
 static void gear_carry(const element *own, const element_place *at, element_carried *out) {
     const double *n = own->number, along[KERNEL_AXES] = {n[GEAR_ALONG_X], n[GEAR_ALONG_Y], 1.0};
-    const double share = n[GEAR_SHARE] / pi, cosine = cos(at->s[0]), sine = sin(at->s[0]);
-    const bool varies = own->law & GEAR_PAIRS, errs = own->law & GEAR_ERROR;
+    const double cosine = cos(at->s[0]), sine = sin(at->s[0]);
+    const bool errs = own->law & GEAR_ERROR;
     *out = (element_carried){.unit = n[GEAR_LENGTH], .damping = n[GEAR_DAMPING]};
     double closing = 0.0, rate = 0.0;
     for (size_t port = 0; port < (size_t)KERNEL_PORTS; port++) {
@@ -275,7 +275,9 @@ static void gear_carry(const element *own, const element_place *at, element_carr
         closing -= n[GEAR_ERROR_COS] * cosine - n[GEAR_ERROR_SIN] * sine;
         rate += n[GEAR_RATE] * (n[GEAR_ERROR_COS] * sine + n[GEAR_ERROR_SIN] * cosine);
     }
-    out->stiffness = varies ? share * n[GEAR_STIFFNESS] + (1.0 - share) * n[GEAR_STIFFNESS_LESS] : n[GEAR_STIFFNESS];
+    // The mean that linear analyses have: over so many phases from that of the state on.
+    for (int k = 0; k < GEAR_PHASES; k++)
+        out->stiffness += gear_stiffness_at(own, at->s[0] + 2.0 * pi * k / GEAR_PHASES) / GEAR_PHASES;
     const double gap = own->law & GEAR_PLAY ? n[GEAR_GAP] : 0.0;
     out->open = (own->law & GEAR_PLAY) && fabs(closing) <= gap;
     out->play = gap;
