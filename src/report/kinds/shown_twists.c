@@ -221,8 +221,8 @@ static void twists_find_torques(const finder *of) {
     find_sheet_end(of);
 }
 
-/// Finds the torsional mode whose frequency is nearest to a frequency, at the point nearest to a speed. Returns its
-/// number from 1, 0 without one.
+/// Finds the torsional mode whose frequency is nearest to a frequency, at the point nearest to a speed, and within 10 %
+/// of it. Returns its number from 1, 0 without one: the peak is that of a lateral mode, or of no mode.
 static size_t twists_mode(const finder *of, double speed, double frequency, double *natural) {
     size_t nearest = of->table->count, mode = 0;
     double least = INFINITY;
@@ -231,7 +231,7 @@ static size_t twists_mode(const finder *of, double speed, double frequency, doub
         if (whirl_table_done(of->table, point) && apart < least) least = apart, nearest = point;
     }
     const double *own = nearest < of->table->count ? twists_numbers(of, nearest, WHIRL_FIELD_TORSION_NATURAL, 0) : NULL;
-    least = INFINITY;
+    least = log(1.1);
     for (size_t i = 0; own && i < twists_rows(of->table, WHIRL_FIELD_TORSION_NATURAL) && isfinite(own[i]); i++) {
         if (!(fabs(log(own[i] / frequency)) < least)) continue;
         least = fabs(log(own[i] / frequency));
@@ -244,7 +244,7 @@ static size_t twists_mode(const finder *of, double speed, double frequency, doub
 /// Reports the peaks of a torque by an excitation over the speed. speeds, sizes, lags [count of points]: workspace.
 static void twists_find_peaks_of(const finder *of, whirl_sheet *sheet, size_t path, size_t index, double *speeds,
                                  double *sizes, double *lags) {
-    static const double nothing = 1e-6; // of the largest of the excitation: rounding, or no peak that anyone looks for
+    static const double nothing = 1e-3; // of the largest of the excitation: no peak that anyone looks for
     static const char *const ways[] = {"half power", "half power on one side", "slope of the lag"};
     const size_t excitations = twists_rows(of->table, WHIRL_FIELD_TORSION_ORDER), place = path * excitations + index;
     whirl_response_peak peaks[MARGIN_PEAKS];
