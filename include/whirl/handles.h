@@ -37,10 +37,10 @@ whirl_status whirl_result_read_outline(const char *path, whirl_result **outline)
 
 /// Reads a measured record as a result: comma-separated values (or separated by semicolons or tabs) over the time
 /// become a run as the study `runup` has it, whose rows, spectra and orbits are those of the measured turns. Headings
-/// are `time [s]`; `keyphasor`, whose rising pulses are the mark, or `speed [rpm]`, whose integral is the angle from the
-/// first sample on; and two probes a station by their directions, `de x [um]`, or degrees from the x axis in the sense
-/// of rotation, `de 45 [mil]`. Lines after # are left out, the first of them is the title. WHIRL_BAD_INPUT names file,
-/// line and column. The turn before the second pulse is left out.
+/// are `time [s]`; `keyphasor`, whose rising pulses are the mark, or `speed [rpm]`, whose integral is the angle from
+/// the first sample on; and two probes a station by their directions, `de x [um]`, or degrees from the x axis in the
+/// sense of rotation, `de 45 [mil]`. Lines after # are left out, the first of them is the title. WHIRL_BAD_INPUT names
+/// file, line and column. The turn before the second pulse is left out.
 whirl_status whirl_result_read_record(const char *path, whirl_result **result);
 
 /// Writes the result as an HDF5 file: to a temporary name in the folder of `path`, synced, then renamed, so that no
@@ -225,8 +225,8 @@ whirl_status whirl_result_figure(const whirl_result *result, const char *name, c
 whirl_status whirl_balance_json(const char *text, size_t length, const char *name, const char *units, char *problems,
                                 size_t size, char **json);
 
-/// Does the same with the figure of a second result drawn into it, dashed: a measured record over a model. WHIRL_BAD_INPUT
-/// also if both cannot lie in one picture.
+/// Does the same with the figure of a second result drawn into it, dashed: a measured record over a model.
+/// WHIRL_BAD_INPUT also if both cannot lie in one picture.
 whirl_status whirl_result_figure_with(const whirl_result *result, const whirl_result *with, const char *name,
                                       const char *units, const char *panels, const char *log, char **json);
 

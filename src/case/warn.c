@@ -144,9 +144,10 @@ static void warn_of_twisted_unbalances(warner *w, const whirl_batch *batch, cons
     whirl_model_free(&model);
     snprintf(path, sizeof path, "study.%s", batch->name);
     if (any)
-        warn(w, path,
-             "unbalances of stations that twist turn with the mean angle of the train: their phase errs by the twist of "
-             "their station from that mean");
+        warn(
+            w, path,
+            "unbalances of stations that twist turn with the mean angle of the train: their phase errs by the twist of "
+            "their station from that mean");
 }
 
 /// Warns about a point of a batch, given by its index among the values of its axes.

@@ -63,8 +63,8 @@ const AT_REST: Readonly<Record<AtRest['kind'], string>> = {
 };
 
 const RUN =
-  'Play the run, or drag across it: the orbit, the spectrum and the numbers are those of the turn at the cursor. Move ' +
-  'a rate, an unbalance, a torque or a friction with its slider, and the run is computed anew in this page.';
+  'Play the run, or drag across it: the orbit, the spectrum and the numbers are those of the turn at the cursor. ' +
+  'Move a rate, an unbalance, a torque or a friction with its slider, and the run is computed anew in this page.';
 
 const MAP =
   'Click on a cell of the map: the orbit, its spectrum and its Poincar\u00e9 map are computed on the spot for both ' +

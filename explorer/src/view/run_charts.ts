@@ -361,7 +361,8 @@ function wordsOf({ run, row, station, units, scales }: RunSubject): string {
   const { factor, unit } = amplitudeMeasure(units, scales);
   const speed = parameterMeasure('rad/s', units);
   const size = (run.column(FIELD.RUNUP_AMPLITUDE, station, 0)[row] ?? NaN) * factor;
-  return `${run.time[row]!.toPrecision(4)} s, ${(run.speed[row]! * speed.factor).toPrecision(4)} ${speed.unit}, x ${size.toPrecision(3)} ${unit}`;
+  const at = `${run.time[row]!.toPrecision(4)} s, ${(run.speed[row]! * speed.factor).toPrecision(4)} ${speed.unit}`;
+  return `${at}, x ${size.toPrecision(3)} ${unit}`;
 }
 
 /// Sets the choices of a list, unless they are the same.
