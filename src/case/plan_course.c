@@ -1,4 +1,5 @@
 // The course of a run: its events, and its laws of speed, torque and ground, with the parameters' values at a point.
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -265,9 +266,11 @@ const whirl_run_course *course_shown(const course_run *run) {
     return run ? &run->shown : NULL;
 }
 
-/// Makes the names of all variables, behind those of the parameters, in names; texts is their memory.
+/// Makes the names of all variables, behind those of the parameters, in names; texts is their memory. Stations with
+/// other signs in their names have none.
 static void course_name_variables(const machine_parts *machine, const char **names,
                                   char (*texts)[2 * WHIRL_NAME_SIZE]) {
+    static const char in_names[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
     const size_t count = course_variable_count(machine);
     for (size_t i = 0; i < count; i++) {
         const size_t station = i < WHIRL_VARIABLE_STATIONS ? 0 : (i - WHIRL_VARIABLE_STATIONS) / WHIRL_OF_STATION;
@@ -276,7 +279,8 @@ static void course_name_variables(const machine_parts *machine, const char **nam
         else
             snprintf(texts[i], sizeof *texts, "%.63s_%s", machine->stations.names[station],
                      of_station[(i - WHIRL_VARIABLE_STATIONS) % WHIRL_OF_STATION]);
-        names[i] = texts[i];
+        const bool named = !isdigit((unsigned char)*texts[i]) && !texts[i][strspn(texts[i], in_names)];
+        names[i] = named ? texts[i] : NULL;
     }
 }
 

@@ -147,7 +147,8 @@ expression_evaluator *evaluator_new(const char *const *names, double *values, si
     }
     mupSetErrorHandler(made->parser, remember_only);
     mupDefineConst(made->parser, "pi", 3.14159265358979323846);
-    for (size_t i = 0; i < count; i++) mupDefineVar(made->parser, names[i], &values[i]);
+    for (size_t i = 0; i < count; i++)
+        if (names[i]) mupDefineVar(made->parser, names[i], &values[i]);
     if (!mupError(made->parser)) return made;
     evaluator_free(made);
     return NULL;

@@ -60,7 +60,8 @@ bool expression_has_word(const char *name);
 /// Evaluates expressions over variables. Each thread needs its own.
 typedef struct expression_evaluator expression_evaluator;
 
-/// Makes an evaluator; `values` [count] are read when an expression is evaluated. NULL without memory.
+/// Makes an evaluator; `values` [count] are read when an expression is evaluated. Values whose name is NULL have none.
+/// NULL without memory.
 expression_evaluator *evaluator_new(const char *const *names, double *values, size_t count);
 
 /// Evaluates an expression that expression_check has passed. Returns false if it is invalid or not finite; `why` is the
