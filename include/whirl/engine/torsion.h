@@ -37,21 +37,24 @@ typedef struct whirl_excitation {
 /// What carries torque between two stations. Torques are positive where the first station drives the second along the
 /// rotation; those of gears act on the first one, from the second.
 typedef struct whirl_torque_path {
-    whirl_torque_kind kind;
-    size_t station[2]; ///< probes; the number of probes: a node between stations, or the ground
-    double modulus;    ///< m3, of a shaft's weakest section against torsion: shear stress is torque over it; 0: unknown
+    whirl_torque_kind kind; ///< of what carries it
+    size_t station[2];      ///< probes; the number of probes: a node between stations, or the ground
+    double modulus; ///< m3, of a shaft's weakest section against torsion: shear stress is torque over it; 0: unknown
 } whirl_torque_path;
 
 /// An S-N curve of the torque in a path, as whirl_signals_damage takes it: ranges peak to peak, N m.
 typedef struct whirl_torque_curve {
-    size_t count;
-    double ranges[WHIRL_MAX_LIST], lives[WHIRL_MAX_LIST];
-    double slope, endurance;
+    size_t count;                  ///< points of the curve
+    double ranges[WHIRL_MAX_LIST]; ///< [count] N m
+    double lives[WHIRL_MAX_LIST];  ///< [count] cycles to failure
+    double slope;                  ///< of a curve of one point: N = lives[0] (ranges[0]/range)^slope
+    double endurance;              ///< N m, a range below which nothing counts; 0: none
 } whirl_torque_curve;
 
 /// Functions of a machine whose stations twist. `rest`: the state [dimension] about which it moves.
 typedef struct whirl_torsion {
-    size_t excitation_count, path_count;
+    size_t excitation_count; ///< number of excitations
+    size_t path_count;       ///< number of paths
 
     /// Describes excitation `index`, the torques of one frequency at any stations.
     void (*excitation)(const void *model, size_t index, whirl_excitation *out);

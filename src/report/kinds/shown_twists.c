@@ -104,7 +104,9 @@ static bool twists_largest(const finder *of, const char *field, size_t which, si
 static bool twists_are_one(const whirl_table *table, size_t one, size_t other) {
     const size_t point = twists_first(table);
     const double *of = point < table->count ? whirl_table_field(table, point, WHIRL_FIELD_TORSION_TORQUE_OF, 0) : NULL;
-    return of && memcmp(of + 3 * one, of + 3 * other, 3 * sizeof *of) == 0;
+    bool same = of != NULL;
+    for (size_t i = 0; i < 3 && same; i++) same = of[3 * one + i] == of[3 * other + i];
+    return same;
 }
 
 /// Returns true for the first torque of its stations.
