@@ -420,8 +420,8 @@ whirl_status whirl_result_read_record(const char *path, whirl_result **result) {
             whirl_fail(in.no_memory ? WHIRL_NO_MEMORY : WHIRL_BAD_INPUT, "cannot read %.200s: %.128s", path, in.reason);
     else if (in.size > length)
         status = whirl_fail(WHIRL_BAD_INPUT, "%.200s: is larger than 1 GiB", path);
-    const bool marked = status.code == WHIRL_OK && length >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0;
-    if (status.code == WHIRL_OK) status = record_lines(r, text + 3 * marked, length - 3 * (size_t)marked);
+    const size_t mark = status.code == WHIRL_OK && length >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+    if (status.code == WHIRL_OK) status = record_lines(r, text + mark, length - mark);
     if (status.code == WHIRL_OK) {
         *result = calloc(1, sizeof **result);
         status = *result ? record_result(r, *result) : whirl_fail(WHIRL_NO_MEMORY, "no memory for a result");
