@@ -56,7 +56,7 @@ enum {
     WHIRL_VARIABLE_TIME,  ///< s
     WHIRL_VARIABLE_SPEED, ///< rad/s, of the shaft, or of the station of the motor or of its load
     WHIRL_LAW_VARIABLES,
-    WHIRL_VARIABLE_STATIONS = WHIRL_LAW_VARIABLES, ///< those of every station, in the order of WHIRL_OF_STATION_
+    WHIRL_VARIABLE_STATIONS = WHIRL_LAW_VARIABLES, ///< those of every station, in the order of the constants below
     WHIRL_OF_STATION_X = 0,                        ///< m, from the centre
     WHIRL_OF_STATION_Y,
     WHIRL_OF_STATION_RADIUS,
