@@ -90,26 +90,26 @@ static whirl_status static_solve(mean_system *m, const double *rest, const doubl
     return status;
 }
 
-whirl_status whirl_harmonic_response(const whirl_system *system, const double *rest, double frequency,
-                                     const double *drive, double *response) {
+/// Finds the response about `rest`: to steady torques where there is a rigid turn to leave out, else at a frequency.
+static whirl_status torsion_respond(const whirl_system *system, const double *rest, double frequency,
+                                    const double *turn, const double *drive, double *response) {
     mean_system mean;
     void *block;
     whirl_status status = mean_begin(&mean, system, &block);
     if (status.code != WHIRL_OK) return status;
     const int before = exhausted_watch();
-    status = harmonic_solve(&mean, rest, frequency, drive, response);
+    status = turn ? static_solve(&mean, rest, turn, drive, response)
+                  : harmonic_solve(&mean, rest, frequency, drive, response);
     free(block);
     return linear_status(before, status, system->dimension);
 }
 
+whirl_status whirl_harmonic_response(const whirl_system *system, const double *rest, double frequency,
+                                     const double *drive, double *response) {
+    return torsion_respond(system, rest, frequency, NULL, drive, response);
+}
+
 whirl_status whirl_static_response(const whirl_system *system, const double *rest, const double *turn,
                                    const double *drive, double *response) {
-    mean_system mean;
-    void *block;
-    whirl_status status = mean_begin(&mean, system, &block);
-    if (status.code != WHIRL_OK) return status;
-    const int before = exhausted_watch();
-    status = static_solve(&mean, rest, turn, drive, response);
-    free(block);
-    return linear_status(before, status, system->dimension);
+    return torsion_respond(system, rest, 0.0, turn, drive, response);
 }

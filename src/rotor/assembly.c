@@ -383,18 +383,20 @@ void assembly_turning(assembly *to, size_t x, size_t y, double force, double ang
     assembly_forcing(to, y, SIN_TAU, force * cos(angle));
 }
 
-void assembly_inertial_row(assembly *to, turning_inertia one) {
+/// Appends a load of a row to a list.
+static void add_load(assembly *to, turning_inertia **loads, size_t *count, size_t *room, turning_inertia one) {
     if (one.row == NO_COORDINATE) return;
-    turning_inertia *list = room_for_one(to, to->turnings, to->turning_count, &to->turning_room, sizeof *list);
+    turning_inertia *list = room_for_one(to, *loads, *count, room, sizeof *list);
     if (!list) return;
-    to->turnings = list;
-    to->turnings[to->turning_count++] = one;
+    *loads = list;
+    list[(*count)++] = one;
 }
 
 void assembly_inertial(assembly *to, size_t x, size_t y, double moment, double angle) {
     if (moment == 0.0) return;
-    assembly_inertial_row(to, (turning_inertia){x, moment * cos(angle), -moment * sin(angle)});
-    assembly_inertial_row(to, (turning_inertia){y, moment * sin(angle), moment * cos(angle)});
+    const turning_inertia rows[] = {{x, moment * cos(angle), -moment * sin(angle)},
+                                    {y, moment * sin(angle), moment * cos(angle)}};
+    for (size_t i = 0; i < 2; i++) add_load(to, &to->turnings, &to->turning_count, &to->turning_room, rows[i]);
 }
 
 void assembly_gyroscopic(assembly *to, size_t station, double polar) {
@@ -431,11 +433,21 @@ void assembly_runout(assembly *to, size_t station, whirl_runout seen) {
     to->runouts[to->runout_count++] = (station_runout){station, seen};
 }
 
+/// Returns the force by a pull of 1 m/s2 along a displacement, kg, or on a tilt, kg m.
+static double weight_along(const assembly_station *at, axis along) {
+    const bool tilts = along == AXIS_TILT_X || along == AXIS_TILT_Y;
+    return !tilts ? at->mass : at->shaft != NO_SHAFT ? at->pull_moment : 0.0;
+}
+
+static bool is_along_y(axis along) {
+    return along == AXIS_Y || along == AXIS_TILT_Y;
+}
+
 /// Adds the weight of a shaft at a node, without the weight of stations of the design.
 static void pull_node(assembly *to, const assembly_station *at, double x, double y) {
-    const double force[] = {x * at->mass, y * at->mass, x * at->pull_moment, y * at->pull_moment};
     for (axis along = at->hidden ? AXIS_X : AXIS_TILT_X; along <= AXIS_TILT_Y; along++)
-        body_add(&to->body, at->coordinate[along], 0, (body_kind){BODY_ONE, RATE_STATIC, BODY_STEADY}, force[along]);
+        body_add(&to->body, at->coordinate[along], 0, (body_kind){BODY_ONE, RATE_STATIC, BODY_STEADY},
+                 (is_along_y(along) ? y : x) * weight_along(at, along));
 }
 
 static int assembly_by_size(const void *a, const void *b) {
@@ -491,15 +503,11 @@ void assembly_weigh(assembly *to) {
     for (size_t s = 0; s < to->station_count; s++) {
         const assembly_station *at = &to->stations[s];
         for (axis along = AXIS_X; along <= AXIS_TILT_Y; along++) {
-            const bool across = along == AXIS_Y || along == AXIS_TILT_Y;
-            const double moment = at->shaft != NO_SHAFT ? at->pull_moment : 0.0;
-            const double force = along == AXIS_TILT_X || along == AXIS_TILT_Y ? moment : at->mass;
-            if (at->coordinate[along] == NO_COORDINATE || force == 0.0) continue;
-            turning_inertia *list = room_for_one(to, to->weights, to->weight_count, &to->weight_room, sizeof *list);
-            if (!list) return;
-            to->weights = list;
-            list[to->weight_count++] =
-                (turning_inertia){at->coordinate[along], across ? 0.0 : force, across ? force : 0.0};
+            const double force = weight_along(at, along);
+            if (force == 0.0) continue;
+            const turning_inertia own = {at->coordinate[along], is_along_y(along) ? 0.0 : force,
+                                         is_along_y(along) ? force : 0.0};
+            add_load(to, &to->weights, &to->weight_count, &to->weight_room, own);
         }
     }
 }

@@ -294,7 +294,6 @@ void assembly_gyroscopic(assembly *to, size_t station, double polar);
 
 /// Notes an inertia (kg m, of tilts kg m2) at `angle` (rad) that turns with the shaft, for machines whose speed
 /// changes; its force at the constant speed is added by others.
-void assembly_inertial_row(assembly *to, turning_inertia one);
 void assembly_inertial(assembly *to, size_t x, size_t y, double moment, double angle);
 
 /// Adds an unbalance of `moment` (kg m) at `angle` (rad, from the x axis at tau = 0).

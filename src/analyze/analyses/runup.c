@@ -84,7 +84,9 @@ enum { EVENT_COLUMNS = 8 };
 
 static size_t runup_every_event(const block_shape *shape) {
     const whirl_runup_options *o = &shape->options->runup;
-    return (o->trip_time > 0.0 || o->trip_speed > 0.0) + (*o->loss_at != '\0') + (size_t)o->event_count;
+    const whirl_system none = {.probe_count = 0};
+    runup_happening own[RUNUP_EVENTS];
+    return runup_events_of(o, &none, own) + (size_t)o->event_count;
 }
 
 static const field_plan fields[FIELD_COUNT] = {
@@ -513,7 +515,13 @@ static whirl_runup_options runup_with_table(const whirl_resting *point, const wh
 
 // ---------------------------------------------------------------- measured runs
 
-/// Takes a measured turn apart: means, orders and largest radii of all stations, and samples for spectra and orbits.
+/// Returns the speed of a measured turn, rad/s.
+static double runup_measured_speed(const whirl_measured *m, size_t n) {
+    return 2.0 * acos(-1.0) / (m->end[n] - m->time[n * m->samples]);
+}
+
+/// Takes a measured turn apart: means, orders and largest radii of all stations, the largest of the run so far, and
+/// samples for spectra and orbits.
 static void runup_read_turn(const filling *f, const whirl_measured *m, size_t n, runup_station *stations) {
     const size_t probes = f->system->probe_count;
     for (size_t p = 0; p < probes; p++) {
@@ -521,7 +529,14 @@ static void runup_read_turn(const filling *f, const whirl_measured *m, size_t n,
         stations[p] = (runup_station){.radius = 0.0};
         for (size_t k = 0; k < m->samples; k++) {
             const double share = 1.0 / (double)m->samples, angle = 2.0 * acos(-1.0) * (double)k * share;
-            stations[p].radius = fmax(stations[p].radius, hypot(x[k], y[k]));
+            const double radius = hypot(x[k], y[k]);
+            double *peak = view_numbers(f->view, PEAK, p); // missing before the first sample
+            if (!(radius <= *peak)) {
+                *peak = radius;
+                *view_numbers(f->view, PEAK_TIME, p) = m->time[n * m->samples + k];
+                *view_numbers(f->view, PEAK_SPEED, p) = runup_measured_speed(m, n);
+            }
+            stations[p].radius = fmax(stations[p].radius, radius);
             stations[p].mean[0] += share * x[k];
             stations[p].mean[1] += share * y[k];
             for (size_t order = 1; order <= RUNUP_ORDERS; order++) {
@@ -536,18 +551,6 @@ static void runup_read_turn(const filling *f, const whirl_measured *m, size_t n,
                 row[2 + 2 * p] = y[k];
             }
         }
-    }
-}
-
-/// Fills in the largest motion of a station: that of its samples.
-static void runup_fill_measured_peak(const block_view *view, const whirl_measured *m, size_t probe) {
-    for (size_t i = 0; i < m->turns * m->samples; i++) {
-        const double radius = hypot(m->x[probe * m->turns * m->samples + i], m->y[probe * m->turns * m->samples + i]);
-        const size_t turn = i / m->samples;
-        if (radius <= *view_numbers(view, PEAK, probe)) continue;
-        *view_numbers(view, PEAK, probe) = radius;
-        *view_numbers(view, PEAK_TIME, probe) = m->time[i];
-        *view_numbers(view, PEAK_SPEED, probe) = 2.0 * acos(-1.0) / (m->end[turn] - m->time[turn * m->samples]);
     }
 }
 
@@ -573,7 +576,7 @@ static whirl_status runup_fill_measured(const whirl_resting *point, const whirl_
         const double begin = m->time[n * m->samples], end = m->end[n];
         runup_read_turn(&f, m, n, stations);
         const runup_turn turn = {.time = 0.5 * (begin + end),
-                                 .speed = 2.0 * acos(-1.0) / (end - begin),
+                                 .speed = runup_measured_speed(m, n),
                                  .end = end,
                                  .turns = (double)(n + 1),
                                  .whole = true,
@@ -587,13 +590,8 @@ static whirl_status runup_fill_measured(const whirl_resting *point, const whirl_
     if (status.code == WHIRL_OK) {
         *view_numbers(view, END, 0) = RUNUP_DONE;
         *view_numbers(view, END_TIME, 0) = m->end[m->turns - 1];
-        *view_numbers(view, END_SPEED, 0) =
-            2.0 * acos(-1.0) / (m->end[m->turns - 1] - m->time[(m->turns - 1) * m->samples]);
+        *view_numbers(view, END_SPEED, 0) = runup_measured_speed(m, m->turns - 1);
         *view_numbers(view, END_TURNS, 0) = (double)m->turns;
-        for (size_t p = 0; p < probes; p++) {
-            *view_numbers(view, PEAK, p) = -1.0;
-            runup_fill_measured_peak(view, m, p);
-        }
         runup_fill_slow_roll(view, o, probes);
     }
     runup_views_free(&f.views);

@@ -882,8 +882,7 @@ static void runup_close(runner *r) {
     free(r->torque_where);
 }
 
-/// Returns the number of events of the options themselves, a trip and a loss, and writes them to out [RUNUP_EVENTS].
-static size_t runup_events_of(const whirl_runup_options *o, const whirl_system *system, runup_happening *out) {
+size_t runup_events_of(const whirl_runup_options *o, const whirl_system *system, runup_happening *out) {
     const whirl_run_event none = {.time = NAN, .speed = NAN, .after = WHIRL_NO_EVENT};
     size_t count = 0;
     if (o->trip_time > 0.0 || o->trip_speed > 0.0) {

@@ -73,6 +73,10 @@ typedef struct runup_happening {
 /// Most events: a trip and a loss of the options, and those of a course.
 enum { RUNUP_EVENTS = WHIRL_MAX_EVENTS + 2 };
 
+/// Writes the events of the options themselves, a trip and a loss, to out [RUNUP_EVENTS]; returns their number. The
+/// station of the loss is the first one of a system without stations.
+size_t runup_events_of(const whirl_runup_options *options, const whirl_system *system, runup_happening *out);
+
 typedef struct runup_run {
     runup_end end;
     double time, speed, turns; ///< when it ended

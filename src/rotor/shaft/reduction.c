@@ -398,39 +398,22 @@ static void reduce_terms(reducing *r) {
     free(old);
 }
 
-/// Transforms the inertia that turns with the shaft, as forces are transformed.
-static void reduce_turnings(reducing *r) {
-    assembly *of = r->of;
-    const size_t count = of->turning_count;
-    turning_inertia *old = of->turnings;
-    of->turnings = NULL;
-    of->turning_count = of->turning_room = 0;
-    for (size_t t = 0; t < count; t++) {
-        const blend *row = &r->old[old[t].row];
-        for (size_t a = 0; a < row->count; a++)
-            assembly_inertial_row(
-                of, (turning_inertia){row->of[a], row->weight[a] * old[t].cos, row->weight[a] * old[t].sin});
-    }
-    free(old);
-}
-
-/// Transforms the weights, as forces are transformed.
-static bool reduce_weights(reducing *r) {
-    assembly *of = r->of;
-    turning_inertia *made = calloc(r->degrees + 1, sizeof *made);
-    if (!made) return false;
-    for (size_t d = 0; d < r->degrees; d++) made[d].row = d;
-    for (size_t t = 0; t < of->weight_count; t++) {
-        const turning_inertia *old = &of->weights[t];
+/// Transforms loads [*count] of rows as forces are transformed: the inertia that turns with the shaft, or the weights.
+/// Returns false without memory.
+static bool reduce_loads(const reducing *r, turning_inertia **loads, size_t *count, size_t *room) {
+    size_t made = 0;
+    for (size_t t = 0; t < *count; t++) made += r->old[(*loads)[t].row].count;
+    turning_inertia *reduced = calloc(made + 1, sizeof *reduced), *next = reduced;
+    if (!reduced) return false;
+    for (size_t t = 0; t < *count; t++) {
+        const turning_inertia *old = &(*loads)[t];
         const blend *row = &r->old[old->row];
-        for (size_t a = 0; a < row->count; a++) {
-            made[row->of[a]].cos += row->weight[a] * old->cos;
-            made[row->of[a]].sin += row->weight[a] * old->sin;
-        }
+        for (size_t a = 0; a < row->count; a++)
+            *next++ = (turning_inertia){row->of[a], row->weight[a] * old->cos, row->weight[a] * old->sin};
     }
-    free(of->weights);
-    of->weights = made;
-    of->weight_count = of->weight_room = r->degrees;
+    free(*loads);
+    *loads = reduced;
+    *count = *room = made;
     return true;
 }
 
@@ -478,8 +461,10 @@ static whirl_status reduce(reducing *r, element *elements, size_t element_count,
     reduce_body(r, matrix, matrix + r->degrees * r->degrees);
     reduce_masses(r, matrix);
     reduce_terms(r);
-    reduce_turnings(r);
-    if (!reduce_weights(r)) r->of->no_memory = true;
+    assembly *of = r->of;
+    if (!reduce_loads(r, &of->turnings, &of->turning_count, &of->turning_room) ||
+        !reduce_loads(r, &of->weights, &of->weight_count, &of->weight_room))
+        of->no_memory = true;
     rename_all(r, elements, element_count);
     memcpy(r->of->inertia, r->inertia, r->degrees * sizeof *r->inertia);
     memcpy(r->of->unit, r->unit, r->degrees * sizeof *r->unit);
