@@ -38,10 +38,18 @@ whirl_result *run_case_at(const char *file, size_t batches, const double *values
     return result;
 }
 
-double table_number(const whirl_table *table, size_t point, const char *field, size_t which) {
+static double number_at(const whirl_table *table, size_t point, const char *field, size_t which, size_t column) {
     const double *value = whirl_table_field(table, point, field, which);
     if (!value) fail_msg("the result has no field %s", field);
-    return value ? *value : NAN;
+    return value ? value[column] : NAN;
+}
+
+double table_number(const whirl_table *table, size_t point, const char *field, size_t which) {
+    return number_at(table, point, field, which, 0);
+}
+
+double first_number(const whirl_result *result, const char *field, size_t which, size_t column) {
+    return number_at(&result->tables[0], 0, field, which, column);
 }
 
 whirl_case *case_of_text(const char *text) {

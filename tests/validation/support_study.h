@@ -21,4 +21,8 @@ whirl_result *result_of_text(const char *text);
 /// Number `which` of a field of a point; fails the test where the result has no such field.
 double table_number(const whirl_table *table, size_t point, const char *field, size_t which);
 
+/// Number `column` of a field of the first point of a result's first table, for its station, contact or row `which`;
+/// fails the test where the result has no such field.
+double first_number(const whirl_result *result, const char *field, size_t which, size_t column);
+
 #endif

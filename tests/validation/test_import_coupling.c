@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "support_check.h"
+#include "support_dense.h"
 #include "support_import.h"
 
 static const double pi = 3.14159265358979323846, speed = 300.0;
@@ -118,32 +119,6 @@ static void add_machine(pencil *to) {
 
 // ---------------------------------------------------------------- their eigenvalues
 
-/// Solves A x = b, in place of both, by elimination with pivots.
-static void solve(size_t n, double complex a[MOST][MOST], double complex b[MOST]) {
-    for (size_t c = 0; c < n; c++) {
-        size_t pivot = c;
-        for (size_t i = c + 1; i < n; i++)
-            if (cabs(a[i][c]) > cabs(a[pivot][c])) pivot = i;
-        for (size_t j = 0; j < n; j++) {
-            const double complex moved = a[c][j];
-            a[c][j] = a[pivot][j];
-            a[pivot][j] = moved;
-        }
-        const double complex moved = b[c];
-        b[c] = b[pivot];
-        b[pivot] = moved;
-        for (size_t i = c + 1; i < n; i++) {
-            const double complex factor = a[i][c] / a[c][c];
-            for (size_t j = c; j < n; j++) a[i][j] -= factor * a[c][j];
-            b[i] -= factor * b[c];
-        }
-    }
-    for (size_t i = n; i-- > 0;) {
-        for (size_t j = i + 1; j < n; j++) b[i] -= a[i][j] * b[j];
-        b[i] /= a[i][i];
-    }
-}
-
 /// The eigenvalue that Newton's method finds from a number near it (Ruhe 1973): y = P^-1 P' x, less x over y. It stops
 /// before P is singular to the last bit.
 static double complex eigenvalue_near(const pencil *of, double complex lambda) {
@@ -161,7 +136,7 @@ static double complex eigenvalue_near(const pencil *of, double complex lambda) {
                 y[i] += (2.0 * lambda * of->mass[i][j] + of->damping[i][j]) * x[j];
             }
         }
-        solve(n, a, y);
+        solve_dense(n, MOST, &a[0][0], y);
         for (size_t i = 0; i < n; i++) {
             above += conj(x[i]) * x[i];
             below += conj(x[i]) * y[i];

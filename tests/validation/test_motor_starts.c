@@ -34,9 +34,7 @@ static whirl_result *start(const char *rotor, const char *study) {
 }
 
 static double number(const whirl_result *result, const char *field, size_t index) {
-    const double *own = whirl_table_field(&result->tables[0], 0, field, 0);
-    assert_non_null(own);
-    return own[index];
+    return first_number(result, field, 0, index);
 }
 
 /// The largest torque `which` (least: its least), and when.

@@ -20,16 +20,9 @@ enum { SIZE = 4096 };
 
 static const double two_pi = 6.283185307179586476925;
 
-/// Of the first point of a result's first table.
-static double number(const whirl_result *result, const char *field, size_t which, size_t column) {
-    const double *own = whirl_table_field(&result->tables[0], 0, field, which);
-    assert_non_null(own);
-    return own[column];
-}
-
 /// When event `index` happened; its columns are those of the field.
 static double happened(const whirl_result *result, size_t index) {
-    return number(result, WHIRL_FIELD_RUNUP_HAPPENED, 0, 8 * index);
+    return first_number(result, WHIRL_FIELD_RUNUP_HAPPENED, 0, 8 * index);
 }
 
 /// A disc of 1 kg on a spring, with the elements and the study of a run.
@@ -65,9 +58,12 @@ static void speeds_of_a_table(void **state) {
                                     "      - {name: down, speed: 2.5 rad/s, passing: falling}\n"
                                     "      - {name: later, after: up, time: 3 s}\n"
                                     "      - {name: never, speed: 1.5 rad/s, passing: falling}\n");
-    check_within("Courses", "table: speed at the end", 2.0, number(result, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0), 1e-12);
-    check_within("Courses", "table: turns", 47.0 / two_pi, number(result, WHIRL_FIELD_RUNUP_END_TURNS, 0, 0), 1e-10);
-    check_within("Courses", "table: time at the end", 20.0, number(result, WHIRL_FIELD_RUNUP_END_TIME, 0, 0), 1e-10);
+    check_within("Courses", "table: speed at the end", 2.0, first_number(result, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0),
+                 1e-12);
+    check_within("Courses", "table: turns", 47.0 / two_pi, first_number(result, WHIRL_FIELD_RUNUP_END_TURNS, 0, 0),
+                 1e-10);
+    check_within("Courses", "table: time at the end", 20.0, first_number(result, WHIRL_FIELD_RUNUP_END_TIME, 0, 0),
+                 1e-10);
     check_within("Courses", "table: passed up", 7.5, happened(result, 0), 1e-10);
     check_within("Courses", "table: passed down", 17.0, happened(result, 1), 1e-10);
     check_within("Courses", "table: three seconds later", 10.5, happened(result, 2), 1e-10);
@@ -84,8 +80,9 @@ static void rate_of_a_formula(void **state) {
                                     "    speed_from: 2 rad/s\n"
                                     "    speed_to: 5 rad/s\n"
                                     "    duration: 25 s\n");
-    check_within("Courses", "rate: speed", speed, number(result, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0), 1e-10);
-    check_within("Courses", "rate: turns", angle / two_pi, number(result, WHIRL_FIELD_RUNUP_END_TURNS, 0, 0), 1e-9);
+    check_within("Courses", "rate: speed", speed, first_number(result, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0), 1e-10);
+    check_within("Courses", "rate: turns", angle / two_pi, first_number(result, WHIRL_FIELD_RUNUP_END_TURNS, 0, 0),
+                 1e-9);
     whirl_result_free(result);
 }
 
@@ -98,7 +95,7 @@ static void torque_of_a_formula(void **state) {
                                     "    load_law: = 2*speed\n"
                                     "    speed_to: 100 rad/s\n"
                                     "    duration: 30 s\n");
-    check_within("Courses", "torque: speed", speed, number(result, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0), 1e-9);
+    check_within("Courses", "torque: speed", speed, first_number(result, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0), 1e-9);
     whirl_result_free(result);
 }
 
@@ -116,8 +113,8 @@ static void formulas_are_elements(void **state) {
             "    - gravity: 2 m/s2\n"
             "    - drive: {inertia: 50 kg.m2, torque: 20 N.m, no_load_speed: 4 rad/s, load_quadratic: 0.5 N.m.s2}\n",
             studies[i]);
-        speed[i] = number(result, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0);
-        largest[i] = number(result, WHIRL_FIELD_RUNUP_PEAK, 0, 0);
+        speed[i] = first_number(result, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0);
+        largest[i] = first_number(result, WHIRL_FIELD_RUNUP_PEAK, 0, 0);
         whirl_result_free(result);
     }
     check_within("Courses", "formulas: speed", speed[0], speed[1], 1e-10);
@@ -138,8 +135,8 @@ static void ground_that_shakes(void **state) {
                                     "    speed_from: 3 rad/s\n"
                                     "    duration: 17 s\n"
                                     "    ground_x: = 0.3*sin(2*time)\n");
-    check_within("Courses", "ground: x", x, number(result, WHIRL_FIELD_RUNUP_PLACE, 0, 0), 1e-9);
-    check_within("Courses", "ground: y", 0.0, number(result, WHIRL_FIELD_RUNUP_PLACE, 0, 1), 1e-12);
+    check_within("Courses", "ground: x", x, first_number(result, WHIRL_FIELD_RUNUP_PLACE, 0, 0), 1e-9);
+    check_within("Courses", "ground: y", 0.0, first_number(result, WHIRL_FIELD_RUNUP_PLACE, 0, 1), 1e-12);
     whirl_result_free(result);
 }
 
@@ -175,9 +172,9 @@ static void ground_is_gravity(void **state) {
         char text[SIZE];
         snprintf(text, sizeof text, machine, runs[i].rotor, runs[i].gravity, runs[i].study);
         whirl_result *result = result_of_text(text);
-        speed[i] = number(result, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0);
-        largest[i] = number(result, WHIRL_FIELD_RUNUP_PEAK, 1, 0);
-        y[i] = number(result, WHIRL_FIELD_RUNUP_PLACE, 1, 1);
+        speed[i] = first_number(result, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0);
+        largest[i] = first_number(result, WHIRL_FIELD_RUNUP_PEAK, 1, 0);
+        y[i] = first_number(result, WHIRL_FIELD_RUNUP_PLACE, 1, 1);
         whirl_result_free(result);
     }
     for (size_t i = 0; i < 4; i += 2) {
@@ -204,8 +201,8 @@ static void event_of_a_formula(void **state) {
                  conditions[i]);
         whirl_result *result = run_disc(", eccentricity: 0.05 m", "", study);
         check_within("Courses", words("formula %zu: when", i), low, happened(result, 0), 1e-9);
-        check_within("Courses", words("formula %zu: the end", i), low, number(result, WHIRL_FIELD_RUNUP_END_TIME, 0, 0),
-                     1e-9);
+        check_within("Courses", words("formula %zu: the end", i), low,
+                     first_number(result, WHIRL_FIELD_RUNUP_END_TIME, 0, 0), 1e-9);
         whirl_result_free(result);
     }
 }
@@ -230,8 +227,8 @@ static void changes_one_after_another(void **state) {
         snprintf(study, sizeof study,
                  "    rate: 1e-14 rad/s2\n    speed_from: 3 rad/s\n    duration: 12 s\n    events:\n%s", orders[i]);
         whirl_result *result = run_disc("", "    - gravity: 1 m/s2\n", study);
-        check_within("Courses", words("changes %zu: y", i), 10.0 * x, number(result, WHIRL_FIELD_RUNUP_PLACE, 0, 1),
-                     1e-8);
+        check_within("Courses", words("changes %zu: y", i), 10.0 * x,
+                     first_number(result, WHIRL_FIELD_RUNUP_PLACE, 0, 1), 1e-8);
         whirl_result_free(result);
     }
 }

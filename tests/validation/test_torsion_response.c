@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "support_check.h"
+#include "support_dense.h"
 #include "support_study.h"
 #include "whirl/engine/fields.h"
 #include "whirl/engine/result.h"
@@ -38,32 +39,6 @@ static void check_amplitude(const char *what, double complex known, double size,
     check_within("Torsion", what, cabs(known), size, 1e-10 * cabs(known));
     const double apart = remainder(lag + carg(known) * 360.0 / two_pi, 360.0);
     check_within("Torsion", words("%s: lag, degrees", what), 0.0, apart, 1e-8);
-}
-
-/// Solves a x = b [n] by elimination with row exchanges.
-static void solve(size_t n, double complex a[MOST][MOST], double complex *b) {
-    for (size_t k = 0; k < n; k++) {
-        size_t best = k;
-        for (size_t i = k; i < n; i++)
-            if (cabs(a[i][k]) > cabs(a[best][k])) best = i;
-        for (size_t j = 0; j < n; j++) {
-            const double complex kept = a[k][j];
-            a[k][j] = a[best][j];
-            a[best][j] = kept;
-        }
-        const double complex kept = b[k];
-        b[k] = b[best];
-        b[best] = kept;
-        for (size_t i = k + 1; i < n; i++) {
-            const double complex factor = a[i][k] / a[k][k];
-            for (size_t j = k; j < n; j++) a[i][j] -= factor * a[k][j];
-            b[i] -= factor * b[k];
-        }
-    }
-    for (size_t k = n; k-- > 0;) {
-        for (size_t j = k + 1; j < n; j++) b[k] -= a[k][j] * b[j];
-        b[k] /= a[k][k];
-    }
 }
 
 /// Joins two of the angles by stiffness and damping.
@@ -210,7 +185,7 @@ static void geared_train(void **state) {
         a[1][4] = a[4][1] = 0.3;
         a[2][4] = a[4][2] = 0.1;
         train_torques(i, x);
-        solve(5, a, x);
+        solve_dense(5, MOST, &a[0][0], x);
         check_amplitude(words("train, %gX: motor to wheel", orders[i]), (9.8e6 + 2e3 * I * w) * (x[0] - x[1]),
                         number_of(result, WHIRL_FIELD_TORSION_TORQUE, 0, i),
                         number_of(result, WHIRL_FIELD_TORSION_TORQUE_LAG, 0, i));
@@ -287,7 +262,7 @@ static void mesh_with_error(void **state) {
     join(a, 0, 1, shaft);
     x[1] = k * r[0] * error;
     x[2] = k * r[1] * error;
-    solve(3, a, x);
+    solve_dense(3, MOST, &a[0][0], x);
     check_within("Torsion", "order of the mesh", 23.0, number_of(result, WHIRL_FIELD_TORSION_ORDER, 0, 0), 1e-12);
     check_amplitude("mesh with an error: shaft", shaft * (x[0] - x[1]),
                     number_of(result, WHIRL_FIELD_TORSION_TORQUE, 0, 0),
