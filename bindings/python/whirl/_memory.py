@@ -54,19 +54,19 @@ class MemorySource:
     @classmethod
     def read(cls, path):
         """Reads a whole file, which the library checks."""
-        ensure_allowed()
-        out, name = ffi.new("whirl_result **"), path_bytes(path)
-        require_file(path, "the result")
-        check(lib.whirl_result_read(name, out))
-        return cls(out[0])
+        return cls._from(path, "the result", lib.whirl_result_read)
 
     @classmethod
     def record(cls, path):
         """Reads a measured record."""
+        return cls._from(path, "the record", lib.whirl_result_read_record)
+
+    @classmethod
+    def _from(cls, path, what, read):
         ensure_allowed()
         out, name = ffi.new("whirl_result **"), path_bytes(path)
-        require_file(path, "the record")
-        check(lib.whirl_result_read_record(name, out))
+        require_file(path, what)
+        check(read(name, out))
         return cls(out[0])
 
     @classmethod
