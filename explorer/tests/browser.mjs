@@ -1,8 +1,10 @@
 // What the tests in a browser share: the page of a small run, opened from disk in Chromium, and what it complains of.
 //
 //   tests/run.sh WHIRL TEMPLATE
+import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -120,3 +122,20 @@ export async function saved(page, panel, kind) {
   const [file] = await Promise.all([page.waitForEvent('download'), page.click(`${panel} [data-save="${kind}"]`)]);
   return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
 }
+
+/// What axe finds on the page but in what `exclude` selects, one line for each thing.
+export async function axeFindings(page, exclude = []) {
+  await page.evaluate(readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8'));
+  const { violations, passes } = await page.evaluate(
+    (left) => window.axe.run({ exclude: left }, { resultTypes: ['violations', 'passes'] }),
+    exclude,
+  );
+  assert.ok(passes.length > 10, 'axe has looked');
+  return violations.flatMap(({ id, nodes }) =>
+    nodes.map(({ target, failureSummary }) => `${id}: ${target.join(' ')}: ${failureSummary.replace(/\s+/g, ' ')}`),
+  );
+}
+
+/// By how many pixels the page is wider than its window.
+export const beyondWindow = (page) =>
+  page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);

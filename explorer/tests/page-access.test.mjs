@@ -1,11 +1,7 @@
 // Explorer and report as axe-core sees them: names, roles, contrast, order of headings, in the light and in the dark.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { after, before, test } from 'node:test';
-import { CASE, closeBrowser, makePage, open, settled } from './browser.mjs';
-
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+import { axeFindings, CASE, closeBrowser, makePage, open, settled } from './browser.mjs';
 
 const MAP = CASE.replace(
   / {2}sweep:.*/,
@@ -19,48 +15,36 @@ before(() => {
 });
 after(closeBrowser);
 
-/// What axe finds, one line for each thing.
-async function findings(page) {
-  await page.evaluate(axe);
-  const { violations, passes } = await page.evaluate(() =>
-    window.axe.run(document, { resultTypes: ['violations', 'passes'] }),
-  );
-  assert.ok(passes.length > 10, 'axe has looked');
-  return violations.flatMap(({ id, nodes }) =>
-    nodes.map(({ target, failureSummary }) => `${id}: ${target.join(' ')}: ${failureSummary.replace(/\s+/g, ' ')}`),
-  );
-}
-
 for (const colorScheme of ['light', 'dark']) {
   test(`axe finds nothing on the explorer, ${colorScheme}`, async () => {
     const { page, close } = await open(`${address}#at=3.8&b=1.5`, { colorScheme });
     await settled(page);
     await settled(page, 'b');
-    assert.deepEqual(await findings(page), []);
+    assert.deepEqual(await axeFindings(page), []);
     await page.click('button[aria-label="Close setting B"]');
     await page.click('.computation summary');
     await page.fill('#parameter-kappa', '-3');
     await page.press('#parameter-kappa', 'Enter');
     await page.waitForSelector('.settings-card .trouble:not(:empty)');
     await page.click('.map-card .menu summary');
-    assert.deepEqual(await findings(page), [], 'with a trouble and an open menu');
+    assert.deepEqual(await axeFindings(page), [], 'with a trouble and an open menu');
     await page.click('button[aria-label="Help"]');
-    assert.deepEqual(await findings(page), [], 'with the help');
+    assert.deepEqual(await axeFindings(page), [], 'with the help');
     await close();
   });
 
   test(`axe finds nothing on a map, ${colorScheme}`, async () => {
     const { page, close } = await open(`${ofMap}#b=2`, { colorScheme });
     await settled(page);
-    assert.deepEqual(await findings(page), []);
+    assert.deepEqual(await axeFindings(page), []);
     await page.selectOption('select[aria-label="What the map shows"]', 'exponent');
-    assert.deepEqual(await findings(page), [], 'with a bar of colours');
+    assert.deepEqual(await axeFindings(page), [], 'with a bar of colours');
     await close();
   });
 
   test(`axe finds nothing on the report, ${colorScheme}`, async () => {
     const { page, close } = await open(address.replace('explorer.html', 'report.html'), { colorScheme });
-    assert.deepEqual(await findings(page), []);
+    assert.deepEqual(await axeFindings(page), []);
     await close();
   });
 }
@@ -68,6 +52,6 @@ for (const colorScheme of ['light', 'dark']) {
 test('axe finds nothing on the explorer on a phone', async () => {
   const { page, close } = await open(`${address}#at=3.8`, { viewport: { width: 360, height: 780 } });
   await settled(page);
-  assert.deepEqual(await findings(page), []);
+  assert.deepEqual(await axeFindings(page), []);
   await close();
 });

@@ -1,10 +1,9 @@
 // All of a lateral result in one page: what `whirl show --json` and `whirl figure` have of every table, word for word.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { closeBrowser, command, folder, makePage, open, saved } from './browser.mjs';
+import { axeFindings, beyondWindow, closeBrowser, command, folder, makePage, open, saved } from './browser.mjs';
 
 // The last stations alone have probes; `response` is a motion that the page computes, `motions` are not.
 const COMPRESSOR = `whirl: 1
@@ -241,8 +240,6 @@ test('marks at the ends of a sweep are drawn whole', async () => {
   await close();
 });
 
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-
 for (const [colorScheme, width] of [
   ['light', 390],
   ['dark', 1280],
@@ -250,21 +247,10 @@ for (const [colorScheme, width] of [
   test(`axe finds nothing, and nothing is cut, ${colorScheme}, ${width} pixels`, async () => {
     const { page, complaints, close } = await opened('', { colorScheme, viewport: { width, height: 780 } });
     await everyPart(page, async (part) => {
-      const beyond = await page.evaluate(
-        () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
-      );
-      assert.equal(beyond, 0, part);
+      assert.equal(await beyondWindow(page), 0, part);
       if (!/machine|modes_low/.test(part)) return;
-      await page.evaluate(axe);
-      const { violations, passes } = await page.evaluate(() =>
-        // Drawings have thousands of parts, which nobody reads by a program.
-        window.axe.run({ exclude: ['svg'] }, { resultTypes: ['violations', 'passes'] }),
-      );
-      assert.ok(passes.length > 10, 'axe has looked');
-      assert.deepEqual(
-        violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${part}: ${id}: ${target.join(' ')}`)),
-        [],
-      );
+      // Drawings have thousands of parts, which nobody reads by a program.
+      assert.deepEqual(await axeFindings(page, ['svg']), [], part);
     });
     assert.deepEqual(complaints, []);
     await close();

@@ -1,10 +1,9 @@
 // Machines at rest in the explorer: Campbell's diagram, shapes and the response to unbalance, against the result file.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { brush, closeBrowser, command, folder, makePage, open, saved } from './browser.mjs';
+import { axeFindings, beyondWindow, brush, closeBrowser, command, folder, makePage, open, saved } from './browser.mjs';
 
 const FAN = `whirl: 1
 title: An overhung fan
@@ -349,8 +348,6 @@ test('one point without a parameter has its modes and no diagram; what it rests 
   await close();
 });
 
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-
 for (const colorScheme of ['light', 'dark'])
   test(`axe finds nothing, and nothing is cut, ${colorScheme}`, async () => {
     for (const [address, viewport] of [
@@ -359,17 +356,8 @@ for (const colorScheme of ['light', 'dark'])
       [modes, { width: 360, height: 780 }],
     ]) {
       const { page, complaints, close } = await opened(address, { colorScheme, viewport });
-      await page.evaluate(axe);
-      const { violations, passes } = await page.evaluate(() =>
-        window.axe.run(document, { resultTypes: ['violations', 'passes'] }),
-      );
-      assert.ok(passes.length > 10, 'axe has looked');
-      const found = violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id}: ${target.join(' ')}`));
-      assert.deepEqual(found, []);
-      const beyond = await page.evaluate(
-        () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
-      );
-      assert.equal(beyond, 0);
+      assert.deepEqual(await axeFindings(page), []);
+      assert.equal(await beyondWindow(page), 0);
       assert.deepEqual(complaints, []);
       await close();
     }

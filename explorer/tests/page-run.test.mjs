@@ -1,10 +1,9 @@
 // A run-up in the explorer: what is stored, what is computed anew, and its cursor, against the result file.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { closeBrowser, command, folder, makePage, open, saved } from './browser.mjs';
+import { axeFindings, beyondWindow, closeBrowser, command, folder, makePage, open, saved } from './browser.mjs';
 
 const RAMP = `whirl: 1
 title: A rotor that rubs on its way up
@@ -150,7 +149,6 @@ test('a run is played, paused and stopped', async () => {
   await close();
 });
 
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 for (const colorScheme of ['light', 'dark'])
   test(`axe finds nothing, and nothing is cut, ${colorScheme}`, async () => {
     for (const viewport of [
@@ -160,17 +158,8 @@ for (const colorScheme of ['light', 'dark'])
       const { page, complaints, close } = await opened(`${ramp}#t=300`, { colorScheme, viewport });
       await page.click('.run .pane-value >> text=Compute');
       await computed(page);
-      await page.evaluate(axe);
-      const { violations, passes } = await page.evaluate(() =>
-        window.axe.run(document, { resultTypes: ['violations', 'passes'] }),
-      );
-      assert.ok(passes.length > 10, 'axe has looked');
-      const found = violations.flatMap(({ id, nodes }) => nodes.map(({ target }) => `${id}: ${target.join(' ')}`));
-      assert.deepEqual(found, []);
-      const beyond = await page.evaluate(
-        () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
-      );
-      assert.equal(beyond, 0);
+      assert.deepEqual(await axeFindings(page), []);
+      assert.equal(await beyondWindow(page), 0);
       assert.deepEqual(complaints, []);
       await close();
     }

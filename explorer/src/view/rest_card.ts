@@ -1,11 +1,11 @@
 // The card of a pair of charts of a machine at rest: choice of quantities, mode of dragging, located points.
 import type { AtRest } from '../data/rest';
-import { button, el, Segments } from '../dom';
+import { button, el } from '../dom';
 import { naturalMeasure, parameterMeasure, shownWhole } from '../model/units';
 import { criticalText, dampingText } from './campbell';
-import { fileName, saveMenu } from './panel';
+import { chartFrame, dragModes } from './chart_frame';
 import { keyElements, type RestChart, type RestSubject } from './rest_subject';
-import type { Mode, StackListener } from './stack';
+import type { StackListener } from './stack';
 import { numbersTable } from './numbers';
 
 export interface RestCardSubject extends RestSubject {
@@ -32,17 +32,8 @@ export class RestCard {
     private readonly chart: RestChart,
     private readonly listener: RestCardListener,
   ) {
-    const { title, stack } = chart;
-    const modes = new Segments(
-      'What dragging does',
-      [
-        { value: 'point', text: 'Point', title: 'Drag: the numbers at the value under the cursor' },
-        { value: 'range', text: 'Range', title: 'Drag: enlarge that range, or that rectangle' },
-        { value: 'pan', text: 'Pan', title: 'Drag: move the view; the wheel zooms' },
-      ],
-      'point',
-      (value) => (stack.mode = value as Mode),
-    );
+    const { stack } = chart;
+    const modes = dragModes(stack, 'the numbers at the value');
     this.back = button('Back', 'Back to the view before', () => stack.back());
     this.reset = button('Reset', 'The whole diagram', () => {
       stack.fit();
@@ -50,32 +41,7 @@ export class RestCard {
     });
     this.tools = el('div', { class: 'tools' }, modes.root, this.back, this.reset);
     this.critical.setAttribute('aria-label', 'Located values of the parameter, to go to');
-    const figure = { root: stack.root, redraw: () => stack.redraw(), picture: () => chart.picture() };
-    this.root = el(
-      'section',
-      { class: 'card map-card', 'aria-label': title },
-      el(
-        'header',
-        {},
-        el('h2', {}, title),
-        el(
-          'div',
-          { class: 'tools' },
-          ...chart.tools,
-          saveMenu(
-            title,
-            () => fileName('whirl', this.name, title),
-            () => figure,
-            () => chart.table(),
-          ),
-        ),
-      ),
-      this.tools,
-      stack.root,
-      this.legend,
-      this.critical,
-      this.status,
-    );
+    this.root = chartFrame(chart, () => this.name, this.tools, stack.root, this.legend, this.critical, this.status);
   }
 
   show(subject: RestCardSubject): void {

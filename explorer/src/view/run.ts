@@ -1,20 +1,20 @@
 // The page of a run-up: what moves it, the run over time and speed, and its turn at the cursor, which plays.
 import { FIELD } from '../data/fields';
 import type { RunUp } from '../data/runup';
-import { button, el, isTouched, select, Segments, setChoices } from '../dom';
+import { button, el, isTouched, select, setChoices } from '../dom';
 import type { Range } from '../figure/chart';
 import { shortName } from '../model/machine';
 import type { Session } from '../model/session';
 import { markField, typedQuantity } from '../model/typed';
 import { amplitudeMeasure, lengthMeasure, parameterMeasure, shown, written } from '../model/units';
+import { chartFrame, dragModes } from './chart_frame';
 import { numbersTable } from './numbers';
-import { fileName, saveMenu, type Panel } from './panel';
+import type { Panel } from './panel';
 import { keyElements } from './rest_subject';
 import { RunOverSpeed, RunOverTime, type RunChart } from './run_charts';
 import { RunOrbitPanel, RunSpectrumPanel, RunWaterfallPanel } from './run_panels';
 import type { RunSubject } from './run_subject';
 import { SettingsCard, type SettingsListener } from './settings_card';
-import type { Mode } from './stack';
 
 export interface RunListener {
   readonly settings: SettingsListener;
@@ -365,43 +365,17 @@ class ChartCard {
   private shown: { readonly run: RunUp; readonly of: string } | undefined;
 
   constructor(private readonly chart: RunChart) {
-    const { title, stack } = chart;
-    const modes = new Segments(
-      'What dragging does',
-      [
-        { value: 'point', text: 'Point', title: 'Drag: the turn under the cursor' },
-        { value: 'range', text: 'Range', title: 'Drag: enlarge that range, or that rectangle' },
-        { value: 'pan', text: 'Pan', title: 'Drag: move the view; the wheel zooms' },
-      ],
-      'point',
-      (value) => (stack.mode = value as Mode),
-    );
+    const { stack } = chart;
+    const modes = dragModes(stack, 'the turn');
     this.backButton = button('Back', 'Back to the view before', () => stack.back());
     const reset = button('Reset', 'The whole run', () => {
       stack.fit();
       this.views = [];
       this.refresh();
     });
-    const figure = { root: stack.root, redraw: () => stack.redraw(), picture: () => chart.picture() };
-    this.root = el(
-      'section',
-      { class: 'card map-card', 'aria-label': title },
-      el(
-        'header',
-        {},
-        el('h2', {}, title),
-        el(
-          'div',
-          { class: 'tools' },
-          ...chart.tools,
-          saveMenu(
-            title,
-            () => fileName('whirl', this.subject?.name ?? '', title),
-            () => figure,
-            () => chart.table(),
-          ),
-        ),
-      ),
+    this.root = chartFrame(
+      chart,
+      () => this.subject?.name ?? '',
       el('div', { class: 'tools' }, modes.root, this.backButton, reset),
       stack.root,
       this.legend,
