@@ -52,17 +52,7 @@ export class SettingsCard {
       ),
       this.trouble,
       this.parameters.root,
-      el(
-        'details',
-        { class: 'computation', hidden: !moves },
-        el('summary', {}, 'How motions are computed'),
-        el(
-          'div',
-          { class: 'fields' },
-          this.labelled('Method', this.method),
-          ...LENGTHS_OF_RUNS.map(({ key, label }) => this.labelled(label, this.fields.get(key)!)),
-        ),
-      ),
+      ...(moves ? [this.computationFields()] : []),
       el(
         'div',
         { class: 'tools keep' },
@@ -73,6 +63,21 @@ export class SettingsCard {
         button('Copy link', 'Copy the address of this page with the present setting', () => listener.copyLink()),
       ),
       this.notice,
+    );
+  }
+
+  /// Builds the fields of method and lengths, folded.
+  private computationFields(): HTMLElement {
+    return el(
+      'details',
+      { class: 'computation' },
+      el('summary', {}, 'How motions are computed'),
+      el(
+        'div',
+        { class: 'fields' },
+        this.labelled('Method', this.method),
+        ...LENGTHS_OF_RUNS.map(({ key, label }) => this.labelled(label, this.fields.get(key)!)),
+      ),
     );
   }
 
