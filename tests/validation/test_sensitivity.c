@@ -457,6 +457,17 @@ static void expressions_of_a_case(void **unused) {
 
 // ---------------------------------------------------------------- motions
 
+/// Carries a state x and its derivative by the one parameter, s, in the unit of the extended machine.
+static void carry_parameter(const whirl_extended *extended, const char *method, int steps, int revolutions, double *x,
+                            double *s) {
+    whirl_integrator *integrator = make_integrator(whirl_extended_system(extended), method, steps);
+    whirl_perturbations set = {.count = 1, .vectors = s};
+    require_ok(whirl_integrator_follow(integrator, 1));
+    for (int i = 0; i < revolutions; i++)
+        assert_int_equal(whirl_integrator_carry(integrator, x, &set, NULL, NULL), WHIRL_BOUNDED);
+    whirl_integrator_free(integrator);
+}
+
 /// A disc on a spring and a damper, free: m w^2 z'' + c w z' + k z = 0, z = a e^(r tau), dz/dk = a tau dr/dk e^(r tau).
 static void free_motion(void **unused) {
     (void)unused;
@@ -469,27 +480,27 @@ static void free_motion(void **unused) {
     const whirl_study study = {.machine = make_sample, .family = &own};
     const whirl_batch batch = {.count = 1};
     whirl_sensitivity *sensitivity;
-    const whirl_system *joint;
+    whirl_extended *extended;
     require_ok(whirl_sensitivity_new(&study, &batch, stiffness, 0.0, &sensitivity));
-    require_ok(whirl_sensitivity_system(sensitivity, &joint));
-    assert_int_equal(joint->dimension, 8);
+    require_ok(whirl_extended_new(1, &sensitivity, &extended));
+    assert_int_equal(whirl_extended_system(extended)->dimension, 5);
+    const double unit = whirl_extended_unit(extended, 0);
     for (size_t m = 0; m < COUNT_OF(methods); m++) {
         const double complex root = csqrt(120.0 * 120.0 - 4.0 * mass * stiffness);
         const double complex r = (-120.0 + root) / (2.0 * mass * speed);
         const double complex by_stiffness = -1.0 / (root * speed);
-        const double complex a = 0.3 + 0.2 * I;
-        double x[8] = {
-            creal(a), cimag(a), creal(a * r), cimag(a * r), 0.0, 0.0, creal(a * by_stiffness), cimag(a * by_stiffness)};
-        whirl_integrator *integrator = make_integrator(joint, methods[m], 2048);
-        revolve(integrator, x, 3);
+        const double complex a = 0.3 + 0.2 * I, rate = unit * a * by_stiffness;
+        double x[5] = {creal(a), cimag(a), creal(a * r), cimag(a * r)};
+        double s[5] = {0.0, 0.0, creal(rate), cimag(rate), 1.0};
+        carry_parameter(extended, methods[m], 2048, 3, x, s);
         const double tau = 3.0 * two_pi;
         const double complex z = a * cexp(r * tau), dz = z * tau * by_stiffness;
         check_within("Sensitivity", words("motion that dies out after 3 revolutions, %s", methods[m]), 0.0,
                      cabs(x[0] + I * x[1] - z) / cabs(a), 1e-9);
         check_within("Sensitivity", words("its derivative by the stiffness, %s", methods[m]), 0.0,
-                     cabs(x[4] + I * x[5] - dz) / cabs(a * tau * by_stiffness), 1e-9);
-        whirl_integrator_free(integrator);
+                     cabs((s[0] + I * s[1]) / unit - dz) / cabs(a * tau * by_stiffness), 1e-9);
     }
+    whirl_extended_free(extended);
     whirl_sensitivity_free(sensitivity);
 }
 
@@ -519,44 +530,49 @@ static whirl_status make_rub(const void *context, const whirl_batch *batch, doub
     return status;
 }
 
-static void revolve_rub(double gap, double *x, int revolutions) {
+static void revolve_rub(const double *damping, double gap, double *x, int revolutions) {
     whirl_machine machine;
-    require_ok(make_rub(NULL, NULL, gap, &machine));
+    require_ok(make_rub(damping, NULL, gap, &machine));
     whirl_integrator *integrator = make_integrator(machine.system, "dop853", 64);
     revolve(integrator, x, revolutions);
     whirl_integrator_free(integrator);
     machine.release(machine.owner);
 }
 
-/// A motion in and out of contact: its derivative by the gap against differences of motions.
+/// A motion in and out of contact: its derivative by the gap against differences of motions. A damped contact jumps
+/// where it touches.
 static void through_contacts(void **unused) {
     (void)unused;
     enum { REVOLUTIONS = 3 };
-    const whirl_study study = {.machine = make_rub};
-    const whirl_batch batch = {.count = 1};
-    const double start[4] = {0.1, -0.2}, step = 1e-3;
+    static const double damped = 0.4, start[4] = {0.1, -0.2}, step = 1e-3;
     static const double weights[] = {-1.0 / 12.0, 2.0 / 3.0, -2.0 / 3.0, 1.0 / 12.0}, places[] = {2.0, 1.0, -1.0, -2.0};
-    double x[8] = {0.0}, difference[4] = {0.0}, worst = 0.0, size = 0.0;
-    whirl_sensitivity *sensitivity;
-    const whirl_system *joint;
-    require_ok(whirl_sensitivity_new(&study, &batch, 1.0, 0.0, &sensitivity));
-    require_ok(whirl_sensitivity_system(sensitivity, &joint));
-    memcpy(x, start, sizeof start);
-    whirl_integrator *integrator = make_integrator(joint, "dop853", 64);
-    revolve(integrator, x, REVOLUTIONS);
-    for (int k = 0; k < 4; k++) {
-        double end[4];
-        memcpy(end, start, sizeof end);
-        revolve_rub(1.0 + places[k] * step, end, REVOLUTIONS);
-        for (int i = 0; i < 4; i++) difference[i] += weights[k] * end[i] / step;
+    const double *dampings[] = {NULL, &damped};
+    for (int which = 0; which < 2; which++) {
+        const whirl_study study = {.machine = make_rub, .family = dampings[which]};
+        const whirl_batch batch = {.count = 1};
+        double x[5] = {0.0}, s[5] = {[4] = 1.0}, difference[4] = {0.0}, worst = 0.0, size = 0.0;
+        whirl_sensitivity *sensitivity;
+        whirl_extended *extended;
+        require_ok(whirl_sensitivity_new(&study, &batch, 1.0, 0.0, &sensitivity));
+        require_ok(whirl_extended_new(1, &sensitivity, &extended));
+        memcpy(x, start, sizeof start);
+        carry_parameter(extended, "dop853", 64, REVOLUTIONS, x, s);
+        for (int k = 0; k < 4; k++) {
+            double end[4];
+            memcpy(end, start, sizeof end);
+            revolve_rub(dampings[which], 1.0 + places[k] * step, end, REVOLUTIONS);
+            for (int i = 0; i < 4; i++) difference[i] += weights[k] * end[i] / step;
+        }
+        for (int i = 0; i < 4; i++) {
+            size = fmax(size, fabs(difference[i]));
+            worst = fmax(worst, fabs(s[i] / whirl_extended_unit(extended, 0) - difference[i]));
+        }
+        check_within("Sensitivity",
+                     words("motion through %scontacts by the gap, part of the derivative", which ? "damped " : ""), 0.0,
+                     worst / size, 1e-8);
+        whirl_extended_free(extended);
+        whirl_sensitivity_free(sensitivity);
     }
-    for (int i = 0; i < 4; i++) {
-        size = fmax(size, fabs(difference[i]));
-        worst = fmax(worst, fabs(x[4 + i] - difference[i]));
-    }
-    check_within("Sensitivity", "motion through contacts by the gap, part of the derivative", 0.0, worst / size, 1e-8);
-    whirl_integrator_free(integrator);
-    whirl_sensitivity_free(sensitivity);
 }
 
 static void refused(void **unused) {
@@ -564,21 +580,128 @@ static void refused(void **unused) {
     const double damping = 0.1;
     const whirl_study study = {.machine = make_rub, .family = &damping};
     const whirl_batch batch = {.count = 1};
-    const whirl_system *joint;
+    whirl_extended *extended;
     whirl_sensitivity *sensitivity;
     assert_int_equal(whirl_sensitivity_new(&study, &batch, 0.0, 0.0, &sensitivity).code, WHIRL_BAD_INPUT);
     assert_null(sensitivity);
     assert_int_equal(whirl_sensitivity_new(&study, &batch, -1.0, 0.0, &sensitivity).code, WHIRL_BAD_INPUT);
     // Half the gap beside it is no gap any more: the reach is halved until all can be built.
     require_ok(whirl_sensitivity_new(&study, &batch, 1.0, 4.0, &sensitivity));
-    assert_int_equal(whirl_sensitivity_system(sensitivity, &joint).code, WHIRL_BAD_INPUT);
-    assert_null(joint);
+    assert_int_equal(whirl_extended_new(WHIRL_MAX_SENSITIVITIES + 1, &sensitivity, &extended).code, WHIRL_BAD_INPUT);
+    assert_null(extended);
     whirl_sensitivity_free(sensitivity);
+}
+
+// ---------------------------------------------------------------- orbits
+
+/// The rotor of jeffcott-rub.yaml with a gap that varies, and a damped contact.
+static const char *const rubbing = "whirl: 1\n"
+                                   "parameters: {omega: 1 rad/s, e: 0.9, g: 1 m, k_r: 10 N/m, mu: 0.05,\n"
+                                   "             c: 0.2 N s/m, c_c: %g N s/m}\n"
+                                   "rotor:\n"
+                                   "  speed: = omega\n"
+                                   "  length_scale: 1 m\n"
+                                   "  stations: {disc: {mass: 1 kg, damping: = c, eccentricity: = e}}\n"
+                                   "  elements:\n"
+                                   "    - shaft: {between: [disc, ground], k1: 1 N/m}\n"
+                                   "    - rub: {at: disc, gap: = g, stiffness: = k_r, friction: = mu, damping: = c_c}\n"
+                                   "    - gravity: 0.5\n"
+                                   "study:\n"
+                                   "  sweep: {parameter: omega, from: 0.8, to: 1.2, points: 3}\n";
+
+/// Makes derivatives of the orbit at a speed by parameters, sampled at `instants`.
+static void derive_orbit(double damping, double omega, size_t count, const char *const *names, size_t instants,
+                         double *multipliers, whirl_orbit_sensitivity **out) {
+    static const double start[4] = {0.7, 0.0, 0.0, 0.7};
+    char text[1024];
+    whirl_case *object;
+    whirl_study study;
+    whirl_machine machine;
+    whirl_orbit *orbit;
+    whirl_sensitivity *by[8];
+    whirl_extended *extended;
+    // Read the case, and settle to its orbit.
+    const int length = snprintf(text, sizeof text, rubbing, damping);
+    require_ok(whirl_case_parse(text, (size_t)length, "rubbing", NULL, &object));
+    require_ok(whirl_case_study(object, &study));
+    whirl_batch batch = study.batches[0];
+    require_ok(study.machine(study.family, &batch, omega, &machine));
+    double x[4];
+    memcpy(x, start, sizeof x);
+    whirl_integrator *integrator = make_integrator(machine.system, "dop853", 64);
+    revolve(integrator, x, 60);
+    whirl_integrator_free(integrator);
+    const whirl_orbit_options options = whirl_orbit_default();
+    require_ok(whirl_orbit_find(machine.system, x, 1, &options, &orbit));
+    for (size_t i = 0; i < 4; i++) {
+        multipliers[2 * i] = orbit->multipliers[i].real;
+        multipliers[2 * i + 1] = orbit->multipliers[i].imaginary;
+    }
+    // Derive it by all parameters at once.
+    const whirl_given speed = {"omega", omega};
+    batch.given_count = 1;
+    batch.given = &speed;
+    for (size_t p = 0; p < count; p++) {
+        double value;
+        snprintf(batch.parameter, sizeof batch.parameter, "%s", names[p]);
+        require_ok(whirl_case_parameter(object, names[p], &value));
+        require_ok(whirl_sensitivity_new(&study, &batch, value, 0.0, &by[p]));
+    }
+    require_ok(whirl_extended_new(count, by, &extended));
+    require_ok(whirl_orbit_sensitivity_new(extended, orbit, &options, instants, out));
+    whirl_extended_free(extended);
+    for (size_t p = 0; p < count; p++) whirl_sensitivity_free(by[p]);
+    whirl_orbit_free(orbit);
+    machine.release(machine.owner);
+    whirl_case_free(object);
+}
+
+/// Digits by two methods (exact tangents by an independent program; Richardson differences of extended orbits): x, vx,
+/// y, vy at the beginning, and their derivatives.
+static void orbits(void **unused) {
+    (void)unused;
+    static const char *const plain[] = {"e", "g", "k_r", "mu", "c"}, *const damped[] = {"g", "k_r", "mu", "c_c", "e"};
+    static const double at_one[4] = {1.0656288887827, 0.4205497609761, -0.1201842858761, 0.8307397392019};
+    static const double by_plain[4][5] = {
+        {0.9149625338, 0.85140170751, 0.05302969984, 0.46459080153, -0.97320410963},
+        {-1.54695250874, 0.49252677866, -0.07299928229, 1.56363032889, 0.68083923243},
+        {0.49979393065, -0.47533199073, 0.00129752106, -1.66389297321, -1.24995470462},
+        {-0.1821677677, 1.2194779335, -0.05948382157, -1.45833940417, 0.52617270093}};
+    static const double at_damped[4] = {0.8663115188159, 0.2188811001760, -0.2621935556059, 0.5050475272372};
+    static const double by_damped[4][5] = {
+        {0.67045869347, 0.00241988908, -1.25784208475, 0.509566534, 0.66383841692},
+        {-0.01886040779, 0.01755357171, -0.0078521765, 0.34705228127, 0.53229905624},
+        {-0.51811106553, 0.0093675537, -0.70495751138, -0.16267058181, 0.56770455722},
+        {1.27530306952, -0.03397371348, 0.63227300053, -0.4653543606, -0.77527509466}};
+    static const size_t place[4] = {0, 2, 1, 3};
+    for (int which = 0; which < 2; which++) {
+        const double damping = which ? 0.4 : 0.0, omega = which ? 0.85 : 1.0;
+        const double *at = which ? at_damped : at_one, (*by)[5] = which ? by_damped : by_plain;
+        const char *name = which ? "damped contact" : "contact";
+        double multipliers[8], off = 0.0, slopes_off = 0.0;
+        whirl_orbit_sensitivity *orbit;
+        derive_orbit(damping, omega, 5, which ? damped : plain, 64, multipliers, &orbit);
+        for (size_t i = 0; i < 4; i++) {
+            const double rate = i % 2 ? omega : 1.0; // the digits are by time, the state by tau
+            off = fmax(off, fabs(rate * orbit->states[place[i]] - at[i]));
+            for (size_t p = 0; p < 5; p++)
+                slopes_off = fmax(slopes_off, fabs(rate * orbit->slopes[p * 4 + place[i]] - by[i][p]));
+        }
+        check_within("Sensitivity", words("orbit with a %s at %g", name, omega), 0.0, off, 1e-11);
+        check_within("Sensitivity", words("its derivatives by five parameters, %s", name), 0.0, slopes_off, 2e-10);
+        if (which) {
+            check_within("Sensitivity", "multipliers of the orbit with a damped contact", 0.0,
+                         fmax(fmax(fabs(multipliers[0] + 0.40116826), fabs(multipliers[1] - 0.05522983)),
+                              fmax(fabs(multipliers[4] - 0.26150249), fabs(multipliers[5] - 0.2542311))),
+                         1e-8);
+        }
+        whirl_orbit_sensitivity_free(orbit);
+    }
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(every_element), cmocka_unit_test(expressions_of_a_case),
-                                       cmocka_unit_test(free_motion), cmocka_unit_test(through_contacts),
-                                       cmocka_unit_test(refused)};
+                                       cmocka_unit_test(free_motion),   cmocka_unit_test(through_contacts),
+                                       cmocka_unit_test(refused),       cmocka_unit_test(orbits)};
     return cmocka_run_group_tests_name("sensitivity", tests, NULL, NULL);
 }

@@ -106,6 +106,9 @@ typedef struct whirl_perturbations {
     /// Integral of the divergence of the right-hand side over a revolution, plus ln|det| of the jumps at switches: the
     /// sum of the growth of all perturbations. NaN if the system has no divergence or the motion slid along a switch.
     double volume;
+    /// Steps end at every instant at which `observe` is called, so that the vectors are those of that instant. False:
+    /// the vectors are meaningful at the end of the revolution only.
+    bool at_instants;
 } whirl_perturbations;
 
 /// Allocates up to `most` perturbations. WHIRL_BAD_INPUT with a sentence if the system has no Jacobian or the method

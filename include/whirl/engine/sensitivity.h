@@ -8,6 +8,7 @@
 #ifndef WHIRL_SENSITIVITY_H
 #define WHIRL_SENSITIVITY_H
 
+#include "whirl/engine/orbit.h"
 #include "whirl/engine/study.h"
 #include "whirl/engine/system.h"
 #include "whirl/status.h"
@@ -40,12 +41,57 @@ const whirl_system *whirl_sensitivity_machine(const whirl_sensitivity *sensitivi
 void whirl_sensitivity_slope(const whirl_sensitivity *sensitivity, double t, const double *x, const double *sides,
                              double *slope, double *error);
 
-/// Returns the machine together with its sensitivity: the state is x, then s = dx/dp [dimension] with s' = J s + df/dp.
-/// Any integrator carries (x, s), which gives the derivative of the motion, and over a revolution of the Poincare map;
-/// s at the start is dx/dp, 0 for a start that does not depend on the parameter. Steps end at switches. s is continuous
-/// there, hence WHIRL_BAD_INPUT for machines whose forces jump at a switch (damped contacts, sharp friction), or that
-/// have no Jacobian. Borrowed.
-whirl_status whirl_sensitivity_system(whirl_sensitivity *sensitivity, const whirl_system **system);
+/// Returns the derivative of the metres of one unit of displacement by the parameter, and writes these metres to
+/// length: displacements in metres are length x, and change by length dx/dp + x times this.
+double whirl_sensitivity_length(const whirl_sensitivity *sensitivity, double *length);
+
+/// Most parameters of one extended machine.
+enum { WHIRL_MAX_SENSITIVITIES = 16 };
+
+/// A machine with parameters as states that stay as they are.
+typedef struct whirl_extended whirl_extended;
+
+/// Makes the machine whose state is x, then q [count] with q' = 0: q is the change of a parameter over
+/// whirl_extended_unit. Motions have q = 0. A perturbation that begins as (0, 1 for one parameter) is the derivative
+/// of the motion by that parameter, s' = J s + df/dp, times the unit. Every integrator that carries perturbations
+/// carries it, through switches at which forces jump, too: there s changes by (f+ - f-) (h_x s + h_p)/(h_x f- + h_t)
+/// for the switching function h(t, x, p) (Galan, Feehery, Barton 1999), and along switches on which the motion slides.
+/// All sensitivities are of one machine at the same values; they are borrowed. WHIRL_BAD_INPUT for more than
+/// WHIRL_MAX_SENSITIVITIES, for different machines, and for machines without a Jacobian; WHIRL_NO_MEMORY. Freed by
+/// whirl_extended_free; used by one thread at a time.
+whirl_status whirl_extended_new(size_t count, whirl_sensitivity *const *by, whirl_extended **out);
+
+/// Frees an extended machine; accepts NULL.
+void whirl_extended_free(whirl_extended *extended);
+
+/// Returns its system; borrowed.
+const whirl_system *whirl_extended_system(const whirl_extended *extended);
+
+/// Returns the unit of parameter number `parameter`, in SI: |value|, or 8 reach for the value 0.
+double whirl_extended_unit(const whirl_extended *extended, size_t parameter);
+
+/// Derivatives of a periodic orbit by parameters.
+typedef struct whirl_orbit_sensitivity {
+    size_t dimension;   ///< of the machine's state
+    size_t count;       ///< number of parameters
+    size_t revolutions; ///< of the orbit
+    size_t instants;    ///< equally spaced instants of a revolution, from its beginning on
+    double *states;     ///< [revolutions][instants][dimension] states of the orbit, in the machine's units
+    double *slopes;     ///< [revolutions][instants][count][dimension] their derivatives by the parameters, in SI
+} whirl_orbit_sensitivity;
+
+/// Computes the derivatives of a forced orbit of the machine: ds over a period closes, s(T) = M s(0) + S. The orbit is
+/// carried from its nodes at the beginnings of revolutions. Integration is by options->integrate, whose method carries
+/// several perturbations ("cvode" does not); for a method of fixed steps instants must divide steps_per_revolution.
+/// WHIRL_BAD_INPUT also for orbits with a period of their own and equilibria, where the orbit has a multiplier 1 (it is
+/// lost there), and if a parameter changes the rate of a turning coordinate, so that no orbit is beside;
+/// WHIRL_NO_MEMORY. Freed by whirl_orbit_sensitivity_free.
+whirl_status whirl_orbit_sensitivity_new(const whirl_extended *extended, const whirl_orbit *orbit,
+                                         const whirl_orbit_options *options, size_t instants,
+                                         whirl_orbit_sensitivity **out);
+
+/// Frees derivatives of an orbit; accepts NULL.
+void whirl_orbit_sensitivity_free(whirl_orbit_sensitivity *sensitivity);
 
 #ifdef __cplusplus
 }

@@ -49,18 +49,19 @@ static bool is_cut_short(const whirl_integrator *integrator) {
            (integrator->most_steps > 0 && c->tried >= integrator->most_steps);
 }
 
-/// Steps of rk4 end at every instant; steps of adaptive methods do not.
+/// Steps of rk4 end at every instant; steps of adaptive methods do so only for perturbations at instants.
 static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_perturbations *perturbations,
                             whirl_observe_fn observe, void *observer) {
     stepper *c = integrator->workspace;
     const double period = integrator->system->period;
     const int instants = integrator->options.steps_per_revolution;
+    const bool halts = !c->slot || (perturbations && perturbations->at_instants);
     int instant = 1;
     c->observed = c->slot && observe;
     whirl_motion motion = stepper_begin_motion(integrator, x, perturbations);
     while (motion == WHIRL_BOUNDED && c->t < period && !is_cut_short(integrator)) {
-        motion = stepper_step(c, c->slot ? period : period * ((double)instant / instants));
-        if (motion == WHIRL_BOUNDED && (observe || !c->slot))
+        motion = stepper_step(c, halts ? period * ((double)instant / instants) : period);
+        if (motion == WHIRL_BOUNDED && (observe || halts))
             instant = stepper_report(c, period, instants, instant, observe, observer);
     }
     memcpy(x, c->x, c->dimension * sizeof *x);

@@ -1,4 +1,5 @@
-// Derivatives by a parameter: extrapolated differences of neighbouring machines, and the motion with its sensitivity.
+// Derivatives by a parameter: extrapolated differences of neighbouring machines, and the machine with its parameters as
+// states.
 #include "whirl/engine/sensitivity.h"
 
 #include <float.h>
@@ -6,15 +7,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "lanes.h"
-
 enum { LEVELS = 7, MACHINES = 1 + 2 * LEVELS, MAX_HALVINGS = 40 };
 
 struct whirl_sensitivity {
-    double reach;
+    double value, reach;
     whirl_machine machines[MACHINES]; ///< at the value, then above and below it, from the largest h on
-    whirl_system joint;               ///< system of (x, s)
-    double *slopes;                   ///< [MACHINES][dimension] workspace
+    double *rows;                     ///< [MACHINES][larger of dimension and switch_count] workspace
     double *sides;                    ///< [switch_count] workspace
 };
 
@@ -26,6 +24,12 @@ static void sensitivity_release(whirl_sensitivity *s) {
     for (size_t i = 0; i < MACHINES; i++)
         if (s->machines[i].release) s->machines[i].release(s->machines[i].owner);
     memset(s->machines, 0, sizeof s->machines);
+}
+
+/// Returns the length of a row of the workspace.
+static size_t sensitivity_width(const whirl_sensitivity *s) {
+    const whirl_system *system = system_of(s, 0);
+    return system->dimension > system->switch_count ? system->dimension : system->switch_count;
 }
 
 static double sensitivity_step(const whirl_sensitivity *s, size_t level) {
@@ -52,6 +56,7 @@ whirl_status whirl_sensitivity_new(const whirl_study *study, const whirl_batch *
         return whirl_fail(WHIRL_BAD_INPUT, "reach is %g at the value %g, expected a number above 0", reach, value);
     whirl_sensitivity *s = calloc(1, sizeof *s);
     if (!s) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a sensitivity");
+    s->value = value;
     s->reach = reach > 0.0 ? reach : 0.125 * fabs(value);
     whirl_status status = sensitivity_build(s, study, batch, value);
     for (int i = 0; i < MAX_HALVINGS && status.code == WHIRL_BAD_INPUT && s->machines[0].system; i++) {
@@ -60,9 +65,9 @@ whirl_status whirl_sensitivity_new(const whirl_study *study, const whirl_batch *
         status = sensitivity_build(s, study, batch, value);
     }
     if (status.code == WHIRL_OK) {
-        s->slopes = calloc(MACHINES * system_of(s, 0)->dimension, sizeof *s->slopes);
+        s->rows = calloc(MACHINES * sensitivity_width(s), sizeof *s->rows);
         s->sides = calloc(system_of(s, 0)->switch_count + 1, sizeof *s->sides);
-        if (!s->slopes || !s->sides) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a sensitivity");
+        if (!s->rows || !s->sides) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a sensitivity");
     }
     if (status.code == WHIRL_OK)
         *out = s;
@@ -74,9 +79,14 @@ whirl_status whirl_sensitivity_new(const whirl_study *study, const whirl_batch *
 void whirl_sensitivity_free(whirl_sensitivity *s) {
     if (!s) return;
     sensitivity_release(s);
-    free(s->slopes);
+    free(s->rows);
     free(s->sides);
     free(s);
+}
+
+/// Returns the unit of the parameter in extended machines.
+static double sensitivity_unit(const whirl_sensitivity *s) {
+    return s->value != 0.0 ? fabs(s->value) : 8.0 * s->reach;
 }
 
 const whirl_system *whirl_sensitivity_machine(const whirl_sensitivity *s) {
@@ -93,23 +103,29 @@ static void slope_on_sides(const whirl_system *system, double t, const double *f
         system->rhs(system->model, t, forcing, x, slope);
 }
 
-/// Slope of machine `index` at the phase of its period that t has in the first one's.
+/// Returns the factor from the first machine's time to that of machine `index`, at the same fraction of a period.
+static double time_factor(const whirl_sensitivity *s, size_t index) {
+    return system_of(s, index)->period / system_of(s, 0)->period;
+}
+
+/// Computes the slope of machine `index` at the phase of its period that t has in the first one's, into its row.
 static void slope_of(const whirl_sensitivity *s, size_t index, double t, const double *x, const double *sides) {
     const whirl_system *system = system_of(s, index);
-    const double longer = system->period / system_of(s, 0)->period;
-    double forcing[WHIRL_MAX_FORCING], *slope = s->slopes + index * system->dimension;
+    const double longer = time_factor(s, index);
+    double forcing[WHIRL_MAX_FORCING], *slope = s->rows + index * sensitivity_width(s);
     if (system->forcing_count > 0) system->forcing(system->model, longer * t, forcing);
     slope_on_sides(system, longer * t, forcing, x, sides, slope);
     for (size_t i = 0; i < system->dimension; i++) slope[i] *= longer;
 }
 
-/// Derivative of component i and its error: the entry of Neville's table that differs least from its neighbours.
+/// Returns the derivative of entry i of the rows and its error: the entry of Neville's table that differs least from
+/// its neighbours.
 static double sensitivity_extrapolate(const whirl_sensitivity *s, size_t i, double *error) {
-    const size_t n = system_of(s, 0)->dimension;
+    const size_t n = sensitivity_width(s);
     double table[LEVELS][LEVELS], best = 0.0;
     *error = INFINITY;
     for (size_t k = 0; k < LEVELS; k++) {
-        const double above = s->slopes[(2 * k + 1) * n + i], below = s->slopes[(2 * k + 2) * n + i];
+        const double above = s->rows[(2 * k + 1) * n + i], below = s->rows[(2 * k + 2) * n + i];
         const double rounding = 8.0 * DBL_EPSILON * fmax(fabs(above), fabs(below)) / sensitivity_step(s, k);
         table[k][0] = (above - below) / (2.0 * sensitivity_step(s, k));
         for (size_t j = 1; j <= k; j++) {
@@ -142,55 +158,206 @@ void whirl_sensitivity_slope(const whirl_sensitivity *s, double t, const double 
     }
 }
 
-// ---------------------------------------------------------------- the motion with its sensitivity
-
-static void joint_on_sides(const void *model, double t, const double *forcing, const double *x, const double *sides,
-                           double *dxdt) {
-    const whirl_sensitivity *s = model;
-    const whirl_system *system = system_of(s, 0);
-    const size_t n = system->dimension;
-    whirl_sensitivity_slope(s, t, x, sides, dxdt, NULL);
-    system->tangent(system->model, t, forcing, x, sides, 1, x + n, dxdt + n);
-    for (size_t i = 0; i < n; i++) dxdt[n + i] += dxdt[i];
-    slope_on_sides(system, t, forcing, x, sides, dxdt);
+double whirl_sensitivity_length(const whirl_sensitivity *s, double *length) {
+    double off;
+    *length = s->machines[0].length;
+    for (size_t i = 1; i < MACHINES; i++) s->rows[i * sensitivity_width(s)] = s->machines[i].length;
+    return sensitivity_extrapolate(s, 0, &off);
 }
 
-static void joint_rhs(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
-    joint_on_sides(model, t, forcing, x, NULL, dxdt);
+/// Returns the derivative by the parameter of switching function `which`, continued beyond its zero.
+static double switch_by_parameter(const whirl_sensitivity *s, double t, const double *x, size_t which) {
+    double off;
+    for (size_t i = 1; i < MACHINES; i++) {
+        const whirl_system *system = system_of(s, i);
+        system->switches(system->model, time_factor(s, i) * t, x, s->rows + i * sensitivity_width(s));
+    }
+    return sensitivity_extrapolate(s, which, &off);
 }
 
-static void joint_forcing(const void *model, double t, double *forcing) {
-    const whirl_system *system = system_of(model, 0);
+/// Computes the derivative by the parameter of the gradient of switching function `which`: out [dimension].
+static void gradient_by_parameter(const whirl_sensitivity *s, double t, const double *x, size_t which, double *out) {
+    double off, by_time;
+    for (size_t i = 1; i < MACHINES; i++) {
+        const whirl_system *system = system_of(s, i);
+        system->switch_gradient(system->model, time_factor(s, i) * t, x, which, s->rows + i * sensitivity_width(s),
+                                &by_time);
+    }
+    for (size_t i = 0; i < system_of(s, 0)->dimension; i++) out[i] = sensitivity_extrapolate(s, i, &off);
+}
+
+// ---------------------------------------------------------------- the machine with its parameters as states
+
+struct whirl_extended {
+    whirl_system system; ///< system of (x, q)
+    size_t own, count;   ///< number of coordinates of x, and of parameters
+    whirl_sensitivity *by[WHIRL_MAX_SENSITIVITIES];
+    double *periods;  ///< [2][own + count] periods of turning coordinates and of angles
+    double *in, *out; ///< [own + count][own] workspace: perturbations of x, and their slopes
+    double *slope;    ///< [own] workspace
+};
+
+static const whirl_system *extended_base(const whirl_extended *e) {
+    return system_of(e->by[0], 0);
+}
+
+static void extended_on_sides(const void *model, double t, const double *forcing, const double *x, const double *sides,
+                              double *dxdt) {
+    const whirl_extended *e = model;
+    slope_on_sides(extended_base(e), t, forcing, x, sides, dxdt);
+    memset(dxdt + e->own, 0, e->count * sizeof *dxdt);
+}
+
+static void extended_rhs(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
+    extended_on_sides(model, t, forcing, x, NULL, dxdt);
+}
+
+static void extended_forcing(const void *model, double t, double *forcing) {
+    const whirl_system *system = extended_base(model);
     system->forcing(system->model, t, forcing);
 }
 
-static void joint_switches(const void *model, double t, const double *x, double *values) {
-    const whirl_system *system = system_of(model, 0);
-    system->switches(system->model, t, x, values);
+static void extended_tangent(const void *model, double t, const double *forcing, const double *x, const double *sides,
+                             size_t count, const double *dx, double *ddxdt) {
+    const whirl_extended *e = model;
+    const whirl_system *system = extended_base(e);
+    const size_t own = e->own, all = own + e->count;
+    // Apply the Jacobian to the perturbations of x.
+    for (size_t k = 0; k < count; k++) memcpy(e->in + k * own, dx + k * all, own * sizeof *dx);
+    system->tangent(system->model, t, forcing, x, sides, count, e->in, e->out);
+    for (size_t k = 0; k < count; k++) {
+        memcpy(ddxdt + k * all, e->out + k * own, own * sizeof *dx);
+        memset(ddxdt + k * all + own, 0, e->count * sizeof *dx);
+    }
+    // Add the derivatives by the parameters that a perturbation changes.
+    for (size_t p = 0; p < e->count; p++) {
+        bool known = false;
+        for (size_t k = 0; k < count; k++) {
+            const double change = dx[k * all + own + p] * sensitivity_unit(e->by[p]);
+            if (change == 0.0) continue;
+            if (!known) whirl_sensitivity_slope(e->by[p], t, x, sides, e->slope, NULL);
+            known = true;
+            for (size_t i = 0; i < own; i++) ddxdt[k * all + i] += change * e->slope[i];
+        }
+    }
 }
 
-whirl_status whirl_sensitivity_system(whirl_sensitivity *s, const whirl_system **out) {
-    const whirl_system *system = system_of(s, 0);
+static double extended_divergence(const void *model, double t, const double *forcing, const double *x,
+                                  const double *sides) {
+    const whirl_system *system = extended_base(model);
+    return system->divergence(system->model, t, forcing, x, sides);
+}
+
+/// A motion that slides is moved back onto its switch along the gradient, which moves q by rounding: the functions
+/// count that, too.
+static void extended_switches(const void *model, double t, const double *x, double *values) {
+    const whirl_extended *e = model;
+    const whirl_system *system = extended_base(e);
+    system->switches(system->model, t, x, values);
+    for (size_t p = 0; p < e->count; p++)
+        for (size_t i = 0; i < system->switch_count && x[e->own + p] != 0.0; i++)
+            values[i] += sensitivity_unit(e->by[p]) * x[e->own + p] * switch_by_parameter(e->by[p], t, x, i);
+}
+
+static void extended_switch_gradient(const void *model, double t, const double *x, size_t index, double *gradient,
+                                     double *by_time) {
+    const whirl_extended *e = model;
+    const whirl_system *system = extended_base(e);
+    system->switch_gradient(system->model, t, x, index, gradient, by_time);
+    for (size_t p = 0; p < e->count; p++)
+        gradient[e->own + p] = sensitivity_unit(e->by[p]) * switch_by_parameter(e->by[p], t, x, index);
+}
+
+static void extended_switch_curvature(const void *model, double t, const double *x, size_t index, const double *u,
+                                      double *out) {
+    const whirl_extended *e = model;
+    const whirl_system *system = extended_base(e);
+    system->switch_curvature(system->model, t, x, index, u, out);
+    memset(out + e->own, 0, e->count * sizeof *out);
+    for (size_t p = 0; p < e->count; p++) {
+        const double change = u[e->own + p] * sensitivity_unit(e->by[p]);
+        if (change == 0.0) continue;
+        gradient_by_parameter(e->by[p], t, x, index, e->slope);
+        for (size_t i = 0; i < e->own; i++) {
+            out[i] += change * e->slope[i];
+            out[e->own + p] += sensitivity_unit(e->by[p]) * u[i] * e->slope[i];
+        }
+    }
+}
+
+static bool extended_switch_touches(const void *model, size_t index) {
+    const whirl_system *system = extended_base(model);
+    return system->switch_touches(system->model, index);
+}
+
+/// Copies periods of coordinates, with 0 for the parameters; NULL for NULL.
+static const double *extended_periods(const whirl_extended *e, size_t row, const double *periods) {
+    if (!periods) return NULL;
+    double *out = e->periods + row * (e->own + e->count);
+    memcpy(out, periods, e->own * sizeof *out);
+    return out;
+}
+
+whirl_status whirl_extended_new(size_t count, whirl_sensitivity *const *by, whirl_extended **out) {
     *out = NULL;
-    if (!system->tangent)
+    if (count < 1 || count > WHIRL_MAX_SENSITIVITIES)
+        return whirl_fail(WHIRL_BAD_INPUT, "%zu parameters, expected 1 to %d", count, WHIRL_MAX_SENSITIVITIES);
+    const whirl_system *base = system_of(by[0], 0);
+    if (!base->tangent)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "the machine gives no Jacobian, expected one for the sensitivity of its motion");
-    if (system->lanes && (system->lanes->jumps || system->lanes->slides))
-        return whirl_fail(WHIRL_BAD_INPUT,
-                          "the machine's forces jump where a contact or a slip begins, expected continuous "
-                          "ones for the sensitivity of its motion");
-    s->joint = (whirl_system){.dimension = 2 * system->dimension,
-                              .period = system->period,
-                              .forcing_count = system->forcing_count,
-                              .forcing = system->forcing ? joint_forcing : NULL,
-                              .rhs = joint_rhs,
-                              .kinked = system->kinked,
-                              .switch_count = system->switch_count,
-                              .switches = system->switches ? joint_switches : NULL,
-                              .rhs_on_sides = system->rhs_on_sides ? joint_on_sides : NULL,
-                              .probe_count = system->probe_count,
-                              .probes = system->probes,
-                              .model = s};
-    *out = &s->joint;
+    for (size_t p = 1; p < count; p++)
+        if (system_of(by[p], 0)->dimension != base->dimension)
+            return whirl_fail(WHIRL_BAD_INPUT, "sensitivities of different machines, expected those of one");
+    // Make the workspace.
+    const size_t own = base->dimension, all = own + count;
+    whirl_extended *e = calloc(1, sizeof *e);
+    if (e) e->periods = calloc(2 * all + 2 * all * own + own, sizeof *e->periods);
+    if (!e || !e->periods) {
+        free(e);
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine with %zu parameters", count);
+    }
+    e->in = e->periods + 2 * all;
+    e->out = e->in + all * own;
+    e->slope = e->out + all * own;
+    e->own = own;
+    e->count = count;
+    memcpy(e->by, by, count * sizeof *by);
+    // Describe the system.
+    e->system = (whirl_system){.dimension = all,
+                               .period = base->period,
+                               .forcing_count = base->forcing_count,
+                               .forcing = base->forcing ? extended_forcing : NULL,
+                               .rhs = extended_rhs,
+                               .turns = extended_periods(e, 0, base->turns),
+                               .repeats = base->repeats,
+                               .kinked = base->kinked,
+                               .switch_count = base->switch_count,
+                               .switches = base->switches ? extended_switches : NULL,
+                               .rhs_on_sides = base->rhs_on_sides ? extended_on_sides : NULL,
+                               .tangent = extended_tangent,
+                               .divergence = base->divergence ? extended_divergence : NULL,
+                               .switch_gradient = base->switch_gradient ? extended_switch_gradient : NULL,
+                               .switch_curvature = base->switch_curvature ? extended_switch_curvature : NULL,
+                               .switch_touches = base->switch_touches ? extended_switch_touches : NULL,
+                               .probe_count = base->probe_count,
+                               .probes = base->probes,
+                               .angles = extended_periods(e, 1, base->angles),
+                               .model = e};
+    *out = e;
     return whirl_ok();
+}
+
+void whirl_extended_free(whirl_extended *e) {
+    if (!e) return;
+    free(e->periods);
+    free(e);
+}
+
+const whirl_system *whirl_extended_system(const whirl_extended *e) {
+    return &e->system;
+}
+
+double whirl_extended_unit(const whirl_extended *e, size_t parameter) {
+    return sensitivity_unit(e->by[parameter]);
 }
