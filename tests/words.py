@@ -45,7 +45,7 @@ MEANT = {
 LONG = {}
 MOST_WORDS = 40
 # Messages with such phrases that are left; lower it when there are fewer.
-MESSAGES = 20
+MESSAGES = 9
 
 
 def listed(root, *patterns):

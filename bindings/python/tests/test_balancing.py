@@ -453,7 +453,7 @@ GOOD = {
         ),
         (
             {"modes": [{"speed": 300.0, "shape": [1, 1]}, {"speed": 400.0, "shape": [2, 2]}]},
-            "planes do not tell the 2 modes apart",
+            "planes do not distinguish the 2 modes",
         ),
         ({"keep_rigid": "yes"}, r"keep_rigid: applies only to weight sets: add modes"),
         (

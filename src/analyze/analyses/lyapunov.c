@@ -162,7 +162,7 @@ static const field_plan fields[FIELD_COUNT] = {
     [ERROR] =
         {WHIRL_FIELD_LYAPUNOV_ERROR, "1/revolution",
          "its standard error, with the difference at a second tolerance; exponents less than 1 / revolutions apart "
-         "are not told apart",
+         "count as equal",
          WHIRL_PER_POINT, 1, NULL},
 };
 

@@ -207,7 +207,7 @@ static whirl_status statics_compute(const whirl_resting *point, const whirl_reco
         memcpy(view_numbers(view, INFLUENCE, p), machine.influence + p * probes, probes * sizeof *machine.influence);
     }
     if (machine.release) machine.release(machine.owner);
-    if (!machine.statics) return whirl_fail(WHIRL_BAD_INPUT, "the machine does not tell what its weight does");
+    if (!machine.statics) return whirl_fail(WHIRL_BAD_INPUT, "the machine has no statics");
     status = fill_films(point, view);
     return status.code == WHIRL_OK ? fill_coefficients(point, view) : status;
 }

@@ -103,9 +103,9 @@ whirl_status whirl_record_refuge(const whirl_system *system, const whirl_integra
                                  const whirl_record *record, int *refuge) {
     *refuge = 0;
     if (!system->tangent || system->turns || record->motion != WHIRL_BOUNDED || record->section_count == 0)
-        return whirl_fail(WHIRL_BAD_INPUT,
-                          "a refuge of chaos is looked for by the Jacobian of a bounded motion without "
-                          "turning phases");
+        return whirl_fail(
+            WHIRL_BAD_INPUT,
+            "the search for coexisting attractors needs a Jacobian and a bounded motion without turning phases");
     const whirl_status status = seek_rest(system, record, refuge);
     return status.code != WHIRL_OK || *refuge != 0 ? status : seek_orbits(system, integrate, record, refuge);
 }

@@ -314,7 +314,7 @@ static whirl_status balance_correct(const whirl_balance *of, whirl_correction *o
     if (!told)
         return whirl_fail(
             WHIRL_BAD_INPUT,
-            "%zu probe%s at a speed do not tell the weights of %zu %s%s apart, expected as many as %ss at least, with "
+            "%zu probe%s at a speed do not distinguish the weights of %zu %s%s, expected as many as %ss at least, with "
             "weights above 0, which each %s moves in a way of its own",
             out->row_count, out->row_count == 1 ? "" : "s", count, of->mode_count ? "set" : "plane",
             count == 1 ? "" : "s", of->mode_count ? "set" : "plane", of->mode_count ? "set" : "plane");

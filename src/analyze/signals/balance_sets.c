@@ -72,7 +72,7 @@ whirl_status balance_find_sets(const whirl_balance *of, const whirl_balance_mode
     for (size_t n = 0; n < of->mode_count && status.code == WHIRL_OK; n++)
         if (!find_set(&on, n, out->sets[n]))
             status = whirl_fail(WHIRL_BAD_INPUT,
-                                "the planes do not tell the %zu mode%s%s apart: in them two shapes are alike, or one "
+                                "the planes do not distinguish the %zu mode%s%s: in them two shapes are alike, or one "
                                 "moves none",
                                 of->mode_count, of->mode_count == 1 ? "" : "s",
                                 of->keep_rigid ? " and the rigid rotor" : "");

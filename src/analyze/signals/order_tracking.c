@@ -234,7 +234,7 @@ whirl_status whirl_signals_axes(const double *u, const double *v, size_t count, 
     if (status.code != WHIRL_OK) return status;
     const double across = sin(second - first);
     if (!(fabs(across) > 0.01))
-        return whirl_fail(WHIRL_BAD_INPUT, "the probes stand at %g and %g rad, expected two that are not in one line",
+        return whirl_fail(WHIRL_BAD_INPUT, "the probes are at %g and %g rad, expected two that are not in one line",
                           first, second);
     for (size_t i = 0; i < count; i++) {
         const double a = u[i], b = v[i];

@@ -177,7 +177,7 @@ whirl_status whirl_signals_vold_kalman(const double *values, size_t count, doubl
         vold_kalman_solve(&made, count, tracked, amplitudes);
     else
         status = whirl_fail(WHIRL_BAD_INPUT,
-                            "the orders cannot be told apart in this record: two of them have nearly the same angle in "
+                            "the orders cannot be separated in this record: two of them have nearly the same angle in "
                             "all of it");
     free(numbers);
     return status;

@@ -83,7 +83,7 @@ whirl_status whirl_table_attractors(const whirl_table *table, size_t *labels, wh
     told_apart told;
     size_t *of = malloc((table->count + 1) * sizeof *of), number[MAX_ATTRACTORS + 1] = {0};
     *count = 0;
-    if (!of) return whirl_fail(WHIRL_NO_MEMORY, "no memory to tell the attractors of %zu points apart", table->count);
+    if (!of) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the attractors of %zu points", table->count);
     whirl_status status = attractors_tell(table, NULL, table->count, of, &told);
     if (status.code == WHIRL_OK && table->refine > 0) status = attractors_weigh(table, of, &told);
     if (status.code == WHIRL_OK) {

@@ -64,7 +64,7 @@ static whirl_status check_turning(const orbit_work *w, const double *turns) {
                     fabs(carried_at(w, j, w->out->instants)[(w->own + p) * w->own + i]) > 1e-9 * turns[i])
                     return whirl_fail(WHIRL_BAD_INPUT,
                                       "parameter %zu changes the rate at which a part turns, so that no orbit of as "
-                                      "many revolutions is beside this one",
+                                      "many revolutions is near this one",
                                       p + 1);
     return whirl_ok();
 }

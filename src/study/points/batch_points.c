@@ -39,7 +39,7 @@ whirl_status map_add_field(const whirl_batch *batch, whirl_layout *layout) {
     if (batch->third_values) study_add_field(layout, WHIRL_FIELD_MAP_THIRD, "1", "value of the third parameter, in SI");
     if (batch->refine > 0)
         study_add_field(layout, WHIRL_FIELD_MAP_WIDTH, "1",
-                        "points of the grid along both axes, from this one on, that it stands for: more than 1 where a "
+                        "points of the grid along both axes, from this one on, that it covers: more than 1 where a "
                         "square was not divided");
     return whirl_ok();
 }

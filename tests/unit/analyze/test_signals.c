@@ -438,7 +438,7 @@ static void sizes_that_mean_nothing_are_refused(void **state) {
     assert_refused(few_resampled(pulses, 5, 2), "there are to be 2 samples per revolution");
     assert_refused(few_resampled(pulses, 5, SIZE_MAX), "samples per revolution, expected at least 3");
     assert_refused(whirl_signals_axes(v, v + FEW, FEW, 0.3, 0.3 + 0.5 * two_pi, out, out), "not in one line");
-    assert_refused(whirl_signals_axes(v, v + FEW, FEW, NAN, 0.3, out, out), "the probes stand at nan");
+    assert_refused(whirl_signals_axes(v, v + FEW, FEW, NAN, 0.3, out, out), "the probes are at nan");
     assert_refused(whirl_signals_size(v, 0, 1, &number), "there are 0 samples");
     assert_refused(whirl_signals_zero_one(v, 99, 1, 1.0, &number), "there are 99 points, expected at least 100");
     assert_refused(whirl_signals_zero_one(v, 100, 1, 0.0, &number), "the size of the motion is 0");

@@ -251,7 +251,7 @@ static void test_perturbations(void **state) {
     whirl_integrator *integrator = integrator_of(&system, "rodas5p", 1e-10);
     whirl_integrator *reference = integrator_of(&system, "dop853", 1e-13);
     double unit[4] = {1.0, 0.0, 0.0, 1.0}, exact[4] = {1.0, 0.0, 0.0, 1.0}, x[2] = {1.0, 0.0}, y[2] = {1.0, 0.0};
-    whirl_perturbations own = {2, unit, NULL, 0.0}, theirs = {2, exact, NULL, 0.0};
+    whirl_perturbations own = {.count = 2, .vectors = unit}, theirs = {.count = 2, .vectors = exact};
     assert_int_equal(whirl_integrator_follow(integrator, 2).code, WHIRL_OK);
     assert_int_equal(whirl_integrator_follow(reference, 2).code, WHIRL_OK);
     assert_int_equal(whirl_integrator_carry(integrator, x, &own, NULL, NULL), WHIRL_BOUNDED);

@@ -14,9 +14,9 @@ static const whirl_key keys[KEY_COUNT] = {
                            "required unless stations twist, whose own inertia counts"),
     [AT] = STATION_KEY("at", OPTIONAL, "station of the motor; required if stations twist, else it turns the shaft"),
     [TORQUE] = NUMBER_KEY("torque", "T", "N m", OPTIONAL, WHIRL_ANY, "torque of the motor at standstill"),
-    [NO_LOAD] = CITED_NUMBER_KEY("no_load_speed", "", "rad/s", OPTIONAL, WHIRL_POSITIVE,
-                                 "speed at which that torque has fallen to 0 along a line; it stays where absent",
-                                 "Kononenko 1969"),
+    [NO_LOAD] =
+        CITED_NUMBER_KEY("no_load_speed", "", "rad/s", OPTIONAL, WHIRL_POSITIVE,
+                         "speed at which that torque has fallen to 0 along a line; absent: it stays", "Kononenko 1969"),
     [SPEEDS] =
         CITED_NUMBERS_KEY("speeds", "", "rad/s", OPTIONAL, WHIRL_NOT_NEGATIVE,
                           "rising, at which `torques` are given, in place of torque; between them monotone cubics",
