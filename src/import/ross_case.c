@@ -47,12 +47,14 @@ static speed_range find_speeds(import_reader *reader, const ross_rotor *rotor) {
     speed_range range = {.why = "those that the file names"};
     find_known(rotor, &low, &high);
     if (!field_good(reader)) return range;
+    // Prefer the file's own speeds.
     const bool named = rotor->most > 0.0 || rotor->rated > 0.0, known = isfinite(high);
     const double most = rotor->most > 0.0 ? rotor->most : rotor->rated > 0.0 ? 1.25 * rotor->rated : usual;
     range.from = rotor->least >= 0.0 && rotor->least < most ? rotor->least : 0.0;
     range.to = named || !known ? most : high;
     if (!named)
         range.why = known ? "those of the tables, for the file names none" : "usual ones, for the file names none";
+    // Keep them within the tables.
     if (range.from < low || range.to > high) {
         range.from = fmin(fmax(range.from, low), high);
         range.to = fmax(fmin(range.to, high), low);
@@ -194,11 +196,13 @@ static void put_shafts(FILE *out, const ross_rotor *rotor, const char *material)
 static void put_piece(FILE *out, const ross_rotor *rotor, const ross_piece *piece, bool layer, const char *material) {
     static const char *const outer[] = {"outer", "outer_end"}, *const inner[] = {"inner", "inner_end"};
     char text[QUANTITY_SIZE], comment[COMMENT_SIZE], shaft[WHIRL_NAME_SIZE];
+    // Shaft and length.
     page_line line = page_open(out, 16, "    - segment: {");
     shaft_name(rotor, piece->shaft, shaft);
     if (rotor->shaft_count > 1) page_item(&line, "shaft: %s", shaft);
     page_quantity(piece->length, "m", text);
     page_item(&line, "length: %s", text);
+    // Diameters of both ends, or of one if they are equal.
     const bool conical = piece->outer[0] != piece->outer[1] || piece->inner[0] != piece->inner[1];
     for (int end = 0; end < 1 + conical; end++) {
         page_quantity(piece->outer[end], "m", text);
@@ -206,12 +210,14 @@ static void put_piece(FILE *out, const ross_rotor *rotor, const ross_piece *piec
         page_quantity(piece->inner[end], "m", text);
         if (piece->inner[0] != 0.0 || piece->inner[1] != 0.0) page_item(&line, "%s: %s", inner[end], text);
     }
+    // Place, material and options.
     page_quantity(piece->start, "m", text);
     if (layer) page_item(&line, "start: %s", text);
     if (rotor->material_count > 1) page_item(&line, "material: %s", material);
     page_quantity(piece->axial_force, "N", text);
     if (piece->axial_force != 0.0) page_item(&line, "axial_force: %s", text);
     ross_put_options(&line, piece, first_piece(rotor, piece->shaft));
+    // Name the element in a comment.
     snprintf(comment, sizeof comment, "%.60s, node %ld", piece->tag, piece->node);
     whirl_make_plain(comment);
     page_close(&line, "}", comment);
@@ -223,6 +229,7 @@ static void put_station(FILE *out, const ross_rotor *rotor, const ross_station *
     char text[QUANTITY_SIZE], head[WHIRL_NAME_SIZE + 16], comment[COMMENT_SIZE], shaft[WHIRL_NAME_SIZE];
     const bool on_shaft = at->place && at->place->shaft != ROSS_NO_SHAFT;
     snprintf(head, sizeof head, "    %s: {", at->name);
+    // Place on the shaft.
     page_line line = page_open(out, (int)strlen(head), head);
     if (on_shaft) {
         shaft_name(rotor, at->place->shaft, shaft);
@@ -230,6 +237,7 @@ static void put_station(FILE *out, const ross_rotor *rotor, const ross_station *
         page_quantity(at->place->position, "m", text);
         page_item(&line, "position: %s", text);
     }
+    // Masses.
     const struct {
         const char *key, *unit;
         double number;
@@ -240,6 +248,7 @@ static void put_station(FILE *out, const ross_rotor *rotor, const ross_station *
         page_quantity(parts[i].number, parts[i].unit, text);
         if (parts[i].number != 0.0) page_item(&line, "%s: %s", parts[i].key, text);
     }
+    // Name the node in a comment.
     snprintf(comment, sizeof comment, "node %ld%s", at->node,
              on_shaft    ? ""
              : at->place ? ", on no shaft"

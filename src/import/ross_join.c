@@ -125,6 +125,7 @@ static void check_point(ross_rotor *rotor, ross_point *point) {
 
 void ross_join(import_reader *reader, ross_rotor *rotor) {
     if (!field_good(reader)) return;
+    // Order the pieces and couplings, and give them and the nodes their places.
     sort_pieces(rotor);
     sort_couplings(rotor);
     join_pieces(rotor);
@@ -133,6 +134,7 @@ void ross_join(import_reader *reader, ross_rotor *rotor) {
     if (rotor->last_node - rotor->first_node >= WHIRL_MAX_STATIONS && field_good(reader))
         reader->status = whirl_fail(WHIRL_BAD_INPUT, "%.200s: has a shaft of %ld nodes, expected at most %d",
                                     reader->file, rotor->last_node - rotor->first_node + 1, WHIRL_MAX_STATIONS);
+    // Check the nodes of all other elements.
     for (size_t i = 0; i < rotor->disc_count; i++)
         if (!in_row(rotor, rotor->discs[i].node))
             field_refuse(&rotor->discs[i].section, "n", value_member(rotor->discs[i].section.table, "n"),

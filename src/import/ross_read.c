@@ -92,9 +92,11 @@ static void read_piece(field_section *section, const char *tag, ross_rotor *out)
                      beta = {"beta", "s", WHIRL_NOT_NEGATIVE};
     ross_piece *const piece = &out->pieces[out->piece_count++];
     *piece = (ross_piece){.tag = tag, .section = *section};
+    // Read the geometry.
     piece->node = field_whole(section, "n", -2);
     piece->length = field_number(section, &length, NAN);
     read_diameters(section, piece);
+    // Read load, model and damping.
     piece->axial_force = field_number(section, &force, 0.0);
     piece->shear = field_truth(section, "shear_effects", true);
     piece->rotary_inertia = field_truth(section, "rotary_inertia", true);
@@ -106,6 +108,7 @@ static void read_piece(field_section *section, const char *tag, ross_rotor *out)
         field_refuse(
             section, "torque", value_member(section->table, "torque"),
             "is not 0, expected a shaft without torque: it couples bending in a way that is not modelled here");
+    // Note where this model differs.
     note_differences(&section->reader->notes, piece);
     piece->material = read_material(section, out);
     ross_note_rest(section, tag, false);

@@ -12,12 +12,14 @@ static const char *const other_keys[] = {"tag", "material", "n"};
 
 void ross_note_rest(field_section *section, const char *tag, bool computed) {
     note_list *const notes = &section->reader->notes;
+    // Keys of drawings and others without an effect.
     bool drawn = false;
     for (size_t i = 0; i < sizeof drawing_keys / sizeof *drawing_keys; i++)
         drawn = value_member(section->table, drawing_keys[i]) || drawn;
     for (size_t i = 0; i < sizeof other_keys / sizeof *other_keys; i++)
         (void)value_member(section->table, other_keys[i]);
     if (drawn) note_of(notes, NOTE_DRAWING, tag);
+    // Count the keys that nothing has read.
     size_t left = 0;
     const value *first = NULL;
     for (const value *one = section->table->first; one; one = one->next) {

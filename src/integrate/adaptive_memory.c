@@ -86,12 +86,14 @@ adaptive_lanes *adaptive_lanes_make(const adaptive_lanes *shape) {
     adaptive_lanes *lanes = malloc(sizeof *lanes);
     if (!lanes) return NULL;
     *lanes = *shape;
+    // The sparsity of the Jacobian, for an implicit method.
     if (lanes->method->implicit)
         lanes->rodas5p.sparsity = sparsity_new(lanes->degrees, lanes->rates, lanes->depends, lanes->model);
     if (lanes->method->implicit && !lanes->rodas5p.sparsity) {
         adaptive_lanes_free(lanes);
         return NULL;
     }
+    // One aligned block for all arrays.
     const size_t bytes = (adaptive_lay_out(lanes, NULL) * lanes->slots * sizeof(double) + 63) / 64 * 64;
     lanes->block = aligned_alloc(64, bytes);
     lanes->queue = calloc(1, sizeof *lanes->queue);

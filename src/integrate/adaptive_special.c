@@ -97,11 +97,13 @@ static void take_polynomials(const adaptive_lanes *lanes, size_t slot) {
 static void step_alone(const adaptive_lanes *lanes, size_t slot) {
     const bool observed = lanes->observing && lanes->watched[slot] > 0.5;
     stepper *c = lanes->stepper;
+    // Pass the slot's state to the stepper.
     give_state(lanes, slot);
     give_sides(lanes, slot);
     *c->slot->h = lanes->length[slot];
     c->switchings = (int)lanes->switchings[slot];
     c->observed = observed;
+    // Step, and take the state back.
     const whirl_motion motion = stepper_step(c, lanes->until[slot]);
     take_state(lanes, slot);
     take_sides(lanes, slot);
@@ -110,6 +112,7 @@ static void step_alone(const adaptive_lanes *lanes, size_t slot) {
     lanes->switchings[slot] = c->switchings;
     lanes->landing[slot] = 0.0;
     lanes->fresh[slot] = 1.0;
+    // Observers need the polynomials of the step.
     if (observed) {
         lanes->begin[slot] = c->begin;
         lanes->taken[slot] = motion == WHIRL_BOUNDED ? c->length : 0.0;

@@ -330,6 +330,7 @@ void whirl_ensemble_part(whirl_ensemble *e, size_t lane, double from, double len
 whirl_status whirl_ensemble_alone(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
                                   size_t followed, whirl_ensemble **out) {
     *out = NULL;
+    // Make an ensemble of scalar lanes, each with an integrator.
     whirl_status status = check_options(system, options);
     if (status.code != WHIRL_OK) return status;
     whirl_ensemble *e = ensemble_begin(system, options);
@@ -346,6 +347,7 @@ whirl_status whirl_ensemble_alone(const whirl_system *system, const whirl_integr
         whirl_ensemble_free(e);
         return status;
     }
+    // The integrators work on the ensemble's arrays.
     e->alone->x = e->lanes.v;
     e->alone->ended = e->ended;
     e->alone->machines = e->machines;
@@ -587,9 +589,11 @@ static size_t put_in_order(whirl_ensemble *e, size_t count, const whirl_ensemble
 
 /// Carries a revolution with a time of its own in every lane; samples are handed out when all are finished.
 static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
+    // Allocate samples if an observer wants them.
     const size_t wanted = observe && observe->stride > 0 ? (size_t)e->adaptive->instants / observe->stride : 0;
     const size_t samples = adaptive_lanes_make_room(e->adaptive, wanted, e->lane_count) ? wanted : 0;
     const size_t size = e->system->dimension * e->lane_count;
+    // Describe the revolution to the kernel.
     adaptive_lanes lanes = *e->adaptive;
     lanes.lane_count = e->lane_count;
     lanes.machines = e->machines;
@@ -603,6 +607,7 @@ static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemb
     lanes.queue->order = e->order;
     lanes.queue->observed = put_in_order(e, count, lanes.observing ? observe : NULL);
     fill_exchange(e, &lanes);
+    // Carry all lanes, then hand out what was sampled.
     for (size_t i = 0; i < samples * size; i++) lanes.samples[i] = NAN; // remains for lanes whose motion ends early
     for (size_t lane = 0; samples < wanted && lane < count; lane++)
         e->ended[lane] = WHIRL_STUCK; // no memory for its samples

@@ -150,9 +150,11 @@ static void transpose(size_t all, double *a) {
 /// Solves for the roots by the inverse, in which low speeds are large. The shift makes the matrix invertible with
 /// rigid-body modes too.
 static whirl_status critical_solve(const matrices *slow, const double *gyroscopic, double shift, roots *r) {
+    // Parts of one allocation.
     const size_t all = 2 * slow->count;
     double *left = r->block, *right = left + all * all, *real = right + all * all, *imaginary = real + all;
     double *found = imaginary + all, (*order)[2] = (double(*)[2])(found + 2 * all * all);
+    // Invert, and find the roots.
     critical_fill(slow, gyroscopic, shift, left, right);
     transpose(all, right);
     if (!matrix_solve(all, left, all, right))
@@ -160,6 +162,7 @@ static whirl_status critical_solve(const matrices *slow, const double *gyroscopi
     transpose(all, right);
     if (!matrix_eigen(all, right, real, imaginary, found))
         return whirl_fail(WHIRL_BAD_INPUT, "the roots of critical speeds were not found");
+    // Refuse complex roots, and undo the shift.
     double largest = 0.0;
     for (size_t i = 0; i < all; i++) largest = fmax(largest, fabs(real[i]));
     for (size_t i = 0; i < all; i++) {

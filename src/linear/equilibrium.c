@@ -96,6 +96,7 @@ static bool is_rounding(search *s, const double *x) {
     const double scale = 1.0 + size_of(x, d), norm = norm_of(s, s->f);
     double noise = 0.0;
     memcpy(s->step, s->f, n * sizeof *s->step);
+    // Near x, subtract the linear form from f: what is left is rounding, if f is smooth.
     for (size_t k = 0; k < sizeof beside / sizeof *beside; k++) {
         double square = 0.0;
         memcpy(s->trial, x, d * sizeof *x);

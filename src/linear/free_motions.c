@@ -94,10 +94,12 @@ static void sum_rows(const elimination *e, size_t free, double *out) {
 static bool find_doubtful_pivot(const elimination *e, size_t *row, size_t *column) {
     const size_t n = e->n, rank = e->rank, left = n - rank;
     double *pivots = e->room, *sums = pivots + left * rank, *moved = sums + left * rank, most = roundings;
+    // The displacement of each free column, and the combination of rows of each remainder.
     for (size_t k = 0; k < left; k++) {
         follow_pivots(e, k, pivots + k * rank);
         sum_rows(e, k, sums + k * rank);
     }
+    // Compare every remainder with the bound of its rounding.
     for (size_t k = 0; k < left; k++) {
         for (size_t i = 0; i < n; i++) {
             const double *own = e->matrix + e->row[i] * n;

@@ -158,14 +158,17 @@ static void turn(size_t n, const double *matrix, const double *vector, double *o
 static whirl_status search_loops(mean_system *m, const whirl_modes *modes, double *numbers,
                                  whirl_sensitivity_peak *out) {
     const size_t n = m->count, d = m->system->dimension;
+    // Parts of one allocation.
     double *jacobian = numbers, *turned = jacobian + n * n, *input = turned + n * n, *sensed = input + d;
     double *scale = sensed + d, *own = scale + n, *matrix = own + 2 * n, *side = matrix + 2 * n * n, *w = side + 2 * n;
     const closed_loop of = {n, jacobian, own, own + n, matrix, side};
     const size_t count = frequencies(modes, w);
+    // Make the Jacobian a Hessenberg matrix once for all frequencies and loops.
     mean_jacobian(m, modes->rest, jacobian);
     matrix_balance(n, jacobian, scale);
     if (!matrix_hessenberg(n, jacobian, turned))
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for the sensitivity of %zu coordinates", n);
+    // Search each loop, in the coordinates of that matrix.
     for (size_t k = 0; k < m->system->loop_count; k++) {
         const double peak = out->peak;
         m->system->loop(m->system->model, modes->rest, k, input, sensed);

@@ -211,9 +211,11 @@ static bool sharpen_slowest(size_t n, solving *s) {
         free(order);
         return false;
     }
+    // The roots that are near the rounding.
     double *matrix = s->copy, *scale = numbers + n * n, *real = scale + n, *imaginary = real + n, least = INFINITY;
     for (size_t i = 0; i < n; i++) least = fmin(least, s->noise[i]);
     const size_t slow = sort_slowest(n, s->real, s->imaginary, near_rounding * least, order);
+    // Roots of the inverse.
     matrix_balance(n, matrix, scale);
     for (size_t i = 0; i < n; i++) numbers[i * n + i] = 1.0;
     const int before = exhausted_watch();
@@ -222,6 +224,7 @@ static bool sharpen_slowest(size_t n, solving *s) {
         for (size_t k = 0; k < n; k++) matrix[k * n + i] = numbers[i * n + k];
     good = good && matrix_eigen(n, matrix, real, imaginary, NULL);
     if (good) sort_slowest(n, real, imaginary, 0.0, inverted);
+    // Put them in place of the slow ones, unless they have almost no damping.
     for (size_t i = 0; i < slow && good; i++) {
         const size_t from = inverted[n - 1 - i].place, to = order[i].place;
         const double square = real[from] * real[from] + imaginary[from] * imaginary[from];

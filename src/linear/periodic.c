@@ -140,6 +140,7 @@ whirl_status periodic_harmonic(const mean_system *m, const double *x, double *me
                         .harmonic = harmonic,
                         .rate = 6.283185307179586476925 / m->system->period};
     double *at = malloc((d + 1) * sizeof *at);
+    // Sum the motion and its harmonic over all revolutions.
     if (!at) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a periodic motion of %zu coordinates", d);
     whirl_status status = whirl_integrator_new(m->system, &options, &integrator);
     memcpy(at, x, d * sizeof *at);

@@ -18,16 +18,19 @@ static void take_forcing(mean_system *m, const double *x, double *out) {
     double forcing[WHIRL_MAX_FORCING] = {0};
     memset(out, 0, 2 * m->count * sizeof *out);
     for (int k = 0; k < INSTANTS; k++) {
+        // The slope at each instant, at rest.
         const double share = (double)k / INSTANTS, t = share * system->period;
         if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
         memcpy(m->state, x, d * sizeof *x);
         system->rhs(system->model, t, forcing, m->state, m->slope);
+        // Phases turn along.
         for (size_t i = 0; system->turns && i < d; i++) {
             const double rounds = m->slope[i] * system->period / (system->turns[i] != 0.0 ? system->turns[i] : 1.0);
             if (system->turns[i] != 0.0 && fabs(fabs(rounds) - 1.0) < 1e-9)
                 m->state[i] += round(rounds) * share * system->turns[i];
         }
         if (system->turns) system->rhs(system->model, t, forcing, m->state, m->slope);
+        // Add to the harmonic.
         const double c = 2.0 / INSTANTS * cos(two_pi * share), s = 2.0 / INSTANTS * sin(two_pi * share);
         for (size_t i = 0; i < m->count; i++) {
             out[2 * i] += c * m->slope[m->kept[i]];

@@ -78,6 +78,7 @@ whirl_status user_add_equations(const whirl_user_system *system, whirl_result *r
                  {"equations: branches", user_tell_branches, false}};
     whirl_status status =
         identity_add(result, "equations", system->identity ? system->identity : "functions of the user's own");
+    // Write each fact that applies to a text of its own.
     for (size_t i = 0; i < sizeof facts / sizeof *facts && status.code == WHIRL_OK; i++) {
         char *text = NULL;
         size_t size;

@@ -180,10 +180,12 @@ static bool machine_jumps(const whirl_user_system *from, double t, const double 
     double ends[2][USER_MAX_STATES], between[USER_MAX_STATES], place[USER_MAX_STATES], low = -step, high = step;
     const size_t n = from->dimension;
     size_t which = 0;
+    // The whole change, if it is large enough to be a jump.
     const double all = from->smooth ? largest_change(n, lower, upper, &which) : 0.0;
     if (!(all > 0.01 * length_of(upper, n)) || !isfinite(all)) return false;
     memcpy(ends[0], lower, n * sizeof *lower);
     memcpy(ends[1], upper, n * sizeof *upper);
+    // Halve the way towards the larger change.
     for (int i = 0; i < HALVINGS; i++) {
         const double middle = 0.5 * (low + high);
         size_t first, second;
@@ -193,6 +195,7 @@ static bool machine_jumps(const whirl_user_system *from, double t, const double 
         *(above ? &low : &high) = middle;
         memcpy(ends[above ? 0 : 1], between, n * sizeof *between);
     }
+    // Note the first jump of the run, from any thread.
     const double left = largest_change(n, ends[0], ends[1], &which);
     if (!(left > 0.25 * all)) return false;
     int expected = 0;
@@ -313,6 +316,7 @@ static void flow_beside(const part *p, size_t set, block *b) {
     double step[MAX_LANES], half[MAX_LANES], size[MAX_LANES], length[MAX_LANES];
     memset(size, 0, sizeof size);
     memset(length, 0, sizeof length);
+    // A step for each lane, by the sizes of its state and perturbation.
     for (size_t k = 0; k < p->from->dimension; k++) {
         const double *x = machine_coordinate(p, 0, k), *d = machine_coordinate(p, set, k);
         for (size_t i = 0; i < b->count; i++) {
@@ -325,6 +329,7 @@ static void flow_beside(const part *p, size_t set, block *b) {
         step[i] = difference_step(sqrt(size[i]), sqrt(length[i]));
         half[i] = 0.5 / step[i];
     }
+    // Central differences.
     double lower[BLOCK];
     fill_states(p, set, -1.0, step, b);
     take_slopes(p->from, b);
@@ -333,6 +338,7 @@ static void flow_beside(const part *p, size_t set, block *b) {
     fill_states(p, set, 1.0, step, b);
     take_slopes(p->from, b);
     put_slopes(p, set, 1.0, half, true, b);
+    // Differences across a jump mean nothing.
     for (size_t i = 0; p->from->smooth && i < b->count; i++) look_for_jump(p, set, b, i, step[i], lower);
 }
 
@@ -474,11 +480,13 @@ static whirl_status make_probes(member *own) {
 static whirl_status machine_make(member *own, const double *parameters) {
     const whirl_user_system *from = own->from;
     double values[USER_MAX_PARAMETERS], period, common;
+    // The time of a machine is scaled so that all have the period of the case's parameters.
     for (size_t k = 0; k < from->parameter_count; k++) values[k] = from->parameters[k].value;
     whirl_status status = user_period(from, values, &common);
     if (status.code == WHIRL_OK) status = user_period(from, parameters, &period);
     if (status.code != WHIRL_OK) return status;
     own->scale = period / common;
+    // Copy the parameters and the start.
     own->parameters = malloc((from->parameter_count + 1) * sizeof *own->parameters);
     own->start = malloc(from->dimension * sizeof *own->start);
     own->groups = calloc(from->displacements + 1, sizeof *own->groups);
@@ -487,6 +495,7 @@ static whirl_status machine_make(member *own, const double *parameters) {
     for (size_t k = 0; k < from->dimension; k++)
         own->start[k] = is_velocity(from, k) ? from->start[k] * own->scale : from->start[k];
     leave_units(from, own->start);
+    // Make the system, in lanes if it is small enough.
     own->system = (whirl_system){.dimension = from->dimension,
                                  .period = common,
                                  .forcing_count = 1,

@@ -100,6 +100,7 @@ static whirl_status prepare_points(prepared *p) {
     static const whirl_role roles[] = {WHIRL_ROLE_POINT, WHIRL_ROLE_SURVEY, WHIRL_ROLE_MAP, WHIRL_ROLE_MAP};
     const whirl_user_system *system = &p->system;
     whirl_batch *batch = &p->study.batches[0];
+    // Copy the options of the system, with its axes.
     *batch = system->options;
     snprintf(batch->name, sizeof batch->name, "%s", names[system->axis_count]);
     batch->role = roles[system->axis_count];
@@ -110,6 +111,7 @@ static whirl_status prepare_points(prepared *p) {
     batch->integrate = system->integrate;
     batch->record = system->record;
     batch->analyses = system->analyses;
+    // The usual analyses, if the user names none.
     for (size_t i = 0; system->analyses == 0 && i < sizeof usual / sizeof *usual; i++)
         whirl_analysis_add(&batch->analyses, usual[i]);
     whirl_analysis_needs(batch->analyses, &batch->record);
@@ -154,12 +156,14 @@ static void name_clock(const whirl_user_system *system, whirl_table *table) {
 
 static whirl_status study_describe(const whirl_user_system *system, whirl_result *result) {
     double values[USER_MAX_PARAMETERS], period;
+    // Rates and scales.
     for (size_t k = 0; k < system->parameter_count; k++) values[k] = system->parameters[k].value;
     whirl_status status = user_period(system, values, &period);
     if (status.code != WHIRL_OK) return status;
     snprintf(result->title, sizeof result->title, "%s", system->title);
     result->speed = 2.0 * acos(-1.0) / period;
     result->length_scale = result->force_scale = 1.0;
+    // Copy parameters and stations.
     result->parameters = calloc(system->parameter_count + 1, sizeof *result->parameters);
     result->stations = calloc(system->station_count, sizeof *result->stations);
     result->contacts = calloc(1, sizeof *result->contacts);
@@ -170,6 +174,7 @@ static whirl_status study_describe(const whirl_user_system *system, whirl_result
     memcpy(result->stations, system->stations, system->station_count * sizeof *result->stations);
     result->parameter_count = system->parameter_count;
     result->station_count = system->station_count;
+    // Name the clock of each table, then add equations, warnings and provenance.
     for (size_t k = 0; k < result->table_count; k++) name_clock(system, &result->tables[k]);
     status = user_add_equations(system, result);
     if (status.code == WHIRL_OK) status = user_warn_of_units(system, result);

@@ -13,6 +13,7 @@ whirl_status whirl_user_system_new(const char *title, size_t dimension, whirl_us
     *out = NULL;
     if (dimension < 1 || dimension > USER_MAX_STATES)
         return whirl_fail(WHIRL_BAD_INPUT, "a system of %zu coordinates, expected 1 to %d", dimension, USER_MAX_STATES);
+    // Allocate.
     whirl_user_system *system = calloc(1, sizeof *system);
     if (system) {
         system->start = calloc(dimension, sizeof *system->start);
@@ -22,6 +23,7 @@ whirl_status whirl_user_system_new(const char *title, size_t dimension, whirl_us
         whirl_user_system_free(system);
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for a system of %zu coordinates", dimension);
     }
+    // Set the defaults.
     snprintf(system->title, sizeof system->title, "%s", title ? title : "");
     whirl_make_plain(system->title);
     system->dimension = dimension;
@@ -242,6 +244,7 @@ whirl_status user_period(const whirl_user_system *system, const double *paramete
 whirl_status whirl_user_system_vary(whirl_user_system *system, const char *parameter, const double *values,
                                     size_t count) {
     size_t index;
+    // Check the parameter and its values.
     const whirl_status status = user_require_parameter(system, parameter, &index);
     if (status.code != WHIRL_OK) return status;
     if (system->axis_count == USER_AXES)
@@ -258,6 +261,7 @@ whirl_status whirl_user_system_vary(whirl_user_system *system, const char *param
             return whirl_fail(WHIRL_BAD_INPUT, "%s is %g after %g, expected values that rise or fall throughout",
                               parameter, values[i], values[i - 1]);
     }
+    // Copy the values.
     double *copy = malloc(count * sizeof *copy);
     if (!copy) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu values", count);
     memcpy(copy, values, count * sizeof *copy);

@@ -213,6 +213,7 @@ static void rows_of_set(const fitting *f, const pole_set *poles, size_t set, dou
     double a[MAX_ROWS * MAX_COLUMNS], own[MAX_ROWS * (MAX_POLES + 1)];
     const size_t n = poles->count, before = n + 2, stride = before + RATIONAL_ENTRIES * (n + 1);
     const size_t rows = 2 * f->count - before;
+    // Columns of the parts and of the scaling function, with one row for the real and one for the imaginary part.
     for (size_t k = 0; k < f->count; k++) {
         const double weight = f->weight[set][k];
         for (size_t j = 0; j <= n; j++) {
@@ -224,6 +225,7 @@ static void rows_of_set(const fitting *f, const pole_set *poles, size_t set, dou
         }
         put_row(a, stride, k, n + 1, I * (f->w[k] * weight));
     }
+    // Eliminate the parts: what is left is the scaling function of each entry.
     rational_fit_triangularize(2 * f->count, 0, before, stride, stride, a);
     for (size_t e = 0; e < RATIONAL_ENTRIES; e++, out += (n + 1) * (n + 2)) {
         for (size_t r = 0; r < rows; r++)
@@ -242,6 +244,7 @@ static bool rational_fit_relocate(const fitting *f, pole_set *poles) {
     double a[(MAX_ENTRIES * (MAX_POLES + 1) + 1) * (MAX_POLES + 2)] = {0.0}, x[MAX_POLES + 2];
     double matrix[MAX_POLES * MAX_POLES] = {0.0};
     const size_t n = poles->count, rows = f->sets * RATIONAL_ENTRIES * (n + 1) + 1;
+    // Least squares for the scaling function, whose mean is 1.
     for (size_t set = 0; set < f->sets; set++)
         rows_of_set(f, poles, set, a + set * RATIONAL_ENTRIES * (n + 1) * (n + 2));
     double *last = a + (rows - 1) * (n + 2); // its mean is 1
@@ -252,6 +255,7 @@ static bool rational_fit_relocate(const fitting *f, pole_set *poles) {
     }
     last[n] = last[n + 1] = 1.0;
     if (!solve_nearest(rows, n + 1, a, x)) return false;
+    // Its zeros are the eigenvalues of the poles' matrix less a matrix of rank one.
     const double smallest = 1e-8, constant = fabs(x[n]) > smallest ? x[n] : copysign(smallest, x[n]);
     for (size_t i = 0; i < n; i++) {
         const double b = poles->imaginary[i], drive = b > 0.0 ? 2.0 : b < 0.0 ? 0.0 : 1.0;

@@ -24,6 +24,7 @@ VECTOR_INLINE void take_stage(const adaptive_lanes *lanes, int number, set_place
     const vec *slopes = VECTORS(dop853.k[0]) + set.v;
     const size_t last = sums->count - 1;
     vec position[MAX_TOGETHER], velocity[MAX_TOGETHER];
+    // Sum the slopes for all rows of the group.
     for (size_t r = 0; r < count; r++) position[r] = velocity[r] = v_set(0.0);
     for (size_t j = 0; j < last; j++) {
         const vec *slope = slopes + sums->place[j] + first;
@@ -33,6 +34,7 @@ VECTOR_INLINE void take_stage(const adaptive_lanes *lanes, int number, set_place
             velocity[r] = v_fma(by_velocity, slope[r * step], velocity[r]);
         }
     }
+    // Add the last slope, and step from the beginning.
     const vec *slope = slopes + sums->place[last], weight = v_set(sums->weight[last][VELOCITY]);
     for (size_t r = 0; r < count; r++) {
         const size_t i = first + r * step;
@@ -327,9 +329,11 @@ static void take_polynomials(const adaptive_lanes *lanes) {
     const size_t after = lanes->degrees * lanes->stride;
     const vec *q = VECTORS(q), *v = VECTORS(v), *end_q = VECTORS(end_q), *end_v = VECTORS(end_v);
     const vec *first = VECTORS(slope), *last = VECTORS(end_slope), *h = VECTORS(length);
+    // Three more slopes, and the cubic.
     take_slopes(lanes, DOP853_STAGES + 1, DOP853_SLOPES);
     FOR_DEGREES take_cubic(lanes, i, h[k], q[i], end_q[i], v[i], end_v[i]);
     FOR_ROWS(0, lanes->rates) take_cubic(lanes, after + i, h[k], v[i], end_v[i], first[i], last[i]);
+    // The polynomials of positions, which drift by the velocity, and of velocities.
     for (size_t p = 0; p < DOP853_DENSE; p++) {
         const slope_sums *sums = &lanes->dop853.sums.dense[p];
         const vec *slopes = VECTORS(dop853.k[0]), drift = v_set(lanes->dop853.sums.dense_drift[p]);

@@ -153,11 +153,13 @@ VECTOR_INLINE void decompose_some(const adaptive_lanes *lanes, size_t stride, si
     const sparsity at = *lanes->rodas5p.sparsity; // a copy, so that compilers know that no write changes it
     vec *matrix = VECTORS(rodas5p.matrix) + k, *pivot = VECTORS(rodas5p.pivot) + k;
     vec least[MAX_GROUP], doubt[MAX_GROUP], factor[MAX_GROUP];
+    // Pivots below `least` are doubtful, and so are all of a lane whose shift is 0.
     FOR_COUNT {
         const vec s = VECTORS(rodas5p.shift)[k + c];
         least[c] = v_mul(v_set(0x1p-8), v_mul(s, s));
         doubt[c] = v_select(v_less(v_set(0.0), least[c]), v_set(0.0), v_set(1.0));
     }
+    // Fill a row, eliminate it by those above, and invert its pivot.
     for (size_t i = 0; i < n; i++) {
         vec *row = matrix + i * n * stride, *diagonal = row + i * stride;
         fill_row(lanes, i, stride, k, count, row);

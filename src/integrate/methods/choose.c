@@ -99,10 +99,12 @@ whirl_status whirl_method_probe(const whirl_system *system, const whirl_integrat
     whirl_integrator *integrator;
     double *block, steps = 0.0;
     *cost = (whirl_method_cost){0.0, (double)NAN};
+    // Bound the cost by the products of a Jacobian.
     const double products = DOP853_STAGES * (double)system->dimension * (double)system->dimension;
     const double most = fmax(1.0, fmin(most_dop853, most_products / products));
     whirl_status status = choose_start(system, options, "dop853", most, &integrator);
     if (status.code != WHIRL_OK) return status;
+    // Count the steps of both methods from the same state.
     if (phase_search_begin(&search, system, &block)) {
         memcpy(search.x, from, system->dimension * sizeof *from);
         phase_search_note(&search, 0.0, search.x);

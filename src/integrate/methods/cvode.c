@@ -271,12 +271,14 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_pertu
     const double period = integrator->system->period;
     const int samples = observe ? integrator->options.steps_per_revolution : 1;
     const size_t bytes = integrator->system->dimension * sizeof *x;
+    // Begin at x, on the sides of the switches there.
     memcpy(NV_DATA_S(work->state), x, bytes);
     work->set = perturbations;
     if (work->sides) set_variation(integrator, work->sides);
     if (work->sides) find_sides(work);
     if (restart(work, 0.0) != CV_SUCCESS) return WHIRL_STUCK;
     CVodeSetStopTime(work->memory, period);
+    // Advance from sample to sample.
     double t = 0.0;
     int switches = 0;
     whirl_motion motion = WHIRL_BOUNDED;
@@ -286,6 +288,7 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_pertu
         if (motion == WHIRL_BOUNDED) motion = state_motion(integrator, NV_DATA_S(work->state));
         if (motion == WHIRL_BOUNDED && observe) observe(observer, target, NV_DATA_S(work->state));
     }
+    // Store the state, and the perturbation with its length taken out.
     memcpy(x, NV_DATA_S(work->state), bytes);
     if (perturbations && motion == WHIRL_BOUNDED) {
         if (!fetch_perturbation(work)) return WHIRL_STUCK;

@@ -37,6 +37,7 @@ static whirl_status rk4_start(whirl_integrator *integrator) {
         free(work);
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for %d steps per revolution", steps);
     }
+    // Describe the revolution to the kernel.
     work->one = rk4_one_of(rk4_system_flow, system, system->dimension);
     rk4_lanes *lanes = &work->one.lanes;
     lanes->forcing_count = count;
@@ -45,6 +46,7 @@ static whirl_status rk4_start(whirl_integrator *integrator) {
     lanes->step = system->period / steps;
     lanes->forcing = work->numbers;
     lanes->now = work->numbers + instants * count;
+    // Tabulate the forcing at the instants and middles of all steps.
     for (size_t i = 0; i < instants; i++) {
         double *now = work->numbers + i * count, t = system->period * ((double)i / (2.0 * steps));
         if (system->forcing_count > 0) system->forcing(system->model, t, now);

@@ -98,6 +98,7 @@ static size_t rodas5p_lay_out(adaptive_lanes *lanes, double *block) {
         {&own->right_q, n},       {&own->between_q, n},
         {&own->between_v, m},     {&own->ahead, lanes->forcing_count},
     };
+    // The stages, then all other arrays, one after the other.
     size_t row = 0;
     for (int i = 0; i < RODAS5P_STAGES; i++, row += n + m) {
         own->u_q[i] = lanes_row(lanes, block, row);

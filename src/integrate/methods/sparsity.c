@@ -58,13 +58,16 @@ sparsity *sparsity_new(size_t n, size_t m, void (*depends)(const void *model, bo
         free(table);
         return NULL;
     }
+    // The table of which slope depends on which coordinate: all on all, if unknown.
     bool *matrix = table + 2 * m * width;
     out->perturbation = (size_t *)(out + 1);
     if (depends) depends(model, table);
     for (size_t i = 0; !depends && i < m * width; i++) table[i] = true;
+    // Perturbations that columns share, and the lists of dependences.
     share_perturbations(out, table, m, width, table + m * width);
     size_t *next = list(&out->by_q, out->perturbation + width, table, m, width, n, ALL);
     next = list(&out->by_v, next, table + n, m, width, m, ALL);
+    // The pattern of the matrix after elimination.
     for (size_t i = 0; i < m; i++)
         for (size_t c = 0; c < m; c++) matrix[i * m + c] = table[i * width + n + c] || (c < n && table[i * width + c]);
     fill_in(matrix, m);

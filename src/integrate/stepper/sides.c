@@ -101,6 +101,7 @@ size_t stepper_list_sliding(const stepper *c, size_t list[MAX_SLIDING]) {
 void stepper_slope_along(const stepper *c, double t, const double *x, double *dxdt, double *share) {
     const size_t n = c->dimension;
     size_t list[MAX_SLIDING];
+    // The slope on the lower sides, and what each upper side adds.
     const size_t count = stepper_list_sliding(c, list);
     double matrix[MAX_SLIDING][MAX_SLIDING], *added = c->work + n, *sides = stepper_row(c, ROW_SIDES);
     memcpy(sides, c->sides, c->system->switch_count * sizeof *sides);
@@ -112,6 +113,7 @@ void stepper_slope_along(const stepper *c, double t, const double *x, double *dx
         sides[list[j]] = -1.0;
         for (size_t d = 0; d < n; d++) added[j * n + d] -= dxdt[d];
     }
+    // Shares for which no switching function changes along the slope.
     for (size_t i = 0; i < count; i++) {
         double by_time;
         c->system->switch_gradient(c->system->model, t, x, list[i], c->work, &by_time);
@@ -284,7 +286,9 @@ void stepper_find_sides(stepper *c) {
     c->sliding_count = 0;
     if (system->switch_count == 0) return;
     system->switches(system->model, c->t, c->x, values);
+    // Switches away from zero have the side of their sign.
     for (size_t i = 0; i < system->switch_count; i++) c->sides[i] = values[i] > 0.0 ? 1.0 : -1.0;
+    // At a switch near zero the motion slides, leaves to one side, or tries both.
     for (size_t i = 0; i < system->switch_count; i++) {
         if (fabs(values[i]) > change_by(c, i, c->t, c->x, 0.0, 16.0 * DBL_EPSILON)) continue;
         const departure below = depart(c, i, -1.0), above = depart(c, i, 1.0);

@@ -98,6 +98,7 @@ static bool make_slot(stepper *c, const whirl_system *system) {
                                                                  .rtol = c->rtol,
                                                                  .atol = c->atol,
                                                                  .limit = INFINITY});
+    // Name the slot's arrays as those of the step.
     c->slot = slot;
     if (!slot) return false;
     slot->running[0] = 1.0;
@@ -124,6 +125,7 @@ stepper *stepper_new(const lanes_method *own, const whirl_system *system, const 
                    .limit = options->limit,
                    .fixed = rk4_one_of(stepper_system_flow, c, n),
                    .dense_count = CUBIC};
+    // Parts of one allocation.
     double *row = (double *)(c + 1);
     double **const parts[] = {&c->x,     &c->start,    &c->end,      &c->first,   &c->last,
                               &c->stage, &c->dense[0], &c->dense[1], &c->dense[2]};
@@ -135,6 +137,7 @@ stepper *stepper_new(const lanes_method *own, const whirl_system *system, const 
     c->mates = (size_t *)(c->at_switches + SWITCH_ROWS * switches);
     c->held = (int *)(c->mates + n);
     c->sliding = (bool *)(c->held + switches);
+    // With an adaptive method the arrays of the step are those of the kernel's slot.
     if (!own || make_slot(c, system)) return c;
     stepper_free(c);
     return NULL;

@@ -143,6 +143,7 @@ static bool branch_is_within(const follower *f, const waypoint *p) {
 static whirl_status branch_advance(follower *f, walk *w, bool *ended) {
     bool good;
     whirl_status status;
+    // Halve the step until a point continues the branch; at the shortest step the branch is lost.
     while (status = branch_try_step(f, w, &good), status.code == WHIRL_OK && !good) {
         *ended = w->step <= f->options->least_step;
         if (*ended) f->branch->end = WHIRL_END_LOST;
@@ -150,12 +151,14 @@ static whirl_status branch_advance(follower *f, walk *w, bool *ended) {
         w->step = fmax(0.5 * w->step, f->options->least_step);
     }
     if (status.code != WHIRL_OK) return status;
+    // Add the point, after the special points that the step passed.
     *ended = !branch_is_within(f, &w->next);
     if (*ended) return end_at_bound(f, w);
     status = pass_special(f, w, ended);
     if (status.code != WHIRL_OK || *ended) return status;
     status = add_waypoint(f, &w->next);
     if (status.code != WHIRL_OK) return status;
+    // Choose the next step, and move on: the equations begin at the new point.
     w->step = fmin(fmax(w->step * w->next.pace, f->options->least_step), f->options->most_step);
     branch_exchange(&w->before, &w->next);
     branch_exchange(&w->before, &w->now);
@@ -205,6 +208,7 @@ whirl_status whirl_branch_follow(const whirl_family *family, const whirl_orbit *
     *branch = NULL;
     const curve_way way = {options->from, options->to, options->least_step, options->step, options->most_step};
     whirl_status status = curve_check(&way, value);
+    // Make the equations and four waypoints.
     if (status.code != WHIRL_OK) return status;
     status = follower_begin(&f, family, start, value, options);
     if (status.code == WHIRL_OK) status = waypoint_new(&f, &w.before);
@@ -214,6 +218,7 @@ whirl_status whirl_branch_follow(const whirl_family *family, const whirl_orbit *
     w.trial = status.code == WHIRL_OK ? calloc(2 * (f.curve.count + 1), sizeof *w.trial) : NULL;
     if (status.code == WHIRL_OK && !w.trial) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch");
     w.across = w.trial ? w.trial + f.curve.count + 1 : NULL;
+    // Follow the branch, and hand it over.
     if (status.code == WHIRL_OK) status = branch_follow(&f, &w, value, direction);
     if (status.code == WHIRL_OK) {
         *branch = f.branch;

@@ -92,6 +92,7 @@ newton_result curve_correct(curve *c, const double *direction, double *u) {
     newton_result result = {.size = INFINITY};
     double *from = malloc(all * sizeof *from);
     if (!from) return result;
+    // The factors of the last point serve as an approximate derivative near it.
     memcpy(from, u, all * sizeof *from);
     const bool nearby = c->known && decompose_with(c, direction);
     c->direction = direction;

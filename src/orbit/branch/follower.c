@@ -36,11 +36,13 @@ whirl_status follower_begin(follower *f, const whirl_family *family, const whirl
     whirl_status status =
         equations_make(&f->equations, NULL, family, value, &options->orbit, start->revolutions, start->period);
     if (status.code != WHIRL_OK) return status;
+    // The first orbit must have the family's dimension and the options' segments.
     orbit_equations *e = &f->equations;
     if (e->s->dimension != start->dimension || e->s->count != start->segment_count)
         return whirl_fail(
             WHIRL_BAD_INPUT, "an orbit of %zu coordinates in %zu segments, expected %zu in %zu of the branch",
             start->dimension, start->segment_count, e->s->dimension, (size_t)options->orbit.segments * shared);
+    // Make the curve of these equations.
     equations_reach(e, options->to - options->from);
     f->curve = (curve){.count = equations_count(e),
                        .context = e,
@@ -49,6 +51,7 @@ whirl_status follower_begin(follower *f, const whirl_family *family, const whirl
                        .tolerance = options->orbit.tolerance};
     f->branch = calloc(1, sizeof *f->branch);
     if (!f->branch || !curve_begin(&f->curve)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch");
+    // Begin at the first orbit.
     memcpy(e->nodes, start->nodes, e->s->count * e->s->dimension * sizeof *e->nodes);
     equations_scale(e, options->to - options->from, f->curve.scale);
     equations_begin_at(e, start->nodes);

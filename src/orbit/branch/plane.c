@@ -208,6 +208,7 @@ static whirl_status plane_begin(walk *w, const whirl_branch_point *start, int di
 
 static whirl_status plane_prepare(walk *w, const whirl_branch_point *start) {
     const whirl_orbit *orbit = start->orbit;
+    // Make the equations of the orbit over the first parameter.
     w->family = (whirl_family){make_machine, w};
     whirl_status status = equations_make(&w->equations, NULL, &w->family, start->value, &w->options->orbit,
                                          orbit->revolutions, orbit->period);
@@ -216,6 +217,7 @@ static whirl_status plane_prepare(walk *w, const whirl_branch_point *start) {
     if (e->s->dimension != orbit->dimension || e->s->count != orbit->segment_count)
         return whirl_fail(WHIRL_BAD_INPUT, "an orbit of %zu coordinates in %zu segments, expected %zu in %zu",
                           orbit->dimension, orbit->segment_count, e->s->dimension, e->s->count);
+    // The curve has one equation more, that of the special point, and one unknown more, the second parameter.
     const size_t n = equations_count(e), all = n + 2;
     equations_reach(e, w->options->to - w->options->from);
     w->curve = (curve){.count = n + 1,
@@ -226,6 +228,7 @@ static whirl_status plane_prepare(walk *w, const whirl_branch_point *start) {
     w->branch = calloc(1, sizeof *w->branch);
     w->u = calloc(8 * all + n * (n + 1), sizeof *w->u);
     if (!w->branch || !w->u || !curve_begin(&w->curve)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a curve");
+    // Parts of one allocation.
     w->tangent = w->u + all;
     w->trial = w->tangent + all;
     w->aside = w->trial + all;
@@ -233,6 +236,7 @@ static whirl_status plane_prepare(walk *w, const whirl_branch_point *start) {
     w->below = w->above + all;
     w->before = w->below + all;
     w->orbit_derivative = w->before + 2 * all;
+    // Begin at the special point.
     memcpy(e->nodes, orbit->nodes, e->s->count * e->s->dimension * sizeof *e->nodes);
     equations_scale(e, w->options->to - w->options->from, w->curve.scale);
     w->curve.scale[n + 1] = w->high - w->low;
@@ -265,12 +269,14 @@ whirl_status whirl_curve_follow(const whirl_plane *plane, const whirl_branch_poi
               .touch = start->touch,
               .second = second};
     *out = NULL;
+    // Check the point and the bounds.
     if (start->special == WHIRL_REGULAR || start->special == WHIRL_BRANCHING)
         return whirl_fail(WHIRL_BAD_INPUT, "no curve over two parameters leads through this point, expected a fold, a "
                                            "doubling, a Neimark-Sacker, Hopf or grazing point");
     if (!(bounds[0] < bounds[1] && second >= bounds[0] && second <= bounds[1] && options->from != options->to))
         return whirl_fail(WHIRL_BAD_INPUT, "a curve begins at %g of %g to %g, expected bounds around it", second,
                           bounds[0], bounds[1]);
+    // Follow the curve, and hand it over.
     whirl_status status = plane_follow(&w, start, direction);
     if (status.code == WHIRL_OK) {
         *out = w.branch;

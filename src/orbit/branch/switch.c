@@ -173,6 +173,7 @@ static whirl_status depart_from_rest(const whirl_family *family, const whirl_bra
     whirl_modes *modes = NULL;
     whirl_status status = family->machine(family->context, point->value, &machine);
     if (status.code != WHIRL_OK) return status;
+    // The first guess is the equilibrium in all segments, with the period of the whirl that begins there.
     const size_t size = point->orbit->dimension, segments = (size_t)options->orbit.segments;
     double *nodes = calloc(size * segments + 1, sizeof *nodes);
     whirl_orbit start = *point->orbit;
@@ -184,6 +185,7 @@ static whirl_status depart_from_rest(const whirl_family *family, const whirl_bra
     for (size_t j = 0; nodes && j < segments; j++) memcpy(nodes + j * size, point->orbit->nodes, size * sizeof *nodes);
     if (status.code == WHIRL_OK && modes->count == 0)
         status = whirl_fail(WHIRL_BAD_INPUT, "the equilibrium has no mode with a frequency");
+    // Leave the equilibrium along the mode that whirls.
     if (status.code == WHIRL_OK) status = switch_prepare(&d, family, &start, point->value, options);
     if (status.code == WHIRL_OK) {
         const double *vector = modes->vectors + 2 * size * whirling_mode(modes, point->angle);

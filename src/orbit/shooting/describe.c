@@ -94,11 +94,13 @@ whirl_status orbit_describe(shooting *s, const double *nodes, double period, dou
                               .segment_count = s->count,
                               .multiplier_count = s->kept_count,
                               .touch_count = whirl_touch_count(s->system)};
+    // Copy the orbit.
     whirl_orbit *orbit = whirl_orbit_new(&like);
     if (!orbit) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of %zu segments", s->count);
     orbit->residual = residual;
     orbit->volume = s->volume;
     memcpy(orbit->nodes, nodes, s->count * s->dimension * sizeof *orbit->nodes);
+    // Find multipliers and contacts.
     whirl_status status = whirl_ok();
     if (!whirl_product_eigenvalues(s->kept_count, s->count, s->matrices, orbit->multipliers))
         status =

@@ -98,6 +98,7 @@ static bool turn_to(orbit_equations *e, double value) {
     whirl_machine machine = {.system = NULL};
     shooting *s = NULL;
     if (value == e->value) return true;
+    // Reuse the integrators for the new machine, or make new ones if its structure differs.
     whirl_status status = e->family->machine(e->family->context, value, &machine);
     const bool renewed = status.code == WHIRL_OK && shooting_renew(e->s, machine.system);
     if (status.code == WHIRL_OK && !renewed && machine.system->dimension == e->s->dimension)
@@ -106,6 +107,7 @@ static bool turn_to(orbit_equations *e, double value) {
         equations_release(&machine);
         return false;
     }
+    // Keep the first machine: reused integrators refer to it.
     if (!renewed) {
         release_all(e);
         e->s = s;

@@ -37,12 +37,14 @@ static whirl_status periodic_orbit_solve(orbit_equations *e, const double *start
                                     .tolerance = options->tolerance,
                                     .most_steps = options->most_steps,
                                     .most_halvings = 8};
+    // Spread nodes along the motion from the start: they are the first unknowns, together with a free period.
     equations_begin_at(e, start);
     memcpy(e->nodes, start, s->dimension * sizeof *start);
     if (!shooting_spread(s, e->nodes, s->period))
         return whirl_fail(WHIRL_BAD_INPUT, "the motion from which an orbit is searched leaves its bounds");
     equations_take(e, e->nodes, u);
     if (problem.count > s->count * s->kept_count) u[problem.count - 1] = s->period;
+    // Solve, and refuse an equilibrium where an orbit is searched.
     const newton_result result = newton_solve(&problem, u);
     if (!result.found)
         return whirl_fail(WHIRL_BAD_INPUT,

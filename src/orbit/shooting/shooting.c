@@ -79,6 +79,7 @@ whirl_status shooting_new(const whirl_system *system, const whirl_orbit_options 
     whirl_status status = shooting_check(system, options, revolutions, period);
     if (status.code != WHIRL_OK) return status;
     shooting *s = calloc(1, sizeof *s);
+    // An equilibrium has one segment and is not integrated.
     const bool rests = revolutions == 0 && period == 0.0;
     const size_t parts = rests ? 1 : (size_t)options->segments;
     if (!s) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of %zu segments", parts);
@@ -90,6 +91,7 @@ whirl_status shooting_new(const whirl_system *system, const whirl_orbit_options 
                     .period = revolutions > 0 ? system->period * (double)revolutions : period,
                     .part_count = parts,
                     .count = parts * (revolutions > 0 ? revolutions : 1)};
+    // Allocate; the instants of a revolution are dealt to its segments.
     if (!shooting_allocate(s)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of %zu segments", parts);
     s->integrate.steps_per_revolution = (s->integrate.steps_per_revolution + (int)parts - 1) / (int)parts;
     if (status.code == WHIRL_OK && !rests) status = make_lanes(s);

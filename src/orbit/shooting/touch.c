@@ -141,6 +141,7 @@ whirl_status touch_find(shooting *s, whirl_orbit *orbit) {
     const size_t d = s->dimension, switches = s->system->switch_count;
     double *room = calloc(8 * d + 3 * switches + 1, sizeof *room);
     if (!room) return whirl_fail(WHIRL_NO_MEMORY, "no memory to follow an orbit");
+    // Parts of one allocation.
     watch w = {.system = s->system, .orbit = orbit, .x = room, .slope = room + d, .x2 = room + 2 * d};
     w.slope2 = w.x2 + d;
     w.mid = w.slope2 + d;
@@ -148,12 +149,14 @@ whirl_status touch_find(shooting *s, whirl_orbit *orbit) {
     w.values = w.gradient + d;
     w.from = w.values + switches;
     w.rate = w.from + switches;
+    // Watch the switching functions along the orbit; bounds suffice without contacts.
     touch_prepare(&w);
     touch_add(&w, 0.0, orbit->nodes, 0.0);
     const bool good =
         shooting_rests(s) ||
         (orbit->touch_count == 0 && shooting_bounds(s, orbit->nodes, orbit->period, orbit->low, orbit->high)) ||
         shooting_observe(s, orbit->nodes, orbit->period, touch_observe, &w);
+    // Turn times into shares of the period.
     for (size_t k = 0; k < orbit->touch_count; k++) {
         whirl_touch *touch = &orbit->touches[k];
         touch->share = orbit->period > 0.0 ? fmin(fmax(touch->share / orbit->period, 0.0), 1.0) : w.from[k] > 0.0;

@@ -48,6 +48,7 @@ static whirl_status torus_solve(torus_equations *e, double **u, whirl_torus **ou
     const whirl_torus_options *o = e->options;
     const double slight = 1e-8;
     for (;;) {
+        // Solve with the present number of nodes.
         torus_equations_refer(e, *u);
         const newton_result result = newton_solve(&(newton_problem){.count = torus_equations_count(e),
                                                                     .context = e,
@@ -57,6 +58,7 @@ static whirl_status torus_solve(torus_equations *e, double **u, whirl_torus **ou
                                                                     .most_steps = o->most_steps,
                                                                     .most_halvings = 6},
                                                   *u);
+        // Refuse a failure, and a periodic orbit.
         if (!result.found)
             return whirl_fail(WHIRL_BAD_INPUT,
                               "no torus was found: after %d steps of Newton's method its curve of %zu nodes is carried "
@@ -64,8 +66,10 @@ static whirl_status torus_solve(torus_equations *e, double **u, whirl_torus **ou
                               result.steps, e->count, result.size, o->tolerance);
         if (torus_equations_radius(e, *u) <= slight * torus_equations_reach(e, *u))
             return whirl_fail(WHIRL_BAD_INPUT, "no torus was found: Newton's method came to a periodic orbit");
+        // Accept the torus if it is accurate between its nodes.
         whirl_status status = torus_describe(e, *u, result.size, out);
         if (status.code != WHIRL_OK || torus_is_accurate(e, *u, *out)) return status;
+        // Otherwise repeat with more nodes, up to the most that the options allow.
         const size_t before = e->count, wanted = torus_nodes_wanted(e, *u, (*out)->error);
         if (wanted <= before) {
             char why[WHIRL_MESSAGE_SIZE];

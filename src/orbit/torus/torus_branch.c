@@ -253,6 +253,7 @@ whirl_status whirl_torus_follow(const whirl_family *family, const whirl_torus *s
     torus_follower f;
     torus_walk w = {.step = 0.0};
     *branch = NULL;
+    // Make the branch, the equations and two waypoints.
     whirl_torus_branch *b = calloc(1, sizeof *b);
     if (!b) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch of tori");
     b->limit = NAN;
@@ -262,6 +263,7 @@ whirl_status whirl_torus_follow(const whirl_family *family, const whirl_torus *s
     if (status.code == WHIRL_OK) status = torus_waypoint_new(&f, &w.next);
     w.before = status.code == WHIRL_OK ? calloc(f.room, sizeof *w.before) : NULL;
     if (status.code == WHIRL_OK && !w.before) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch of tori");
+    // Follow the branch, and hand it over.
     if (status.code == WHIRL_OK) status = torus_branch_follow(&f, &w, start, value, direction, b);
     free(w.before);
     torus_waypoint_free(&w.now);

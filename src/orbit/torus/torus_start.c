@@ -27,6 +27,7 @@ typedef struct cloud {
 } cloud;
 
 static cloud *cloud_new(const torus_equations *e, const double *states, size_t count) {
+    // One allocation holds all arrays.
     const size_t n = e->n, kept = count < MAX_SECTIONS ? count : MAX_SECTIONS, d = e->map->dimension;
     cloud *c = calloc(1, sizeof *c + (kept * (2 * n + 1) + (4 + 2 * MAX_HARMONICS) * n) * sizeof(double));
     double sum = 0.0;
@@ -38,12 +39,14 @@ static cloud *cloud_new(const torus_equations *e, const double *states, size_t c
     c->real = c->mean + n;
     c->minus = c->real + n;
     c->series = c->minus + n;
+    // Take the last sections, weighted for Birkhoff averages.
     for (size_t m = 0; m < kept; m++) {
         section_map_take(e->map, states + (count - kept + m) * d, c->points + m * n);
         c->weights[m] = birkhoff_weight(m, kept);
         sum += c->weights[m];
     }
     for (size_t m = 0; m < kept; m++) c->weights[m] /= sum;
+    // Subtract the weighted mean.
     for (size_t m = 0; m < kept; m++)
         for (size_t i = 0; i < n; i++) c->mean[i] += c->weights[m] * c->points[m * n + i];
     for (size_t m = 0; m < kept; m++)
@@ -213,6 +216,7 @@ static whirl_status write_curve(torus_equations *e, cloud *c, double rotation, d
 static whirl_status torus_start_fit(torus_equations *e, cloud *c, double rotation, double **u) {
     const double enough = 0.2;
     double off = 0.0, size = 0.0;
+    // Refuse a single point and a periodic motion.
     for (size_t i = 0; i < e->n; i++) size = fmax(size, fabs(c->mean[i]));
     if (!isfinite(c->radius) || !(c->radius > 1e-9 * fmax(size, c->radius)))
         return whirl_fail(WHIRL_BAD_INPUT, "the sections of a torus are one point, expected a closed curve of them");
@@ -222,6 +226,7 @@ static whirl_status torus_start_fit(torus_equations *e, cloud *c, double rotatio
                           "the sections of a torus repeat after %zu of them: the motion is periodic, expected one that "
                           "fills a closed curve",
                           period);
+    // Fit by the given rotation number, or by one found for these sections.
     if (isfinite(rotation))
         off = torus_start_misfit(c, rotation);
     else
