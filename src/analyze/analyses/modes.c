@@ -138,6 +138,7 @@ static whirl_status modes_compute(const whirl_resting *point, const whirl_record
                                   const block_view *view) {
     const whirl_modes *modes = point->modes;
     const size_t most = (size_t)options->modes;
+    // Rest and the eigenvalues as a whole.
     *view_numbers(view, SPEED, 0) = point->speed;
     *view_numbers(view, RIGID_BODY, 0) = (double)modes->free;
     *view_numbers(view, STABILITY, 0) = point->clock * modes->growth;
@@ -148,10 +149,12 @@ static whirl_status modes_compute(const whirl_resting *point, const whirl_record
         const whirl_probe *probe = &point->system->probes[p];
         for (size_t c = 0; c < 2; c++) view_numbers(view, REST, p)[c] = whirl_probe_value(probe, modes->rest, c);
     }
+    // The sensitivity of control loops.
     whirl_sensitivity_peak sensitivity;
     const whirl_status status = whirl_loops_peak(point->system, modes, &sensitivity);
     *view_numbers(view, SENSITIVITY, 0) = sensitivity.peak;
     *view_numbers(view, SENSITIVITY_FREQUENCY, 0) = point->clock * sensitivity.frequency;
+    // Modes, their shapes, and critical speeds.
     fill_modes(point, modes, most, view);
     for (size_t i = 0; i < modes->count && i < most; i++) {
         const double *shape = modes->vectors + 2 * i * modes->dimension;

@@ -192,6 +192,7 @@ static whirl_status statics_compute(const whirl_resting *point, const whirl_reco
     (void)options;
     whirl_status status = point->at_speed(point->context, 0.0, WHIRL_WITH_STATICS, 0.0, &machine);
     if (status.code != WHIRL_OK) return status;
+    // Effects of weight, from the machine at standstill.
     for (size_t p = 0; p < probes && machine.statics; p++) {
         const whirl_station_statics *at = &machine.statics[p];
         *view_numbers(view, LOAD, p) = at->load;
@@ -208,6 +209,7 @@ static whirl_status statics_compute(const whirl_resting *point, const whirl_reco
     }
     if (machine.release) machine.release(machine.owner);
     if (!machine.statics) return whirl_fail(WHIRL_BAD_INPUT, "the machine has no statics");
+    // Films and coefficients, at the point's speed.
     status = fill_films(point, view);
     return status.code == WHIRL_OK ? fill_coefficients(point, view) : status;
 }

@@ -163,6 +163,7 @@ static void torsion_fill_response(const whirl_resting *point, const block_view *
     const size_t excitations = torsion->excitation_count;
     whirl_torque_path path;
     system->twist(system->model, v, shape);
+    // Angles of stations that twist.
     for (size_t p = 0; p < system->probe_count; p++) {
         const double size = hypot(shape[2 * p], shape[2 * p + 1]);
         double *sum = view_numbers(view, ANGLE_SUM, p);
@@ -172,6 +173,7 @@ static void torsion_fill_response(const whirl_resting *point, const block_view *
         view_numbers(view, RATE, p)[index] = frequency * size;
         *sum = (isnan(*sum) ? 0.0 : *sum) + size;
     }
+    // Torques of what carries them, with the power lost there.
     for (size_t k = 0; k < torsion->path_count; k++) {
         double torque[2], power;
         double *sum = view_numbers(view, TORQUE_SUM, 0) + k, *lost = view_numbers(view, POWER, 0) + k;

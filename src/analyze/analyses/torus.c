@@ -113,12 +113,14 @@ static void put_place(const block_view *view, const whirl_torus_trace *trace) {
 
 static void put_torus(const block_view *view, const whirl_torus *torus) {
     double *resonance = view_numbers(view, RESONANCE, 0), *exponents = view_numbers(view, EXPONENTS, 0);
+    // The rotation number, and the resonance near it.
     *view_numbers(view, REVOLUTIONS, 0) = (double)torus->revolutions;
     *view_numbers(view, ROTATION, 0) = torus->rotation;
     if (torus->resonance > 0) {
         resonance[0] = round((double)torus->resonance * torus->rotation);
         resonance[1] = (double)torus->resonance;
     }
+    // The curve.
     *view_numbers(view, RADIUS, 0) = torus->radius;
     *view_numbers(view, UNSTABLE, 0) = (double)torus->unstable;
     *view_numbers(view, VOLUME, 0) = torus->volume;
@@ -126,6 +128,7 @@ static void put_torus(const block_view *view, const whirl_torus *torus) {
     *view_numbers(view, RESIDUAL, 0) = torus->residual;
     *view_numbers(view, ERROR, 0) = torus->error;
     *view_numbers(view, TAIL, 0) = torus->tail;
+    // Exponents of perturbations normal to it.
     for (size_t i = 0; i < torus->exponent_count; i++) {
         exponents[2 * i] = torus->exponents[i];
         exponents[2 * i + 1] = torus->exponent_errors[i];

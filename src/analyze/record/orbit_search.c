@@ -123,12 +123,14 @@ whirl_status orbit_searches_new(const whirl_system *system, const whirl_integrat
                                 orbit_searches **out) {
     const whirl_method *method;
     *out = NULL;
+    // Newton's method needs a Jacobian, and a method that carries perturbations.
     whirl_status status = whirl_method_find(integrate->method, &method);
     if (status.code == WHIRL_OK && (!system->tangent || !method->follows))
         status = whirl_fail(WHIRL_BAD_INPUT, "the system gives no Jacobian, or method %s takes no perturbations along",
                             integrate->method);
     orbit_searches *s = status.code == WHIRL_OK ? calloc(1, sizeof *s) : NULL;
     if (!s) return status.code == WHIRL_OK ? whirl_fail(WHIRL_NO_MEMORY, "no memory to look for orbits") : status;
+    // Make an ensemble with tighter tolerances, and arrays for all its lanes.
     const whirl_integrate_options options = searches_exact(integrate, &s->tolerance);
     s->dimension = system->dimension;
     status = make_ensemble(s, system, &options);

@@ -72,6 +72,7 @@ static size_t record_block_observed(size_t dimension, size_t probes, size_t cont
 
 whirl_record *record_new(const whirl_system *system, const whirl_integrate_options *integrate,
                          const whirl_record_options *options) {
+    // One allocation holds the record and its arrays.
     const sizes size = record_block_measure(system, integrate, options);
     const size_t numbers = size.section + size.points + size.growth + size.growths * (size.dimension + 1) +
                            size.waveform + size.multipliers +
@@ -79,6 +80,7 @@ whirl_record *record_new(const whirl_system *system, const whirl_integrate_optio
     whirl_record *record = calloc(1, sizeof *record + numbers * sizeof(double));
     if (!record) return NULL;
     record_block_lay_out(record, (double *)(record + 1), &size);
+    // Copy what analyses need to know of the system.
     record->dimension = system->dimension;
     record->probe_count = system->probe_count;
     record->contact_count = system->contact_count;

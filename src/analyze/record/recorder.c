@@ -439,6 +439,7 @@ static void note_limit(const whirl_recorder *r, const motion *m) {
 /// Notes the result of a motion's revolution.
 static void recorder_note(whirl_recorder *r, motion *m) {
     whirl_record *record = m->record;
+    // Take the new state; the record keeps the one before.
     memcpy(record->end, m->x, record->dimension * sizeof *m->x);
     whirl_ensemble_state(r->ensemble, m->lane, m->x);
     record->motion = whirl_ensemble_motion(r->ensemble, m->lane);
@@ -446,15 +447,18 @@ static void recorder_note(whirl_recorder *r, motion *m) {
     if (recorder_records(m)) record->sample_count += r->sample_count;
     m->revolution++;
     record->revolutions += 1.0;
+    // A motion that left its bounds ends here.
     if (record->motion != WHIRL_BOUNDED) {
         record->diverged_at = m->revolution;
         note_limit(r, m);
         return;
     }
+    // Note the section, and the growth of a perturbation.
     if (m->revolution > r->first_watched) {
         if (m->copy_lane != NO_LANE) follow_copy(r, m);
         memcpy(record->section + record->section_count++ * record->dimension, m->x, record->dimension * sizeof *m->x);
     }
+    // End the transient early if the motion has settled; Newton's method goes on.
     if (!m->settling || is_on_orbit(m)) return;
     const size_t period = settling_note(m->settling, m->x);
     if (period > 0) m->revolution = record_skip(r->options, m->revolution, period);
@@ -666,12 +670,14 @@ static whirl_status start_ensemble(whirl_recorder *r, const whirl_system *system
 }
 
 static whirl_status recorder_start(whirl_recorder *r, const whirl_system *system, size_t lanes) {
+    // Begin the ensemble and, if asked, the searches of orbits.
     const whirl_status status = start_ensemble(r, system, lanes);
     if (status.code != WHIRL_OK) return status;
     if (r->options->orbits && system->tangent) {
         const whirl_status orbits = orbit_searches_new(system, r->integrate, &r->searches);
         if (orbits.code == WHIRL_NO_MEMORY) return orbits;
     }
+    // Allocate a motion for each lane, and more that wait while others search their orbit.
     r->lane_count = whirl_ensemble_lanes(r->ensemble);
     r->owner = calloc(r->lane_count, sizeof(motion *));
     r->recorded = calloc(r->lane_count, sizeof *r->recorded);
@@ -679,6 +685,7 @@ static whirl_status recorder_start(whirl_recorder *r, const whirl_system *system
     r->motions = calloc(r->max_count, sizeof(motion *));
     r->probes = system->probes;
     r->probe_count = system->probe_count;
+    // Describe to the ensemble which instants are wanted.
     r->watch = (whirl_ensemble_observe){.sample = recorder_sample, .context = r, .lanes = r->recorded};
     if (r->options->waveform)
         r->watch.stride = (size_t)(r->integrate->steps_per_revolution /

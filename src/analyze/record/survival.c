@@ -53,11 +53,13 @@ static whirl_status follow_copies(const whirl_system *system, const whirl_integr
     size_t turned = 1;
     whirl_status status = whirl_recorder_new(system, integrate, options, 0, &recorder);
     while (status.code == WHIRL_OK && turned > 0) {
+        // Fill free lanes with copies.
         status = whirl_recorder_begin(recorder);
         while (status.code == WHIRL_OK && begun < survival->copies && whirl_recorder_has_room(recorder)) {
             const whirl_task task = {system, starts + (size_t)begun++ * system->dimension, NULL};
             status = whirl_recorder_add(recorder, &task, NULL, 0);
         }
+        // Carry all by one revolution, and count those that are done.
         if (status.code == WHIRL_OK) status = whirl_recorder_revolve(recorder, &turned);
         whirl_task task;
         whirl_record *record;
@@ -74,13 +76,16 @@ static whirl_status follow_copies(const whirl_system *system, const whirl_integr
 whirl_status whirl_record_survival(const whirl_system *system, const whirl_integrate_options *integrate,
                                    const whirl_record *record, double exponent, whirl_survival *survival) {
     *survival = (whirl_survival){0};
+    // Copies need a bounded chaotic motion.
     if (system->turns || record->motion != WHIRL_BOUNDED || record->section_count < COPIES || !(exponent > 0.0))
         return whirl_fail(WHIRL_BAD_INPUT,
                           "copies are followed of a bounded chaotic motion of %d sections without turning phases",
                           COPIES);
+    // Displace copies so far that they part within `longest_parting` revolutions.
     const double share = fmax(displacement, exp(-longest_parting * exponent));
     const int count = whirl_ensemble_takes(system, integrate) ? COPIES : COPIES_ALONE;
     const int lived = (int)fmax(MIN_LIVED, ceil(3.0 * long_against_watch * (double)record->section_count / count));
+    // Record only as much as a verdict needs.
     whirl_record_options options = whirl_record_default();
     options.transient = (int)ceil(-log(share) / exponent) + lived;
     options.record = options.watch = LOOKED_AT;
@@ -88,6 +93,7 @@ whirl_status whirl_record_survival(const whirl_system *system, const whirl_integ
     options.waveform = options.spectra = options.orbits = false;
     options.waveform_revolutions = 0;
     options.growth = WHIRL_GROWTH_NONE;
+    // Place the copies on the motion, and follow them.
     double *starts = malloc((size_t)count * system->dimension * sizeof *starts);
     if (!starts) return whirl_fail(WHIRL_NO_MEMORY, "no memory to follow copies of a motion");
     place_copies(record, share, (size_t)count, starts);

@@ -39,11 +39,13 @@ correlation correlation_find(const section *all, double least) {
     const size_t longest = points.count / 4;
     correlation found = {NAN, NAN};
     if (points.count < MIN_POINTS) return found;
+    // Subtract the mean.
     double *mean = calloc(points.dimension, sizeof *mean);
     if (!mean) return found;
     for (size_t n = 0; n < points.count; n++)
         for (size_t i = 0; i < points.dimension; i++)
             mean[i] += points.points[n * points.dimension + i] / (double)points.count;
+    // Find the last lag with a significant correlation, and the largest at long lags.
     size_t last = 0; // last lag with a significant correlation
     const bool moves = correlation_spread(&points, mean) > least;
     found.late = moves ? 0.0 : NAN;

@@ -45,11 +45,13 @@ static int longer_first(const void *a, const void *b) {
 
 /// Prim's algorithm, from point 0.
 static void curves_grow(tree *t, const section *points) {
+    // The tree begins as point 0.
     for (size_t i = 1; i < t->count; i++) {
         t->distance[i] = section_distance(points, 0, i);
         t->nearest[i] = 0;
     }
     t->distance[0] = -1.0; // in the tree
+    // Add the nearest point, and update the distances of all others.
     for (size_t e = 0; e + 1 < t->count; e++) {
         size_t next = 0;
         for (size_t i = 1; i < t->count; i++) {
@@ -66,6 +68,7 @@ static void curves_grow(tree *t, const section *points) {
             }
         }
     }
+    // Order the edges by length.
     memcpy(t->longest, t->edges, (t->count - 1) * sizeof(edge));
     qsort(t->longest, t->count - 1, sizeof(edge), longer_first);
 }

@@ -29,6 +29,7 @@ static cloud *cloud_new(const section *all, size_t curves) {
     const size_t count = all->count / curves, d = all->dimension;
     cloud *c = malloc(sizeof *c + (count * (d + 4) + 2 * d) * sizeof(double));
     if (!c) return NULL;
+    // One allocation holds all arrays.
     *c = (cloud){.count = count,
                  .dimension = d,
                  .points = (double *)(c + 1),
@@ -39,6 +40,7 @@ static cloud *cloud_new(const section *all, size_t curves) {
     c->across[1] = c->across[0] + count;
     c->turns = c->across[1] + count;
     c->sorted = c->turns + count;
+    // Take every point of one curve, relative to its mean.
     for (size_t n = 0; n < count; n++)
         memcpy(c->points + n * d, all->points + (all->count - 1 - (count - 1 - n) * curves) * d, d * sizeof(double));
     for (size_t i = 0; i < d; i++) {

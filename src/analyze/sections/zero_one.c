@@ -17,6 +17,7 @@ static const double pi = 3.141592653589793238463;
 static bool zero_one_observe(const section *points, double size, double *u) {
     double squares = 0.0;
     for (size_t n = 0; n < points->count; n++) u[n] = 0.0;
+    // Add each coordinate that moves.
     for (size_t i = 0; i < points->dimension; i++) {
         const double *x = points->points + i;
         double mean = 0.0, square = 0.0;
@@ -31,6 +32,7 @@ static bool zero_one_observe(const section *points, double size, double *u) {
         for (size_t n = 0; n < points->count; n++)
             u[n] += (x[n * points->dimension] - mean) / (spread * (double)(i + 1));
     }
+    // Scale to mean square 1.
     for (size_t n = 0; n < points->count; n++) squares += u[n] * u[n];
     if (!(squares > 0.0)) return false;
     const double scale = sqrt((double)points->count / squares);

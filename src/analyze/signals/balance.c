@@ -56,6 +56,7 @@ static whirl_status balance_fit(const whirl_balance *of, whirl_balance_row *row,
     const double rpm = two_pi / 60.0;
     balance_normal equations = {.n = count + 1};
     size_t runs = 0;
+    // Add each run of this probe and speed to the normal equations.
     for (size_t i = 0; i < of->vibration_count; i++) {
         double complex a[BALANCE_UNKNOWNS] = {1.0};
         if (!is_row(row, &of->vibrations[i])) continue;
@@ -66,9 +67,10 @@ static whirl_status balance_fit(const whirl_balance *of, whirl_balance_row *row,
         balance_add(&equations, a, balance_number(of->vibrations[i].vibration), 1.0);
         runs++;
     }
+    // Solve: each unknown needs a run of its own.
     if (runs < count + 1 || !balance_unknowns(&equations))
         return whirl_fail(WHIRL_BAD_INPUT,
-                          "probe '%.63s' at %.6g rpm was read in %zu run%s that do not tell %zu %s%s apart, expected "
+                          "probe '%.63s' at %.6g rpm was read in %zu run%s that do not distinguish %zu %s%s, expected "
                           "one without and one more for every %s",
                           row->probe, row->speed / rpm, runs, runs == 1 ? "" : "s", count, by_set ? "set" : "plane",
                           count == 1 ? "" : "s", by_set ? "set" : "plane");
@@ -222,6 +224,7 @@ static bool are_beyond(const whirl_balance *of, const whirl_correction *out, con
 /// Finds the weights of the unknowns at index by an interior-point method.
 static whirl_status find_within(const whirl_balance *of, const whirl_correction *out, const size_t *index, size_t count,
                                 double complex *amounts) {
+    // Parts of one allocation.
     double limits[WHIRL_MAX_PLANES];
     const size_t lines = out->row_count + of->plane_count;
     double complex *block = calloc(lines * count + out->row_count + 1, sizeof *block);
@@ -229,6 +232,7 @@ static whirl_status find_within(const whirl_balance *of, const whirl_correction 
     double complex *share = block + out->row_count * count, *before = block + lines * count;
     balance_goal goal = {
         .n = count, .effect = block, .before = before, .share = share, .limits = limits, .least_max = of->least_max};
+    // Rows: what is to be small.
     for (size_t r = 0; r < out->row_count; r++) {
         const double root = sqrt(out->rows[r].weight);
         if (root == 0.0) continue;
@@ -237,6 +241,7 @@ static whirl_status find_within(const whirl_balance *of, const whirl_correction 
             block[goal.rows * count + n] = root * effect_of(of, out, &out->rows[r], index[n]);
         goal.rows++;
     }
+    // Planes with a limit.
     for (size_t p = 0; p < of->plane_count; p++) {
         if (!isfinite(of->planes[p].limit)) continue;
         for (size_t n = 0; n < count; n++) share[goal.planes * count + n] = share_of(of, out, index[n], p);
@@ -308,6 +313,7 @@ static whirl_status balance_correct(const whirl_balance *of, whirl_correction *o
     size_t index[WHIRL_MAX_PLANES] = {0};
     double complex amounts[BALANCE_UNKNOWNS];
     bool told;
+    // Find the weights that leave least vibration.
     const size_t count = find_used(of, out, index);
     const whirl_status status = best_weights(of, out, index, count, amounts, &told);
     if (status.code != WHIRL_OK) return status;
@@ -318,6 +324,7 @@ static whirl_status balance_correct(const whirl_balance *of, whirl_correction *o
             "weights above 0, which each %s moves in a way of its own",
             out->row_count, out->row_count == 1 ? "" : "s", count, of->mode_count ? "set" : "plane",
             count == 1 ? "" : "s", of->mode_count ? "set" : "plane", of->mode_count ? "set" : "plane");
+    // Distribute them over planes, predict the readings, and try without each plane.
     for (size_t n = 0; n < count && of->mode_count > 0; n++) {
         out->used[index[n]] = true;
         balance_set(out->amount[index[n]], amounts[n]);

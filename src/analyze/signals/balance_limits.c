@@ -154,6 +154,7 @@ bool balance_best_within(const balance_goal *goal, double complex *amounts) {
     double complex *block = calloc(lines * n + goal->rows + 1, sizeof *block);
     double *numbers = calloc(3 * b.size + b.size * b.size + n + 1, sizeof *numbers), *scale = numbers;
     const bool room = block && numbers;
+    // Parts of one allocation.
     if (room) {
         b.effect = block;
         b.share = block + goal->rows * n;
@@ -162,6 +163,7 @@ bool balance_best_within(const balance_goal *goal, double complex *amounts) {
         b.trial = b.z + b.size;
         b.gradient = b.trial + b.size;
         b.hessian = b.gradient + b.size;
+        // Begin inside the limits, and follow the central path.
         if (barrier_begin(goal, &b, scale)) balance_limits_follow(&b);
         for (size_t j = 0; j < n; j++) amounts[j] = scale[j] * (b.z[2 * j] + b.z[2 * j + 1] * I);
     }

@@ -111,11 +111,13 @@ static void balance_trials_propose(const whirl_balance *of, const whirl_balance_
     own->reason = WHIRL_TRIAL_BY_NOTHING;
     own->load = own->change = NAN;
     if (!was_read(of, out, unknown)) return;
+    // Choose the size by the force on bearings, within the bounds.
     const double complex way = direction_of(of, out, unknown);
     const bounds on = find_bounds(of, out, unknown, way);
     const double size = balance_trials_choose(by_force(of, model, out, unknown, own), &on, own);
     double beyond = 1.0 + 1e-9; // times its limit
     balance_set(own->moment, size * way);
+    // Predict the readings, and note the one that is farthest over its limit.
     for (size_t r = 0; r < out->row_count; r++) {
         const view seen = balance_trials_look(of, out, r, unknown);
         const double complex after = seen.before + size * way * seen.effect;

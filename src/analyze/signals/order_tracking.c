@@ -171,6 +171,7 @@ whirl_status whirl_signals_angle(const double *instants, size_t pulses, const do
 
 static whirl_status track_check(const double *resampled, size_t channels, size_t turns, size_t samples,
                                 const double *orders, size_t count, size_t revolutions) {
+    // Check the record.
     if (samples < 3)
         return whirl_fail(WHIRL_BAD_INPUT, "there are %zu samples per revolution, expected 3 or more", samples);
     if (revolutions < 1 || revolutions > turns)
@@ -179,6 +180,7 @@ static whirl_status track_check(const double *resampled, size_t channels, size_t
     if (turns > WHIRL_SIGNALS_MAX / samples)
         return whirl_fail(WHIRL_BAD_INPUT, "there are %zu revolutions of %zu samples, expected at most %d numbers",
                           turns, samples, WHIRL_SIGNALS_MAX);
+    // Each order needs whole periods in the window, below half the rate of samples.
     for (size_t k = 0; k < count; k++) {
         const double cycles = orders[k] * (double)revolutions;
         if (!(orders[k] >= 0.0 && orders[k] < 0.5 * (double)samples))

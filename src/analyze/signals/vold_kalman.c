@@ -110,6 +110,7 @@ static void vold_kalman_solve(const triangle *of, size_t count, size_t tracked, 
 
 static whirl_status vold_kalman_check(const double *values, size_t count, const double *phases, size_t tracked,
                                       int poles) {
+    // Check sizes.
     if (tracked < 1 || tracked > WHIRL_SIGNALS_MAX_TRACKED)
         return whirl_fail(WHIRL_BAD_INPUT, "there are %zu orders, expected 1 to %d", tracked,
                           WHIRL_SIGNALS_MAX_TRACKED);
@@ -122,6 +123,7 @@ static whirl_status vold_kalman_check(const double *values, size_t count, const 
                           count, tracked, MAX_NUMBERS / (width * tracked));
     whirl_status status = signal_check_channels(values, count, 1, fewest);
     if (status.code != WHIRL_OK) return status;
+    // Phases turn by less than half a turn from sample to sample.
     for (size_t k = 0; k < tracked; k++) {
         const double *phase = phases + k * count;
         for (size_t n = 0; n < count; n++) {

@@ -248,6 +248,7 @@ static bool lives_long(const whirl_verdict *v) {
 
 void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other) {
     const whirl_advice tighter = {WHIRL_TIGHTER, 256.0};
+    // Take over the second motion's regime, and what was found about lasting chaos.
     verdict->confirmed = true;
     verdict->other_regime = other->regime;
     verdict->other_period = other->period;
@@ -257,6 +258,7 @@ void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other) {
     verdict->survived = other->survived;
     verdict->ended = other->ended;
     if (verdict->regime == WHIRL_UNDETERMINED) return;
+    // Equal regimes confirm each other, except chaos that may end.
     if (other->regime == verdict->regime && other->period == verdict->period) {
         verdict->confidence = joint_confidence(verdict, other);
         const bool ends = verdict->refuge != 0 || verdict->ended > 0;

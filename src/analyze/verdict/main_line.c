@@ -79,6 +79,7 @@ main_line main_line_find(const whirl_record *record) {
     main_line found = {.order = NAN, .share = NAN, .trend = NAN};
     size_t station = 0;
     if (record->sample_count == 0 || record->record_count < MIN_REVOLUTIONS) return found;
+    // Find the station whose spectrum has the strongest line that is no multiple of the speed.
     for (size_t s = 0; s < record->probe_count && s < MAX_STATIONS; s++) {
         whirl_spectrum *spectrum = spectrum_part(record, s, 0, record->sample_count);
         const whirl_line *line = spectrum ? largest_beside(spectrum) : NULL;
@@ -95,6 +96,7 @@ main_line main_line_find(const whirl_record *record) {
         }
         whirl_spectrum_free(spectrum);
     }
+    // Compare that line in the first half of the record and in the second.
     if (isnan(found.order)) return found;
     const size_t half = record->record_count / 2 * record->samples_per_revolution;
     whirl_spectrum *early = spectrum_part(record, station, 0, half),

@@ -217,11 +217,13 @@ static bool is_smooth(const whirl_verdict *v) {
 static whirl_verdict regular_verdict(const evidence *e) {
     whirl_verdict verdict = open_verdict(e);
     verdict.exponent = estimate_regular_mean(e->growth, e->growth_count, 1);
+    // A phase that fits no revolution forces the motion.
     if (e->forced && is_negative(verdict.exponent)) {
         verdict.regime = WHIRL_QUASI_PERIODIC;
         verdict.frequencies = 2;
         return verdict;
     }
+    // Search closed curves, and the rotation number on them.
     const closed_curves found = curves_find(&e->points);
     verdict.curves = found.count;
     verdict.neighbours = found.neighbours;
@@ -231,6 +233,7 @@ static whirl_verdict regular_verdict(const evidence *e) {
         verdict.unlocked = locks_excluded(&e->points, &found, verdict.rotation);
         verdict.frequencies = 2;
     }
+    // No curve: three frequencies, or an uncounted number of them.
     if (!isnan(verdict.rotation) || is_negative(e->second)) return verdict;
     if (is_neutral(e->second)) {
         verdict.regime = WHIRL_QUASI_PERIODIC;
@@ -270,10 +273,12 @@ static void take_orbit(whirl_verdict *verdict, const whirl_record_orbit *orbit) 
 }
 
 static whirl_verdict judge_bounded(const whirl_record *record) {
+    // Gather the evidence of the whole record and of its second half.
     const evidence all = evidence_gather(record), later = evidence_later_half(&all);
     const whirl_estimate returning = returning_exponent(&all);
     const evidence *e = &all;
     whirl_verdict verdict;
+    // Take the first verdict whose conditions hold.
     if (is_at_rest(&all, &record->rest)) {
         verdict = resting_verdict(&all, &record->rest);
     } else if (is_periodic(&all, returning)) {
@@ -288,8 +293,10 @@ static whirl_verdict judge_bounded(const whirl_record *record) {
     } else {
         verdict = open_verdict(&all);
     }
+    // Ask slower evidence if none does.
     if (verdict.regime == WHIRL_UNDETERMINED) verdict = slow_verdict(&all, verdict);
     if (verdict.regime == WHIRL_UNDETERMINED) verdict = line_verdict(&all, record, verdict);
+    // Weigh the verdict with the orbit that was found.
     take_orbit(&verdict, &record->orbit);
     weigh_verdict(&verdict, e, record);
     if (all.exponents_failed) verdict_distrust(&verdict);

@@ -92,6 +92,7 @@ static whirl_status view_again(const whirl_table *before, whirl_table *view) {
 }
 
 whirl_status whirl_result_by_attractor(const whirl_result *result, whirl_result **out) {
+    // The view shares all but its tables with the result.
     whirl_result *view = *out = malloc(sizeof *view);
     whirl_table *tables = calloc(result->table_count + 1, sizeof *tables);
     if (!view || !tables) {
@@ -103,6 +104,7 @@ whirl_status whirl_result_by_attractor(const whirl_result *result, whirl_result 
     *view = *result;
     view->tables = tables;
     whirl_status status = whirl_ok();
+    // Make a view of each table with several starts.
     for (size_t i = 0; i < result->table_count; i++) {
         const whirl_table *table = &result->tables[i];
         const bool seen = table->source != NULL;

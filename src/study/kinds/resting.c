@@ -157,6 +157,7 @@ static whirl_status work_at_pieces(worker *w, deal *pieces) {
 }
 
 static whirl_status resting_work(study_run *run, const pass *p) {
+    // All threads take pieces; neighbours stay together, since one starts from the equilibrium of the other.
     deal pieces = deal_begin(run, p, (p->count + RESTING_PIECE - 1) / RESTING_PIECE);
     whirl_analysis_set modes = 0;
     whirl_analysis_add(&modes, "modes");

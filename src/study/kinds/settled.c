@@ -124,6 +124,7 @@ whirl_status settled_orbit(const whirl_study *study, const whirl_batch *batch, d
     *orbit = NULL;
     whirl_status status = study->machine(study->family, batch, value, &machine);
     if (status.code != WHIRL_OK) return status;
+    // Find the first orbit as the options ask.
     const whirl_trace_options *trace = &batch->record.trace;
     const bool settles = !trace->rest && strcmp(trace->begin, "settled") == 0;
     if (trace->rest)
@@ -133,6 +134,7 @@ whirl_status settled_orbit(const whirl_study *study, const whirl_batch *batch, d
     else
         status = settled_from_start(&machine, batch, &options.orbit, orbit);
     if (machine.release) machine.release(machine.owner);
+    // Explain what can be tried instead.
     if (status.code != WHIRL_BAD_INPUT) return status;
     if (settles)
         return whirl_fail(

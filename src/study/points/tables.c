@@ -26,6 +26,7 @@ static void fill_values(whirl_table *table, const whirl_batch *batch) {
 
 /// Makes an empty table, whose layout follows from the first machine of the batch.
 static whirl_status make_table(const whirl_study *study, const whirl_batch *batch, whirl_table *table) {
+    // The layout, from an outline of the first machine.
     whirl_batch first = *batch;
     whirl_machine machine;
     first.outline = true;
@@ -39,6 +40,7 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     if (status.code == WHIRL_OK && study_is_refined(study) && !batch_is_found(batch))
         status = refine_add_fields(&table->layout);
     if (status.code != WHIRL_OK) return status;
+    // Copy the names and the shape of the batch.
     memcpy(table->name, batch->name, sizeof table->name);
     table->role = batch->role;
     memcpy(table->parameter, batch->parameter, sizeof table->parameter);
@@ -57,6 +59,7 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     table->integrate = batch->integrate;
     table->integrate.stop = NULL;
     table->record = batch->record;
+    // Allocate the values; large arrays are files on disk.
     table->values = room_take(&table->room, table->count, sizeof *table->values, ROOM_MIN);
     table->branch = room_take(&table->room, table->count, sizeof *table->branch, ROOM_MIN);
     if (!table->values || !table->branch)

@@ -43,6 +43,7 @@ static bool scale_changes(const whirl_result *result) {
 }
 
 static void choose_length(whirl_shown_units *units, const unit_word *word) {
+    // A requested unit comes first, then the parameter that is the scale, then the scale itself.
     const whirl_parameter *scale = scale_parameter(units->result);
     const whirl_unit natural = whirl_result_length_unit(units->result);
     if (word && word->size > 0.0) {
@@ -115,6 +116,7 @@ static const struct {
 
 /// Fills in the unit of every quantity.
 static void choose_quantities(whirl_shown_units *units, const unit_choice *choice) {
+    // The unit of each quantity: the requested one, or its usual one.
     const whirl_unit length = units->size.size > 0.0 ? units->size : whirl_result_length_unit(units->result);
     for (int quantity = 0; quantity < WHIRL_QUANTITIES; quantity++) {
         const unit_kind kind = shown_quantities[quantity].kind;
@@ -134,6 +136,7 @@ static void choose_quantities(whirl_shown_units *units, const unit_choice *choic
                      word->shown);
         }
     }
+    // Temperatures have a zero of their own; lengths follow the chosen one.
     const char *const degrees = units->of[WHIRL_QUANTITY_TEMPERATURE].name;
     units->zero = strcmp(degrees, "degC") == 0 ? 273.15 : strcmp(degrees, "degF") == 0 ? 459.67 : 0.0;
     units->of[WHIRL_QUANTITY_LENGTH] = length;

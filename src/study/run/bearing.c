@@ -213,6 +213,7 @@ static whirl_status bearing_surplus(const whirl_bearing *of, double temperature,
 static whirl_status balance_heat(const whirl_bearing *of, whirl_bearing_point *point) {
     static const double hottest = 473.15, enough = 1e-3;
     double value, slope = 1.0, at = of->temperature;
+    // Bracket the temperature on the coarse mesh.
     whirl_status status = bearing_surplus(of, at, true, point, &value);
     if (status.code != WHIRL_OK) return status;
     if (isinf(value))
@@ -227,6 +228,7 @@ static whirl_status balance_heat(const whirl_bearing *of, whirl_bearing_point *p
     if (status.code == WHIRL_OK && between.fb < 0.0)
         return whirl_fail(WHIRL_NUMERICAL_FAILURE, "the oil that leaves does not carry the heat below %.4g degC",
                           hottest - zero_degrees);
+    // Narrow the bracket, and keep the slope.
     for (int k = 0; k < 60 && status.code == WHIRL_OK && fabs(value) > enough && bracket_width(&between) > 0.1 * enough;
          k++) {
         const double last = at, before = value;
@@ -235,6 +237,7 @@ static whirl_status balance_heat(const whirl_bearing *of, whirl_bearing_point *p
         bracket_tell(&between, at, value);
         if (isfinite(value) && value != before) slope = (value - before) / (at - last);
     }
+    // Correct on the fine mesh.
     for (int k = 0; k < 8 && status.code == WHIRL_OK; k++) {
         status = bearing_surplus(of, at, false, point, &value);
         if (status.code != WHIRL_OK || !(fabs(value) > enough)) return status;
@@ -309,6 +312,7 @@ whirl_status whirl_bearing_solve(const whirl_bearing *of, const whirl_bearing_op
                  .started = clock_seconds()};
     atomic_int worst = points && table ? WHIRL_OK : WHIRL_NO_MEMORY;
     *out = NULL;
+    // Begin all points, and compute them on all threads.
     for (size_t i = 0; i < of->count && points; i++) bearing_begin(of, i, &points[i]);
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
     for (size_t i = 0; i < of->count; i++) {
@@ -317,6 +321,7 @@ whirl_status whirl_bearing_solve(const whirl_bearing *of, const whirl_bearing_op
 #pragma omp critical(whirl_bearing)
         bearing_report(&to);
     }
+    // Hand over the table, or say why there is none.
     if (atomic_load(&worst) != WHIRL_OK || bearing_stopped(options)) {
         free(points);
         free(table);

@@ -77,6 +77,7 @@ whirl_status follow_points(study_run *run, int round, double *budget, size_t *do
     size_t most = 0, used = 0, pass_count = 0;
     pass passes[WHIRL_MAX_BATCHES * FOLLOW_COPIES];
     *done = 0;
+    // Plan the passes of all batches within the budget.
     for (size_t i = 0; i < result->table_count; i++) most += result->tables[i].count;
     size_t *slots = calloc(most + 1, sizeof *slots);
     if (!slots) return whirl_fail(WHIRL_NO_MEMORY, "no memory to follow %zu points", most);
@@ -88,6 +89,7 @@ whirl_status follow_points(study_run *run, int round, double *budget, size_t *do
         pass_count += count > 0 ? FOLLOW_COPIES : 0;
     }
     revolutions -= *budget;
+    // Run them.
     whirl_status status = whirl_ok();
     if (used > 0) {
         tracker_follow(&run->tracker, round, used * FOLLOW_COPIES, revolutions);
