@@ -150,6 +150,7 @@ static whirl_status check_inertia(const assembly_station *station) {
 }
 
 whirl_status assembly_number(assembly *to, const size_t *order) {
+    // Displacements of stations that move along both axes come first, then those of all other stations.
     for (size_t i = 0; i < to->station_count; i++) {
         assembly_station *station = &to->stations[order ? order[i] : i];
         const whirl_status status = check_inertia(station);
@@ -161,6 +162,7 @@ whirl_status assembly_number(assembly *to, const size_t *order) {
     }
     for (size_t s = 0; s < to->station_count; s++)
         if (!in_plane(&to->stations[s]) && !to->stations[s].hidden) add_displacements(to, &to->stations[s]);
+    // Twists, then tilts.
     to->first_twist = to->degrees;
     const whirl_status status = add_twists(to);
     if (status.code != WHIRL_OK) return status;
@@ -169,6 +171,7 @@ whirl_status assembly_number(assembly *to, const size_t *order) {
         const assembly_station *at = &to->stations[s];
         if (at->diametral > 0.0 && at->moves_x + at->moves_y > 0 && !at->hidden) add_tilts(to, &to->stations[s]);
     }
+    // Nodes of shafts that are no stations come last.
     for (size_t s = 0; s < to->station_count; s++) {
         if (!to->stations[s].hidden) continue;
         add_displacements(to, &to->stations[s]);
@@ -457,6 +460,7 @@ static int assembly_by_size(const void *a, const void *b) {
 
 whirl_status assembly_frequencies(assembly *to, size_t count, const double *frequencies) {
     const size_t before = to->frequency_count;
+    // Frequencies that both tables know.
     double low = frequencies[0], high = frequencies[count - 1];
     if (before > 0) {
         low = fmax(low, to->frequencies[0]);
@@ -468,6 +472,7 @@ whirl_status assembly_frequencies(assembly *to, size_t count, const double *freq
             "is known at frequencies of whirl from %g to %g rad/s, and another table from %g to %g rad/s, "
             "expected tables with frequencies in common",
             frequencies[0], frequencies[count - 1], to->frequencies[0], to->frequencies[before - 1]);
+    // Merge them, each once.
     double *all = realloc(to->frequencies, (before + count) * sizeof *all);
     if (!all) return whirl_fail(WHIRL_NO_MEMORY, "no memory for frequencies of whirl");
     memcpy(all + before, frequencies, count * sizeof *all);

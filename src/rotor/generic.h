@@ -245,12 +245,14 @@ static void generic_flow(const element *first, size_t count, const block *b) {
 /// Values, and their derivatives along velocities, accelerations and the slopes of states.
 static void generic_switches(const element *own, const block *b, void *values, void *rates) {
     for (size_t k = 0; k < b->vectors; k++) {
+        // Evaluate the switches with derivatives.
         const kernel_view view = view_of(own, b, k);
         kernel_inputs in;
         inputs_of(own, b, 0, k, false, &in);
         dual d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1], value[KERNEL_SWITCHES];
         seed(own, &in, d, w, s);
         SWITCHES_AT(own, &view, d, w, s, value);
+        // Add up the rate along the motion.
         for (size_t i = 0; i < SWITCHES_OF(own); i++) {
             vec rate = v_set(0.0);
             for (size_t a = 0; rates && a < KERNEL_AXES; a++) {

@@ -142,6 +142,7 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
 /// A station that moves along one axis, or twists alone, has one coordinate, which is used for both.
 static void add_probes(whirl_rotor *rotor, const building *b) {
     const size_t degrees = b->assembly.degrees;
+    // Coordinates of the stations.
     for (size_t s = 0; s < b->design->station_count; s++) {
         const size_t *coordinate = b->assembly.stations[s].coordinate;
         const bool along_x = coordinate[AXIS_X] != NO_COORDINATE, along_y = coordinate[AXIS_Y] != NO_COORDINATE;
@@ -156,6 +157,7 @@ static void add_probes(whirl_rotor *rotor, const building *b) {
                                          .clockwise = b->assembly.turn < 0.0};
         strcpy(rotor->probes[s].name, b->assembly.stations[s].name);
     }
+    // Places on shafts of finite elements.
     for (size_t i = 0; i < b->mesh.node_count; i++) {
         const mesh_node *node = &b->mesh.nodes[i];
         if (node->station >= b->design->station_count) continue;

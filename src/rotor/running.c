@@ -340,6 +340,7 @@ static whirl_status running_add_turnings(running_rotor *r) {
     r->block = calloc(14 * n + 2 * (r->at_speed + 2) + 3 * rotor->contact_count + 3, sizeof *r->block);
     r->along = malloc(n + 1);
     if (!r->block || !r->along) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine whose speed changes");
+    // Cut the block into arrays.
     double **const parts[] = {&r->own_cos,        &r->own_sin,
                               &r->force_cos,      &r->force_sin,
                               &r->lost_cos,       &r->lost_sin,
@@ -354,11 +355,13 @@ static whirl_status running_add_turnings(running_rotor *r) {
     r->evaluations = r->friction + 3 * rotor->contact_count;
     r->shake = r->evaluations + 1;
     r->shaken = r->shake + 2;
+    // Accelerations by the ground, by unbalances and by loads that turn.
     for (size_t way = 0; way < 2; way++) rotor_accelerate(rotor, rotor->weight + way * n, r->shaken + way * n);
     for (size_t i = 0; i < rotor->turning_count; i++) {
         r->force_cos[rotor->turnings[i].row] += rotor->turnings[i].cos;
         r->force_sin[rotor->turnings[i].row] += rotor->turnings[i].sin;
     }
+    // The way of each displacement: 0 along x, 1 along y, 2 neither.
     memset(r->along, 2, n);
     for (size_t p = 0; p < rotor->station_count; p++)
         for (unsigned char way = 0; way < 2; way++)

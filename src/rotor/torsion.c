@@ -316,6 +316,7 @@ static void torsion_moments(const torsion_motion *m, size_t station, double sum[
     const whirl_rotor *rotor = m->rotor;
     const station_twist *at = &rotor->twists[station];
     double own[2];
+    // Moments from outside, links and springs to the ground.
     torsion_at(rotor, station, m->index, true, sum);
     for (size_t i = 0; i < rotor->link_count + rotor->hold_count; i++) {
         const twist_link *link = i < rotor->link_count ? &rotor->links[i] : &rotor->holds[i - rotor->link_count];
@@ -325,6 +326,7 @@ static void torsion_moments(const torsion_motion *m, size_t station, double sum[
                 if (link->coordinate[end] == at->coordinate && link->share[end] == at->share)
                     sum[k] += end == 0 ? -own[k] : own[k];
     }
+    // Meshes.
     for (size_t i = 0; i < rotor->element_count; i++) {
         const element *e = &rotor->elements[i];
         element_carried by;
@@ -475,6 +477,7 @@ static void torsion_carry(const void *model, size_t path, size_t index, const do
                               rest,  v};
     double sense = 1.0;
     *power = 0.0;
+    // A link, a mesh, or a pair of rigid gears.
     if (own.link) {
         sense = rotor->rigid[own.link->coordinate[0]] * own.link->share[0];
         *power = torsion_link(&m, own.link, false, torque);
@@ -489,6 +492,7 @@ static void torsion_carry(const void *model, size_t path, size_t index, const do
         for (size_t k = 0; k < 2; k++) torque[k] *= own.pair->ratio;
         if (torsion_unknown(rotor, at->coordinate)) torque[0] = torque[1] = NAN;
     }
+    // Positive where the first station drives the second along the rotation.
     for (size_t k = 0; k < 2; k++) torque[k] = copysign(1.0, sense) * torque[k];
 }
 
@@ -509,14 +513,17 @@ static const char *torsion_open(const void *model, const double *rest) {
 
 void rotor_find_torsion(whirl_rotor *rotor, const assembly *from) {
     size_t paths = 0;
+    // Rigid pairs of gears.
     for (size_t s = 0; s < rotor->station_count; s++) {
         rotor->polar[s] = from->stations[s].polar + from->stations[s].shaft_polar;
         if (from->stations[s].geared_to != NO_STATION)
             rotor->pairs[rotor->pair_count++] = (rigid_pair){from->stations[s].geared_to, s, from->stations[s].gear};
     }
+    // Excitations by torques and by errors of meshes.
     for (size_t i = 0; i < rotor->harmonic_count; i++)
         if (rotor->harmonics[i].of != HARMONIC_STEADY)
             torsion_add_excitation(rotor, torsion_rate(rotor, &rotor->harmonics[i]));
+    // Count what carries torque.
     for (size_t i = 0; i < rotor->element_count; i++) {
         const whirl_excitation error = torsion_error(rotor, &rotor->elements[i]);
         if (error.order > 0.0) torsion_add_excitation(rotor, error);

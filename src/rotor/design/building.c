@@ -184,10 +184,12 @@ static whirl_status add_elements(building *b, const element_type *type) {
     for (size_t i = 0; i < b->design->element_count && status.code == WHIRL_OK; i++) {
         element *own = &b->elements[b->element_count];
         if (b->design->elements[i].type != type) continue;
+        // Springs replace bearings in some variants of a machine, and nothing replaces other elements.
         if (is_replaced(b, &b->design->elements[i])) {
             status = with_element(b, i, add_replaced(b, &b->design->elements[i]));
             continue;
         }
+        // Let the type build its instance: numbers and states follow those of earlier instances.
         *own = (element){.type = type, .number = b->numbers + b->number_count};
         own->state = b->assembly.degrees + b->state_count;
         own->states = STATES_OF_TYPE;
@@ -196,6 +198,7 @@ static whirl_status add_elements(building *b, const element_type *type) {
         if (own->states == STATES_OF_TYPE) own->states = own->type->state_count;
         if (status.code == WHIRL_OK) status = check_spin(b, &b->design->elements[i]);
         status = with_element(b, i, status);
+        // Lumped elements have added all they have to the matrices.
         if (!type->kernels || own->lumped) continue;
         b->number_count += own->type->number_count;
         b->state_count += own->states;

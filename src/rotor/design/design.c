@@ -163,12 +163,14 @@ static whirl_status read_list(const whirl_key *key, const char *text, key_value 
     size_t first = 0, width = 0; // start of the row, and the numbers of the row before
     if (!make_list(text, value)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a list of numbers");
     for (;;) {
+        // Read a number.
         char *end;
         const double number = strtod(text, &end);
         if (end == text) return whirl_fail(WHIRL_BAD_INPUT, "%s", expected);
         const whirl_status status = whirl_key_check_number(key, number);
         if (status.code != WHIRL_OK) return status;
         value->list[value->count++] = number;
+        // Check the length of lists and of their rows.
         end += strspn(end, " \t");
         if (value->count - first > WHIRL_MAX_LIST || value->rows > WHIRL_MAX_LIST)
             return whirl_fail(WHIRL_BAD_INPUT, "has more than %d numbers", WHIRL_MAX_LIST);
@@ -180,6 +182,7 @@ static whirl_status read_list(const whirl_key *key, const char *text, key_value 
             width = value->count - first;
             first = value->count;
         }
+        // End, or go on with the next number or row.
         if (*end == '\0') {
             if (value->count == 1) value->number = number; // a list of one number is that number
             return whirl_ok();

@@ -311,6 +311,7 @@ static step step_of(const whirl_pads *bearing, const whirl_pads_state *state, co
     double sum[2][2] = {{0.0}}, right[2] = {lacking[0], lacking[1]};
     follower pads[WHIRL_MAX_PADS] = {{.t = {0.0}}};
     step out;
+    // Eliminate the pads, which follow the journal.
     for (size_t i = 0; i < bearing->count; i++) {
         const double(*k)[2] = state->of_pads[i][0];
         const follower *pad = &pads[i];
@@ -321,9 +322,11 @@ static step step_of(const whirl_pads *bearing, const whirl_pads_state *state, co
             for (int c = 0; c < 2; c++) sum[r][c] += k[r][c] - kt * pad->by[0][c] - kn * pad->by[1][c];
         }
     }
+    // Solve for the journal.
     const double determinant = sum[0][0] * sum[1][1] - sum[0][1] * sum[1][0];
     out.place[0] = (right[0] * sum[1][1] - right[1] * sum[0][1]) / determinant;
     out.place[1] = (right[1] * sum[0][0] - right[0] * sum[1][0]) / determinant;
+    // Move the pads along.
     for (size_t i = 0; i < bearing->count; i++) {
         const double *d = out.place;
         out.tilt[i] = pads[i].by[0][0] * d[0] + pads[i].by[0][1] * d[1] - pads[i].back[0];
@@ -536,6 +539,7 @@ static void pads_eliminate_pad(const whirl_pads *bearing, const whirl_pad *pad, 
     const size_t count = yields ? 2 : 1;
     double along[2][2];
     double complex zt[2][2], tz[2][2], a[2][2] = {{-ratio * ratio * inertia, 0.0}, {0.0, 1.0}};
+    // Z T, T' Z, and T' Z T + D.
     tangent_of(pad, along[0]);
     normal_of(pad, along[1]);
     if (yields)
@@ -547,6 +551,7 @@ static void pads_eliminate_pad(const whirl_pads *bearing, const whirl_pad *pad, 
         }
     for (size_t r = 0; r < count; r++)
         for (size_t c = 0; c < count; c++) a[r][c] += tz[r][0] * along[c][0] + tz[r][1] * along[c][1];
+    // Subtract the product with its inverse.
     const double complex determinant = a[0][0] * a[1][1] - a[0][1] * a[1][0];
     if (!(cabs(determinant) > 0.0)) return;
     const double complex inverse[2][2] = {{a[1][1] / determinant, -a[0][1] / determinant},

@@ -34,6 +34,7 @@ static whirl_status read_pads(const key_value *values, bool tilting, whirl_pads 
                         .tilting = tilting,
                         .gumbel = values[PADS_CAVITATION].choice == 1,
                         .turbulence = (whirl_turbulence)values[PADS_TURBULENCE].choice};
+    // A usual shape by name.
     if (values[PADS_SHAPE].given == pivots->given)
         return whirl_fail(WHIRL_BAD_INPUT, "has %s, expected a usual shape or pivots",
                           pivots->given ? "both shape and pivots" : "neither shape nor pivots");
@@ -46,6 +47,7 @@ static whirl_status read_pads(const key_value *values, bool tilting, whirl_pads 
             return whirl_fail(WHIRL_BAD_INPUT, "has a preload, which a two-groove bearing has not");
         return whirl_ok();
     }
+    // Equal pads at given pivots.
     if (!values[PADS_ARC].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has pivots without arc, expected the length of the pads");
     out->count = pivots->count > 0 ? pivots->count : 1;

@@ -207,6 +207,7 @@ whirl_status pad_table_confirm(const pad_table *table, const pad_table_key *key,
     pad_workspace *work;
     double largest = 0.0, apart = 0.0;
     whirl_status status = pad_workspace_new(film.around, film.along, &work);
+    // Compare nodes that are spread evenly over the table with new solutions.
     for (int i = 0; i < CONFIRMED && status.code == WHIRL_OK; i++) {
         const int node = (int)(all * fmod((i + 1) * 0.6180339887498949, 1.0));
         const int k = node % PAD_ALPHA_NODES, w = PAD_W_NODES / 2 + node / PAD_ALPHA_NODES % half;

@@ -214,6 +214,7 @@ static whirl_status end_making(size_t i, bool found) {
     making *with = slots[i].making;
     const bool done = found || with->done == PAD_T_NODES, failed = with->error.code != WHIRL_OK;
     const whirl_status status = with->error.code == WHIRL_NO_MEMORY ? first_error_status(&with->error) : whirl_ok();
+    // Only the last thread goes on.
     if (--with->workers > 0) return status;
     if (status.code != WHIRL_OK || !(done || failed)) {
         slots[i].making = NULL;
@@ -221,11 +222,13 @@ static whirl_status end_making(size_t i, bool found) {
         free(with);
         return status;
     }
+    // Interpolate outside of the guard, since this takes a while.
     with->open = false;
     lock_leave(&guard);
     finish(with, &slots[i].key);
     const uint64_t checksum = pad_table_checksum(with->table);
     lock_take(&guard);
+    // Publish the table.
     slots[i].known = true;
     slots[i].checksum = checksum;
     slots[i].making = NULL;

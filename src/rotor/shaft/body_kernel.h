@@ -55,6 +55,7 @@ VECTOR_INLINE void sum_panel(const body_panels *of, const body_panel *panel, con
     const vec *factor;
     body_rate rate = part->kind.rate;
     vec sum[SUM_ROWS][SUMS], scale[SUMS];
+    // Sum the parts of the panel; those of a lower rate first, since a change of rate multiplies the sum.
     VECTOR_FOR (r, rows)
         VECTOR_FOR (i, count) sum[r][i] = v_set(0.0);
     for (; part < end; rate = part++->kind.rate) {
@@ -68,6 +69,7 @@ VECTOR_INLINE void sum_panel(const body_panels *of, const body_panel *panel, con
         else if (!w->beside)
             add_steady(of->numbers + part->first_number + first, rows, count, sum);
     }
+    // Scale the sum, and store or add it.
     factor = rate_over(w, rate, RATES) + k;
     VECTOR_FOR (i, count) scale[i] = w->value ? v_mul(factor[i], w->value[k + i]) : factor[i];
     VECTOR_FOR (r, rows) {

@@ -83,6 +83,7 @@ static whirl_status add_span(meshing *m, size_t index) {
     const key_value *values = m->design->elements[index].values;
     span *own = &m->spans[m->span_count];
     *own = (span){.element = index, .values = values};
+    // Check the segment, and find its material.
     whirl_status status = shaft_of(m->design, &values[SEGMENT_SHAFT], &own->shaft);
     if (status.code == WHIRL_OK) status = check_bore(values);
     if (status.code == WHIRL_OK && values[SEGMENT_FLATS].given &&
@@ -97,12 +98,14 @@ static whirl_status add_span(meshing *m, size_t index) {
         status = find_material(m->design, &values[SEGMENT_MATERIAL],
                                &m->design->shafts[own->shaft].values[SHAFT_MATERIAL], &own->of);
     if (status.code != WHIRL_OK) return status;
+    // It begins where the one before ends, or where its key says.
     own->from = 0.0;
     for (size_t i = 0; i < m->span_count; i++)
         if (m->spans[i].shaft == own->shaft) own->from = m->spans[i].to;
     if (values[SEGMENT_START].given) own->from = values[SEGMENT_START].number;
     own->to = own->from + values[SEGMENT_LENGTH].number;
     m->span_count++;
+    // Place the stations at its ends.
     status = place_station(m, &values[SEGMENT_FROM], own->shaft, own->from);
     return status.code == WHIRL_OK ? place_station(m, &values[SEGMENT_TO], own->shaft, own->to) : status;
 }

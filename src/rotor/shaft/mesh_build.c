@@ -5,6 +5,7 @@
 #include "mesh.h"
 
 void mesh_inertia(const mesh *from, assembly *to) {
+    // Give stations their places on shafts.
     for (size_t i = 0; i < from->node_count; i++) {
         assembly_station *at = &to->stations[from->nodes[i].station];
         at->shaft = from->nodes[i].shaft;
@@ -13,6 +14,7 @@ void mesh_inertia(const mesh *from, assembly *to) {
         at->hidden = !at->name;
         at->twists = at->twists || from->shafts[at->shaft].twists;
     }
+    // Add the inertia of pieces to both ends.
     for (size_t i = 0; i < from->piece_count; i++) {
         piece_matrices matrices;
         piece_fill(&from->pieces[i].piece, &matrices);

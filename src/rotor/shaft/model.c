@@ -193,6 +193,7 @@ whirl_status whirl_design_model(const whirl_design *design, whirl_model *out) {
     size_t keys = 0;
     for (size_t i = 0; i < design->element_count; i++) keys += design->elements[i].type->group.key_count;
     *out = (whirl_model){0};
+    // Assemble the machine, and copy its parts.
     whirl_status status = building_assemble(&b, design, NULL);
     if (status.code == WHIRL_OK) {
         out->station_count = design->station_count;
@@ -208,6 +209,7 @@ whirl_status whirl_design_model(const whirl_design *design, whirl_model *out) {
         else
             status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the model of a machine");
     }
+    // Machines that twist have a train.
     for (size_t s = 0; s < design->station_count && status.code == WHIRL_OK; s++)
         if (b.assembly.stations[s].twists) {
             status = rotor_model_train(design, out);

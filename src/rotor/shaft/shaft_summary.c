@@ -123,6 +123,7 @@ static whirl_status summarize(building *b, whirl_shaft_summary *out, plane *full
                               double *spring) {
     const size_t count = b->mesh.shaft_count;
     bool good = true;
+    // The full matrices of each reduced shaft, and its response to forces at stations.
     for (size_t s = 0; s < count && good; s++) {
         fill_summary(b, s, &out[s]);
         good = plane_room(&full[s], 2 * out[s].nodes, b->design->station_count) &&
@@ -136,6 +137,7 @@ static whirl_status summarize(building *b, whirl_shaft_summary *out, plane *full
         good = take_plane(b, s, NULL, &full[s], stations, spring + s * WHIRL_MAX_STATIONS, place);
     }
     if (!good) return whirl_fail(WHIRL_NO_MEMORY, "no memory to compare a reduced shaft with its full model");
+    // Reduce, and compare with the same responses.
     const whirl_status status = building_finish(b);
     for (size_t s = 0; s < count && status.code == WHIRL_OK && good; s++) {
         const reduction *made = &b->reductions[s];

@@ -116,6 +116,7 @@ static whirl_status blade_rub_build(const key_value *values, assembly *to, eleme
     if (status.code == WHIRL_OK) status = check_list(values, STIFFNESS);
     if (status.code == WHIRL_OK) status = check_list(values, EXTENSION);
     if (status.code != WHIRL_OK) return status;
+    // Choose the law; numbers are in the rotor's units.
     out->law = (int)values[BLADES].number | (values[POWER].given ? BLADE_POWERED : 0) |
                (values[FRICTION].given ? BLADE_RUBS : 0);
     out->number[BLADE_CASING] = (values[RADIUS].number + values[GAP].number) / length;
@@ -127,6 +128,7 @@ static whirl_status blade_rub_build(const key_value *values, assembly *to, eleme
     out->number[BLADE_APART_SIN] = copysign(sin(apart), to->turn); // numbered along the rotation
     out->number[BLADE_METRES] = copysign(length, to->turn);
     out->number[BLADE_WATTS] = to->clock * length;
+    // Add the length and stiffness of each blade.
     for (int j = 0; j < blades_of(out); j++) {
         const double own = values[RADIUS].number + of_blade(&values[EXTENSION], j);
         if (!(own > 0.0)) return whirl_fail(WHIRL_BAD_INPUT, "has a blade of %g m, expected one above 0", own);

@@ -91,6 +91,7 @@ static inline void KERNEL(rubbing)(const element *own, const kernel_view *view, 
     const vec c = number[BLADE_APART_COS * stride], sine = number[BLADE_APART_SIN * stride], zero = v_set(0.0);
     vec x, y, torque = zero, power = zero;
     n_sincos(v_add(s[0], number[BLADE_START * stride]), &y, &x);
+    // Sum the torque and power of all tips.
     for (int j = 0; j < blades_of(own); j++) {
         const vec length = number[(size_t)(BLADE_LENGTHS + j) * stride];
         const vec tip[2] = {v_fma(length, x, d[0]), v_fma(length, y, d[1])};
@@ -102,6 +103,7 @@ static inline void KERNEL(rubbing)(const element *own, const kernel_view *view, 
         const vec moving = v_fma(number[BLADE_RATE * stride], lever, v_fms(tip[0], w[1], v_mul(tip[1], w[0])));
         torque = v_fma(push, lever, torque);
         power = v_fma(push, moving, power);
+        // Turn to the next blade.
         const vec next = v_fms(c, x, v_mul(sine, y));
         y = v_fma(sine, x, v_mul(c, y));
         x = next;

@@ -216,6 +216,7 @@ static whirl_status contact_build(const key_value *values, assembly *to, element
     whirl_status status = check_keys(values);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
+    // Choose the law and its state; numbers are in the rotor's units.
     double *number = out->number;
     out->law = law_of(values);
     out->states = out->law & CONTACT_BRISTLES ? 1 : 0;

@@ -110,6 +110,7 @@ static turbulent_factors factors_of(const key_value *values, double speed) {
 }
 
 static whirl_status load_scale(const key_value *values, const assembly *to, double *load) {
+    // The strength of the film: either a load, or an oil and the sizes.
     const oil own = oil_of(values);
     const bool viscous = oil_given(&own);
     double viscosity = 0.0;
@@ -120,11 +121,13 @@ static whirl_status load_scale(const key_value *values, const assembly *to, doub
     if (values[TURBULENCE].choice && (values[LOAD].given || !values[OIL + OIL_DENSITY].given))
         return whirl_fail(WHIRL_BAD_INPUT, "is turbulent by an unknown Reynolds number, expected viscosity, density, "
                                            "radius and length");
+    // By a load in proportion to the speed.
     *load = values[LOAD].number;
     if (values[LOAD].given && to->speed == 0.0)
         return whirl_fail(WHIRL_BAD_INPUT, "has a load F0 in proportion to the speed, and the rotor stands still, "
                                            "expected viscosity, radius and length, or a speed above 0");
     if (values[LOAD].given) return whirl_ok();
+    // By the viscosity at the film's temperature.
     if (!viscous || !values[RADIUS].given || !values[LENGTH].given)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "has no complete film strength, expected load, or viscosity, radius and length");

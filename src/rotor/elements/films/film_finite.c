@@ -99,6 +99,7 @@ VECTOR_INLINE bool all_alike(const element *own, vec length) {
 /// Converts the short film's force, and its derivatives unless `tangent` is NULL, to those of a film of finite length.
 static void lengthen(const element *own, size_t stride, const vec *number, const film_state *f, vec force[2],
                      tangent_block *tangent) {
+    // Choose the quickest way to the same numbers: one series for all lanes if they are alike.
     const film_series lanes = {number + FILM_COEFFICIENT * stride, stride, NULL};
     const film_series all = {NULL, 0, own->number + FILM_COEFFICIENT};
     const film_direction d = film_direction_of(f, stride, number);
@@ -110,10 +111,12 @@ static void lengthen(const element *own, size_t stride, const vec *number, const
         r = film_ratio_at(&all, p, b, false);
     else
         r = film_ratio_at(&lanes, p, b, false);
+    // Multiply the force by the complex ratio.
     const vec R = r.real, I = v_flip(r.imaginary, turns), fx = force[0], fy = force[1];
     force[0] = v_fms(R, fx, v_mul(I, fy));
     force[1] = v_fma(R, fy, v_mul(I, fx));
     if (!tangent) return;
+    // Its derivatives follow by the product rule.
     vec real[4], imaginary[4];
     ratio_tangent(f, &d, &r, stride, number, real, imaginary);
     for (int i = 0; i < 4; i++) {

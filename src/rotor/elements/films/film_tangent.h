@@ -73,6 +73,7 @@ static inline void film_tangent(const film_state *f, vec strength, vec twice, ta
     const vec zero = v_set(0.0), two = v_set(2.0), C = v_mul(f->W, film_over_root(f));
     const vec over_C = v_select(v_less(zero, C), v_div(v_set(1.0), v_max(C, v_set(0x1p-1022))), zero);
     const vec c = v_mul(s.A, over_C), d = v_mul(s.B, over_C); // cos beta, sin beta
+    // The force in the film's frame, and its derivatives by place and by the frame's angle.
     const vec factor = v_mul(v_set(-1.0 / FILM_STRENGTH_OF_1), v_mul(strength, s.over_q));
     const vec X = v_fma(s.x, s.T, v_fma(s.B, s.G, v_mul(s.A, s.S)));
     const vec Y = v_fma(s.y, s.T, v_fnma(s.A, s.G, v_mul(s.B, s.S)));
@@ -81,6 +82,7 @@ static inline void film_tangent(const film_state *f, vec strength, vec twice, ta
     film_slope_y(&s, &by_y[0], &by_y[1]);
     film_slope_angle(&s, &by_angle[0], &by_angle[1]);
     const vec force[2] = {X, Y}, steep_x = v_mul(v_mul(two, s.x), s.over_q), steep_y = v_mul(v_mul(two, s.y), s.over_q);
+    // Turn them back, row by row.
     vec *const rows[2] = {tangent->x, tangent->y};
     for (int i = 0; i < 2; i++) {
         const vec along = v_mul(force[i], over_C), across = v_mul(by_angle[i], over_C);

@@ -157,6 +157,7 @@ VECTOR_INLINE void pads_sum(const pads_spot *spot, vec cell, bool sloped, vec su
     double begin[VECTOR_LANES], all[PADS_SUMS][VECTOR_LANES][8];
     const vec first = v_fma(cell, v_set(PAD_ALPHA_APART), spot->first);
     memcpy(begin, &first, sizeof begin);
+    // Sum rows of eight numbers, four by four.
     for (size_t lane = 0; lane < VECTOR_LANES; lane++) {
         const double *here = spot->rows[lane] + (size_t)begin[lane];
         vec sum[PADS_SUMS][PARTS];
@@ -173,6 +174,7 @@ VECTOR_INLINE void pads_sum(const pads_spot *spot, vec cell, bool sloped, vec su
             }
         for (int kind = 0; kind < kinds; kind++) memcpy(all[kind][lane], sum[kind], sizeof sum[kind]);
     }
+    // Turn rows of lanes into vectors.
     for (int kind = 0; kind < kinds; kind++) v_transpose((const double(*)[8])all[kind], sums[kind]);
 }
 

@@ -133,11 +133,13 @@ static double pads_back(pads_rest *at, double u, bool *idle) {
 
 /// Finds the pad's equilibrium on a yielding pivot.
 static bool pads_settle_pad(pads_rest *at, bool *idle) {
+    // Bracket the pivot's displacement at which its spring holds the film's force.
     double low = 0.0, high = 0.0, step = 1e-3;
     double back = pads_back(at, 0.0, idle), below = back, above = back;
     for (int k = 0; k < 40 && below > 0.0; k++, step *= 2.0) below = pads_back(at, low = -step, idle);
     for (int k = 0; k < 40 && above < 0.0; k++, step *= 2.0) above = pads_back(at, high = step, idle);
     if (below > 0.0 || above < 0.0) return false;
+    // Leave the places where the film is broken.
     for (int k = 0; k < 60 && isinf(below); k++) {
         const double middle = 0.5 * (low + high);
         back = pads_back(at, middle, idle);
@@ -146,6 +148,7 @@ static bool pads_settle_pad(pads_rest *at, bool *idle) {
         else
             high = middle, above = back;
     }
+    // Narrow the bracket.
     bracket between = bracket_between(low, below, high, above);
     for (int k = 0; k < 200 && back != 0.0; k++) {
         const double u = bracket_next(&between);

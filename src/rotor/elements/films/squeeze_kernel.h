@@ -39,8 +39,10 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     num r[KERNEL_AXES], v[KERNEL_AXES];
     (void)s, (void)slope;
     KERNEL(squeeze_motion)(own, view->number[SQUEEZE_OVER_CLEARANCE * view->stride], d, w, r, v);
+    // q is 1 less the square of the eccentricity, p half the rate of that square.
     const num q = n_sub(n_set(1.0), n_fma(r[0], r[0], n_mul(r[1], r[1])));
     const num p = n_fma(r[0], v[0], n_mul(r[1], v[1])), over_q = n_div(n_set(1.0), q);
+    // The part of the circumference that carries: half with cavitation, else all.
     num W = n_set(0.0), angle = n_set(3.14159265358979323846), E = n_set(0.0);
     if (!(own->law & SQUEEZE_FULL)) {
         W = n_sqrt(n_mul(q, n_fma(v[0], v[0], n_fma(v[1], v[1], n_set(0x1p-600)))));
@@ -48,6 +50,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
         const num u = n_sub(n_mul(r[1], v[0]), n_mul(r[0], v[1]));
         E = n_div(n_mul(u, W), n_fma(W, W, n_mul(p, p)));
     }
+    // A short film, or a long one.
     num M = n_mul(n_fma(p, angle, W), over_q), factor = n_scale(strength, n_sqrt(over_q));
     num across[2] = {n_set(0.0), n_set(0.0)};
     if (!(own->law & SQUEEZE_LONG)) {
@@ -56,6 +59,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
         across[0] = n_mul(E, v[1]);
         across[1] = n_sub(n_set(0.0), n_mul(E, v[0]));
     }
+    // The force along both axes.
     for (int a = 0; a < KERNEL_AXES; a++) {
         const num push = n_fma(angle, v[a], n_fma(M, r[a], across[a]));
         force[a] = n_sub(n_set(0.0), n_mul(factor, push));

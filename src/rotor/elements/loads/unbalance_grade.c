@@ -59,6 +59,7 @@ static void weigh(const assembly *of, size_t shaft, double *mass, double *centre
 
 /// Computes the mass, and the distances from its centre to both planes, above 0 outwards.
 static whirl_status measure(const key_value *values, const assembly *to, double *mass, double distance[2]) {
+    // The planes are on one shaft of finite elements, or mass and distances are given.
     const assembly_station *one = &to->stations[values[PLANES].station[0]],
                            *other = &to->stations[values[PLANES].station[1]];
     const bool meshed = one->shaft != NO_SHAFT && one->shaft == other->shaft;
@@ -71,6 +72,7 @@ static whirl_status measure(const key_value *values, const assembly *to, double 
                                            "to_first and to_second as well");
     if (meshed) weigh(to, one->shaft, mass, &centre);
     if (values[MASS].given) *mass = values[MASS].number;
+    // Distances, outwards.
     const double way = one->position < other->position ? 1.0 : -1.0;
     distance[0] = told ? values[TO_FIRST].number : way * (centre - one->position);
     distance[1] = told ? values[TO_SECOND].number : way * (other->position - centre);

@@ -110,6 +110,7 @@ static whirl_status coupling_build(const key_value *values, assembly *to, elemen
     const bool tilts = values[TILT].number > 0.0 || values[TILT_DAMPING].number > 0.0;
     const size_t count = tilts ? 2 * PLANE : PLANE;
     const bool across = tilts || values[RADIAL].number > 0.0 || values[RADIAL_DAMPING].number > 0.0;
+    // Join the displacements, and the tilts if they have a stiffness.
     whirl_status status = check_turning(values, to);
     if (status.code == WHIRL_OK && !across && !values[TWIST].given && !values[RADIAL].given)
         status = whirl_fail(WHIRL_BAD_INPUT, "has no stiffness, expected radial, tilt or twist");
@@ -119,9 +120,11 @@ static whirl_status coupling_build(const key_value *values, assembly *to, elemen
         assembly_spring(to, one, other, values[a < PLANE ? RADIAL : TILT].number);
         assembly_damper(to, one, other, values[a < PLANE ? RADIAL_DAMPING : TILT_DAMPING].number);
     }
+    // Join the twists.
     if (status.code == WHIRL_OK && (values[TWIST].number > 0.0 || values[TWIST_DAMPING].number > 0.0))
         status = join_twists(values, to);
     if (status.code != WHIRL_OK || to->balanced) return status;
+    // A runout or a kink turns with the shaft.
     add_turning(to, out->port, count, values[RADIAL].number, values[RADIAL_DAMPING].number, values[RUNS_OFF].number,
                 values[RUNS_OFF_ANGLE].number);
     if (tilts)

@@ -78,6 +78,7 @@ static whirl_status fatigue_check(const key_value *values) {
 static whirl_status fatigue_build(const key_value *values, assembly *to, element *out) {
     const key_value *ranges = &values[values[STRESSES].given ? STRESSES : TORQUES];
     const int endurance = values[STRESSES].given ? ENDURANCE_STRESS : ENDURANCE_TORQUE;
+    // Both stations must twist.
     whirl_status status = fatigue_check(values);
     size_t coordinate;
     for (size_t i = 0; i < 2 && status.code == WHIRL_OK; i++)
@@ -86,6 +87,7 @@ static whirl_status fatigue_build(const key_value *values, assembly *to, element
                                                    "twist")
                      : assembly_find(to, values[BETWEEN].station[i], AXIS_TWIST, &coordinate);
     if (status.code != WHIRL_OK) return status;
+    // Copy the curve to the rotor.
     out->lumped = true;
     twist_fatigue own = {
         .station = {values[BETWEEN].station[0], values[BETWEEN].station[1]},

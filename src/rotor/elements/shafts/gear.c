@@ -227,11 +227,13 @@ extern const element_type gear_turning;
 
 static whirl_status gear_build(const key_value *values, assembly *to, element *out) {
     static const axis axes[KERNEL_AXES] = {AXIS_X, AXIS_Y, AXIS_TWIST};
+    // Rigid gears are no elements: they reduce the coordinates.
     whirl_status status = gear_check(values);
     out->lumped = gear_is_rigid(values);
     if (status.code != WHIRL_OK || out->lumped) return status;
     status = element_between(&values[BETWEEN], to, axes, KERNEL_AXES, out);
     if (status.code != WHIRL_OK) return status;
+    // Numbers of the mesh.
     const size_t first = values[BETWEEN].station[0];
     const double ratio = first == GROUND ? 1.0 : to->stations[first].ratio;
     out->law = (values[BACKLASH].given ? GEAR_PLAY : 0) | (values[VARIATION].number > 0.0 ? GEAR_PAIRS : 0) |
@@ -243,6 +245,7 @@ static whirl_status gear_build(const key_value *values, assembly *to, element *o
         status = gear_set_profile(&values[PROFILE], values[STIFFNESS].number * to->length, out);
         if (status.code != WHIRL_OK) return status;
     }
+    // A mesh that varies has its phase as a state.
     if (!(out->law & (GEAR_PAIRS | GEAR_ERROR | GEAR_PROFILE))) return whirl_ok();
     out->states = 1;
     out->type = &gear_turning;

@@ -300,6 +300,7 @@ static void put_failure(const key_value *values, const assembly *to, element *ou
 
 static whirl_status magnetic_build(const key_value *values, assembly *to, element *out) {
     const double length = to->length;
+    // The controller's states come first.
     whirl_status status = check_keys(values);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     out->law = values[LAW].choice == LINEAR ? MAGNETIC_LINEAR : 0;
@@ -308,6 +309,7 @@ static whirl_status magnetic_build(const key_value *values, assembly *to, elemen
     const double ampere = ampere_of(values, length), of_force = length * ampere;
     status = put_loop(values, to, ampere, out);
     if (status.code != WHIRL_OK) return status;
+    // Numbers of the law, in a unit of current in which forces and displacements are of the rotor's units.
     out->number[MAGNETIC_AMPERE] = ampere;
     out->number[MAGNETIC_FORCE] = strength(values) * cos(values[POLE_ANGLE].number) / (of_force * of_force);
     out->number[MAGNETIC_GAP] = values[GAP].number / length;

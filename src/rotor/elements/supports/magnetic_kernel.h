@@ -117,6 +117,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     num u[2], pull[2], current[2], left = n_set(1.0);
     const size_t loop = (size_t)loop_order(own);
     (void)w;
+    // Currents of the controller, and the pull of both axes.
     KERNEL(along_axes)(view, d, u);
     for (size_t line = 0; line < 2; line++) current[line] = u[line];
     KERNEL(currents)(own, view, 2, current, s, slope);
@@ -124,6 +125,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
         const vec *sides = view->sides ? view->sides + line * MAGNETIC_AXIS_SWITCHES * stride : NULL;
         pull[line] = KERNEL(pull)(own, view, u[line], current[line], sides);
     }
+    // After a failure the pull falls to 0.
     if (own->law & MAGNETIC_FAILS) {
         const vec C = view->phase[COS_TAU], S = view->phase[SIN_TAU], running = v_fma(C, C, v_mul(S, S));
         const num clock = s[2 * loop], way = n_sub(clock, n_of(number[MAGNETIC_FAILS_AT * stride]));
@@ -134,6 +136,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
         const num share = n_sub(n_of(one), n_mul(n_mul(q, q), n_sub(n_set(3.0), n_scale(v_set(2.0), q))));
         left = n_mul(share, share);
     }
+    // Turn back from the magnets' axes.
     force[0] = n_mul(left, n_sub(n_scale(c, pull[0]), n_scale(sine, pull[1])));
     force[1] = n_mul(left, n_add(n_scale(sine, pull[0]), n_scale(c, pull[1])));
 }

@@ -363,6 +363,7 @@ static whirl_status rolling_bearing_build(const key_value *values, const whirl_k
     bool dented = false;
     whirl_status status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
+    // Rates of cage and rollers, and dents, from the geometry.
     find_races(values, to, races);
     status = cage_ratio(values, races, &ratio);
     out->law = law | (int)balls;
@@ -372,6 +373,7 @@ static whirl_status rolling_bearing_build(const key_value *values, const whirl_k
     status = set_dents(values, keys, length, out, &dented);
     if (dented) out->type = line ? &dented_rollers : &dented_balls;
     for (size_t i = ROLLING_RATES; i < ROLLING_DEPTH; i++) number[i] *= to->turn;
+    // Numbers of the contact, in the rotor's units.
     number[ROLLING_STIFFNESS] = values[STIFFNESS].number * (staggered ? 1.0 : rows) *
                                 (line ? length * pow(length, 1.0 / 9.0) : length * sqrt(length));
     number[ROLLING_GAP] = values[CLEARANCE].number / length;
@@ -380,6 +382,7 @@ static whirl_status rolling_bearing_build(const key_value *values, const whirl_k
     number[ROLLING_APART_COS] = cos(apart);
     number[ROLLING_APART_SIN] = sin(apart);
     generic_scale(out, to, 1.0);
+    // The damping adds to the matrices.
     for (int a = 0; a < KERNEL_AXES; a++)
         assembly_damper(to, out->port[a], out->port[KERNEL_AXES + a], values[DAMPING].number);
     return status;
