@@ -214,8 +214,13 @@ static whirl_status tell_result(const char *path, const whirl_result *told, cons
         if (status.code == WHIRL_OK && batch->values)
             whirl_result_write_end(told, batch->name, batch->parameter, batch->values[0], stdout);
     }
-    for (size_t i = 0; *whirl_result_warning(told, i); i++)
-        fprintf(stderr, "%s: warning: %s\n", path, whirl_result_warning(told, i));
+    whirl_shown_units units;
+    char said[WHIRL_MESSAGE_SIZE];
+    whirl_result_shown_units(told, NULL, &units); // the case's own units are known to be units
+    for (size_t i = 0; *whirl_result_warning(told, i); i++) {
+        whirl_shown_sentence(&units, whirl_result_warning(told, i), said, sizeof said);
+        fprintf(stderr, "%s: warning: %s\n", path, said);
+    }
     return status;
 }
 

@@ -244,6 +244,10 @@ whirl_status whirl_result_findings(const whirl_result *result, const char *sheet
 /// whirl_text_free.
 whirl_status whirl_result_sheets(const whirl_result *result, const char *units, char **lines);
 
+/// Writes the warnings of a result (whirl_result_warning), one a line, with their numbers in units as in reports; NULL:
+/// those of the case. *lines is freed by whirl_text_free. WHIRL_BAD_INPUT for words that are not units.
+whirl_status whirl_result_warnings(const whirl_result *result, const char *units, char **lines);
+
 void whirl_text_free(char *text); ///< Frees a text returned by these functions; accepts NULL.
 
 /// Answers a bearing file as `whirl bearing` does (docs/guide/15-bearings.md), as a JSON document, and writes its

@@ -74,6 +74,7 @@ static void fits_compare(const case_content *content, valuation *v, const whirl_
     whirl_modes *modes = modes_of(moving);
     const double clock = whirl_rotor_clock(moving);
     const double low = tables->frequencies[0], high = tables->frequencies[tables->frequency_count - 1];
+    const double turn = 6.283185307179586476925;
     double last = INFINITY;
     for (int look = 0; look < LOOKS && modes && !*doubt; look++) {
         // The next eigenvalue of the functions, by falling real part.
@@ -88,14 +89,13 @@ static void fits_compare(const case_content *content, valuation *v, const whirl_
             snprintf(
                 doubt, WHIRL_MESSAGE_SIZE,
                 "with the rational functions that replace its bearings' tables in motions the machine is unstable, "
-                "by %.4g 1/s at %.4g rad/s, beyond the tables (%.4g to %.4g rad/s)",
-                own.real, own.imaginary, low, high);
+                "by %.4g 1/s at %.4g Hz, beyond the tables (%.4g Hz to %.4g Hz)",
+                own.real, own.imaginary / turn, low / turn, high / turn);
         else if (known && by_tables(content, v, own, &other) && grows(own, clock) != grows(other, clock))
-            snprintf(
-                doubt, WHIRL_MESSAGE_SIZE,
-                "with the rational functions that replace its bearings' tables in motions a mode at %.4g rad/s has "
-                "the exponent %.4g 1/s, and %.4g 1/s with the tables themselves: one is stable, the other is not",
-                own.imaginary, own.real, other.real);
+            snprintf(doubt, WHIRL_MESSAGE_SIZE,
+                     "with the rational functions that replace its bearings' tables in motions a mode at %.4g Hz has "
+                     "the exponent %.4g 1/s, and %.4g 1/s with the tables themselves: one is stable, the other is not",
+                     own.imaginary / turn, own.real, other.real);
     }
     whirl_modes_free(modes);
 }

@@ -248,6 +248,7 @@ static void find_rest(const finder *of, const whirl_bearing_table *table) {
     sheet_column(of, sheet, "critical_whirl_ratio", "whirl ratio", WHIRL_QUANTITY_NUMBER, 4);
     sheet_column(of, sheet, "temperature", "film at", WHIRL_QUANTITY_TEMPERATURE, 4);
     sheet_texts(of, sheet, "failure", "not found");
+    char failure[SENTENCE_SIZE];
     for (size_t i = 0; i < table->count; i++) {
         const whirl_bearing_point *point = &table->points[i];
         const double mass = bearing->pads.tilting ? (double)NAN : point->critical_mass;
@@ -262,7 +263,8 @@ static void find_rest(const finder *of, const whirl_bearing_table *table) {
         cell_number(of, sheet, mass);
         cell_number(of, sheet, isfinite(mass) ? point->whirl : (double)NAN);
         cell_number(of, sheet, bearing->heated ? point->temperature : (double)NAN);
-        cell_text(of, sheet, find_text(of->findings, "%s", point->failure));
+        whirl_shown_sentence(of->units, point->failure, failure, sizeof failure);
+        cell_text(of, sheet, find_text(of->findings, "%s", failure));
     }
     find_sheet_end(of);
 }

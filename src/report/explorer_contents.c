@@ -243,8 +243,11 @@ static void put_lines(const contents *of) {
 static bool put_warnings(const contents *of) {
     bool well = true;
     json_t *warnings = json_array();
-    for (size_t i = 0; *whirl_result_warning(of->view, i); i++)
-        document_append(&well, warnings, document_text(whirl_result_warning(of->view, i)));
+    char said[SENTENCE_SIZE];
+    for (size_t i = 0; *whirl_result_warning(of->view, i); i++) {
+        whirl_shown_sentence(&of->units, whirl_result_warning(of->view, i), said, sizeof said);
+        document_append(&well, warnings, document_text(said));
+    }
     return put_value(of->stream, "warnings", well, warnings);
 }
 

@@ -208,8 +208,14 @@ static bool dump_film_tables(const whirl_result *result, FILE *stream) {
 static bool dump_texts(const char *key, const char *(*text_of)(const whirl_result *, size_t),
                        const whirl_result *result, FILE *stream) {
     bool well = true;
+    whirl_shown_units units;
+    char said[SENTENCE_SIZE];
     json_t *texts = json_array();
-    for (size_t i = 0; *text_of(result, i); ++i) document_append(&well, texts, document_text(text_of(result, i)));
+    whirl_result_shown_units(result, NULL, &units); // what a file says that is no unit chooses nothing
+    for (size_t i = 0; *text_of(result, i); ++i) {
+        whirl_shown_sentence(&units, text_of(result, i), said, sizeof said);
+        document_append(&well, texts, document_text(said));
+    }
     return dump_member(",\n", key, texts, stream) && well;
 }
 

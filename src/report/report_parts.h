@@ -67,7 +67,7 @@ bool explorer_write_contents(FILE *stream, const whirl_result *result, const whi
 // ---------------------------------------------------------------- findings
 // Parts shared by renderers of findings.
 
-enum { STATEMENT_SIZE = 2048 };
+enum { STATEMENT_SIZE = 2048, SENTENCE_SIZE = 512 };
 
 /// Finds the findings of a view of a result (whirl_result_by_attractor); machine: its case (machine_of), or NULL.
 /// WHIRL_NO_MEMORY.

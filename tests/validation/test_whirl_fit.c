@@ -574,7 +574,7 @@ static void warned_of(void **state) {
                         "study.response: with the rational functions that replace "
                         "its bearings' tables in motions the machine is unstable, by ",
                         100) == 0 &&
-                    strstr(whirl_result_warning(result, 0), "beyond the tables (0 to 250 rad/s)"));
+                    strstr(whirl_result_warning(result, 0), "beyond the tables (0 Hz to 39.79 Hz)"));
     check_holds("Whirl in time", "told: the fit and its error",
                 strncmp(whirl_result_fit(result, 0), "bearing at disc: in time 4 poles, off its table by ", 50) == 0);
     whirl_result_free(result);

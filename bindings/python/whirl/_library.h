@@ -128,6 +128,7 @@ whirl_status whirl_result_figures(const whirl_result *result, const char *units,
 whirl_status whirl_result_findings(const whirl_result *result, const char *sheet, const char *units, const char *format,
                                    char **text);
 whirl_status whirl_result_sheets(const whirl_result *result, const char *units, char **lines);
+whirl_status whirl_result_warnings(const whirl_result *result, const char *units, char **lines);
 whirl_status whirl_balance_json(const char *text, size_t length, const char *name, const char *units, char *problems,
                                 size_t size, char **json);
 void whirl_text_free(char *text);

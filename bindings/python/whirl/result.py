@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import html
 import os
-import re
 import shutil
 import tempfile
 from collections.abc import ItemsView, Iterator, KeysView, ValuesView
@@ -182,9 +181,15 @@ class Result:
     @property
     def warnings(self) -> list[str]:
         """What the library warns of, as ``whirl check`` and ``whirl run`` do: values of the case that a law is not for
-        or that no machine has, ranges without extent. :func:`whirl.run` shows them as ``UserWarning`` too."""
-        names = sorted((name for name in self.facts if re.fullmatch(r"warning \d+", name)), key=lambda n: int(n[8:]))
-        return [self.facts[name] for name in names]
+        or that no machine has, ranges without extent; in the units of statements. :func:`whirl.run` shows them as
+        ``UserWarning`` too."""
+        if "warning 1" not in self.facts:
+            return []
+        from ._library import check, ffi, lib, taken
+
+        out = ffi.new("char **")
+        check(lib.whirl_result_warnings(self._figured(), ffi.NULL, out))
+        return taken(out).splitlines()
 
     @property
     def beyond(self) -> list[str]:

@@ -145,3 +145,20 @@ whirl_status whirl_result_sheets(const whirl_result *result, const char *units, 
     whirl_findings_free(findings);
     return status;
 }
+
+static whirl_status findings_write_warnings(const void *of, FILE *stream) {
+    const whirl_shown_units *const units = of;
+    char said[SENTENCE_SIZE];
+    for (size_t i = 0; *whirl_result_warning(units->result, i); i++) {
+        whirl_shown_sentence(units, whirl_result_warning(units->result, i), said, sizeof said);
+        fprintf(stream, "%s\n", said);
+    }
+    return whirl_ok();
+}
+
+whirl_status whirl_result_warnings(const whirl_result *result, const char *units, char **lines) {
+    whirl_shown_units shown;
+    *lines = NULL;
+    const whirl_status status = whirl_result_shown_units(result, units, &shown);
+    return status.code == WHIRL_OK ? text_written(findings_write_warnings, &shown, "for warnings", lines) : status;
+}

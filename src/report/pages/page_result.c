@@ -200,9 +200,11 @@ static void page_ranges(const page *to, size_t index) {
 }
 
 void page_warnings(const page *to, size_t index) {
+    char said[SENTENCE_SIZE];
     for (size_t i = 0; *whirl_result_warning(to->results[index], i); i++) {
         fputs("<p><strong>Warning:</strong> ", to->stream);
-        html_text(to->stream, whirl_result_warning(to->results[index], i));
+        whirl_shown_sentence(&to->units[index], whirl_result_warning(to->results[index], i), said, sizeof said);
+        html_text(to->stream, said);
         fputs("</p>\n", to->stream);
     }
     page_ranges(to, index);
@@ -249,8 +251,10 @@ void page_computed(const page *to, size_t index) {
         if (station->gap > 0.0) append_gap(units, station, text, sizeof text);
     }
     write_row(to->stream, "Stations", text);
-    for (size_t i = 0; *whirl_result_fit(result, i); i++)
-        write_row(to->stream, "Table over frequencies of whirl", whirl_result_fit(result, i));
+    for (size_t i = 0; *whirl_result_fit(result, i); i++) {
+        whirl_shown_sentence(units, whirl_result_fit(result, i), text, sizeof text);
+        write_row(to->stream, "Table over frequencies of whirl", text);
+    }
     if (result->contact_count > 0) {
         text[0] = '\0';
         for (size_t c = 0; c < result->contact_count; c++) {

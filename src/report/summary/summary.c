@@ -109,14 +109,20 @@ whirl_status whirl_result_write_summary(const whirl_result *result, FILE *out) {
     size_t done, total;
     whirl_result *view;
     fprintf(out, "%s\n", result->title[0] ? result->title : result->case_name);
-    for (size_t i = 0; *whirl_result_warning(result, i); i++)
-        fprintf(out, "warning: %s\n", whirl_result_warning(result, i));
-    for (size_t i = 0; *whirl_result_fit(result, i); i++) fprintf(out, "%s\n", whirl_result_fit(result, i));
+    whirl_shown_units units;
+    char said[SENTENCE_SIZE];
+    whirl_result_shown_units(result, NULL, &units); // what a file says that is no unit chooses nothing
+    for (size_t i = 0; *whirl_result_warning(result, i); i++) {
+        whirl_shown_sentence(&units, whirl_result_warning(result, i), said, sizeof said);
+        fprintf(out, "warning: %s\n", said);
+    }
+    for (size_t i = 0; *whirl_result_fit(result, i); i++) {
+        whirl_shown_sentence(&units, whirl_result_fit(result, i), said, sizeof said);
+        fprintf(out, "%s\n", said);
+    }
     if (*whirl_result_film_tables(result)) fprintf(out, "film tables: %s\n", whirl_result_film_tables(result));
     if (weight_heads(result)) {
-        whirl_shown_units units;
         char weight[WEIGHT_SIZE];
-        whirl_result_shown_units(result, NULL, &units); // what a file says that is no unit chooses nothing
         weight_text(&units, weight, sizeof weight);
         fprintf(out, "weight: %s\n", weight);
     }
@@ -132,8 +138,7 @@ whirl_status whirl_result_write_summary(const whirl_result *result, FILE *out) {
     }
     whirl_status status = whirl_result_by_attractor(result, &view);
     if (status.code != WHIRL_OK) return status;
-    whirl_shown_units units;
-    whirl_result_shown_units(view, NULL, &units); // an invalid unit in a file is ignored
+    whirl_result_shown_units(view, NULL, &units);
     whirl_findings *findings = NULL;
     whirl_case *machine = NULL;
     status = machine_of(view, &machine);

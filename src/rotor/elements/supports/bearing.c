@@ -472,10 +472,11 @@ static void tell_poles(const double *pair, double clock, char *text, size_t size
 
 static void bearing_note(const element *own, double length, double clock, char *text, size_t size) {
     const double *number = own->number, *rest = number + BEARING_REST;
+    const double turn = 6.283185307179586476925;
     size_t used = (size_t)snprintf(
         text, size,
-        "in time %d poles, off its table by %.2g %% at its frequencies, %.2g %% half way between (at %.4g rad/s)",
-        2 * own->law, 100.0 * number[BEARING_ERROR_AT], 100.0 * number[BEARING_ERROR], number[BEARING_WORST]);
+        "in time %d poles, off its table by %.2g %% at its frequencies, %.2g %% half way between (at %.4g Hz)",
+        2 * own->law, 100.0 * number[BEARING_ERROR_AT], 100.0 * number[BEARING_ERROR], number[BEARING_WORST] / turn);
     (void)length;
     for (size_t j = 0; j < (size_t)own->law && used < size; j++) {
         char poles[64];
@@ -484,8 +485,8 @@ static void bearing_note(const element *own, double length, double clock, char *
                                  j + 1 == (size_t)own->law ? " rad/s" : "");
     }
     if (used < size)
-        snprintf(text + used, size - used, "; at rest kxx %.4g, kxy %.4g, kyx %.4g, kyy %.4g N/m", rest[0], rest[1],
-                 rest[2], rest[3]);
+        snprintf(text + used, size - used, "; at rest kxx %.4g N/m, kxy %.4g N/m, kyx %.4g N/m, kyy %.4g N/m", rest[0],
+                 rest[1], rest[2], rest[3]);
 }
 
 KERNELS_OF_EVERY_ISA(bearing_kernels);

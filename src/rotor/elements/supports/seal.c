@@ -189,10 +189,11 @@ static void seal_note(const element *own, double length, double clock, char *tex
     const double K = number[SEAL_STIFFNESS] / length, C = number[SEAL_DAMPING] / (clock * length);
     const double M = number[SEAL_MASS] / (clock * clock * length);
     if (!(own->law & SEAL_BLACK)) return;
-    snprintf(text, size,
-             "in the fluid K %.5g N/m, C %.5g N s/m, M %.4g kg, which turns at %.4g of the shaft's speed: kxx %.5g, "
-             "kxy %.5g N/m, cxx %.5g, cxy %.5g N s/m",
-             K, C, M, fabs(number[SEAL_RATIO]), K - M * turn * turn, C * turn, C, 2.0 * M * turn);
+    snprintf(
+        text, size,
+        "in the fluid K %.5g N/m, C %.5g N s/m, M %.4g kg, which turns at %.4g of the shaft's speed: kxx %.5g N/m, "
+        "kxy %.5g N/m, cxx %.5g N s/m, cxy %.5g N s/m",
+        K, C, M, fabs(number[SEAL_RATIO]), K - M * turn * turn, C * turn, C, 2.0 * M * turn);
 }
 
 static double seal_clearance(const element *own) {
