@@ -20,7 +20,11 @@ from whirl.fields import FIELD
 def same(one, other):
     """Equal to the bit, NaN included."""
     one, other = np.ascontiguousarray(one), np.ascontiguousarray(other)
-    return one.shape == other.shape and one.dtype == other.dtype and one.tobytes() == other.tobytes()
+    return (
+        one.shape == other.shape
+        and one.dtype == other.dtype
+        and one.tobytes() == other.tobytes()
+    )
 
 
 def check_same(memory, file, path):
@@ -28,15 +32,23 @@ def check_same(memory, file, path):
     assert list(memory.tables) == list(file.tables)
     assert memory.parameters == file.parameters and memory.stations == file.stations
     assert memory.contacts == file.contacts and memory.case_text == file.case_text
-    assert (memory.speed, memory.length_scale, memory.force_scale) == (file.speed, file.length_scale, file.force_scale)
+    assert (memory.speed, memory.length_scale, memory.force_scale) == (
+        file.speed,
+        file.length_scale,
+        file.force_scale,
+    )
     with h5py.File(path) as plain:
         for name, table in memory.tables.items():
             other, group = file.tables[name], plain[name]
             assert len(table) > 3 and list(table) == list(other)
             for field in table:
-                np.testing.assert_equal(vars(table.fields[field]), vars(other.fields[field]))  # NaN is equal to NaN
+                np.testing.assert_equal(
+                    vars(table.fields[field]), vars(other.fields[field])
+                )  # NaN is equal to NaN
             assert table.options == other.options
-            assert same(table.values, group["values"][()]) and same(other.values, group["values"][()])
+            assert same(table.values, group["values"][()]) and same(
+                other.values, group["values"][()]
+            )
             assert np.array_equal(table.branch, group["branch"][()])
             assert np.array_equal(table.point, group["point"][()])
             assert same(table.length_scale, group["length_scale"][()])
@@ -56,23 +68,39 @@ def test_maps_have_two_dimensions(map_files):
     result = whirl.run(case, progress=False)
     check_same(result, whirl.open(path), path)
     table = result["map"]
-    assert table.shape == (3, 5) and table.second == "c" and table["orbit/max_radius"].shape == (3, 5, 1)
+    assert (
+        table.shape == (3, 5)
+        and table.second == "c"
+        and table["orbit/max_radius"].shape == (3, 5, 1)
+    )
     assert np.allclose(table.second_values[:, 0], [0.1e-3, 0.15e-3, 0.2e-3], rtol=1e-15)
     radius, unit = table.si("orbit/max_radius")
-    assert unit == "m" and same(radius[0], table["orbit/max_radius"][0] * table.second_values[0, 0])
+    assert unit == "m" and same(
+        radius[0], table["orbit/max_radius"][0] * table.second_values[0, 0]
+    )
 
 
 def test_planes_are_a_dimension(map_files, tmp_path):
     case = (
-        map_files[0].read_text().replace("c: 0.2 mm}", "c: 0.2 mm, f: 0.1}").replace("friction: 0.1", "friction: = f")
+        map_files[0]
+        .read_text()
+        .replace("c: 0.2 mm}", "c: 0.2 mm, f: 0.1}")
+        .replace("friction: 0.1", "friction: = f")
     )
-    case = case.replace("  integrate", "    z: {parameter: f, values: [0.3, 0.1]}\n  integrate")
+    case = case.replace(
+        "  integrate", "    z: {parameter: f, values: [0.3, 0.1]}\n  integrate"
+    )
     result = whirl.run(whirl.Case(text=case), progress=False)
     result.save(tmp_path / "planes.h5")
     check_same(result, whirl.open(tmp_path / "planes.h5"), tmp_path / "planes.h5")
     plane = whirl.run(whirl.Case(map_files[0]), progress=False)["map"]
     for table in (result["map"], whirl.open(tmp_path / "planes.h5")["map"]):
-        assert table.shape == (2, 3, 5) and table.grid == (3, 5) and table.planes == 2 and table.third == "f"
+        assert (
+            table.shape == (2, 3, 5)
+            and table.grid == (3, 5)
+            and table.planes == 2
+            and table.third == "f"
+        )
         assert same(table["orbit/max_radius"][1], plane["orbit/max_radius"])  # f = 0.1
         array = table.to_xarray()
         assert array["orbit/max_radius"].dims == ("z", "y", "x", "station")
@@ -90,7 +118,9 @@ def test_attractors_of_a_basin(basin):
     table = basin["basin"]
     number = table.attractors
     assert number.shape == table.shape == (4, 9)
-    assert set(np.unique(number)) == {1, 2} and (number == 1).sum() > (number == 2).sum()
+    assert (
+        set(np.unique(number)) == {1, 2} and (number == 1).sum() > (number == 2).sum()
+    )
     for of in (1, 2):
         share, error = share_of(number == of)
         assert np.allclose(table.shares[number == of], share, rtol=1e-14)
@@ -101,21 +131,28 @@ def test_attractors_of_a_basin(basin):
     inertia = 1e5 - forced + 20j * 220
     assert np.allclose(radius[number == 2], abs(0.1 * forced / inertia), rtol=1e-6)
     leans = radius[number == 1]
-    assert np.allclose(abs(inertia + 1e6 * (1 - 1.2 / leans)) * leans, 0.1 * forced, rtol=1e-6)
+    assert np.allclose(
+        abs(inertia + 1e6 * (1 - 1.2 / leans)) * leans, 0.1 * forced, rtol=1e-6
+    )
 
 
 @pytest.mark.parametrize("name", ["starts", "starts_map"])
 def test_attractors_of_several_starts(name, request):
     result = request.getfixturevalue(name)
     (table,) = result.tables.values()
-    number, own = table.attractors, table["starts/neighbour"] == 0  # those from neighbours are no sample
+    number, own = (
+        table.attractors,
+        table["starts/neighbour"] == 0,
+    )  # those from neighbours are no sample
     assert number.max() >= 2 and table.place.max() == (3 if name == "starts" else 5)
     for place in np.unique(table.place):
         here = table.place == place
         for of in np.unique(number[here & (number > 0)]):
             share, error = share_of(number[here & own] == of)
             assert np.allclose(table.shares[here & (number == of)], share, rtol=1e-14)
-            assert np.allclose(table.share_errors[here & (number == of)], error, rtol=1e-14, atol=1e-15)
+            assert np.allclose(
+                table.share_errors[here & (number == of)], error, rtol=1e-14, atol=1e-15
+            )
     assert np.isnan(table.shares[number == 0]).all()
 
 
@@ -128,7 +165,9 @@ def test_attractors_in_files(name, request, tmp_path):
             of = opened[table.name]
             assert (of.grid, of.planes) == (table.grid, table.planes)
             for what in ("place", "attractors", "shares", "share_errors"):
-                assert np.array_equal(getattr(of, what), getattr(table, what), equal_nan=True), what
+                assert np.array_equal(
+                    getattr(of, what), getattr(table, what), equal_nan=True
+                ), what
             frame = of.to_pandas()
             assert np.array_equal(frame["attractor"], table.attractors.ravel())
             assert "share" in of.to_xarray()
@@ -136,7 +175,9 @@ def test_attractors_in_files(name, request, tmp_path):
 
 def test_other_tables_have_no_attractors(good):
     table = good["sweep"]
-    assert not table.has_attractors and table.attractors is None and table.shares is None
+    assert (
+        not table.has_attractors and table.attractors is None and table.shares is None
+    )
 
 
 def test_read_checks_the_file(good_file, tmp_path):
@@ -158,13 +199,22 @@ def test_saved_results_are_files_of_the_command(good, good_file, tmp_path):
 
 def test_arrays_are_not_copied_and_outlive_their_result(good_file):
     result = whirl.read(good_file)
-    radius, again = result["sweep"]["orbit/max_radius"], result["sweep"]["orbit/max_radius"]
-    assert radius.ctypes.data == again.ctypes.data and not radius.flags.writeable and not radius.flags.owndata
+    radius, again = (
+        result["sweep"]["orbit/max_radius"],
+        result["sweep"]["orbit/max_radius"],
+    )
+    assert (
+        radius.ctypes.data == again.ctypes.data
+        and not radius.flags.writeable
+        and not radius.flags.owndata
+    )
     expected, gone = radius.copy(), weakref.ref(result)
     del result, again
     gc.collect()
     assert gone() is None
-    rubbish = [whirl.read(good_file)["sweep"].values for _ in range(20)]  # what was freed would be written over
+    rubbish = [
+        whirl.read(good_file)["sweep"].values for _ in range(20)
+    ]  # what was freed would be written over
     assert len(rubbish) == 20 and same(radius, expected)
 
 
@@ -180,12 +230,18 @@ def test_opening_reads_no_field(good_file, tmp_path):
     path.write_bytes(data)
     table = whirl.open(path)["sweep"]
     assert len(table.values) == 5 and table["orbit/max_radius"].shape == (5, 1)
-    with pytest.raises(whirl.FileFailure, match="damaged.h5' is damaged or was changed"):
+    with pytest.raises(
+        whirl.FileFailure, match="damaged.h5' is damaged or was changed"
+    ):
         table["poincare/section"]
 
 
-@pytest.mark.parametrize("place", ["stations", "sweep", "sweep/values", "sweep/orbit", "parameters/name"])
-def test_files_that_lack_something_are_refused_in_a_sentence(good_file, tmp_path, place):
+@pytest.mark.parametrize(
+    "place", ["stations", "sweep", "sweep/values", "sweep/orbit", "parameters/name"]
+)
+def test_files_that_lack_something_are_refused_in_a_sentence(
+    good_file, tmp_path, place
+):
     path = tmp_path / "lacks.h5"
     path.write_bytes(good_file.read_bytes())
     with h5py.File(path, "r+") as file:
@@ -232,7 +288,10 @@ def test_pandas(good):
     assert list(frame.columns[:4]) == ["point", "omega", "branch", "verdict"]
     assert same(frame["omega"].to_numpy(), table.values)
     assert same(frame["orbit/mean disc y"].to_numpy(), table["orbit/mean"][:, 0, 1])
-    assert frame.attrs["units"]["orbit/max_radius disc"] == "length" and frame.attrs["units"]["omega"] == "rad/s"
+    assert (
+        frame.attrs["units"]["orbit/max_radius disc"] == "length"
+        and frame.attrs["units"]["omega"] == "rad/s"
+    )
 
 
 def test_xarray(good, map_files):
@@ -262,7 +321,9 @@ def test_points_of_xarray_are_chosen_by_the_parameter(good):
 def test_results_and_tables_are_as_dictionaries(good):
     assert "sweep" in good and "map" not in good and bool(good)
     assert list(good) == list(good.keys()) == ["sweep"] and len(good) == 1
-    assert dict(good.items())["sweep"] is good["sweep"] and list(good.values()) == [good["sweep"]]
+    assert dict(good.items())["sweep"] is good["sweep"] and list(good.values()) == [
+        good["sweep"]
+    ]
     assert list(good["sweep"].keys()) == list(good["sweep"])
     assert good.get("sweep") is good["sweep"] and good.get("modes") is None
 
@@ -279,7 +340,9 @@ def test_the_explorer_holds_the_result(good, good_file, tmp_path):
     (tmp_path / "template.html").write_text("<html>@WHIRL-RUNS@</html>")
     page = good.explorer(template=tmp_path / "template.html")
     assert good.title in page and len(page) > 1000
-    whirl.open(good_file).explorer(tmp_path / "page.html", template=tmp_path / "template.html")
+    whirl.open(good_file).explorer(
+        tmp_path / "page.html", template=tmp_path / "template.html"
+    )
     assert good.title in (tmp_path / "page.html").read_text()
 
 
@@ -300,15 +363,25 @@ study:
 """
 
 
-@pytest.mark.parametrize("speed, hertz", [("omega", [20, 35, 50]), ("2*pi*50", 50), ("omega+n^2", np.nan)])
+@pytest.mark.parametrize(
+    "speed, hertz", [("omega", [20, 35, 50]), ("2*pi*50", 50), ("omega+n^2", np.nan)]
+)
 def test_si_where_the_speed_changes(speed, hertz, tmp_path):
     result = whirl.run(whirl.Case(text=SPEEDS % speed), progress=False)
     result.save(tmp_path / "speeds.h5")
     with whirl.open(tmp_path / "speeds.h5") as opened:
-        for table in (result["sweep"], opened["sweep"], whirl.read(tmp_path / "speeds.h5")["sweep"]):
-            assert np.allclose(table.clock / (2 * np.pi), hertz, rtol=1e-14, equal_nan=True)
+        for table in (
+            result["sweep"],
+            opened["sweep"],
+            whirl.read(tmp_path / "speeds.h5")["sweep"],
+        ):
+            assert np.allclose(
+                table.clock / (2 * np.pi), hertz, rtol=1e-14, equal_nan=True
+            )
             exponent, unit = table.si("lyapunov/largest")
-            assert unit == "1/s" and np.allclose(exponent, table["lyapunov/largest"] * hertz, equal_nan=True)
+            assert unit == "1/s" and np.allclose(
+                exponent, table["lyapunov/largest"] * hertz, equal_nan=True
+            )
             if np.isfinite(hertz).all() and speed == "omega":
                 # The perturbation of a linear rotor dies as exp(-d t/(2 m)), whatever the speed; its size, which counts
                 # velocities too, swings by the ratio of both frequencies meanwhile: log(2) in 8 s or more.
@@ -317,24 +390,44 @@ def test_si_where_the_speed_changes(speed, hertz, tmp_path):
 
 def test_clocks_of_keyphasors_and_of_own_systems(map_files):
     text = (SPEEDS % "omega").replace(
-        "    - shaft", "    - force: {at: disc, amplitude: 1 N, ratio: %s, keyphasor: yes}\n    - shaft"
+        "    - shaft",
+        "    - force: {at: disc, amplitude: 1 N, ratio: %s, keyphasor: yes}\n    - shaft",
     )
-    for ratio, varied, clock in (("1.5", "order", 150 * np.pi), ("= order", "order", np.nan), ("1.5", "n", np.nan)):
-        case = text.replace("parameter: n, values: [20, 35, 50]", f"parameter: {varied}, values: [1, 2]") % ratio
+    for ratio, varied, clock in (
+        ("1.5", "order", 150 * np.pi),
+        ("= order", "order", np.nan),
+        ("1.5", "n", np.nan),
+    ):
+        case = (
+            text.replace(
+                "parameter: n, values: [20, 35, 50]",
+                f"parameter: {varied}, values: [1, 2]",
+            )
+            % ratio
+        )
         if varied == "order" and ratio != "= order":
             case = case.replace("damping: 20 N.s/m", "damping: = 20*order")
-        assert np.allclose(whirl.Case(text=case).outline()["sweep"].clock, clock, equal_nan=True), (ratio, varied)
+        assert np.allclose(
+            whirl.Case(text=case).outline()["sweep"].clock, clock, equal_nan=True
+        ), (ratio, varied)
     own = whirl.systems.System(lambda t, x, p: [-x[0]], [1.0], {"w": 1.0}, speed="w")
-    table = own.sweep("w", [1.0, 1.2, 2.0], transient=1, record=2, analyze="poincare")["sweep"]
+    table = own.sweep("w", [1.0, 1.2, 2.0], transient=1, record=2, analyze="poincare")[
+        "sweep"
+    ]
     assert np.array_equal(table.clock, [1.0, 1.2, 2.0])
     with whirl.open(map_files[1]) as opened:
         assert np.array_equal(opened["map"].clock, opened["map"].values)
         with pytest.raises(ValueError, match="read-only"):
             opened["map"].second_values[0] = 1.0
-    assert np.array_equal(np.unique(whirl.Case(map_files[0]).outline()["map"].clock), np.linspace(50, 400, 5))
+    assert np.array_equal(
+        np.unique(whirl.Case(map_files[0]).outline()["map"].clock),
+        np.linspace(50, 400, 5),
+    )
 
 
-@pytest.mark.parametrize("name, value", [("plane", 0), ("starts", 0), ("clock_of", -1), ("clock_of", 5)])
+@pytest.mark.parametrize(
+    "name, value", [("plane", 0), ("starts", 0), ("clock_of", -1), ("clock_of", 5)]
+)
 def test_attributes_that_cannot_be(map_files, tmp_path, name, value):
     (tmp_path / "bad.h5").write_bytes(map_files[1].read_bytes())
     with h5py.File(tmp_path / "bad.h5", "r+") as file:
@@ -347,13 +440,22 @@ def test_orders_are_no_lengths(good):
     lines, unit = good["sweep"].si("spectrum/lines")
     plain = good["sweep"]["spectrum/lines"]
     assert unit == "m" and np.array_equal(lines[..., 0], plain[..., 0], equal_nan=True)
-    assert np.allclose(lines[..., 1:], plain[..., 1:] * good.length_scale, equal_nan=True)
+    assert np.allclose(
+        lines[..., 1:], plain[..., 1:] * good.length_scale, equal_nan=True
+    )
 
 
 def test_numbers_that_are_kept_are_not_written_to(good, good_file):
     with whirl.open(good_file) as opened:
         for table in (good["sweep"], opened["sweep"]):
-            for array in (table.values, table.length_scale, table.point, table.branch, table.verdicts, table.clock):
+            for array in (
+                table.values,
+                table.length_scale,
+                table.point,
+                table.branch,
+                table.verdicts,
+                table.clock,
+            ):
                 with pytest.raises(ValueError, match="read-only"):
                     array[0] = array[1]
 
@@ -367,7 +469,9 @@ def test_parameters_may_be_called_as_columns(name):
     )
     table = whirl.run(whirl.Case(text=text % "omega"), progress=False)["sweep"]
     frame = table.to_pandas()
-    assert list(frame[f"parameter {name}"]) == [20, 35, 50] and list(frame["point"]) == [1, 2, 3]
+    assert list(frame[f"parameter {name}"]) == [20, 35, 50] and list(
+        frame["point"]
+    ) == [1, 2, 3]
     assert list(table.to_xarray()[f"parameter {name}"].values) == [20, 35, 50]
 
 
@@ -424,7 +528,10 @@ def test_laws_that_are_left_are_told():
     result = whirl.run(case, progress=False)
     assert list(result["modes"][FIELD.RANGES_LEFT].ravel()) == [0, 1]
     (told,) = result.beyond
-    assert told.startswith("modes: film at journal: eccentricity ratio up to 0.95") and "(1 of 2 points)" in told
+    assert (
+        told.startswith("modes: film at journal: eccentricity ratio up to 0.95")
+        and "(1 of 2 points)" in told
+    )
 
 
 def test_contacts_that_hold_a_machine_at_rest():
@@ -437,8 +544,20 @@ def test_contacts_that_hold_a_machine_at_rest():
                 "length_scale": "0.1 mm",
                 "stations": {"disc": {"mass": "10 kg", "damping": "600 N.s/m"}},
                 "elements": [
-                    {"spring": {"between": ["disc", "ground"], "stiffness": "400 kN/m"}},
-                    {"rub": {"at": "disc", "gap": "0.2 mm", "stiffness": "2 MN/m", "friction": 0}},
+                    {
+                        "spring": {
+                            "between": ["disc", "ground"],
+                            "stiffness": "400 kN/m",
+                        }
+                    },
+                    {
+                        "rub": {
+                            "at": "disc",
+                            "gap": "0.2 mm",
+                            "stiffness": "2 MN/m",
+                            "friction": 0,
+                        }
+                    },
                     {"gravity": "= load"},
                 ],
             },
@@ -459,7 +578,9 @@ def test_a_run_that_stopped_before_a_table_holds_nothing_there(tmp_path):
         "  unbalance: {parameter: load, from: 1, to: 2, points: 9}\n"
     )
     words = [COMMAND, "run", "case.yaml", "-q", "-o", "case.h5", "--max-time", "0.3 s"]
-    assert subprocess.run(words, cwd=tmp_path, stderr=subprocess.DEVNULL).returncode == 3
+    assert (
+        subprocess.run(words, cwd=tmp_path, stderr=subprocess.DEVNULL).returncode == 3
+    )
     result = whirl.open(tmp_path / "case.h5")
     assert len(result["unbalance"].values) == 0
     assert result.held == [] and result.beyond == []
@@ -481,15 +602,31 @@ study: {response: {}, integrate: {transient: 5, record: 5}}
 
 def test_warnings_of_the_library_are_shown(tmp_path):
     case = whirl.Case(text=WARNED)
-    with pytest.warns(UserWarning, match="film.length: is 4 times the diameter") as shown:
+    with pytest.warns(
+        UserWarning, match="film.length: is 4 times the diameter"
+    ) as shown:
         result = whirl.run(case, progress=False)
     (told,) = case.warnings
-    assert [str(one.message) for one in shown] == [told] == result.warnings and shown[0].filename == __file__
+    assert [str(one.message) for one in shown] == [told] == result.warnings and shown[
+        0
+    ].filename == __file__
     assert repr(result).endswith(", 1 warning>")
     assert str(result).splitlines()[1:] == [f"warning: {told}", "response: 1 point"]
     result.save(tmp_path / "a.h5")
     for again in (whirl.open(tmp_path / "a.h5"), whirl.read(tmp_path / "a.h5")):
         assert again.warnings == [told] and repr(again).endswith(", 1 warning>")
+
+
+def test_warnings_are_in_the_units_of_the_case():
+    text = "rotor: {{speed: 300, length_scale: 1 mm, stations: {{a: {{mass: 1 kg}}}}, elements: [{}]}}"
+    film = (
+        "{film: {at: a, clearance: 30 mm, viscosity: 0.1, radius: 12.7 m, length: 1 m}}"
+    )
+    case = whirl.Case(
+        text=f"whirl: 1\n{text.format(film)}\nstudy: {{modes: {{}}, units: US}}\n"
+    )
+    (told,) = [words for words in case.warnings if "bearings have up to" in words]
+    assert told.endswith("radius: is 500000 mil, and bearings have up to 393700 mil")
 
 
 def test_no_warning_where_there_is_none(good):
@@ -520,22 +657,37 @@ def test_copies_are_read_only(good, good_file):
             with pytest.raises(TypeError, match=f"is a copy.*{words}"):
                 change(copy)
         assert dict(copy) == before == copy.copy() and type(copy.copy()) is dict
-    assert json.loads(json.dumps(good.facts)) == good.facts == pickle.loads(pickle.dumps(good.facts))
+    assert (
+        json.loads(json.dumps(good.facts))
+        == good.facts
+        == pickle.loads(pickle.dumps(good.facts))
+    )
 
 
 def test_files_that_are_there_are_kept(good, good_file, tmp_path):
     mine, page = tmp_path / "mine.h5", tmp_path / "template.html"
     page.write_text("@WHIRL-RUNS@")
     for result in (good, whirl.open(good_file), whirl.read(good_file)):
-        for write in (result.save, lambda path, **more: result.explorer(path, template=page, **more)):
+        for write in (
+            result.save,
+            lambda path, **more: result.explorer(path, template=page, **more),
+        ):
             mine.write_text("mine")
-            with pytest.raises(FileExistsError, match="is there already and is kept: overwrite=True") as caught:
+            with pytest.raises(
+                FileExistsError, match="is there already and is kept: overwrite=True"
+            ) as caught:
                 write(mine)
-            assert isinstance(caught.value, whirl.FileFailure) and mine.read_text() == "mine"
+            assert (
+                isinstance(caught.value, whirl.FileFailure)
+                and mine.read_text() == "mine"
+            )
             write(mine, overwrite=True)
             assert mine.read_bytes()[:4] != b"mine"
     for name in ("a.csv", "a.TXT", "fan.json", "fan.yaml", "a.mat"):
-        with pytest.raises(whirl.BadInput, match="ending of another kind of file, expected the name of a result"):
+        with pytest.raises(
+            whirl.BadInput,
+            match="ending of another kind of file, expected the name of a result",
+        ):
             good.save(tmp_path / name)
         assert not (tmp_path / name).exists()
     for name in ("a", "a.hdf5", "omega-1.5", "a.csv.h5"):
@@ -557,22 +709,58 @@ def test_notebooks_find_the_explorer_beside_the_command(good, tmp_path, monkeypa
 
 def test_missing_files_are_missing_files(tmp_path):
     missing = tmp_path / "no.h5"
-    reads = (whirl.open, whirl.read, whirl.Case, whirl.run, whirl.balance, whirl.bearing)
+    reads = (
+        whirl.open,
+        whirl.read,
+        whirl.Case,
+        whirl.run,
+        whirl.balance,
+        whirl.bearing,
+    )
     for read in reads:
-        with pytest.raises(FileNotFoundError, match="^cannot read .*no.h5'?: No such file") as caught:
+        with pytest.raises(
+            FileNotFoundError, match="^cannot read .*no.h5'?: No such file"
+        ) as caught:
             read(missing)
-        assert isinstance(caught.value, whirl.BadInput) and caught.value.errno == errno.ENOENT
+        assert (
+            isinstance(caught.value, whirl.BadInput)
+            and caught.value.errno == errno.ENOENT
+        )
 
 
 def test_a_wrong_kind_of_thing_is_one_sentence(good, good_file):
     for call, kind, words in (
         (lambda: good.figure(3), whirl.BadInput, "3 is no text"),
-        (lambda: good.parameters["omgea"], KeyError, "there is no 'omgea', did you mean 'omega'"),
-        (lambda: good.plot.bifurcation(ax=3), whirl.BadInput, "ax is 3, expected axes of Matplotlib"),
-        (lambda: whirl.Case(good_file), whirl.BadInput, "is a result, expected a case: whirl.open"),
-        (lambda: whirl.open(GOOD), whirl.BadInput, "it is no HDF5 file, expected a result"),
-        (lambda: whirl.Case([1]), TypeError, r"a case is \[1\], expected the name of a file or a dict"),
-        (lambda: whirl.Case(GOOD).spend("10 s"), whirl.BadInput, "to spend are '10 s', expected a number"),
+        (
+            lambda: good.parameters["omgea"],
+            KeyError,
+            "there is no 'omgea', did you mean 'omega'",
+        ),
+        (
+            lambda: good.plot.bifurcation(ax=3),
+            whirl.BadInput,
+            "ax is 3, expected axes of Matplotlib",
+        ),
+        (
+            lambda: whirl.Case(good_file),
+            whirl.BadInput,
+            "is a result, expected a case: whirl.open",
+        ),
+        (
+            lambda: whirl.open(GOOD),
+            whirl.BadInput,
+            "it is no HDF5 file, expected a result",
+        ),
+        (
+            lambda: whirl.Case([1]),
+            TypeError,
+            r"a case is \[1\], expected the name of a file or a dict",
+        ),
+        (
+            lambda: whirl.Case(GOOD).spend("10 s"),
+            whirl.BadInput,
+            "to spend are '10 s', expected a number",
+        ),
     ):
         with pytest.raises(kind, match=words):
             call()

@@ -83,7 +83,9 @@ class _About:
 
     @cached_property
     def parameters(self) -> dict[str, Parameter]:
-        named = {name: Parameter(name, *rest) for name, *rest in self._source.parameters()}
+        named = {
+            name: Parameter(name, *rest) for name, *rest in self._source.parameters()
+        }
         return ReadOnly(named, "case.set(name, value) sets a parameter of a case")
 
     @cached_property
@@ -114,7 +116,9 @@ class _About:
         from ._library import check, ffi, lib, word_bytes
 
         if not parameter:
-            raise errors.BadInput("nothing varies in the table: its points are told by their index")
+            raise errors.BadInput(
+                "nothing varies in the table: its points are told by their index"
+            )
         index, values = ffi.new("size_t *"), np.ascontiguousarray(values, dtype=float)
         check(
             lib.whirl_nearest_value(
@@ -194,7 +198,8 @@ class Result:
     @property
     def beyond(self) -> list[str]:
         """The ranges of laws that points of tables have left: which, and how far they went. Field "ranges/left" of a
-        table tells how many a point has left, "ranges/reached" what each came to and where its range ends."""
+        table tells how many a point has left, "ranges/reached" what each came to and where its range ends.
+        """
         told = []
         for name, every in self._rows_of(FIELD.RANGES_REACHED):
             for i in range(every.shape[1] // 2):
@@ -211,14 +216,17 @@ class Result:
     @property
     def held(self) -> list[str]:
         """The contacts against which machines at rest rest, and which small motions leave closed. Field "ranges/held"
-        of a table is the normal force of every contact at every point, 0 where it is open."""
+        of a table is the normal force of every contact at every point, 0 where it is open.
+        """
         told = []
         for name, every in self._rows_of(FIELD.RANGES_HELD):
             for contact, force in zip(self.contacts, self.force_scale * every.T):
                 count = (force > 0).sum()
                 if count:
                     most = np.nanmax(force)
-                    told.append(f"{name}: {contact} with {most:.4g} N ({count} of {len(force)} points)")
+                    told.append(
+                        f"{name}: {contact} with {most:.4g} N ({count} of {len(force)} points)"
+                    )
         return told
 
     @property
@@ -230,19 +238,24 @@ class Result:
         for name, share in self._rows_of(FIELD.RANGES_REST):
             missing = ~(share >= 1)
             if missing.any():
-                told.append(f"{name}: no place of rest was found ({missing.sum()} of {share.size} points)")
+                told.append(
+                    f"{name}: no place of rest was found ({missing.sum()} of {share.size} points)"
+                )
         return told
 
     @property
     def elsewhere(self) -> list[str]:
         """The tables of machines at rest with points that have another place of rest, to which that of the value before
         or after leads. Field "ranges/elsewhere" of a table has the distance of each station from its place of rest,
-        and "ranges/elsewhere_growth" the largest real part of the eigenvalues there, 1/s: stable below 0."""
+        and "ranges/elsewhere_growth" the largest real part of the eigenvalues there, 1/s: stable below 0.
+        """
         told = []
         for name, apart in self._rows_of(FIELD.RANGES_ELSEWHERE):
             found = np.isfinite(apart).any(axis=tuple(range(1, apart.ndim)))
             if found.any():
-                told.append(f"{name}: there is another place of rest ({found.sum()} of {found.size} points)")
+                told.append(
+                    f"{name}: there is another place of rest ({found.sum()} of {found.size} points)"
+                )
         return told
 
     @property
@@ -268,7 +281,10 @@ class Result:
     @cached_property
     def tables(self) -> dict[str, Table]:
         """Tables by name, such as "sweep", "map", "branch"."""
-        tables = {name: Table(self._about, table) for name, table in self._source.tables().items()}
+        tables = {
+            name: Table(self._about, table)
+            for name, table in self._source.tables().items()
+        }
         return ReadOnly(tables, "tables are those of the result")
 
     @property
@@ -295,12 +311,16 @@ class Result:
             This one: ``result.show_in("mil, rpm").plot.bode()``.
         """
         if not isinstance(units, str):
-            raise errors.BadInput(f"the units are {units!r}, expected words such as 'um, rpm, p-p'")
+            raise errors.BadInput(
+                f"the units are {units!r}, expected words such as 'um, rpm, p-p'"
+            )
         for source in (self._source, self._whole):
             if source:
                 source.show_in(units)
         self._units = units
-        self._about.__dict__.pop("facts", None)  # facts contain the units of a result in memory
+        self._about.__dict__.pop(
+            "facts", None
+        )  # facts contain the units of a result in memory
         return self
 
     def parameter_unit(self, name: str) -> str:
@@ -310,7 +330,9 @@ class Result:
     def __getitem__(self, name: str) -> Table:
         if name in self.tables:
             return self.tables[name]
-        raise KeyError(f"the result has no table '{name}', expected one of: {', '.join(self.tables)}")
+        raise KeyError(
+            f"the result has no table '{name}', expected one of: {', '.join(self.tables)}"
+        )
 
     def __contains__(self, name: object) -> bool:
         return name in self.tables
@@ -379,7 +401,14 @@ class Result:
         """
         from .figure import describe
 
-        return describe(self._figured(), name, units, panels, log, None if other is None else other._figured())
+        return describe(
+            self._figured(),
+            name,
+            units,
+            panels,
+            log,
+            None if other is None else other._figured(),
+        )
 
     def figure(
         self,
@@ -424,7 +453,9 @@ class Result:
 
         return sheet_of(self._figured(), name, units)
 
-    def sheet_text(self, name: str | None = None, format: str = "text", units: str | None = None) -> str:
+    def sheet_text(
+        self, name: str | None = None, format: str = "text", units: str | None = None
+    ) -> str:
         """A sheet as ``whirl table`` writes it: "text", "csv", "latex" (a table with rules of booktabs) or "json". All
         statements and sheets without a name, as "text" or "json"."""
         from .findings import text_of
@@ -461,7 +492,9 @@ class Result:
         self._source.write(path)
 
     def __reduce__(self):
-        raise TypeError("a result cannot be pickled: save() writes it to a file, and whirl.open() reads that")
+        raise TypeError(
+            "a result cannot be pickled: save() writes it to a file, and whirl.open() reads that"
+        )
 
     def close(self) -> None:
         """Closes the file of an opened result; afterwards nothing can be read."""
@@ -500,7 +533,9 @@ class Result:
             raise errors.BadInput(
                 "the explorer's template was not found: 'make explorer' builds it, WHIRL_EXPLORER may say where it is"
             )
-        handle, name = self._source.library_result(), ffi.new("char[]", Path(self.case_name or "result").stem.encode())
+        handle, name = self._source.library_result(), ffi.new(
+            "char[]", Path(self.case_name or "result").stem.encode()
+        )
         with tempfile.TemporaryDirectory() as folder:
             check(
                 lib.whirl_explorer_write(
@@ -543,13 +578,19 @@ class Result:
         for table in self.tables.values():
             over = f" over {table.parameter}" if table.parameter else ""
             size = " x ".join(map(str, table.shape))
-            lines.append(f"{table.name}: {size} point{'' if size == '1' else 's'}{over}")
+            lines.append(
+                f"{table.name}: {size} point{'' if size == '1' else 's'}{over}"
+            )
             lines += [f"  {own}" for own in statements if own.table == table.name]
         lines += [str(own) for own in statements if own.table not in self.tables]
-        return "\n".join(lines + (["partial: not all points are there"] if self.partial else []))
+        return "\n".join(
+            lines + (["partial: not all points are there"] if self.partial else [])
+        )
 
     def __repr__(self) -> str:
-        tables = ", ".join(f"{t.name} ({' x '.join(map(str, t.shape))})" for t in self.tables.values())
+        tables = ", ".join(
+            f"{t.name} ({' x '.join(map(str, t.shape))})" for t in self.tables.values()
+        )
         count = len(self.warnings)
         told = f", {count} warning{'s' if count > 1 else ''}" if count else ""
         return f"<whirl.Result {self.title!r}: {tables}{', partial' if self.partial else ''}{told}>"
@@ -579,7 +620,9 @@ def find_template() -> str | os.PathLike | None:
     return next((place for place in places if place and os.path.exists(place)), None)
 
 
-def open(path: str | os.PathLike) -> Result:  # noqa: A001 (whirl.open reads as one says it)
+def open(
+    path: str | os.PathLike,
+) -> Result:  # noqa: A001 (whirl.open reads as one says it)
     """Opens a result file. Nothing but its outline is read before it is asked for, however large it is.
 
     The file is read by h5py as it stands. For files from untrusted sources there is :func:`read`, which has libwhirl

@@ -46,9 +46,9 @@ static void notes(void **unused) {
     whirl_rotor *rotor;
     assert_int_equal(build(black, 8, &rotor).code, WHIRL_OK);
     assert_true(whirl_rotor_note(rotor, 0, text));
-    assert_string_equal(text,
-                        "seal at disc: in the fluid K 3.686e+06 N/m, C 26318 N s/m, M 8.437 kg, which turns at 0.5 "
-                        "of the shaft's speed: kxx 3.4778e+06 N/m, kxy 4.134e+06 N/m, cxx 26318 N s/m, cxy 2650.7 N s/m");
+    assert_string_equal(
+        text, "seal at disc: in the fluid K 3.686e+06 N/m, C 26318 N s/m, M 8.437 kg, which turns at 0.5 "
+              "of the shaft's speed: kxx 3.4778e+06 N/m, kxy 4.134e+06 N/m, cxx 26318 N s/m, cxy 2650.7 N s/m");
     assert_false(whirl_rotor_note(rotor, 1, text));
     whirl_rotor_free(rotor);
     assert_int_equal(build(given, 3, &rotor).code, WHIRL_OK);

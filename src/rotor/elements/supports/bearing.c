@@ -482,7 +482,7 @@ static void bearing_note(const element *own, double length, double clock, char *
         char poles[64];
         tell_poles(number + BEARING_PAIRS + j * PAIR_NUMBERS, clock, poles, sizeof poles);
         used += (size_t)snprintf(text + used, size - used, "%s%s%s", j == 0 ? ": " : ", ", poles,
-                                 j + 1 == (size_t)own->law ? " rad/s" : "");
+                                 j + 1 == (size_t)own->law ? " 1/s" : "");
     }
     if (used < size)
         snprintf(text + used, size - used, "; at rest kxx %.4g N/m, kxy %.4g N/m, kyx %.4g N/m, kyy %.4g N/m", rest[0],
