@@ -18,7 +18,7 @@ static const struct argp_option options[] = {
     FOUND_OPTIONS,
     {0}};
 
-static error_t parse(int key, char *argument, struct argp_state *state) {
+static error_t balance_parse(int key, char *argument, struct argp_state *state) {
     balance_arguments *arguments = state->input;
     switch (key) {
     case 'j':
@@ -67,10 +67,10 @@ static int balance(const balance_arguments *arguments, const whirl_balance *of) 
     return outcome;
 }
 
-static int run(int argc, char **argv) {
+static int balance_run(int argc, char **argv) {
     static const struct argp argp = {
         .options = options,
-        .parser = parse,
+        .parser = balance_parse,
         .args_doc = "FILE.yaml",
         .doc = "Finds the weights that balance a rotor from vibrations measured with and without trial weights, by "
                "influence coefficients: several planes, speeds and probes, least squares. Sets of weights balance mode "
@@ -89,4 +89,4 @@ static int run(int argc, char **argv) {
     return outcome;
 }
 
-const command balance_command = {"balance", "find the weights that balance a rotor", run};
+const command balance_command = {"balance", "find the weights that balance a rotor", balance_run};

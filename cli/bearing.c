@@ -46,7 +46,7 @@ static const struct argp_option options[] = {
     {.name = "quiet", .key = 'q', .doc = "Show no progress"},
     {0}};
 
-static error_t parse(int key, char *argument, struct argp_state *state) {
+static error_t bearing_parse(int key, char *argument, struct argp_state *state) {
     bearing_arguments *arguments = state->input;
     switch (key) {
     case 'j':
@@ -177,10 +177,10 @@ static int bearing(const bearing_arguments *arguments, const whirl_bearing *of) 
     return outcome;
 }
 
-static int run(int argc, char **argv) {
+static int bearing_run(int argc, char **argv) {
     static const struct argp argp = {
         .options = options,
-        .parser = parse,
+        .parser = bearing_parse,
         .args_doc = "FILE.yaml",
         .doc = "Computes a journal bearing by itself, over load and speed: eccentricity, attitude, stiffness, damping, "
                "film, flow, power. Pads have finite length and are fixed or tilting. `whirl describe bearing_file` and "
@@ -198,4 +198,4 @@ static int run(int argc, char **argv) {
     return outcome;
 }
 
-const command bearing_command = {"bearing", "compute a journal bearing by itself", run};
+const command bearing_command = {"bearing", "compute a journal bearing by itself", bearing_run};

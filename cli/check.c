@@ -36,7 +36,7 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static error_t parse(int key, char *argument, struct argp_state *state) {
+static error_t check_parse(int key, char *argument, struct argp_state *state) {
     check_arguments *arguments = state->input;
     switch (key) {
     case KEY_SET:
@@ -106,6 +106,7 @@ static whirl_status carry_with(look *l, size_t first, const whirl_batch *batch) 
     whirl_integrate_options stable = batch->integrate;
     whirl_ensemble *lanes;
     size_t in[LOOKED_AT], used = 0;
+    // rodas5p with wide tolerances, for at most MAX_SECONDS.
     snprintf(stable.method, sizeof stable.method, "rodas5p");
     stable.rtol = 1e-6;
     stable.atol = 1e-9;
@@ -115,11 +116,13 @@ static whirl_status carry_with(look *l, size_t first, const whirl_batch *batch) 
         limit_end();
         return status;
     }
+    // Begin at the machines' starts, as far as they can be loaded.
     for (size_t i = first; i < l->count; i++) {
         if (l->carried[i]) continue;
         l->carried[i] = whirl_ensemble_load(lanes, used, l->machines[i].system, l->x[i]).code == WHIRL_OK;
         if (l->carried[i]) in[used++] = i;
     }
+    // Keep the last state of each motion that is bounded.
     for (int i = 0; i < REVOLUTIONS && !*over; i++) {
         whirl_ensemble_revolve(lanes, used, NULL);
         for (size_t lane = 0; lane < used && !*over; lane++)
@@ -166,8 +169,8 @@ static whirl_status warn_of_steps(const char *path, const whirl_study *study, co
 }
 
 /// "omega from 2000 to 12000 rpm"
-static void print_range(const whirl_result *told, const char *name, double from, double to) {
-    const whirl_unit unit = whirl_result_unit(told, name);
+static void print_range(const whirl_result *outline, const char *name, double from, double to) {
+    const whirl_unit unit = whirl_result_unit(outline, name);
     printf("%s from %.6g to %.6g%s%s", name, from / unit.size, to / unit.size, *unit.name ? " " : "", unit.name);
 }
 
@@ -183,8 +186,8 @@ static void print_time(double seconds, bool settle, int cores) {
 }
 
 /// "  sweep: omega from 2000 to 12000 rpm; about 12 s on 2 cores"
-static whirl_status tell_extent(const whirl_result *told, const whirl_study *study, const whirl_batch *batch,
-                                bool timed) {
+static whirl_status print_extent(const whirl_result *outline, const whirl_study *study, const whirl_batch *batch,
+                                 bool timed) {
     const int cores = available_cores();
     const char *parameter;
     size_t count;
@@ -196,7 +199,7 @@ static whirl_status tell_extent(const whirl_result *told, const whirl_study *stu
     printf("  %s: ", batch->name);
     for (size_t i = 1; values; values = whirl_batch_values(batch, i++, &parameter, &count)) {
         if (i > 1) fputs(", ", stdout);
-        print_range(told, parameter, values[0], values[count - 1]);
+        print_range(outline, parameter, values[0], values[count - 1]);
     }
     if (varies && !isnan(seconds)) fputs("; ", stdout);
     if (!isnan(seconds))
@@ -206,26 +209,26 @@ static whirl_status tell_extent(const whirl_result *told, const whirl_study *stu
 }
 
 /// Reports the range of a study, sweeps whose steps do not reach their end, and warnings about the case.
-static whirl_status tell_result(const char *path, const whirl_result *told, const whirl_study *study, bool timed) {
+static whirl_status print_study(const char *path, const whirl_result *outline, const whirl_study *study, bool timed) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < study->batch_count && status.code == WHIRL_OK; i++) {
         const whirl_batch *batch = &study->batches[i];
-        status = tell_extent(told, study, batch, timed);
+        status = print_extent(outline, study, batch, timed);
         if (status.code == WHIRL_OK && batch->values)
-            whirl_result_write_end(told, batch->name, batch->parameter, batch->values[0], stdout);
+            whirl_result_write_end(outline, batch->name, batch->parameter, batch->values[0], stdout);
     }
     whirl_shown_units units;
     char said[WHIRL_MESSAGE_SIZE];
-    whirl_result_shown_units(told, NULL, &units); // the case's own units are known to be units
-    for (size_t i = 0; *whirl_result_warning(told, i); i++) {
-        whirl_shown_sentence(&units, whirl_result_warning(told, i), said, sizeof said);
+    whirl_result_shown_units(outline, NULL, &units); // the case's own units are known to be units
+    for (size_t i = 0; *whirl_result_warning(outline, i); i++) {
+        whirl_shown_sentence(&units, whirl_result_warning(outline, i), said, sizeof said);
         fprintf(stderr, "%s: warning: %s\n", path, said);
     }
     return status;
 }
 
 /// "main: 0.75 m, 11.2 kg, 21 nodes, 20 elements; reduced to its 3 stations and ..."
-static void tell_shaft(const whirl_shaft_summary *shaft) {
+static void print_shaft(const whirl_shaft_summary *shaft) {
     const double turn = 6.283185307179586476925;
     printf("  shaft %s: %.4g m, %.4g kg, %zu nodes, %zu element%s", shaft->name, shaft->length, shaft->mass,
            shaft->nodes, shaft->elements, shaft->elements == 1 ? "" : "s");
@@ -239,16 +242,16 @@ static void tell_shaft(const whirl_shaft_summary *shaft) {
            shaft->frequency_error, shaft->compared, shaft->flexibility_error);
 }
 
-static whirl_status tell_shafts(const whirl_case *object) {
+static whirl_status print_shafts(const whirl_case *object) {
     whirl_shaft_summary shafts[WHIRL_MAX_SHAFTS];
     size_t count;
     const whirl_status status = whirl_case_shafts(object, shafts, &count);
-    for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) tell_shaft(&shafts[i]);
+    for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) print_shaft(&shafts[i]);
     return status;
 }
 
 /// "seal at disc: in the fluid K 3.686e+06 N/m, ..."
-static void tell_notes(const whirl_rotor *rotor) {
+static void print_notes(const whirl_rotor *rotor) {
     char text[WHIRL_MESSAGE_SIZE];
     for (size_t i = 0; whirl_rotor_note(rotor, i, text); i++) printf("  %s\n", text);
 }
@@ -278,8 +281,8 @@ static whirl_status count_tables(const whirl_study *study, size_t *missing) {
 }
 
 /// Refuses what a run would refuse: all that is known without film tables, then the first points at rest.
-static whirl_status try_study(const whirl_case *object, const whirl_study *study, bool ready, whirl_result *told) {
-    whirl_status status = whirl_case_describe_result(object, told);
+static whirl_status try_study(const whirl_case *object, const whirl_study *study, bool ready, whirl_result *outline) {
+    whirl_status status = whirl_case_describe_result(object, outline);
     if (status.code != WHIRL_OK || !ready) return status;
     status = whirl_study_try(study, limit_begin(MAX_SECONDS));
     limit_end();
@@ -287,8 +290,8 @@ static whirl_status try_study(const whirl_case *object, const whirl_study *study
 }
 
 /// Prints the content of a good case.
-static whirl_status tell_case(const char *path, const whirl_case *object, const whirl_rotor *rotor,
-                              const whirl_study *study, const whirl_result *told, size_t missing) {
+static whirl_status print_case(const char *path, const whirl_case *object, const whirl_rotor *rotor,
+                               const whirl_study *study, const whirl_result *outline, size_t missing) {
     const whirl_system *const system = whirl_rotor_system(rotor);
     char name[WHIRL_MESSAGE_SIZE];
     snprintf(name, sizeof name, "%s", path);
@@ -298,15 +301,15 @@ static whirl_status tell_case(const char *path, const whirl_case *object, const 
     printf("  %zu station%s:", system->probe_count, system->probe_count == 1 ? "" : "s");
     for (size_t i = 0; i < system->probe_count; i++) printf("%s %s", i ? "," : "", system->probes[i].name);
     putchar('\n');
-    whirl_status status = tell_shafts(object);
-    tell_notes(rotor);
+    whirl_status status = print_shafts(object);
+    print_notes(rotor);
     summarize_study(study);
     if (missing > 0)
         printf("  before the first point: %zu film table%s to be made, about a second of processor time each; how "
                "long points take and whether steps are short enough is not known until then\n",
                missing, missing == 1 ? " is" : "s are");
-    if (status.code == WHIRL_OK) status = tell_result(path, told, study, missing == 0);
-    if (status.code == WHIRL_OK) status = tell_phases(study, &study->batches[0], rotor);
+    if (status.code == WHIRL_OK) status = print_study(path, outline, study, missing == 0);
+    if (status.code == WHIRL_OK) status = print_phases(study, &study->batches[0], rotor);
     return status;
 }
 
@@ -317,27 +320,27 @@ static whirl_status describe_case(const char *path, const whirl_case *object) {
     whirl_status status = whirl_case_rotor_outline(object, NULL, 0, &rotor);
     if (status.code != WHIRL_OK) return status;
     whirl_study study;
-    whirl_result *const told = calloc(1, sizeof *told);
-    if (!told) status = whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
+    whirl_result *const outline = calloc(1, sizeof *outline);
+    if (!outline) status = whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
     if (status.code == WHIRL_OK) status = whirl_case_study(object, &study);
     if (status.code == WHIRL_OK) status = count_tables(&study, &missing);
     if (status.code == WHIRL_OK && missing == 0) status = whirl_study_choose_methods(&study);
-    if (status.code == WHIRL_OK) status = try_study(object, &study, missing == 0, told);
+    if (status.code == WHIRL_OK) status = try_study(object, &study, missing == 0, outline);
     for (size_t i = 0; status.code == WHIRL_OK && i < study.batch_count && missing == 0; i++)
         status = warn_of_steps(path, &study, &study.batches[i]);
-    if (status.code == WHIRL_OK) status = tell_case(path, object, rotor, &study, told, missing);
-    whirl_result_free(told);
+    if (status.code == WHIRL_OK) status = print_case(path, object, rotor, &study, outline, missing);
+    whirl_result_free(outline);
     whirl_rotor_free(rotor);
     return status;
 }
 
 /// Writes the drawing of the machine.
 static int draw_machine(const check_arguments *arguments, const char *path, const whirl_case *object) {
-    whirl_result *told = calloc(1, sizeof *told);
+    whirl_result *outline = calloc(1, sizeof *outline);
     whirl_figure *figure = NULL;
-    whirl_status status = told ? whirl_case_describe_result(object, told)
-                               : whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
-    if (status.code == WHIRL_OK) status = whirl_figure_new(told, "rotor", NULL, &figure);
+    whirl_status status = outline ? whirl_case_describe_result(object, outline)
+                                  : whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
+    if (status.code == WHIRL_OK) status = whirl_figure_new(outline, "rotor", NULL, &figure);
     int outcome = EXIT_DONE;
     if (status.code == WHIRL_OK &&
         !may_write_file(arguments->figure, path, "the case itself, expected another file", arguments->force)) {
@@ -348,7 +351,7 @@ static int draw_machine(const check_arguments *arguments, const char *path, cons
         if (status.code == WHIRL_OK) printf("%s: %s\n", arguments->figure, figure->title);
     }
     whirl_figure_free(figure);
-    whirl_result_free(told);
+    whirl_result_free(outline);
     return status.code == WHIRL_OK ? outcome : complain_of(&status);
 }
 
@@ -373,10 +376,10 @@ static int check_file(const check_arguments *arguments, const char *argument) {
     return status.code == WHIRL_NO_MEMORY ? EXIT_FAILED : EXIT_BAD_INPUT;
 }
 
-static int run(int argc, char **argv) {
+static int check_run(int argc, char **argv) {
     static const struct argp argp = {
         .options = options,
-        .parser = parse,
+        .parser = check_parse,
         .args_doc = "CASE.yaml...",
         .doc = "Reads case files and reports all errors in them: file, line, column, key, what was found and what is "
                "expected. For a good case it prints the stations and the amount of computation. CASE.yaml may be - for "
@@ -393,4 +396,4 @@ static int run(int argc, char **argv) {
     return outcome == EXIT_DONE ? finish_output() : outcome;
 }
 
-const command check_command = {"check", "report all errors of case files", run};
+const command check_command = {"check", "report all errors of case files", check_run};

@@ -66,7 +66,7 @@ const char *interrupt_text(void);
 /// Prints lines if forces of the batch's machines do not repeat with the shaft: the phase of sections (the shaft's, or
 /// that of the keyphasor of `rotor`), the period of the forces or that they have none, and the names of the verdicts.
 /// Returns errors of the machines.
-whirl_status tell_phases(const whirl_study *study, const whirl_batch *batch, const whirl_rotor *rotor);
+whirl_status print_phases(const whirl_study *study, const whirl_batch *batch, const whirl_rotor *rotor);
 
 // ---------------------------------------------------------------- progress
 // Progress of a run on standard error: a bar on a terminal, plain lines elsewhere.

@@ -239,7 +239,7 @@ static int describe(const catalogue *all, const char *name, int width) {
 
 // ---------------------------------------------------------------- command
 
-static error_t parse(int key, char *argument, struct argp_state *state) {
+static error_t describe_parse(int key, char *argument, struct argp_state *state) {
     const char **name = state->input;
     if (key != ARGP_KEY_ARG) return ARGP_ERR_UNKNOWN;
     if (*name) bad_argument(state, "takes one name, '%s' is one too many", argument);
@@ -247,9 +247,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     return 0;
 }
 
-static int run(int argc, char **argv) {
+static int describe_run(int argc, char **argv) {
     static const struct argp argp = {
-        .parser = parse,
+        .parser = describe_parse,
         .args_doc = "[NAME]",
         .doc = "Lists what a case file may hold: the keys of stations, the elements, the groups of the study and of a "
                "claims file, the methods of integration and the analyses. With NAME: its keys with symbol, unit, "
@@ -270,4 +270,5 @@ static int run(int argc, char **argv) {
     return outcome == EXIT_DONE ? finish_output() : outcome;
 }
 
-const command describe_command = {"describe", "list elements, keys, methods and analyses, or show one in full", run};
+const command describe_command = {"describe", "list elements, keys, methods and analyses, or show one in full",
+                                  describe_run};

@@ -27,6 +27,7 @@ static double time_lanes(const whirl_machine *machine, const whirl_integrate_opt
     whirl_integrate_options own = *how;
     const whirl_stop *over = own.stop = limit_begin(LONGEST);
     whirl_ensemble *ensemble;
+    // Make lanes, and load copies of the machine.
     const whirl_status made = whirl_ensemble_takes(machine->system, &own)
                                   ? whirl_ensemble_new(machine->system, &own, lanes, &ensemble)
                                   : whirl_ensemble_alone(machine->system, &own, lanes, 0, &ensemble);
@@ -40,6 +41,7 @@ static double time_lanes(const whirl_machine *machine, const whirl_integrate_opt
         note_memory(status, loaded);
         if (loaded.code != WHIRL_OK) lanes = i;
     }
+    // Measure until the time is long enough.
     const double begun = now();
     double passed = 0.0;
     int done = 0;
@@ -69,6 +71,7 @@ static double time_motions(const whirl_machine *machine, const whirl_integrate_o
 /// cube of its states. NaN below a second.
 static whirl_status time_modes(const whirl_study *study, const whirl_batch *batch, int cores, double *seconds) {
     const double most_timed = 150.0, threads = fmin((double)batch->count, cores);
+    // A study of the middle point alone.
     const size_t middle = batch->count / 2;
     whirl_study one = *study;
     whirl_batch *own = &one.batches[0];
@@ -81,6 +84,7 @@ static whirl_status time_modes(const whirl_study *study, const whirl_batch *batc
     own->count = 1;
     own->row = own->plane = 0;
     own->outline = true;
+    // A large machine is not measured.
     whirl_status status = whirl_study_machine(&one, own, 0, &machine);
     if (status.code != WHIRL_OK) return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
     const double states = (double)machine.system->dimension;
@@ -104,8 +108,8 @@ whirl_status estimate_seconds(const whirl_study *study, const whirl_batch *batch
     const double motions = points * starts * (both ? 2.0 : 1.0), chains = carried ? motions / points : motions;
     const double whole = (double)batch->record.transient + batch->record.record;
     // The perturbed copy that measures growth runs along while a motion is watched.
-    const bool twin = batch->record.growth == WHIRL_GROWTH_LARGEST;
-    const double revolutions = whole + (twin ? (double)whirl_record_watch(&batch->record) : 0.0);
+    const bool copied = batch->record.growth == WHIRL_GROWTH_LARGEST;
+    const double revolutions = whole + (copied ? (double)whirl_record_watch(&batch->record) : 0.0);
     whirl_machine machine;
     *seconds = (double)NAN;
     if (whirl_analysis_has(batch->analyses, "modes")) return time_modes(study, batch, cores, seconds);

@@ -22,7 +22,7 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static error_t parse(int key, char *argument, struct argp_state *state) {
+static error_t export_parse(int key, char *argument, struct argp_state *state) {
     export_arguments *arguments = state->input;
     switch (key) {
     case 'c':
@@ -79,10 +79,10 @@ static int export_mat(const export_arguments *arguments) {
     return complain_of(&status);
 }
 
-static int run(int argc, char **argv) {
+static int export_run(int argc, char **argv) {
     static const struct argp argp = {
         .options = options,
-        .parser = parse,
+        .parser = export_parse,
         .args_doc = "RESULT.h5 --csv DIR\nRESULT.h5 --mat FILE",
         .doc = "Writes every table of a result as CSV files, units in the headings; or all of it as a MAT file for "
                "MATLAB and Octave.",
@@ -97,4 +97,4 @@ static int run(int argc, char **argv) {
     return outcome == EXIT_DONE && arguments.mat ? export_mat(&arguments) : outcome;
 }
 
-const command export_command = {"export", "write a result for spreadsheets, MATLAB or Octave", run};
+const command export_command = {"export", "write a result for spreadsheets, MATLAB or Octave", export_run};

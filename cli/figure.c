@@ -46,7 +46,7 @@ static bool is_one_of(const char *word, const char *const *words) {
     return false;
 }
 
-static error_t parse(int key, char *argument, struct argp_state *state) {
+static error_t figure_parse(int key, char *argument, struct argp_state *state) {
     static const char *const formats[] = {"png", "pdf", "svg", "json", NULL}, *const axes[] = {"x", "y", "xy", NULL};
     figure_arguments *arguments = state->input;
     switch (key) {
@@ -147,10 +147,10 @@ static int act(const whirl_result *result, const void *given) {
     return outcome;
 }
 
-static int run(int argc, char **argv) {
+static int figure_run(int argc, char **argv) {
     static const struct argp argp = {
         .options = options,
-        .parser = parse,
+        .parser = figure_parse,
         .args_doc = "RESULT [NAME]\nRESULT --list",
         .doc =
             "Writes one figure of the report of a result: a picture, or its panels, axes and series as JSON. The "
@@ -164,4 +164,4 @@ static int run(int argc, char **argv) {
     return read == EXIT_DONE ? with_result(arguments.result, act, &arguments) : read;
 }
 
-const command figure_command = {"figure", "write one figure of a result", run};
+const command figure_command = {"figure", "write one figure of a result", figure_run};

@@ -145,17 +145,20 @@ int write_whole(const char *path, bool force, const char *text) {
         complain("the name of the file has %zu bytes, expected a shorter one", strlen(path));
         return EXIT_FAILED;
     }
+    // Refuse what must not be replaced.
     const bool there = stat(path, &found) == 0;
     int reason = there && !force ? EEXIST : there && S_ISDIR(found.st_mode) ? EISDIR : 0;
     if (there && !reason && !S_ISREG(found.st_mode)) {
         complain("'%s' is no ordinary file, expected the name of one", path);
         return EXIT_FAILED;
     }
+    // Write next to it, then rename.
     if (!reason) {
         reason = write_beside(path, temporary, text);
         if (!reason) reason = give_name(temporary, path, force);
         if (reason) unlink(temporary);
     }
+    // Explain what went wrong.
     if (!reason) return EXIT_DONE;
     if (reason == EEXIST)
         complain("'%s' is there already and is kept: add --force to replace it", path);

@@ -20,7 +20,7 @@ static const struct argp_option options[] = {
     {"force", KEY_FORCE, NULL, 0, "Replace an existing file", 0},
     {0}};
 
-static error_t parse(int key, char *argument, struct argp_state *state) {
+static error_t import_parse(int key, char *argument, struct argp_state *state) {
     import_arguments *arguments = state->input;
     switch (key) {
     case 'o':
@@ -59,10 +59,10 @@ static int import(const import_arguments *arguments) {
     return done;
 }
 
-static int run(int argc, char **argv) {
+static int import_run(int argc, char **argv) {
     static const struct argp argp = {
         .options = options,
-        .parser = parse,
+        .parser = import_parse,
         .args_doc = "ROTOR.toml",
         .doc = "Makes a case of a rotor that ROSS has saved (Rotor.save, TOML or JSON): shafts and the couplings "
                "between them, discs, bearings and seals with their tables, magnetic bearings, point masses and "
@@ -75,4 +75,4 @@ static int run(int argc, char **argv) {
     return read == EXIT_DONE ? import(&arguments) : read;
 }
 
-const command import_command = {"import", "make a case of a rotor saved by another program", run};
+const command import_command = {"import", "make a case of a rotor saved by another program", import_run};

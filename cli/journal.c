@@ -33,12 +33,14 @@ static int find_finished(const journal_wish *wish, const char *path, const whirl
         complain("there is nothing to %s: neither '%s' nor '%s' is there", what, path, output);
         return EXIT_BAD_INPUT;
     }
+    // Compare the existing result with the study.
     whirl_result *there;
     const whirl_status status = whirl_result_read_outline(output, &there);
     if (status.code != WHIRL_OK) return complain_of(&status);
     const bool same = whirl_result_same_study(there, outline, difference, sizeof difference);
     const bool partial = whirl_result_partial(there, &done, &total);
     whirl_result_free(there);
+    // A partial result needs its journal; a complete one of the same study is the outcome.
     if (partial)
         complain("there is nothing to %s: '%s' is partial (%zu of %zu points), but its journal '%s' is gone", what,
                  output, done, total, path);
@@ -82,7 +84,7 @@ static void points_text(const run_journal *journal, const whirl_result *outline,
         snprintf(text, size, "%zu points", found);
 }
 
-static void tell_what_was_found(const run_journal *journal, const whirl_result *outline, size_t others) {
+static void report_found(const run_journal *journal, const whirl_result *outline, size_t others) {
     const whirl_journal_found found = whirl_journal_look(journal->journal);
     char beside[64] = "", points[64];
     points_text(journal, outline, points, sizeof points);
@@ -207,7 +209,7 @@ static int open_with(run_journal *journal, const whirl_result *outline, journal_
     int outcome = open_own(journal, outline);
     if (outcome != EXIT_DONE || !wish->resume || empty) return outcome;
     outcome = take_others(journal, there, &others);
-    if (outcome == EXIT_DONE) tell_what_was_found(journal, outline, others);
+    if (outcome == EXIT_DONE) report_found(journal, outline, others);
     return outcome;
 }
 

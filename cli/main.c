@@ -39,7 +39,7 @@ static void list_commands(struct argp_option options[COMMAND_COUNT + 2]) {
     *options = (struct argp_option){0};
 }
 
-static error_t parse(int key, char *argument, struct argp_state *state) {
+static error_t main_parse(int key, char *argument, struct argp_state *state) {
     choice *chosen = state->input;
     switch (key) {
     case ARGP_KEY_ARG:
@@ -86,7 +86,7 @@ static struct argp whirl_argp(struct argp_option options[COMMAND_COUNT + 2]) {
     list_commands(options);
     return (struct argp){
         .options = options,
-        .parser = parse,
+        .parser = main_parse,
         .args_doc = "COMMAND [ARGUMENT...]",
         .doc = "Nonlinear dynamics of rotating machines: from a case file to a report.\v"
                "'whirl COMMAND --help' or 'whirl help COMMAND' shows what a command takes; 'man whirl' has it all.\n"

@@ -27,7 +27,7 @@ static void take_journal(study_arguments *arguments, char *path, const struct ar
     arguments->journals[arguments->journal_count++] = path;
 }
 
-static error_t parse(int key, char *argument, struct argp_state *state) {
+static error_t merge_parse(int key, char *argument, struct argp_state *state) {
     study_arguments *arguments = state->input;
     switch (key) {
     case ARGP_KEY_ARG:
@@ -46,7 +46,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
 static int merge(int argc, char **argv) {
     static const struct argp argp = {
         .options = options,
-        .parser = parse,
+        .parser = merge_parse,
         .args_doc = "CASE.yaml [JOURNAL...]",
         .doc = "Makes the result of the shards of 'whirl run', from all journals of the run in the folder of "
                "RESULT.h5, and from the named ones. Case and settings must be those of the shards. It computes no "

@@ -15,7 +15,7 @@ typedef struct new_arguments {
 
 enum { KEY_FORCE = 256, MAX_STARTERS = 8, OPTION_COUNT = 2 };
 
-static error_t parse(int key, char *argument, struct argp_state *state) {
+static error_t new_parse(int key, char *argument, struct argp_state *state) {
     new_arguments *arguments = state->input;
     switch (key) {
     case 'o':
@@ -60,11 +60,11 @@ static const starter *find_starter(const char *kind) {
     return NULL;
 }
 
-static int run(int argc, char **argv) {
+static int new_run(int argc, char **argv) {
     struct argp_option options[OPTION_COUNT + MAX_STARTERS + 2];
     const struct argp argp = {
         .options = options,
-        .parser = parse,
+        .parser = new_parse,
         .args_doc = "[KIND]",
         .doc = "Writes a commented case to start from, ready to run: whirl new -o rotor.yaml && whirl run rotor.yaml.",
     };
@@ -79,4 +79,4 @@ static int run(int argc, char **argv) {
     return finish_output();
 }
 
-const command new_command = {"new", "write a case to start from", run};
+const command new_command = {"new", "write a case to start from", new_run};

@@ -77,6 +77,7 @@ static bool is_no_other_thing(const char *path, const char *input) {
 bool output_is_writable(const char *path, const char *input) {
     char folder[PATH_SIZE];
     struct stat found;
+    // A result has a name of its own, and the ending of one.
     if (path[0] == '\0') {
         complain("the name of the result is empty");
         return false;
@@ -86,6 +87,7 @@ bool output_is_writable(const char *path, const char *input) {
         complain("'%s' has the ending of another kind of file, expected the name of a result, such as result.h5", path);
         return false;
     }
+    // Its folder exists and takes files.
     if (strlen(path) + LONGEST_ENDING > PATH_SIZE || !folder_of(path, folder)) {
         complain("the path of the result is too long");
         return false;

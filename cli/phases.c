@@ -12,7 +12,7 @@ typedef struct phases {
     size_t least, most; ///< periods in revolutions
 } phases;
 
-static void note(phases *seen, const whirl_system *system) {
+static void phases_note(phases *seen, const whirl_system *system) {
     const size_t repeats = system->repeats;
     if (repeats == 0) return;
     seen->least = seen->fitting == 0 || repeats < seen->least ? repeats : seen->least;
@@ -31,7 +31,7 @@ static void print_never(const char *who) {
         who, WHIRL_MAX_REPEATS);
 }
 
-static void print(const phases *seen, size_t looked_at) {
+static void phases_print(const phases *seen, size_t looked_at) {
     const bool always = seen->fitting == looked_at;
     char least[32] = "";
     if (seen->least < seen->most) snprintf(least, sizeof least, "%zu to ", seen->least);
@@ -55,26 +55,28 @@ static void print_watch(const phases *seen, int watched) {
                seen->most, three, watched);
 }
 
-whirl_status tell_phases(const whirl_study *study, const whirl_batch *batch, const whirl_rotor *rotor) {
+whirl_status print_phases(const whirl_study *study, const whirl_batch *batch, const whirl_rotor *rotor) {
     const size_t most = 1000, count = batch->values && batch->count < most ? batch->count : batch->values ? most : 1;
     phases seen = {0};
     whirl_batch own = *batch;
     own.outline = true;
+    // Note the phases of all machines, or of a thousand of them.
     for (size_t i = 0; i < count; i++) {
         whirl_machine machine;
         const size_t at = batch->count * i / count;
         const whirl_status status = whirl_study_machine(study, &own, at, &machine);
         if (status.code != WHIRL_OK) return status;
         const bool turning = machine.system->turns != NULL;
-        note(&seen, machine.system);
+        phases_note(&seen, machine.system);
         if (machine.release) machine.release(machine.owner);
         if (!turning) return whirl_ok(); // machines of a batch differ in numbers, not in structure
     }
+    // Print the phase that defines sections, then the others.
     if (*whirl_rotor_keyphasor(rotor))
         whirl_write_keyphasor(whirl_rotor_keyphasor(rotor), whirl_rotor_clock(rotor), stdout);
     else
         printf("  sections: once a revolution of the shaft\n");
-    print(&seen, count);
+    phases_print(&seen, count);
     print_watch(&seen, whirl_record_watch(&batch->record));
     return whirl_ok();
 }

@@ -70,7 +70,7 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static error_t parse(int key, char *argument, struct argp_state *state) {
+static error_t report_parse(int key, char *argument, struct argp_state *state) {
     report_arguments *arguments = state->input;
     switch (key) {
     case 'o':
@@ -158,7 +158,7 @@ static const char *find_template(char path[PATH_SIZE]) {
 }
 
 /// Reports whether the explorer was written.
-static void tell_explorer(const report_arguments *arguments, bool built) {
+static void print_explorer(const report_arguments *arguments, bool built) {
     if (!built)
         complain("explorer.html is left out: its template is not built; `make explorer` builds it");
     else
@@ -172,6 +172,7 @@ static int write_report(const report_arguments *arguments, const entry *entries,
     const char *explorer = arguments->explorer ? arguments->explorer : find_template(template);
     bool kept = false;
     whirl_status status = whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
+    // Write the report, unless that would replace something.
     if (results && names) {
         for (size_t i = 0; i < arguments->count; i++) {
             results[i] = entries[i].result;
@@ -192,9 +193,10 @@ static int write_report(const report_arguments *arguments, const entry *entries,
     free(results);
     free(names);
     if (kept) return EXIT_FAILED;
+    // Print the names of what was written.
     if (status.code == WHIRL_OK && !arguments->quiet) {
         printf("%s/report.html\n", arguments->directory);
-        tell_explorer(arguments, explorer != NULL);
+        print_explorer(arguments, explorer != NULL);
         const char *const documents[] = {arguments->lateral ? "lateral" : NULL,
                                          arguments->torsional ? "torsional" : NULL};
         for (size_t i = 0; i < 2; i++)
@@ -205,10 +207,10 @@ static int write_report(const report_arguments *arguments, const entry *entries,
     return complain_of(&status);
 }
 
-static int run(int argc, char **argv) {
+static int report_run(int argc, char **argv) {
     static const struct argp argp = {
         .options = options,
-        .parser = parse,
+        .parser = report_parse,
         .args_doc = "RESULT.h5... -o DIR",
         .doc = "Draws the figures of results with gnuplot and writes two pages: DIR/report.html shows all of them, and "
                "DIR/explorer.html also computes in a browser. Scripts and data are kept in the folder of the figures.",
@@ -216,6 +218,7 @@ static int run(int argc, char **argv) {
     report_arguments arguments = {0};
     const int read = read_arguments(&argp, argc, argv, 0, &arguments);
     if (read != EXIT_DONE) return read;
+    // Read all results and the claims.
     if (!output_may_be_folder(arguments.directory)) return EXIT_FAILED;
     whirl_claims *claims = NULL;
     entry *const entries = calloc(arguments.count, sizeof *entries);
@@ -229,6 +232,7 @@ static int run(int argc, char **argv) {
     for (size_t i = 0; outcome == EXIT_DONE && i < arguments.count; i++) keep_private(arguments.results[i]);
     if (arguments.claims) keep_private(arguments.claims);
     if (outcome == EXIT_DONE && arguments.claims) outcome = read_claims(arguments.claims, &claims);
+    // Write the report.
     if (outcome == EXIT_DONE) outcome = write_report(&arguments, entries, claims);
     for (size_t i = 0; entries && i < arguments.count; i++) whirl_result_free(entries[i].result);
     free(entries);
@@ -236,4 +240,4 @@ static int run(int argc, char **argv) {
     return outcome;
 }
 
-const command report_command = {"report", "draw figures and write a page from results", run};
+const command report_command = {"report", "draw figures and write a page from results", report_run};

@@ -50,7 +50,7 @@ static void check_arguments(study_arguments *arguments, const struct argp_state 
     if (!arguments->json) name_output(arguments, state);
 }
 
-static error_t parse(int key, char *argument, struct argp_state *state) {
+static error_t run_parse(int key, char *argument, struct argp_state *state) {
     study_arguments *arguments = state->input;
     switch (key) {
     case KEY_RESUME:
@@ -68,10 +68,10 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     }
 }
 
-static int run(int argc, char **argv) {
+static int run_run(int argc, char **argv) {
     static const struct argp argp = {
         .options = options,
-        .parser = parse,
+        .parser = run_parse,
         .args_doc = "CASE.yaml",
         .doc = "Computes the study of a case and writes the result as one HDF5 file. A motion that diverges is a "
                "result and not a failure. CASE.yaml may be - for standard input.",
@@ -80,4 +80,4 @@ static int run(int argc, char **argv) {
     return study_command(&argp, argc, argv, &arguments);
 }
 
-const command run_command = {"run", "compute the study of a case", run};
+const command run_command = {"run", "compute the study of a case", run_run};

@@ -20,7 +20,7 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static error_t parse(int key, char *argument, struct argp_state *state) {
+static error_t show_parse(int key, char *argument, struct argp_state *state) {
     show_arguments *arguments = state->input;
     switch (key) {
     case KEY_JSON:
@@ -58,10 +58,10 @@ static int show(const char *path, const show_arguments *how) {
     return outcome;
 }
 
-static int run(int argc, char **argv) {
+static int show_run(int argc, char **argv) {
     static const struct argp argp = {
         .options = options,
-        .parser = parse,
+        .parser = show_parse,
         .args_doc = "RESULT.h5...",
         .doc = "Prints the summary that `whirl run` printed: regimes, radii, rubs and confidence of the verdicts; "
                "modes, critical speeds and largest responses of machines at rest.",
@@ -79,4 +79,4 @@ static int run(int argc, char **argv) {
     return outcome == EXIT_DONE ? written : outcome;
 }
 
-const command show_command = {"show", "print the summary of a result", run};
+const command show_command = {"show", "print the summary of a result", show_run};

@@ -34,7 +34,7 @@ static int load(const study_arguments *arguments, whirl_case **object) {
 }
 
 /// Reports why a run ended early.
-static void tell_of_stop(const whirl_status *status) {
+static void report_stop(const whirl_status *status) {
     if (*interrupt_watch())
         complain("%s (%s)", status->message, interrupt_text());
     else
@@ -45,7 +45,7 @@ static void tell_of_stop(const whirl_status *status) {
 static int outcome_of(const whirl_status *status, const together *all) {
     if (all->failed) return EXIT_UNFINISHED;
     if (status->code != WHIRL_STOPPED) return complain_of(status);
-    tell_of_stop(status);
+    report_stop(status);
     return EXIT_UNFINISHED;
 }
 
@@ -154,14 +154,14 @@ static int deliver(const study_arguments *arguments, const whirl_result *result,
     }
     const int saved = arguments->output ? save(arguments, result) : EXIT_DONE;
     const bool partial = whirl_result_partial(result, &done, &total);
-    const int told = saved == EXIT_DONE ? show(arguments, result) : saved;
+    const int shown = saved == EXIT_DONE ? show(arguments, result) : saved;
     if (saved == EXIT_DONE && partial && arguments->output)
         complain("'%s' %s and says so", arguments->output, done > 0 ? "is partial" : "has no points yet");
     if (saved == EXIT_DONE && !partial)
         remove_journal(journal);
     else
         leave_journal(journal);
-    return told;
+    return shown;
 }
 
 static int deliver_with_facts(const study_arguments *arguments, whirl_result *result, const char *started,
@@ -215,7 +215,7 @@ static int compute_and_deliver(const study_arguments *arguments, const whirl_cas
 
 /// Explains a refusal if tasks were started in parallel unaware of each other and get into each other's way. The number
 /// of tasks alone is no reason to refuse, since each may run something else.
-static void tell_of_tasks(const study_arguments *arguments) {
+static void report_tasks(const study_arguments *arguments) {
     static const char *const names[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}; // of Open MPI, of MPICH and Slurm
     for (size_t i = 0; i < sizeof names / sizeof *names && arguments->share.count == 0; i++) {
         const char *tasks = getenv(names[i]);
@@ -242,10 +242,12 @@ static int open_and_compute(const study_arguments *arguments, const whirl_case *
     run_journal journal = {.journal = NULL};
     whirl_result *finished = NULL;
     bool all_done = false;
+    // Open the journal, on the first rank for all.
     int outcome = ranks_agree(prepare(arguments, object));
     if (outcome == EXIT_DONE && arguments->output)
         outcome = open_together(&wish, object, &journal, &finished, &all_done);
-    if (outcome != EXIT_DONE && ranks_count() == 1) tell_of_tasks(arguments);
+    if (outcome != EXIT_DONE && ranks_count() == 1) report_tasks(arguments);
+    // Show what is finished, or compute the rest.
     if (outcome == EXIT_DONE && finished)
         outcome = show(arguments, finished);
     else if (outcome == EXIT_DONE && !all_done)

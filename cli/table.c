@@ -36,7 +36,7 @@ static const struct argp_option options[] = {
 static const char *const formats[][2] = {{"text", ".txt"}, {"csv", ".csv"}, {"latex", ".tex"}, {"json", ".json"}};
 enum { FORMATS = sizeof formats / sizeof *formats };
 
-static error_t parse(int key, char *argument, struct argp_state *state) {
+static error_t table_parse(int key, char *argument, struct argp_state *state) {
     table_arguments *arguments = state->input;
     whirl_sheet_form form;
     switch (key) {
@@ -126,10 +126,10 @@ static int act(const whirl_result *result, const void *given) {
     return arguments->list ? print_names(result, arguments) : write(result, arguments);
 }
 
-static int run(int argc, char **argv) {
+static int table_run(int argc, char **argv) {
     static const struct argp argp = {
         .options = options,
-        .parser = parse,
+        .parser = table_parse,
         .args_doc = "RESULT.h5 [SHEET]\nRESULT.h5 --list",
         .doc = "Prints or writes the findings about machines at rest, branches, tori and spectra: all statements and "
                "sheets, or one sheet, a table of the report, with its numbers in the units of the case. TABLE/SHEET is "
@@ -140,4 +140,4 @@ static int run(int argc, char **argv) {
     return read == EXIT_DONE ? with_result(arguments.result, act, &arguments) : read;
 }
 
-const command table_command = {"table", "print or write tables of findings", run};
+const command table_command = {"table", "print or write tables of findings", table_run};

@@ -16,7 +16,7 @@ enum {
 };
 
 _Static_assert((int)WORD_SHARED + (int)SHARED_NUMBERS <= (int)RANKS_WORDS, "the ranks see fewer numbers");
-_Static_assert((int)SHARED_NUMBERS <= (int)RANKS_MAX, "they tell fewer at once");
+_Static_assert((int)SHARED_NUMBERS <= (int)RANKS_MAX, "ranks exchange fewer numbers at once");
 
 // ---------------------------------------------------------------- opening
 
@@ -115,14 +115,14 @@ void together_look(void) {
 static void exchange(together *t) {
     const whirl_progress *own = &t->own;
     int64_t now[SHARED_NUMBERS], all[SHARED_NUMBERS];
-    memcpy(now, t->told, sizeof now);
+    memcpy(now, t->reported, sizeof now);
     now[own->stage == WHIRL_STAGE_CONFIRM ? SHARED_CONFIRMED : SHARED_POINTS] = (int64_t)own->points_done;
     now[SHARED_REVOLUTIONS] = (int64_t)own->revolutions_done;
     now[SHARED_RECALLED] = (int64_t)own->revolutions_recalled;
-    for (size_t i = 0; i < SHARED_NUMBERS; i++) all[i] = t->gathered ? 0 : now[i] - t->told[i];
+    for (size_t i = 0; i < SHARED_NUMBERS; i++) all[i] = t->gathered ? 0 : now[i] - t->reported[i];
     together_look();
     ranks_add_all(WORD_SHARED, SHARED_NUMBERS, all);
-    memcpy(t->told, now, sizeof now);
+    memcpy(t->reported, now, sizeof now);
     t->shown = *own;
     t->shown.points_done = (size_t)all[own->stage == WHIRL_STAGE_CONFIRM ? SHARED_CONFIRMED : SHARED_POINTS];
     t->shown.revolutions_done = (double)all[SHARED_REVOLUTIONS];

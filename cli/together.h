@@ -32,7 +32,7 @@ typedef struct together {
     double known_share;                          ///< known part of the points
     int64_t dealt[2 * WHIRL_MAX_BATCHES];        ///< pieces, when this rank last took some
     whirl_progress own, shown;                   ///< progress of this rank, and of all ranks
-    int64_t told[SHARED_NUMBERS];                ///< numbers of this rank that the others know
+    int64_t reported[SHARED_NUMBERS];            ///< numbers of this rank that the others know
     bool gathered;
     bool failed; ///< another rank failed, and reports it
 } together;

@@ -45,7 +45,7 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static error_t parse(int key, char *argument, struct argp_state *state) {
+static error_t verify_parse(int key, char *argument, struct argp_state *state) {
     verify_arguments *arguments = state->input;
     switch (key) {
     case 'q':
@@ -179,6 +179,7 @@ static void print_verdicts(const whirl_verify_point *point) {
     const whirl_verify_run *const runs = point->runs[0];
     enum { RUNS = WHIRL_VERIFY_METHODS * WHIRL_VERIFY_LEVELS };
     char names[RUNS][NAME_SIZE];
+    // Names of all verdicts.
     for (int i = 0; i < RUNS; i++) {
         const whirl_verdict short_verdict = {.regime = runs[i].verdict.regime, .period = runs[i].verdict.period};
         if (short_verdict.regime == WHIRL_PERIODIC)
@@ -186,6 +187,7 @@ static void print_verdicts(const whirl_verify_point *point) {
         else
             snprintf(names[i], NAME_SIZE, "%s", whirl_regime_name(short_verdict.regime));
     }
+    // Print each name once, with its count.
     const char *separator = "";
     for (int i = 0; i < RUNS; i++) {
         int count = 0;
@@ -286,10 +288,10 @@ static int verify_case(const verify_arguments *arguments) {
     return outcome == EXIT_DONE ? finish_output() : outcome;
 }
 
-static int run(int argc, char **argv) {
+static int verify_run(int argc, char **argv) {
     static const struct argp argp = {
         .options = options,
-        .parser = parse,
+        .parser = verify_parse,
         .args_doc = "CASE.yaml",
         .doc = "Computes points of a case by two methods at three tolerances each, prints how far states, sections, "
                "exponents and verdicts agree and which order is observed, and says which verdicts do not depend on "
@@ -302,4 +304,4 @@ static int run(int argc, char **argv) {
     return verify_case(&arguments);
 }
 
-const command verify_command = {"verify", "find out which verdicts of a case depend on numerics", run};
+const command verify_command = {"verify", "find out which verdicts of a case depend on numerics", verify_run};

@@ -15,9 +15,9 @@
 
 /// Outcome of all ranks.
 typedef struct outcome {
-    int failure; ///< largest exit status of a failed rank, 0 if none failed
-    int teller;  ///< the first rank that has it
-    int first;   ///< exit status of the first rank
+    int failure;  ///< largest exit status of a failed rank, 0 if none failed
+    int reporter; ///< the first rank that has it
+    int first;    ///< exit status of the first rank
 } outcome;
 
 /// There is one MPI in a process.
@@ -27,7 +27,7 @@ static struct {
     pthread_mutex_t lock, asking;
     pthread_t answerer; ///< used on the first rank
     whirl_stop leaving;
-    FILE *told; ///< suppressed output of this rank, unless it is the first one
+    FILE *muted; ///< suppressed output of this rank, unless it is the first one
     char *text;
     size_t text_size;
     bool dismissed; ///< the first rank works alone
@@ -259,17 +259,17 @@ static int find_threads(void) {
 
 static void hold_back_output(void) {
     FILE *nowhere = fopen("/dev/null", "w");
-    ranks.told = open_memstream(&ranks.text, &ranks.text_size);
+    ranks.muted = open_memstream(&ranks.text, &ranks.text_size);
     // Only the C library's streams are redirected: reports of sanitizers appear.
     if (nowhere) stdout = nowhere;
-    if (ranks.told) stderr = ranks.told;
+    if (ranks.muted) stderr = ranks.muted;
 }
 
 /// Prints the suppressed output of the rank that failed; the first rank prints everything else.
-static void tell(void) {
-    if (!ranks.told) return;
-    fflush(ranks.told);
-    if (ranks.end.failure && ranks.end.teller == ranks.number && ranks.text)
+static void ranks_print(void) {
+    if (!ranks.muted) return;
+    fflush(ranks.muted);
+    if (ranks.end.failure && ranks.end.reporter == ranks.number && ranks.text)
         dprintf(2, "%.*s", (int)ranks.text_size, ranks.text);
 }
 
@@ -290,7 +290,7 @@ int ranks_end(int status, ranks_meanwhile meanwhile) {
     ended = true;
     fflush(stdout);
     const int common = agree(status, meanwhile);
-    tell();
+    ranks_print();
     if (ranks.count > 1) end_answers();
     MPI_Finalize();
     return common;

@@ -148,7 +148,7 @@ EXPORTED void explorer_job_free(job *j) {
 }
 
 /// Carries the points under way, and new ones, over one revolution.
-static whirl_status revolve(job *j, size_t *turned) {
+static whirl_status jobs_revolve(job *j, size_t *turned) {
     whirl_task task;
     whirl_record *record;
     whirl_status status = whirl_recorder_begin(j->recorder);
@@ -162,10 +162,10 @@ static whirl_status revolve(job *j, size_t *turned) {
 
 EXPORTED double explorer_job_turn(job *j) {
     size_t turned = 0;
-    whirl_status status = revolve(j, &turned);
+    whirl_status status = jobs_revolve(j, &turned);
     if (status.code == WHIRL_OK && turned == 0 && j->unlike) {
         status = turn_to_structure(j, j->values[j->begun]);
-        if (status.code == WHIRL_OK) status = revolve(j, &turned);
+        if (status.code == WHIRL_OK) status = jobs_revolve(j, &turned);
     }
     return explorer_good(&status) ? (double)turned : -1.0;
 }

@@ -214,12 +214,12 @@ EXPORTED const char *explorer_machine(const plan *p, double value) {
 
 static void add_reason(const plan *p, const double *block, const whirl_verdict *verdict) {
     char sentence[WHIRL_MESSAGE_SIZE];
-    text told = {0};
+    text reason = {0};
     const bool provisional = look_is_provisional(p, block);
     whirl_verdict_reason(verdict, sentence, sizeof sentence);
-    if (provisional) look_reason(p, &told);
-    json_text(&answer, provisional ? text_bytes(&told) : sentence);
-    free(told.bytes);
+    if (provisional) look_reason(p, &reason);
+    json_text(&answer, provisional ? text_bytes(&reason) : sentence);
+    free(reason.bytes);
     text_add(&answer, ",\"provisional\":%s", provisional ? "true" : "false");
 }
 

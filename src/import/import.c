@@ -51,15 +51,15 @@ static bool has_frequencies(const ross_rotor *rotor) {
 
 /// Notes the curve fits that replace frequency-dependent tables in motions.
 static void note_machine(note_list *notes, const char *text, size_t length, const char *file) {
-    char told[WHIRL_MESSAGE_SIZE];
+    char sentence[WHIRL_MESSAGE_SIZE];
     whirl_problems problems = {0};
     whirl_case *object = NULL;
     whirl_rotor *rotor = NULL;
     whirl_status status = whirl_case_parse(text, length, file, &problems, &object);
     if (status.code == WHIRL_OK) status = whirl_case_rotor_outline(object, NULL, 0.0, &rotor);
     notes->no_memory = notes->no_memory || status.code == WHIRL_NO_MEMORY;
-    for (size_t i = 0; rotor && whirl_rotor_note(rotor, i, told); i++)
-        note_add(notes, "Motions at the speed of the case have, of a table over frequencies of whirl, %s.", told);
+    for (size_t i = 0; rotor && whirl_rotor_note(rotor, i, sentence); i++)
+        note_add(notes, "Motions at the speed of the case have, of a table over frequencies of whirl, %s.", sentence);
     if (problems.count > 0)
         note_add(notes, "Motions at the speed of the case are refused: %s.", problems.items[0].message);
     whirl_problems_free(&problems);

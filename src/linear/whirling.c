@@ -67,7 +67,7 @@ static whirl_status close_in(const whirl_whirling *others, const double *rest, s
         if (status.code != WHIRL_OK) return status;
         const double fc = excess(&at, rank);
         look_end(&at);
-        bracket_tell(&r, c, fc);
+        bracket_update(&r, c, fc);
         *found = c;
         if (fabs(fc) <= 1e-14 * c) break;
     }

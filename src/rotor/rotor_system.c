@@ -272,7 +272,7 @@ static void rotor_loop(const void *model, const double *x, size_t index, double 
     }
 }
 
-static bool tells_time(const element *own) {
+static bool counts_time(const element *own) {
     return own->type->clock && own->type->clock(own) < own->states;
 }
 
@@ -284,7 +284,7 @@ static bool rotor_settle(const void *model, double *x, whirl_settled *kinds) {
         const element *own = &rotor->elements[i];
         const size_t first = rotor->lanes.degrees + own->state;
         bool idle[MAX_ELEMENT_STATES] = {false};
-        if (tells_time(own)) kinds[first + own->type->clock(own)] = WHIRL_IDLE;
+        if (counts_time(own)) kinds[first + own->type->clock(own)] = WHIRL_IDLE;
         if (!own->type->settle) continue;
         const element_place at = rotor_see(rotor, own, x);
         balanced = own->type->settle(own, at.q, x + first, idle) && balanced;
@@ -373,7 +373,7 @@ static double rotor_twist(const void *model, const double *v, double *shape) {
 
 static bool rotor_settles(const whirl_rotor *rotor) {
     for (size_t i = 0; i < rotor->element_count; i++)
-        if (rotor->elements[i].type->settle || tells_time(&rotor->elements[i])) return true;
+        if (rotor->elements[i].type->settle || counts_time(&rotor->elements[i])) return true;
     return false;
 }
 

@@ -64,7 +64,7 @@ static void put_number(FILE *out, const char *before, double number) {
     fprintf(out, "%s%s", before, text);
 }
 
-void user_tell_branches(const whirl_user_system *system, FILE *out) {
+void user_put_branches(const whirl_user_system *system, FILE *out) {
     const user_branches *own = &system->branches;
     fprintf(out, "over %s", system->parameters[own->parameter].name);
     put_number(out, " from ", own->bounds[0]);

@@ -48,7 +48,7 @@ static void put_form(const whirl_user_system *system, FILE *out) {
         number_text(system->angles[i], number);
         fprintf(out, "; number %zu an angle of turns of %s", i, number);
     }
-    if (system->units) user_tell_units(system, out);
+    if (system->units) user_put_units(system, out);
     number_text(system->period, number);
     if (system->speed < system->parameter_count)
         fprintf(out, "; a revolution of 2 pi/%s", system->parameters[system->speed].name);
@@ -75,7 +75,7 @@ whirl_status user_add_equations(const whirl_user_system *system, whirl_result *r
         bool always;
     } facts[] = {{"equations: form", put_form, true},
                  {"equations: start", put_start, true},
-                 {"equations: branches", user_tell_branches, false}};
+                 {"equations: branches", user_put_branches, false}};
     whirl_status status =
         identity_add(result, "equations", system->identity ? system->identity : "functions of the user's own");
     // Write each fact that applies to a text of its own.

@@ -44,7 +44,7 @@ static bool machine_note(const whirl_user_system *from, int code, double t) {
     if (code == 0) return true;
     if (atomic_compare_exchange_strong(&from->failure->code, &expected, code)) {
         from->failure->time = t;
-        atomic_store(&from->failure->told, 1);
+        atomic_store(&from->failure->reported, 1);
     }
     return false;
 }

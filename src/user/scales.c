@@ -210,7 +210,7 @@ whirl_status user_choose_units(whirl_user_system *copy, whirl_study *study) {
     return status;
 }
 
-void user_tell_units(const whirl_user_system *system, FILE *out) {
+void user_put_units(const whirl_user_system *system, FILE *out) {
     char number[NUMBER_SIZE];
     for (size_t k = 0; k < system->dimension; k++) {
         number_text(system->units[k], number);

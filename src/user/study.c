@@ -141,7 +141,7 @@ static whirl_status study_prepare(const whirl_user_system *system, prepared *p) 
     if (status.code == WHIRL_OK) status = user_choose_units(&p->system, &p->study);
     // Failures during trial runs are discarded.
     atomic_store(&p->system.failure->code, 0);
-    atomic_store(&p->system.failure->told, 0);
+    atomic_store(&p->system.failure->reported, 0);
     return status;
 }
 
@@ -192,7 +192,7 @@ static whirl_status study_outcome(const whirl_user_system *system, whirl_status 
                             system->failure->slope, system->failure->jump, system->failure->time);
     else if (code != 0)
         status = whirl_fail(WHIRL_NUMERICAL_FAILURE, "a function of the system gave %d at t = %.10g, expected 0", code,
-                            atomic_load(&system->failure->told) ? system->failure->time : (double)NAN);
+                            atomic_load(&system->failure->reported) ? system->failure->time : (double)NAN);
     if (*result && code == 0) {
         whirl_status described = study_describe(system, *result);
         for (size_t i = 0; i < (*result)->table_count && described.code == WHIRL_OK; i++)

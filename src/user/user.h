@@ -38,8 +38,8 @@ enum { USER_JUMP = INT_MIN };
 
 /// The first failure, after which no motion is computed.
 typedef struct user_failure {
-    atomic_int code; ///< a function's code, or USER_JUMP; 0: none failed
-    atomic_int told; ///< 1 once the following are written
+    atomic_int code;     ///< a function's code, or USER_JUMP; 0: none failed
+    atomic_int reported; ///< 1 once the following are written
     double time;
     size_t slope; ///< index of the slope that jumps
     double jump;  ///< size of the jump
@@ -92,7 +92,7 @@ whirl_status user_prepare_branches(whirl_user_system *copy, whirl_study *study);
 whirl_status user_check_rest(const whirl_study *study);
 
 /// Writes the branches and curves that are followed.
-void user_tell_branches(const whirl_user_system *system, FILE *out);
+void user_put_branches(const whirl_user_system *system, FILE *out);
 
 /// Converts the numbers of a table from the common time to the user's own: velocities. Frequencies and periods of
 /// branches become those by the angle of a revolution, 2 pi. Errors as user_period.
@@ -108,7 +108,7 @@ whirl_status user_choose_units(whirl_user_system *copy, whirl_study *study);
 whirl_status user_warn_of_units(const whirl_user_system *system, whirl_result *result);
 
 /// Writes the units of a system, if it has any.
-void user_tell_units(const whirl_user_system *system, FILE *out);
+void user_put_units(const whirl_user_system *system, FILE *out);
 
 /// Computes the period of the system with these parameters [parameter_count]. WHIRL_BAD_INPUT unless it is a number
 /// above 0.

@@ -15,9 +15,9 @@ static const field_plan fields[FIELD_COUNT] = {
 /// Clears friction where there is none, and numbers that the system does not report.
 static void settle_friction(const whirl_record *record, size_t which, const block_view *view) {
     const double torque = record->contact_torque[which];
-    const bool told = record->system && record->system->friction;
-    if (told && isfinite(record->contact_most[which]) && isfinite(torque)) return;
-    const double number = told && torque == 0.0 ? 0.0 : NAN;
+    const bool known = record->system && record->system->friction;
+    if (known && isfinite(record->contact_most[which]) && isfinite(torque)) return;
+    const double number = known && torque == 0.0 ? 0.0 : NAN;
     *view_numbers(view, WATCHED_contact_torque, which) = number;
     *view_numbers(view, WATCHED_contact_most, which) = number;
     *view_numbers(view, WATCHED_contact_power, which) = number;

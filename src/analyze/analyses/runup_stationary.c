@@ -79,7 +79,7 @@ static double balance_root(const balancing *b, balance_quantity *of, const doubl
         speed = bracket_next(&between);
         const double value = of(b, speed);
         if (isnan(value) || value == 0.0) break;
-        bracket_tell(&between, speed, value);
+        bracket_update(&between, speed, value);
     }
     return speed;
 }

@@ -245,7 +245,7 @@ static whirl_status find_limit(probing *p, double basic, double *limit) {
     for (int i = 0; i < STEPS && bracket_width(&at) > close * high && at.fb != 0.0 && status.code == WHIRL_OK; i++) {
         const double next = bracket_next(&at);
         status = probe_stages(p, next, &decrement);
-        bracket_tell(&at, next, decrement);
+        bracket_update(&at, next, decrement);
     }
     *limit = fabs(at.fa) < fabs(at.fb) ? at.a : at.b;
     return status;

@@ -177,10 +177,10 @@ static void note_return(approach *a, const double *x) {
         for (size_t k = 0; k < n; k++) a->rest[i] -= a->monodromy[i * n + k] * a->before[k];
         rest += a->rest[i] * a->rest[i];
     }
-    const bool foretold = sqrt(rest) <= a->noise * approach_distance(a, x, NULL) ||
-                          metric_length(n, a->metric, a->rest) <= safety * a->least_shrinking * from;
+    const bool predicted = sqrt(rest) <= a->noise * approach_distance(a, x, NULL) ||
+                           metric_length(n, a->metric, a->rest) <= safety * a->least_shrinking * from;
     if (a->good == 0) a->far = from;
-    a->good = foretold ? a->good + 1 : 0;
+    a->good = predicted ? a->good + 1 : 0;
     memcpy(a->before, a->now, n * sizeof *a->now);
     a->last = metric_length(n, a->metric, a->now);
 }

@@ -37,7 +37,7 @@ static whirl_orbit_search orbits_outcome(const whirl_record_orbit *orbit, const 
     return orbit->modulus < 1.0 - neutral ? WHIRL_ORBIT_STABLE : WHIRL_ORBIT_UNSTABLE;
 }
 
-void orbits_tell(whirl_record *record, const orbit_search *s, double distance) {
+void orbits_record(whirl_record *record, const orbit_search *s, double distance) {
     whirl_record_orbit *orbit = &record->orbit;
     orbit->period = (int)s->revolutions;
     orbit->residual = s->residual;

@@ -160,7 +160,7 @@ size_t orbits_settled_period(const whirl_record *record, const whirl_record_opti
 
 /// Notes in a record with known bounds the orbit that Newton's method found, or that it found none, at this distance
 /// from the motion.
-void orbits_tell(whirl_record *record, const orbit_search *s, double distance);
+void orbits_record(whirl_record *record, const orbit_search *s, double distance);
 
 // ---------------------------------------------------------------- record_block
 // The memory of a record.

@@ -468,7 +468,7 @@ static void recorder_note(whirl_recorder *r, motion *m) {
 /// Records the orbit of a motion that was put on it and has completed it once.
 static void close_orbit(const whirl_recorder *r, const motion *m) {
     const orbit_search *orbit = approach_orbit(m->approach);
-    orbits_tell(m->record, orbit, orbit_search_distance(orbit, m->x));
+    orbits_record(m->record, orbit, orbit_search_distance(orbit, m->x));
     record_repeat_orbit(m->record, r->options);
 }
 
@@ -538,7 +538,7 @@ static whirl_status take_search(const whirl_recorder *r, motion *m) {
     m->search = NULL;
     m->record->orbit.revolutions += s->carried;
     if (m->revolution < r->last) return approach_take(m->approach, s, m->settling, m->revolution);
-    orbits_tell(m->record, s, orbit_search_distance(s, m->x));
+    orbits_record(m->record, s, orbit_search_distance(s, m->x));
     free(s);
     return whirl_ok();
 }

@@ -252,15 +252,15 @@ static whirl_status find_within(const whirl_balance *of, const whirl_correction 
     return found ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to balance a rotor");
 }
 
-/// Finds the best weights of the unknowns at index, within the limits of planes: amounts [count]. *told: the rows
+/// Finds the best weights of the unknowns at index, within the limits of planes: amounts [count]. *determined: the rows
 /// determine them; otherwise there are none. WHIRL_NO_MEMORY.
 static whirl_status best_weights(const whirl_balance *of, const whirl_correction *out, const size_t *index,
-                                 size_t count, double complex *amounts, bool *told) {
+                                 size_t count, double complex *amounts, bool *determined) {
     const balance_normal equations = equations_of(of, out, index, count);
     balance_normal solved = equations;
     double limits[BALANCE_UNKNOWNS];
-    *told = balance_unknowns(&solved);
-    if (!*told) return whirl_ok();
+    *determined = balance_unknowns(&solved);
+    if (!*determined) return whirl_ok();
     memcpy(amounts, solved.side, count * sizeof *amounts);
     if (of->least_max || (of->mode_count > 0 && are_beyond(of, out, index, count, amounts)))
         return find_within(of, out, index, count, amounts);
@@ -295,12 +295,12 @@ static whirl_status balance_reduce(const whirl_balance *of, whirl_correction *ou
     for (size_t n = 0; n < count && count > 1 && status.code == WHIRL_OK; n++) {
         size_t others[WHIRL_MAX_PLANES], left = 0;
         double complex amounts[BALANCE_UNKNOWNS];
-        bool told;
+        bool determined;
         if (!(significance[n] < WHIRL_BALANCE_SIGNIFICANT)) continue;
         for (size_t k = 0; k < count; k++)
             if (k != n) others[left++] = index[k];
-        status = best_weights(of, out, others, left, amounts, &told);
-        if (status.code != WHIRL_OK || !told) continue;
+        status = best_weights(of, out, others, left, amounts, &determined);
+        if (status.code != WHIRL_OK || !determined) continue;
         const double remains = left_with(of, out, amounts, others, left);
         if (out->reduced.there && remains >= out->reduced.left) continue;
         out->reduced = (whirl_balance_reduced){.there = true, .without = index[n], .left = remains};
@@ -312,12 +312,12 @@ static whirl_status balance_reduce(const whirl_balance *of, whirl_correction *ou
 static whirl_status balance_correct(const whirl_balance *of, whirl_correction *out) {
     size_t index[WHIRL_MAX_PLANES] = {0};
     double complex amounts[BALANCE_UNKNOWNS];
-    bool told;
+    bool determined;
     // Find the weights that leave least vibration.
     const size_t count = find_used(of, out, index);
-    const whirl_status status = best_weights(of, out, index, count, amounts, &told);
+    const whirl_status status = best_weights(of, out, index, count, amounts, &determined);
     if (status.code != WHIRL_OK) return status;
-    if (!told)
+    if (!determined)
         return whirl_fail(
             WHIRL_BAD_INPUT,
             "%zu probe%s at a speed do not distinguish the weights of %zu %s%s, expected as many as %ss at least, with "

@@ -14,7 +14,7 @@ void balance_add(balance_normal *of, const double complex *a, double complex b, 
 }
 
 /// Cholesky's pivots are what the unknowns before leave of each unknown.
-static bool are_told_apart(size_t n, const double complex *matrix) {
+static bool are_distinct(size_t n, const double complex *matrix) {
     static const double least = 1e-10; // share of an unknown that the others must leave, in squares
     double complex rest[BALANCE_UNKNOWNS * BALANCE_UNKNOWNS];
     memcpy(rest, matrix, n * n * sizeof *rest);
@@ -39,7 +39,7 @@ bool balance_unknowns(balance_normal *of) {
         for (size_t j = 0; j < n; j++) matrix[i * n + j] = of->matrix[i][j] / (scale[i] * scale[j]);
         of->side[i] /= scale[i];
     }
-    if (!are_told_apart(n, matrix)) return false;
+    if (!are_distinct(n, matrix)) return false;
     // A complex number is laid out as an array of two (C17, 6.2.5).
     if (!matrix_solve_complex(n, (const double *)matrix, 1, (double *)of->side)) return false;
     for (size_t i = 0; i < n; i++) of->side[i] /= scale[i];

@@ -33,7 +33,7 @@ static inline double bracket_next(bracket *r) {
 }
 
 /// Takes the function's value there.
-static inline void bracket_tell(bracket *r, double c, double fc) {
+static inline void bracket_update(bracket *r, double c, double fc) {
     const bool like_a = (fc < 0.0) == (r->fa < 0.0);
     if (like_a) {
         r->a = c;

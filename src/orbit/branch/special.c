@@ -76,7 +76,7 @@ static whirl_status special_close_in(follower *f, const test *t, const waypoint 
         }
         if (status.code != WHIRL_OK || !p->orbit) break;
         last = special_value_of(f, t, p);
-        bracket_tell(&r, *at, last);
+        bracket_update(&r, *at, last);
         if (fabs(last) <= nothing * largest || bracket_width(&r) <= 1e-12) break;
     }
     free(trial);

@@ -164,7 +164,7 @@ static whirl_status balance_pad(const solver *s, const whirl_pad *pad, const dou
         *tilt = bracket_next(&found);
         status = along_pad(&b, *tilt, &along);
         if (fabs(along) < 1e-12) break;
-        bracket_tell(&found, *tilt, along);
+        bracket_update(&found, *tilt, along);
     }
     return status;
 }

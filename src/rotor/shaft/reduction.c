@@ -475,7 +475,7 @@ static whirl_status reduce(reducing *r, element *elements, size_t element_count,
 }
 
 /// Writes the old coordinates [old_degrees] in terms of the new ones.
-static whirl_status tell_blends(const reducing *r, size_t old_degrees, double **follow) {
+static whirl_status note_blends(const reducing *r, size_t old_degrees, double **follow) {
     *follow = calloc(old_degrees * r->degrees + 1, sizeof **follow);
     if (!*follow) return reduction_no_memory();
     for (size_t d = 0; d < old_degrees; d++)
@@ -495,7 +495,7 @@ whirl_status reduction_make(const mesh *from, assembly *of, element *elements, s
     r.unit = r.inertia + degrees;
     whirl_status status =
         r.kept && r.old && r.inertia ? reduce(&r, elements, element_count, out ? out : ignored) : reduction_no_memory();
-    if (status.code == WHIRL_OK && follow) status = tell_blends(&r, degrees, follow);
+    if (status.code == WHIRL_OK && follow) status = note_blends(&r, degrees, follow);
     for (size_t d = 0; d < degrees && r.old; d++) {
         free(r.old[d].of);
         free(r.old[d].weight);

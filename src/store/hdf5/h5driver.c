@@ -41,7 +41,7 @@ static int compare_bytes(const H5FD_t *a, const H5FD_t *b) {
     return (one > other) - (one < other);
 }
 
-static herr_t tell_features(const H5FD_t *base, unsigned long *features) {
+static herr_t report_features(const H5FD_t *base, unsigned long *features) {
     (void)base;
     *features = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_ACCUMULATE_METADATA | H5FD_FEAT_DATA_SIEVE |
                 H5FD_FEAT_AGGREGATE_SMALLDATA;
@@ -118,7 +118,7 @@ static const H5FD_class_t driver = {
     .open = open_bytes,
     .close = close_bytes,
     .cmp = compare_bytes,
-    .query = tell_features,
+    .query = report_features,
     .get_eoa = end_of_allocated,
     .set_eoa = allocate,
     .get_eof = end_of_bytes,

@@ -54,23 +54,23 @@ static bool coexistence_make_room(search *s) {
     return items && motions;
 }
 
-static whirl_status tell_place(search *s, size_t place) {
-    told_apart told;
+static whirl_status group_place(search *s, size_t place) {
+    attractor_groups groups;
     if (!coexistence_make_room(s))
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for the attractors of %zu places", s->places);
     const size_t *points = s->points + s->first[place], count = s->first[place + 1] - s->first[place];
-    const whirl_status status = attractors_tell(s->table, points, count, s->of, &told);
+    const whirl_status status = attractors_group(s->table, points, count, s->of, &groups);
     s->begins[place] = s->count;
-    for (size_t k = 0; k < told.count; k++) {
-        const whirl_attractor *one = &told.found[k];
+    for (size_t k = 0; k < groups.count; k++) {
+        const whirl_attractor *one = &groups.found[k];
         s->items[s->count] = (whirl_coexisting){.place = place,
                                                 .first = one->first,
                                                 .starts = one->points,
-                                                .of = told.done,
-                                                .beside = told.count,
+                                                .of = groups.done,
+                                                .beside = groups.count,
                                                 .share = one->share,
                                                 .error = one->error};
-        s->motions[s->count++] = told.motions[k];
+        s->motions[s->count++] = groups.motions[k];
     }
     return status;
 }
@@ -263,7 +263,7 @@ static whirl_status coexistence_find(search *s, whirl_coexistence *found) {
     found->labels = calloc(s->table->count + 1, sizeof *found->labels);
     if (!found->labels || !list_points(s))
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for the attractors of %zu points", s->table->count);
-    for (size_t place = 0; place < s->places && status.code == WHIRL_OK; place++) status = tell_place(s, place);
+    for (size_t place = 0; place < s->places && status.code == WHIRL_OK; place++) status = group_place(s, place);
     s->begins[s->places] = s->count;
     if (status.code == WHIRL_OK) status = join_neighbours(s);
     if (status.code == WHIRL_OK) status = give_numbers(s, &found->attractors);

@@ -152,7 +152,7 @@ static whirl_status critical_close_in(search *s, double a, double fa, double b, 
         const whirl_status status = measure_at(s, c, &fc);
         if (status.code != WHIRL_OK) return status;
         if (isnan(fc)) break;
-        bracket_tell(&r, c, fc);
+        bracket_update(&r, c, fc);
         if (fc == 0.0 || bracket_width(&r) <= 1e-11 * fmax(fabs(r.a), fabs(r.b)) ||
             fabs(c - middle) + width <= 1e-300) {
             *found = fabs(fc) <= jump;

@@ -234,7 +234,7 @@ static whirl_status balance_heat(const whirl_bearing *of, whirl_bearing_point *p
         const double last = at, before = value;
         at = isinf(between.fb) ? 0.5 * (between.a + between.b) : bracket_next(&between);
         status = bearing_surplus(of, at, true, point, &value);
-        bracket_tell(&between, at, value);
+        bracket_update(&between, at, value);
         if (isfinite(value) && value != before) slope = (value - before) / (at - last);
     }
     // Correct on the fine mesh.
@@ -282,19 +282,19 @@ static void bearing_begin(const whirl_bearing *of, size_t i, whirl_bearing_point
 // ---------------------------------------------------------------- all of them
 
 /// Reports progress to the caller.
-typedef struct teller {
+typedef struct bearing_reporter {
     const whirl_bearing_options *options;
     whirl_progress progress;
-    double started, told;
-} teller;
+    double started, reported;
+} bearing_reporter;
 
-static void bearing_report(teller *to) {
+static void bearing_report(bearing_reporter *to) {
     const double now = clock_seconds() - to->started;
     to->progress.points_done++;
     to->progress.revolutions_done = (double)to->progress.points_done;
-    if (!to->options || !to->options->progress || now < 1.0 || now - to->told < 0.2)
+    if (!to->options || !to->options->progress || now < 1.0 || now - to->reported < 0.2)
         return; // short tables report no progress
-    to->told = to->progress.seconds = now;
+    to->reported = to->progress.seconds = now;
     to->options->progress(to->options->context, &to->progress);
 }
 
@@ -307,9 +307,9 @@ whirl_status whirl_bearing_solve(const whirl_bearing *of, const whirl_bearing_op
     const int threads = options && options->threads > 0 ? options->threads : omp_get_num_procs();
     whirl_bearing_table *table = calloc(1, sizeof *table);
     whirl_bearing_point *points = calloc(of->count + 1, sizeof *points);
-    teller to = {.options = options,
-                 .progress = {.points_total = of->count, .revolutions_total = (double)of->count},
-                 .started = clock_seconds()};
+    bearing_reporter to = {.options = options,
+                           .progress = {.points_total = of->count, .revolutions_total = (double)of->count},
+                           .started = clock_seconds()};
     atomic_int worst = points && table ? WHIRL_OK : WHIRL_NO_MEMORY;
     *out = NULL;
     // Begin all points, and compute them on all threads.

@@ -23,7 +23,7 @@ typedef struct preparation {
     place places[PREPARED];
     whirl_film_tables tables; ///< tables of these points
     size_t missing;           ///< tables that must be made
-    double started, told;
+    double started, reported;
     first_error error;
 } preparation;
 
@@ -74,10 +74,10 @@ static whirl_status choose_places(preparation *p) {
 
 static void prepare_report(preparation *p) {
     const double seconds = clock_seconds() - p->started;
-    if (!p->options->progress || seconds - p->told < 0.2) return;
+    if (!p->options->progress || seconds - p->reported < 0.2) return;
     const size_t missing = whirl_film_tables_missing(&p->tables);
     const size_t done = missing < p->missing ? p->missing - missing : 0;
-    p->told = seconds;
+    p->reported = seconds;
     p->options->progress(p->options->context, &(whirl_progress){.stage = WHIRL_STAGE_TABLES,
                                                                 .points_done = done,
                                                                 .points_total = p->missing,

@@ -113,7 +113,7 @@ static bool pads_settle_tilt(pads_rest *at, bool *idle) {
     for (int k = 0; k < 200 && found; k++) {
         const double tilt = bracket_next(&between), moment = pads_moment_at(at, tilt);
         if (moment == 0.0 || !(tilt > fmin(between.a, between.b) && tilt < fmax(between.a, between.b))) break;
-        bracket_tell(&between, tilt, moment);
+        bracket_update(&between, tilt, moment);
         if (bracket_width(&between) <= 2.0 * DBL_EPSILON * fabs(tilt)) break;
     }
     if (!found) pads_moment_at(at, at->tilt);
@@ -154,7 +154,7 @@ static bool pads_settle_pad(pads_rest *at, bool *idle) {
         const double u = bracket_next(&between);
         if (!(u > low && u < high) || bracket_width(&between) <= 4.0 * DBL_EPSILON * fabs(u)) break;
         back = pads_back(at, u, idle);
-        bracket_tell(&between, u, back);
+        bracket_update(&between, u, back);
     }
     return true;
 }

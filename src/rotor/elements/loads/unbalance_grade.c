@@ -63,19 +63,19 @@ static whirl_status measure(const key_value *values, const assembly *to, double 
     const assembly_station *one = &to->stations[values[PLANES].station[0]],
                            *other = &to->stations[values[PLANES].station[1]];
     const bool meshed = one->shaft != NO_SHAFT && one->shaft == other->shaft;
-    const bool told = values[TO_FIRST].given && values[TO_SECOND].given;
+    const bool given = values[TO_FIRST].given && values[TO_SECOND].given;
     double centre = 0.0;
     if (values[TO_FIRST].given != values[TO_SECOND].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has one of to_first and to_second, expected both or neither");
-    if (!meshed && !(told && values[MASS].given))
+    if (!meshed && !(given && values[MASS].given))
         return whirl_fail(WHIRL_BAD_INPUT, "has planes that do not lie on one shaft of finite elements, expected mass, "
                                            "to_first and to_second as well");
     if (meshed) weigh(to, one->shaft, mass, &centre);
     if (values[MASS].given) *mass = values[MASS].number;
     // Distances, outwards.
     const double way = one->position < other->position ? 1.0 : -1.0;
-    distance[0] = told ? values[TO_FIRST].number : way * (centre - one->position);
-    distance[1] = told ? values[TO_SECOND].number : way * (other->position - centre);
+    distance[0] = given ? values[TO_FIRST].number : way * (centre - one->position);
+    distance[1] = given ? values[TO_SECOND].number : way * (other->position - centre);
     if (!(distance[0] >= 0.0 && distance[1] >= 0.0 && distance[0] + distance[1] > 0.0))
         return whirl_fail(WHIRL_BAD_INPUT,
                           "has its centre of mass %g m from the first and %g m from the second plane, expected it "
