@@ -41,6 +41,13 @@ void summarize_study(const whirl_study *study) {
         if (batch->row > 0) printf("%s%s", batch->plane > 0 ? ", " : " and ", batch->second);
         if (batch->plane > 0) printf(" and %s", batch->third);
         if (batch->refine > 0) printf(", refined from squares of %zu", batch->refine);
+        if (batch->fit) {
+            const whirl_fit *fit = batch->fit;
+            printf(": %zu unknown%s, %zu measured numbers of %zu motion%s, %.0f start%s\n", fit->unknown_count,
+                   plural((double)fit->unknown_count), fit->number_count, fit->motion_count,
+                   plural((double)fit->motion_count), points, plural(points));
+            continue;
+        }
         if (!whirl_analysis_kind(batch->analyses)->settles) {
             printf(": %.0f point%s %s\n", points, plural(points), whirl_analysis_kind(batch->analyses)->place);
             continue;

@@ -17,6 +17,7 @@
 #include "whirl/engine/fields.h"
 #include "whirl/engine/figure.h"
 #include "whirl/engine/findings.h"
+#include "whirl/engine/fit.h"
 #include "whirl/engine/integrate.h"
 #include "whirl/engine/journal.h"
 #include "whirl/engine/line.h"

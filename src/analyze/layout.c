@@ -146,6 +146,7 @@ whirl_status whirl_layout_known(whirl_layout *layout) {
     options.spectra = true;
     options.growth = WHIRL_GROWTH_ALL;
     options.waveform_revolutions = options.record;
+    options.fit.unknowns = options.fit.motions = options.fit.numbers = 2;
     return whirl_layout_new(&system, &integrate, &options, ~0u, layout);
 }
 

@@ -17,6 +17,11 @@ static const whirl_kind motion = {.name = "motion",
 #define ABOUT_REST AT_REST, .method = "linear, about rest", .place = "about where the machine rests"
 static const whirl_kind rest = {ABOUT_REST}, still = {ABOUT_REST, .still = true};
 static const whirl_kind run = {AT_REST, .method = "in time, turn by turn", .place = "over time"};
+static const whirl_kind fitted = {.name = "fit",
+                                  .asked = "A study of its own, in place of sweep or response.",
+                                  .method = "least squares over periodic orbits",
+                                  .beside = "",
+                                  .cost = 1.0};
 
 static const whirl_kind branch = {.name = "branch",
                                   .asked = "Of studies with `branch: {...}`.",
@@ -43,6 +48,7 @@ static const whirl_kind torus = {.name = "torus",
 #define TURNING false, false, &rest
 #define STILL false, false, &still
 #define RUNNING false, false, &run
+#define FITTED false, false, &fitted
 #define TRACED false, false, &branch
 #define OF_TORI false, false, &torus
 

@@ -24,4 +24,8 @@ bool input_open(const char *path, input_file *in);
 /// as input_open, or without memory. Afterwards the file is closed and in->descriptor is -1.
 bool input_read(const char *path, size_t most, input_file *in, char **text, size_t *length);
 
+/// Writes the path of a file that another one names: from the folder of that file, unless it begins at the root. False
+/// if it is too long.
+bool input_beside(const char *file, const char *path, char *out, size_t size);
+
 #endif

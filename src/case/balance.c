@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "input.h"
 #include "keys.h"
 #include "settings.h"
 #include "tree.h"
@@ -394,10 +395,8 @@ static void read_readings(case_reader *reader, const file_node *list, whirl_bala
 static bool read_table(case_reader *reader, const file_node *where, whirl_balance *out) {
     whirl_problems problems = {0};
     case_reader own = {.arena = reader->arena, .problems = &problems, .parameters = reader->parameters};
-    const char *file = reader->problems->file, *slash = strrchr(file, '/');
-    const int folder = *where->text == '/' || !slash ? 0 : (int)(slash + 1 - file);
     char path[sizeof problems.file];
-    if (snprintf(path, sizeof path, "%.*s%s", folder, file, where->text) >= (int)sizeof path) {
+    if (!input_beside(reader->problems->file, where->text, path, sizeof path)) {
         problem_at(reader->problems, where, "is too long for the path of a table");
         return false;
     }

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "input.h"
 #include "matrix.h"
 #include "settings.h"
 #include "whirl/engine/case.h"
@@ -304,20 +305,14 @@ static whirl_status ask(const whirl_balance *balance, const whirl_case *object, 
     return status;
 }
 
-/// Resolves the path of the model, relative to the folder of the file.
-static void find_path(const whirl_balance *balance, const char *path, char *out, size_t size) {
-    const char *slash = strrchr(path, '/');
-    const int folder = *balance->model == '/' || !slash ? 0 : (int)(slash + 1 - path);
-    snprintf(out, size, "%.*s%s", folder, path, balance->model);
-}
-
 whirl_status whirl_balance_consult(const whirl_balance *balance, const char *path, whirl_problems *problems,
                                    whirl_balance_model **model) {
     char place[4096];
     whirl_case *object;
     *model = NULL;
     if (!*balance->model) return whirl_ok();
-    find_path(balance, path, place, sizeof place);
+    if (!input_beside(path, balance->model, place, sizeof place))
+        return whirl_fail(WHIRL_BAD_INPUT, "%.100s is too long for the path of a case", balance->model);
     whirl_status status = whirl_case_load(place, problems, &object);
     if (status.code != WHIRL_OK) return status;
     whirl_balance_model *out = calloc(1, sizeof *out);

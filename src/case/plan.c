@@ -65,7 +65,7 @@ void plan_choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool sp
     whirl_record_options *record = &batch->record;
     const whirl_kind *kind = whirl_analysis_kind(chosen);
     batch->analyses = kind->moves ? whirl_analysis_fit(chosen, record) : chosen;
-    if (!kind->found) whirl_analysis_add(&batch->analyses, whirl_analysis_of_ranges());
+    if (kind->moves || kind->place) whirl_analysis_add(&batch->analyses, whirl_analysis_of_ranges());
     record->spectra = spectra && kind->moves;
     record->waveform = false;
     record->growth = WHIRL_GROWTH_NONE;

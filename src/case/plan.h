@@ -19,7 +19,7 @@ enum { SCHEMA_VERSION = 1, SCHEMA_MAX_POINTS = 10000000, SCHEMA_MAX_DETAIL = 100
 extern const whirl_group schema_still_rotor;
 extern const whirl_group schema_case, schema_document, schema_rotor, schema_study, schema_response, schema_sweep,
     schema_map, schema_basin, schema_axis, schema_motions, schema_branch, schema_curves, schema_initial, schema_starts,
-    schema_integrate, schema_keep, schema_detail, schema_event;
+    schema_integrate, schema_keep, schema_detail, schema_event, schema_fit_unknown, schema_fit_data;
 
 #define SCHEMA_INDEX_AT_REST(name, ...) SCHEMA_AT_REST_##name,
 
@@ -103,6 +103,7 @@ struct resting_parts {
     axis_parts axis;                   ///< axis with its group; without a parameter there is one point
     const resting_parts *unbalances;   ///< for motions: the study that places their unbalances, or NULL
     const struct course_parts *course; ///< for run-ups: their events and laws, or NULL
+    const struct fit_parts *fit;       ///< for fits: their unknowns and tables, or NULL
 };
 
 enum { PLAN_MAX_RESTING = 16, PLAN_MAX_CONDITIONS = 8 };
@@ -281,5 +282,39 @@ void course_free(course_run *run);
 
 /// Adds the values that an event gives to parameters behind given [*count], at most WHIRL_MAX_GIVEN.
 whirl_status course_given(const course_parts *parts, size_t event, valuation *v, whirl_given *given, size_t *count);
+
+// ---------------------------------------------------------------- plan_fit
+// A fit: unknown parameters, and tables of measured numbers.
+
+/// Most parameters that a table of measured numbers gives.
+enum { FIT_MAX_AT = WHIRL_MAX_GIVEN - WHIRL_MAX_UNKNOWNS - 1 };
+
+typedef struct fit_unknown {
+    const file_node *place;
+    setting_list keys;
+    const parameter *parameter; ///< NULL after a problem
+    number_formula start, low, high;
+} fit_unknown;
+
+typedef struct fit_set {
+    const file_node *place, *file; ///< place of the table in the case, and of its path; NULL after a problem
+    setting_list keys;
+    condition_parts at; ///< parameters with their values in its motions
+} fit_set;
+
+typedef struct fit_parts {
+    setting_list keys;
+    const machine_parts *machine;
+    size_t unknown_count, set_count;
+    fit_unknown unknowns[WHIRL_MAX_UNKNOWNS];
+    fit_set sets[WHIRL_MAX_FIT_SETS];
+} fit_parts;
+
+/// Reads the keys of a fit; NULL without memory.
+const fit_parts *fit_read(case_reader *reader, const machine_parts *machine, const setting_list *keys);
+
+/// Reads the tables, and completes the batch of a fit, whose options are set. Tables that cannot be read are not
+/// reported: the study is refused (whirl_fit.trouble).
+void fit_make(case_reader *reader, valuation *v, const fit_parts *parts, whirl_batch *batch);
 
 #endif

@@ -135,6 +135,7 @@ static void read_one(case_reader *reader, const file_node *where, const whirl_gr
     plan_read_stations(reader, machine, &axis->keys, "coupling", true);
     plan_read_stations(reader, machine, &axis->keys, "loss_at", false);
     if (group == &schema_at_rest[SCHEMA_AT_REST_runup]) resting->course = course_read(reader, machine, &axis->keys);
+    if (group == &schema_at_rest[SCHEMA_AT_REST_fit]) resting->fit = fit_read(reader, machine, &axis->keys);
     if (group == &schema_motions) read_unbalances(reader, parts, resting);
     for (size_t i = 0; i < sizeof keys / sizeof *keys && !varies; i++) {
         const setting *given = settings_find(&axis->keys, keys[i]);
@@ -169,6 +170,7 @@ static whirl_record_options resting_options(valuation *v, const resting_parts *r
         options.samples_per_revolution = integrate->steps_per_revolution;
     settings_take(v, &resting->axis.keys, whirl_record_members(), &options);
     settings_take(v, &resting->axis.keys, whirl_runup_members(), &options.runup);
+    settings_take(v, &resting->axis.keys, whirl_fit_members(), &options.fit);
     return options;
 }
 
@@ -229,6 +231,7 @@ static void finish_resting(case_reader *reader, valuation *v, const resting_part
     check_running(reader, resting, &batch->record);
     check_placed(reader, resting, &batch->record);
     plan_choose_analyses(batch, own, false);
+    if (resting->fit) fit_make(reader, v, resting->fit, batch);
 }
 
 /// Keeps the last revolutions of motions for their orbits, unless there are too many motions.

@@ -137,6 +137,41 @@ static const whirl_key resting_keys[] = {
     CHOICE_KEY("name", OPTIONAL, "", "name of this study among several of its kind; its table is KIND_NAME"),
 };
 
+static const whirl_key fit_keys[] = {
+    CHOICE_KEY("name", OPTIONAL, "", "name of this fit among several; its table is fit_NAME"),
+    CHOICE_KEY("unknown", REQUIRED, "",
+               "names of the parameters that are looked for, each with start, from and to, or nothing"),
+    CHOICE_KEY("data", REQUIRED, "",
+               "a table of measured numbers (CSV), or a list of them: paths from the folder of the case, or with `at` "
+               "and `noise`"),
+    WHOLE_KEY("starts", "", DEFAULT("1"), WHIRL_FROM_TO(1, 10000),
+              "number of starts: the first at the values of start, the others spread evenly between the bounds, by the "
+              "sequence of Halton"),
+};
+
+static const whirl_key fit_unknown_keys[] = {
+    NUMBER_KEY("start", "", "", OPTIONAL, WHIRL_ANY, "value at which the search begins; absent: that of the case"),
+    NUMBER_KEY("from", "", "", OPTIONAL, WHIRL_ANY, "lowest value; absent: none"),
+    NUMBER_KEY("to", "", "", OPTIONAL, WHIRL_ANY, "highest value; absent: none"),
+};
+
+static const whirl_key fit_data_keys[] = {
+    CHOICE_KEY("file", REQUIRED, "",
+               "path of the table: displacements of probes over `angle` or `turns`, or amplitudes and lags of orders "
+               "over `speed` or a parameter"),
+    CHOICE_KEY("at", OPTIONAL, "", "parameters with the values that they had in this measurement"),
+    NUMBER_KEY("noise", "", "m", OPTIONAL, WHIRL_POSITIVE,
+               "standard deviation of these numbers, by which they are weighed; absent: all weigh the same"),
+};
+
+#define modes_keys resting_keys
+#define unbalance_keys resting_keys
+#define critical_speeds_keys resting_keys
+#define stability_keys resting_keys
+#define statics_keys resting_keys
+#define torsion_keys resting_keys
+#define runup_keys resting_keys
+
 static const whirl_key motions_keys[] = {
     AXIS_KEYS(false),
     CHOICE_KEY("name", OPTIONAL, "", "name of these motions among several; their table is motions_NAME"),
@@ -200,7 +235,7 @@ static const whirl_key starts_keys[] = {
 typedef const whirl_member *(*table)(void);
 static const table of_batch[] = {whirl_batch_members, NULL};
 static const table of_options[] = {whirl_integrate_members, whirl_record_members, whirl_trace_members,
-                                   whirl_runup_members, NULL};
+                                   whirl_runup_members,     whirl_fit_members,    NULL};
 static const table of_probe[] = {whirl_probe_members, NULL};
 
 #define GROUP(name, meaning, keys, tables)                                                                             \
@@ -219,7 +254,7 @@ const whirl_group schema_map = GROUP("map", "points of a plane of two parameters
 const whirl_group schema_basin =
     GROUP("basin", "starts in a plane, and the motions that they come to rest on", map_keys, NULL);
 const whirl_group schema_axis = GROUP("axis", "the values of a parameter, along x or y of a map", axis_keys, NULL);
-#define GROUP_AT_REST(name, meaning, ...) GROUP(#name, meaning, resting_keys, of_options),
+#define GROUP_AT_REST(name, meaning, ...) GROUP(#name, meaning, name##_keys, of_options),
 #define ADDRESS_AT_REST(name, ...) &schema_at_rest[SCHEMA_AT_REST_##name],
 const whirl_group schema_at_rest[] = {WHIRL_STUDIES_AT_REST(GROUP_AT_REST){.name = NULL}};
 const whirl_group schema_motions =
@@ -229,6 +264,9 @@ const whirl_group schema_branch =
 const whirl_group schema_curves = GROUP("curves", "curves of special points over two parameters", curves_keys, NULL);
 const whirl_group schema_initial = PART("initial", "the state that a station starts from", of_probe);
 const whirl_group schema_event = GROUP("event", "an event of a run-up", event_keys, NULL);
+const whirl_group schema_fit_unknown =
+    GROUP("fit_unknown", "where an unknown parameter is looked for", fit_unknown_keys, NULL);
+const whirl_group schema_fit_data = GROUP("fit_data", "a table of measured numbers", fit_data_keys, NULL);
 const whirl_group schema_starts = GROUP("starts", "several starts of every point", starts_keys, NULL);
 const whirl_group schema_integrate = PART("integrate", "method and length of the integration", of_options);
 const whirl_group schema_keep = PART("keep", "parts of waveforms and spectra that are kept", of_options);
@@ -261,6 +299,8 @@ const whirl_group *const *whirl_case_groups(void) {
         &schema_keep,
         &schema_detail,
         &schema_event,
+        &schema_fit_unknown,
+        &schema_fit_data,
         NULL,
     };
     return groups;

@@ -418,6 +418,7 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     const whirl_member *members;
     whirl_members_default(whirl_trace_members(), &table->record.trace);
     whirl_members_default(whirl_runup_members(), &table->record.runup);
+    whirl_members_default(whirl_fit_members(), &table->record.fit);
     for (size_t i = 0, at; (members = whirl_table_options(table, i, &at)) != NULL; i++)
         get_options(status, group, members, (char *)table + at);
     if (status->code == WHIRL_OK) *status = whirl_record_options_check(&table->record);

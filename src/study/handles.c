@@ -287,10 +287,13 @@ const whirl_member *whirl_table_options(const whirl_table *table, size_t group, 
     } groups[] = {{whirl_integrate_members(), offsetof(whirl_table, integrate)},
                   {whirl_record_members(), offsetof(whirl_table, record)},
                   {whirl_trace_members(), offsetof(whirl_table, record.trace)},
-                  {whirl_runup_members(), offsetof(whirl_table, record.runup)}};
+                  {whirl_runup_members(), offsetof(whirl_table, record.runup)},
+                  {whirl_fit_members(), offsetof(whirl_table, record.fit)}};
     if (group > 2) return NULL;
     if (group == 2 && whirl_analysis_has(table->analyses, "runup"))
         group = 3;
+    else if (group == 2 && whirl_analysis_has(table->analyses, "fit"))
+        group = 4;
     else if (group == 2 && !whirl_analysis_kind(table->analyses)->found)
         return NULL;
     *offset = groups[group].offset;

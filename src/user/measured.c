@@ -1,18 +1,17 @@
 // Measured records as results: a table of numbers over the time becomes a run of the study `runup`, turn by turn.
 #include <ctype.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "input.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/result.h"
+#include "whirl/internal/csv.h"
 #include "whirl/signals.h"
 
-/// Limits of a record; largest gap of words in a message.
-enum { MAX_CHANNELS = 2 * WHIRL_MAX_PROBES, MAX_BYTES = 1 << 30, TEXT = 96 };
+/// Most probes of a record.
+enum { MAX_CHANNELS = 2 * WHIRL_MAX_PROBES };
 /// Numbers of the run: rows, spectra, turns of a spectrum, orbits, samples of a turn, order of interpolation.
 enum {
     ROWS = 400,
@@ -26,7 +25,7 @@ enum {
 
 static const double two_pi = 6.283185307179586476925;
 
-/// A column of the table.
+/// What a column of the table holds.
 typedef struct record_column {
     enum { COLUMN_TIME, COLUMN_KEYPHASOR, COLUMN_SPEED, COLUMN_CHANNEL } kind;
     char station[WHIRL_NAME_SIZE];
@@ -35,82 +34,30 @@ typedef struct record_column {
     int place;    ///< column of its heading in its line, from 1
 } record_column;
 
-/// A record while it is read. Numbers are in SI, channels in metres.
+/// A record. Numbers are in SI, channels in metres.
 typedef struct record {
-    const char *path;
-    int line;
-    char separator;
-    size_t column_count, count, room; ///< columns, rows of numbers, and room for them
-    record_column columns[MAX_CHANNELS + 3];
-    double *numbers; ///< [columns][room] while reading; [columns][count] afterwards
-    char title[256];
+    csv_table table;
+    record_column columns[MAX_CHANNELS + 3]; ///< [table.column_count]
     size_t station_count;
     whirl_probe stations[WHIRL_MAX_PROBES];
     size_t channels[WHIRL_MAX_PROBES][2]; ///< columns of a station
 } record;
 
-/// Fails at a place of the file: line and column from 1.
-#define RECORD_FAIL(r, at, ...) record_fail((r)->path, (r)->line, (at), __VA_ARGS__)
-
-static whirl_status record_fail(const char *path, int line, int column, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
-static whirl_status record_fail(const char *path, int line, int column, const char *format, ...) {
-    char text[WHIRL_MESSAGE_SIZE];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    return whirl_fail(WHIRL_BAD_INPUT, "%.150s:%d:%d: %.300s", path, line, column, text);
-}
+/// Fails at a column of the headings.
+#define RECORD_FAIL(r, at, ...) csv_fail(&(r)->table, (r)->table.heading, (at), __VA_ARGS__)
 
 // ---------------------------------------------------------------- headings
 
-/// Takes the next cell of a line without blanks and quotes around it. Returns false after the last one.
-static bool record_cell(const record *r, const char **at, const char *end, char *text, size_t size,
-                        const char **first) {
-    if (!*at || *at > end) return false;
-    const char *from = *at, *stop = memchr(from, r->separator, (size_t)(end - from));
-    const char *to = stop ? stop : end;
-    *at = stop ? stop + 1 : NULL;
-    while (from < to && (isspace((unsigned char)*from) || *from == '"')) from++;
-    while (to > from && (isspace((unsigned char)to[-1]) || to[-1] == '"')) to--;
-    *first = from;
-    snprintf(text, size, "%.*s", (int)(to - from), from);
-    return true;
-}
-
-/// Reads the unit of a heading: its size in SI, of the dimension of `si`.
-static whirl_status record_unit(const record *r, const char *unit, const char *si, int place, double *size) {
-    char text[TEXT];
-    *size = 1.0;
-    const bool length = strcmp(si, "m") == 0, time = strcmp(si, "s") == 0;
-    if (!*unit)
-        return RECORD_FAIL(r, place, "this column has no unit, expected one in brackets: [%s]",
-                           length ? "um"
-                           : time ? "s"
-                                  : "rpm");
-    snprintf(text, sizeof text, "1 %.60s", unit);
-    if (whirl_quantity_value(text, si, size).code == WHIRL_OK && *size > 0.0) return whirl_ok();
-    return RECORD_FAIL(r, place, "[%.40s] is no unit of a %s", unit, length ? "length" : time ? "time" : "speed");
-}
-
-/// Reads a heading: "time [s]", "keyphasor [V]", "speed [rpm]", "de x [um]", "de 45 [mil]".
-static whirl_status record_heading(record *r, char *text, int place) {
-    record_column *own = &r->columns[r->column_count];
-    char *unit = strpbrk(text, "[("), *end;
-    *own = (record_column){.kind = COLUMN_CHANNEL, .size = 1.0, .place = place};
-    if (r->column_count == MAX_CHANNELS + 3) return RECORD_FAIL(r, place, "has more than %d columns", MAX_CHANNELS + 3);
-    if (unit) {
-        *unit++ = '\0';
-        unit[strcspn(unit, "])")] = '\0';
-    } else {
-        unit = text + strlen(text);
-    }
-    for (end = text + strlen(text); end > text && isspace((unsigned char)end[-1]);) *--end = '\0';
-    r->column_count++;
+/// Understands a heading: "time [s]", "keyphasor [V]", "speed [rpm]", "de x [um]", "de 45 [mil]".
+static whirl_status record_heading(record *r, size_t column) {
+    const csv_column *heading = &r->table.columns[column];
+    record_column *own = &r->columns[column];
+    char text[CSV_TEXT], *end;
+    *own = (record_column){.kind = COLUMN_CHANNEL, .size = 1.0, .place = heading->place};
+    memcpy(text, heading->name, sizeof text);
     if (strcmp(text, "time") == 0) {
         own->kind = COLUMN_TIME;
-        return record_unit(r, unit, "s", place, &own->size);
+        return csv_unit(&r->table, column, "s", "s", &own->size);
     }
     if (strcmp(text, "keyphasor") == 0) {
         own->kind = COLUMN_KEYPHASOR;
@@ -118,11 +65,11 @@ static whirl_status record_heading(record *r, char *text, int place) {
     }
     if (strcmp(text, "speed") == 0) {
         own->kind = COLUMN_SPEED;
-        return record_unit(r, unit, "rad/s", place, &own->size);
+        return csv_unit(&r->table, column, "rad/s", "rpm", &own->size);
     }
     char *direction = strrchr(text, ' ');
     if (!direction)
-        return RECORD_FAIL(r, place,
+        return RECORD_FAIL(r, own->place,
                            "'%.40s' is no column, expected time, keyphasor, speed, or a station and the direction of a "
                            "probe: 'de x', 'de 45'",
                            text);
@@ -130,17 +77,17 @@ static whirl_status record_heading(record *r, char *text, int place) {
     const bool axis = strcmp(direction + 1, "x") == 0 || strcmp(direction + 1, "y") == 0;
     if (axis) degrees = direction[1] == 'y' ? 90.0 : 0.0;
     if (!axis && (end == direction + 1 || *end || !isfinite(degrees)))
-        return RECORD_FAIL(r, place, "'%.20s' is no direction of a probe, expected x, y or degrees from x",
+        return RECORD_FAIL(r, own->place, "'%.20s' is no direction of a probe, expected x, y or degrees from x",
                            direction + 1);
     while (direction > text && isspace((unsigned char)direction[-1])) direction--;
     *direction = '\0';
     snprintf(own->station, sizeof own->station, "%.60s", text);
     own->angle = degrees * two_pi / 360.0;
-    return record_unit(r, unit, "m", place, &own->size);
+    return csv_unit(&r->table, column, "m", "um", &own->size);
 }
 
 static const record_column *record_find(const record *r, int kind) {
-    for (size_t c = 0; c < r->column_count; c++)
+    for (size_t c = 0; c < r->table.column_count; c++)
         if ((int)r->columns[c].kind == kind) return &r->columns[c];
     return NULL;
 }
@@ -151,7 +98,7 @@ static whirl_status record_stations(record *r) {
     if (!time) return RECORD_FAIL(r, 1, "there is no column 'time [s]'");
     if (!mark && !record_find(r, COLUMN_SPEED))
         return RECORD_FAIL(r, 1, "there is neither a column 'keyphasor' nor a column 'speed [rpm]'");
-    for (size_t c = 0; c < r->column_count; c++) {
+    for (size_t c = 0; c < r->table.column_count; c++) {
         const record_column *own = &r->columns[c];
         if (own->kind != COLUMN_CHANNEL && record_find(r, (int)own->kind) != own)
             return RECORD_FAIL(r, own->place, "is a second column of this kind");
@@ -179,82 +126,31 @@ static whirl_status record_stations(record *r) {
                                 : RECORD_FAIL(r, 1, "there is no probe, expected columns such as 'de x [um]'");
 }
 
-static whirl_status record_headings(record *r, const char *from, const char *end) {
-    char text[TEXT];
-    const char *at = from, *first;
-    const size_t length = (size_t)(end - from);
+/// Understands all headings, brings numbers to SI and checks the time.
+static whirl_status record_understand(record *r) {
+    csv_table *table = &r->table;
     whirl_status status = whirl_ok();
-    r->separator = memchr(from, ',', length) ? ',' : memchr(from, ';', length) ? ';' : '\t';
-    while (status.code == WHIRL_OK && record_cell(r, &at, end, text, sizeof text, &first))
-        status = record_heading(r, text, (int)(first - from) + 1);
-    return status.code == WHIRL_OK ? record_stations(r) : status;
+    for (size_t c = 0; c < table->column_count && status.code == WHIRL_OK; c++) status = record_heading(r, c);
+    if (status.code == WHIRL_OK && table->column_count > 0) status = record_stations(r);
+    if (status.code != WHIRL_OK) return status;
+    if (table->count < 16)
+        return RECORD_FAIL(r, 1, "there are %zu rows of numbers, expected a line of headings and at least 16",
+                           table->count);
+    for (size_t c = 0; c < table->column_count; c++)
+        for (size_t i = 0; i < table->count; i++) table->numbers[c * table->room + i] *= r->columns[c].size;
+    const record_column *time = record_find(r, COLUMN_TIME);
+    const double *instants = csv_numbers(table, (size_t)(time - r->columns));
+    for (size_t i = 1; i < table->count; i++)
+        if (!(instants[i] > instants[i - 1]))
+            return csv_fail(table, table->lines[i], time->place, "the time %g s is not later than the one before",
+                            instants[i]);
+    return whirl_ok();
 }
 
 // ---------------------------------------------------------------- numbers
 
-static whirl_status record_grow(record *r) {
-    const size_t room = r->room > 0 ? 2 * r->room : 4096;
-    if (r->count < r->room) return whirl_ok();
-    double *numbers = malloc(r->column_count * room * sizeof *numbers);
-    if (!numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu samples", room);
-    for (size_t c = 0; c < r->column_count && r->count > 0; c++)
-        memcpy(numbers + c * room, r->numbers + c * r->room, r->count * sizeof *numbers);
-    free(r->numbers);
-    r->numbers = numbers;
-    r->room = room;
-    return whirl_ok();
-}
-
-static whirl_status record_row(record *r, const char *from, const char *end) {
-    char text[TEXT], *rest;
-    const char *at = from, *first;
-    size_t cells = 0;
-    whirl_status status = record_grow(r);
-    while (status.code == WHIRL_OK && record_cell(r, &at, end, text, sizeof text, &first)) {
-        const int place = (int)(first - from) + 1;
-        if (cells == r->column_count)
-            return RECORD_FAIL(r, place, "there are more cells than the %zu headings", r->column_count);
-        double *own = r->numbers + cells * r->room + r->count;
-        *own = strtod(text, &rest) * r->columns[cells].size;
-        if (!*text) return RECORD_FAIL(r, place, "the cell is empty, expected a number: cut the record at its gaps");
-        if (rest == text || *rest || !isfinite(*own)) return RECORD_FAIL(r, place, "'%.30s' is no number", text);
-        if (r->columns[cells].kind == COLUMN_TIME && r->count > 0 && !(*own > own[-1]))
-            return RECORD_FAIL(r, place, "the time %.30s is not later than the one before", text);
-        cells++;
-    }
-    if (status.code == WHIRL_OK && cells < r->column_count)
-        return RECORD_FAIL(r, (int)(end - from) + 1, "there are %zu cells, expected %zu as the headings", cells,
-                           r->column_count);
-    r->count++;
-    return status;
-}
-
-/// Reads all lines: empty ones and those after # are left out, the first of these is the title.
-static whirl_status record_lines(record *r, const char *text, size_t length) {
-    const char *end = text + length;
-    whirl_status status = whirl_ok();
-    for (const char *from = text; from < end && status.code == WHIRL_OK;) {
-        const char *stop = memchr(from, '\n', (size_t)(end - from)), *last = stop ? stop : end, *next = last + 1;
-        r->line++;
-        while (last > from && isspace((unsigned char)last[-1]) && last[-1] != '\t') last--;
-        const char *begin = from;
-        while (begin < last && isspace((unsigned char)*begin)) begin++;
-        if (begin < last && *begin == '#') {
-            begin += 1 + strspn(begin + 1, " ");
-            if (!*r->title && begin < last) snprintf(r->title, sizeof r->title, "%.*s", (int)(last - begin), begin);
-        } else if (begin < last) {
-            status = r->column_count == 0 ? record_headings(r, from, last) : record_row(r, from, last);
-        }
-        from = next;
-    }
-    if (status.code == WHIRL_OK && r->count < 16)
-        status =
-            RECORD_FAIL(r, 1, "there are %zu rows of numbers, expected a line of headings and at least 16", r->count);
-    return status;
-}
-
 static const double *record_numbers(const record *r, const record_column *of) {
-    return r->numbers + (size_t)(of - r->columns) * r->room;
+    return csv_numbers(&r->table, (size_t)(of - r->columns));
 }
 
 // ---------------------------------------------------------------- turns
@@ -267,20 +163,21 @@ static whirl_status record_pulses(const record *r, double *instants, size_t *pul
     double threshold, hysteresis, angle = 0.0;
     if (mark) {
         const double *voltage = record_numbers(r, mark);
-        whirl_status status = whirl_signals_threshold(voltage, r->count, &threshold, &hysteresis);
+        whirl_status status = whirl_signals_threshold(voltage, r->table.count, &threshold, &hysteresis);
         if (status.code == WHIRL_OK)
-            status = whirl_signals_pulses(time, voltage, r->count, threshold, hysteresis, true, instants, pulses);
+            status = whirl_signals_pulses(time, voltage, r->table.count, threshold, hysteresis, true, instants, pulses);
         return status;
     }
     const double *speed = record_numbers(r, record_find(r, COLUMN_SPEED));
     *pulses = 0;
-    for (size_t i = 0; i + 1 < r->count; i++) {
+    for (size_t i = 0; i + 1 < r->table.count; i++) {
         const double span = time[i + 1] - time[i], turned = 0.5 * (speed[i] + speed[i + 1]) * span;
         for (double next = ceil(angle / two_pi) * two_pi; turned > 0.0 && next < angle + turned; next += two_pi) {
             // The part of the step at which the parabola of the angle reaches the mark.
             const double a = 0.5 * (speed[i + 1] - speed[i]) / span, b = speed[i], c = next - angle;
             const double root = sqrt(fmax(b * b + 4.0 * a * c, 0.0));
-            if (*pulses < r->count / 2 + 1) instants[(*pulses)++] = time[i] + (c > 0.0 ? 2.0 * c / (b + root) : 0.0);
+            if (*pulses < r->table.count / 2 + 1)
+                instants[(*pulses)++] = time[i] + (c > 0.0 ? 2.0 * c / (b + root) : 0.0);
         }
         angle += turned;
     }
@@ -292,21 +189,21 @@ static whirl_status record_pulses(const record *r, double *instants, size_t *pul
 static whirl_status record_turns(const record *r, const double *instants, size_t pulses, size_t samples, double length,
                                  double *out) {
     const size_t turns = pulses - 2, all = 2 * r->station_count + 1, size = (pulses - 1) * samples;
-    double *signals = malloc((all * r->count + size) * sizeof *signals);
+    double *signals = malloc((all * r->table.count + size) * sizeof *signals);
     if (!signals) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a record");
-    double *turned = signals + all * r->count;
+    double *turned = signals + all * r->table.count;
     const double *time = record_numbers(r, record_find(r, COLUMN_TIME));
     whirl_status status = whirl_ok();
     for (size_t s = 0; s < r->station_count && status.code == WHIRL_OK; s++) {
         const record_column *u = &r->columns[r->channels[s][0]], *v = &r->columns[r->channels[s][1]];
-        status = whirl_signals_axes(record_numbers(r, u), record_numbers(r, v), r->count, u->angle, v->angle,
-                                    signals + 2 * s * r->count, signals + (2 * s + 1) * r->count);
+        status = whirl_signals_axes(record_numbers(r, u), record_numbers(r, v), r->table.count, u->angle, v->angle,
+                                    signals + 2 * s * r->table.count, signals + (2 * s + 1) * r->table.count);
         if (status.code != WHIRL_OK) status = RECORD_FAIL(r, v->place, "%.200s", status.message);
     }
-    memcpy(signals + (all - 1) * r->count, time, r->count * sizeof *time);
+    memcpy(signals + (all - 1) * r->table.count, time, r->table.count * sizeof *time);
     for (size_t c = 0; c < all && status.code == WHIRL_OK; c++) {
-        status = whirl_signals_resample(time, signals + c * r->count, r->count, 1, instants, pulses, samples,
-                                        POLYNOMIAL, turned);
+        status = whirl_signals_resample(time, signals + c * r->table.count, r->table.count, 1, instants, pulses,
+                                        samples, POLYNOMIAL, turned);
         const double factor = c + 1 < all ? 1.0 / length : 1.0, offset = c + 1 < all ? 0.0 : time[0];
         // The last sample of a turn is at the pulse: it begins the next one.
         for (size_t i = 0; i < turns * samples; i++)
@@ -319,8 +216,11 @@ static whirl_status record_turns(const record *r, const double *instants, size_t
 // ---------------------------------------------------------------- the result
 
 static whirl_status record_describe(record *r, double length, whirl_result *result) {
-    const char *name = strrchr(r->path, '/');
-    snprintf(result->title, sizeof result->title, "%s", *r->title ? r->title : name ? name + 1 : r->path);
+    const char *name = strrchr(r->table.path, '/');
+    snprintf(result->title, sizeof result->title, "%s",
+             *r->table.title ? r->table.title
+             : name          ? name + 1
+                             : r->table.path);
     result->length_scale = length;
     result->force_scale = 1.0;
     result->case_text = calloc(1, 1);
@@ -333,7 +233,7 @@ static whirl_status record_describe(record *r, double length, whirl_result *resu
     memcpy(result->stations, r->stations, r->station_count * sizeof *r->stations);
     result->station_count = r->station_count;
     result->table_count = 1;
-    const whirl_status status = whirl_result_add_fact(result, "measured", r->path);
+    const whirl_status status = whirl_result_add_fact(result, "measured", r->table.path);
     if (status.code != WHIRL_OK || record_find(r, COLUMN_KEYPHASOR)) return status;
     return whirl_result_add_fact(result, "keyphasor", "none: lags count from the first sample");
 }
@@ -371,16 +271,16 @@ static whirl_status record_table(const record *r, const whirl_measured *measured
 }
 
 static whirl_status record_result(record *r, whirl_result *result) {
-    double *instants = malloc((r->count / 2 + 1) * sizeof *instants), *turned = NULL;
+    double *instants = malloc((r->table.count / 2 + 1) * sizeof *instants), *turned = NULL;
     const double length = r->columns[r->channels[0][0]].size, *time = record_numbers(r, record_find(r, COLUMN_TIME));
     size_t pulses = 0, samples = 0;
     whirl_status status = instants ? record_pulses(r, instants, &pulses)
                                    : whirl_fail(WHIRL_NO_MEMORY, "no memory for the pulses of a record");
     if (status.code == WHIRL_OK && pulses < 4)
         status = whirl_fail(WHIRL_BAD_INPUT, "the shaft turns %zu times past its mark, expected at least 4", pulses);
-    if (status.code == WHIRL_OK) status = whirl_signals_samples(time, r->count, instants, pulses, &samples);
+    if (status.code == WHIRL_OK) status = whirl_signals_samples(time, r->table.count, instants, pulses, &samples);
     if (status.code != WHIRL_OK && status.code != WHIRL_NO_MEMORY)
-        status = whirl_fail(WHIRL_BAD_INPUT, "%.150s: %.300s", r->path, status.message);
+        status = whirl_fail(WHIRL_BAD_INPUT, "%.150s: %.300s", r->table.path, status.message);
     samples = samples < MIN_SAMPLES ? MIN_SAMPLES : samples > MAX_SAMPLES ? MAX_SAMPLES : samples;
     const size_t turns = pulses >= 4 ? pulses - 2 : 0, size = turns * samples;
     if (status.code == WHIRL_OK) {
@@ -408,20 +308,10 @@ static whirl_status record_result(record *r, whirl_result *result) {
 
 whirl_status whirl_result_read_record(const char *path, whirl_result **result) {
     record *r = calloc(1, sizeof *r);
-    char *text = NULL;
-    size_t length = 0;
-    input_file in;
     *result = NULL;
     if (!r) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a record");
-    r->path = path;
-    whirl_status status = whirl_ok();
-    if (!input_read(path, MAX_BYTES, &in, &text, &length))
-        status =
-            whirl_fail(in.no_memory ? WHIRL_NO_MEMORY : WHIRL_BAD_INPUT, "cannot read %.200s: %.128s", path, in.reason);
-    else if (in.size > length)
-        status = whirl_fail(WHIRL_BAD_INPUT, "%.200s: is larger than 1 GiB", path);
-    const size_t mark = status.code == WHIRL_OK && length >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
-    if (status.code == WHIRL_OK) status = record_lines(r, text + mark, length - mark);
+    whirl_status status = csv_load(path, MAX_CHANNELS + 3, &r->table);
+    if (status.code == WHIRL_OK) status = record_understand(r);
     if (status.code == WHIRL_OK) {
         *result = calloc(1, sizeof **result);
         status = *result ? record_result(r, *result) : whirl_fail(WHIRL_NO_MEMORY, "no memory for a result");
@@ -430,8 +320,7 @@ whirl_status whirl_result_read_record(const char *path, whirl_result **result) {
         whirl_result_free(*result);
         *result = NULL;
     }
-    free(text);
-    free(r->numbers);
+    csv_free(&r->table);
     free(r);
     return status;
 }

@@ -115,6 +115,7 @@ static const struct {
      "  runup: {parameter: kappa, from: 5, to: 20, points: 3, rate: 40 rad/s2, speed_from: 50 rad/s, duration: 1 s, "
      "rows: 8, spectra: 3, spectrum_turns: 2}\n"},
     {beam, "  unbalance: {parameter: omega, from: 100, to: 200, points: 3, antinodes_of: 1, running_to: 200 rad/s}\n"},
+    {machine, "  fit: {unknown: {kappa: {from: 1, to: 30}}, data: kind-fit.csv, steps: 3, starts: 2}\n"},
 };
 enum { STUDIES = sizeof studies / sizeof *studies };
 
@@ -283,6 +284,21 @@ static void stopped_before_the_first_point(void **state) {
     }
 }
 
+static const char measured[] = "kind-fit.csv";
+
+static int write_measured(void **state) {
+    FILE *file = fopen(measured, "w");
+    (void)state;
+    if (!file) return -1;
+    fprintf(file, "omega, disc x [m], disc y [m]\n1.2, 1.1, 1.2\n1.5, 1.2, 1.1\n");
+    return fclose(file);
+}
+
+static int remove_measured(void **state) {
+    (void)state;
+    return remove(measured);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_kind_is_looked_at),
@@ -290,5 +306,5 @@ int main(void) {
         cmocka_unit_test(motions_without_a_verdict),
         cmocka_unit_test(stopped_before_the_first_point),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, write_measured, remove_measured);
 }

@@ -20,11 +20,7 @@ from whirl.fields import FIELD
 def same(one, other):
     """Equal to the bit, NaN included."""
     one, other = np.ascontiguousarray(one), np.ascontiguousarray(other)
-    return (
-        one.shape == other.shape
-        and one.dtype == other.dtype
-        and one.tobytes() == other.tobytes()
-    )
+    return one.shape == other.shape and one.dtype == other.dtype and one.tobytes() == other.tobytes()
 
 
 def check_same(memory, file, path):
@@ -42,13 +38,9 @@ def check_same(memory, file, path):
             other, group = file.tables[name], plain[name]
             assert len(table) > 3 and list(table) == list(other)
             for field in table:
-                np.testing.assert_equal(
-                    vars(table.fields[field]), vars(other.fields[field])
-                )  # NaN is equal to NaN
+                np.testing.assert_equal(vars(table.fields[field]), vars(other.fields[field]))  # NaN is equal to NaN
             assert table.options == other.options
-            assert same(table.values, group["values"][()]) and same(
-                other.values, group["values"][()]
-            )
+            assert same(table.values, group["values"][()]) and same(other.values, group["values"][()])
             assert np.array_equal(table.branch, group["branch"][()])
             assert np.array_equal(table.point, group["point"][()])
             assert same(table.length_scale, group["length_scale"][()])
@@ -68,39 +60,23 @@ def test_maps_have_two_dimensions(map_files):
     result = whirl.run(case, progress=False)
     check_same(result, whirl.open(path), path)
     table = result["map"]
-    assert (
-        table.shape == (3, 5)
-        and table.second == "c"
-        and table["orbit/max_radius"].shape == (3, 5, 1)
-    )
+    assert table.shape == (3, 5) and table.second == "c" and table["orbit/max_radius"].shape == (3, 5, 1)
     assert np.allclose(table.second_values[:, 0], [0.1e-3, 0.15e-3, 0.2e-3], rtol=1e-15)
     radius, unit = table.si("orbit/max_radius")
-    assert unit == "m" and same(
-        radius[0], table["orbit/max_radius"][0] * table.second_values[0, 0]
-    )
+    assert unit == "m" and same(radius[0], table["orbit/max_radius"][0] * table.second_values[0, 0])
 
 
 def test_planes_are_a_dimension(map_files, tmp_path):
     case = (
-        map_files[0]
-        .read_text()
-        .replace("c: 0.2 mm}", "c: 0.2 mm, f: 0.1}")
-        .replace("friction: 0.1", "friction: = f")
+        map_files[0].read_text().replace("c: 0.2 mm}", "c: 0.2 mm, f: 0.1}").replace("friction: 0.1", "friction: = f")
     )
-    case = case.replace(
-        "  integrate", "    z: {parameter: f, values: [0.3, 0.1]}\n  integrate"
-    )
+    case = case.replace("  integrate", "    z: {parameter: f, values: [0.3, 0.1]}\n  integrate")
     result = whirl.run(whirl.Case(text=case), progress=False)
     result.save(tmp_path / "planes.h5")
     check_same(result, whirl.open(tmp_path / "planes.h5"), tmp_path / "planes.h5")
     plane = whirl.run(whirl.Case(map_files[0]), progress=False)["map"]
     for table in (result["map"], whirl.open(tmp_path / "planes.h5")["map"]):
-        assert (
-            table.shape == (2, 3, 5)
-            and table.grid == (3, 5)
-            and table.planes == 2
-            and table.third == "f"
-        )
+        assert table.shape == (2, 3, 5) and table.grid == (3, 5) and table.planes == 2 and table.third == "f"
         assert same(table["orbit/max_radius"][1], plane["orbit/max_radius"])  # f = 0.1
         array = table.to_xarray()
         assert array["orbit/max_radius"].dims == ("z", "y", "x", "station")
@@ -118,9 +94,7 @@ def test_attractors_of_a_basin(basin):
     table = basin["basin"]
     number = table.attractors
     assert number.shape == table.shape == (4, 9)
-    assert (
-        set(np.unique(number)) == {1, 2} and (number == 1).sum() > (number == 2).sum()
-    )
+    assert set(np.unique(number)) == {1, 2} and (number == 1).sum() > (number == 2).sum()
     for of in (1, 2):
         share, error = share_of(number == of)
         assert np.allclose(table.shares[number == of], share, rtol=1e-14)
@@ -131,9 +105,7 @@ def test_attractors_of_a_basin(basin):
     inertia = 1e5 - forced + 20j * 220
     assert np.allclose(radius[number == 2], abs(0.1 * forced / inertia), rtol=1e-6)
     leans = radius[number == 1]
-    assert np.allclose(
-        abs(inertia + 1e6 * (1 - 1.2 / leans)) * leans, 0.1 * forced, rtol=1e-6
-    )
+    assert np.allclose(abs(inertia + 1e6 * (1 - 1.2 / leans)) * leans, 0.1 * forced, rtol=1e-6)
 
 
 @pytest.mark.parametrize("name", ["starts", "starts_map"])
@@ -150,9 +122,7 @@ def test_attractors_of_several_starts(name, request):
         for of in np.unique(number[here & (number > 0)]):
             share, error = share_of(number[here & own] == of)
             assert np.allclose(table.shares[here & (number == of)], share, rtol=1e-14)
-            assert np.allclose(
-                table.share_errors[here & (number == of)], error, rtol=1e-14, atol=1e-15
-            )
+            assert np.allclose(table.share_errors[here & (number == of)], error, rtol=1e-14, atol=1e-15)
     assert np.isnan(table.shares[number == 0]).all()
 
 
@@ -165,9 +135,7 @@ def test_attractors_in_files(name, request, tmp_path):
             of = opened[table.name]
             assert (of.grid, of.planes) == (table.grid, table.planes)
             for what in ("place", "attractors", "shares", "share_errors"):
-                assert np.array_equal(
-                    getattr(of, what), getattr(table, what), equal_nan=True
-                ), what
+                assert np.array_equal(getattr(of, what), getattr(table, what), equal_nan=True), what
             frame = of.to_pandas()
             assert np.array_equal(frame["attractor"], table.attractors.ravel())
             assert "share" in of.to_xarray()
@@ -175,9 +143,7 @@ def test_attractors_in_files(name, request, tmp_path):
 
 def test_other_tables_have_no_attractors(good):
     table = good["sweep"]
-    assert (
-        not table.has_attractors and table.attractors is None and table.shares is None
-    )
+    assert not table.has_attractors and table.attractors is None and table.shares is None
 
 
 def test_read_checks_the_file(good_file, tmp_path):
@@ -203,18 +169,12 @@ def test_arrays_are_not_copied_and_outlive_their_result(good_file):
         result["sweep"]["orbit/max_radius"],
         result["sweep"]["orbit/max_radius"],
     )
-    assert (
-        radius.ctypes.data == again.ctypes.data
-        and not radius.flags.writeable
-        and not radius.flags.owndata
-    )
+    assert radius.ctypes.data == again.ctypes.data and not radius.flags.writeable and not radius.flags.owndata
     expected, gone = radius.copy(), weakref.ref(result)
     del result, again
     gc.collect()
     assert gone() is None
-    rubbish = [
-        whirl.read(good_file)["sweep"].values for _ in range(20)
-    ]  # what was freed would be written over
+    rubbish = [whirl.read(good_file)["sweep"].values for _ in range(20)]  # what was freed would be written over
     assert len(rubbish) == 20 and same(radius, expected)
 
 
@@ -230,18 +190,12 @@ def test_opening_reads_no_field(good_file, tmp_path):
     path.write_bytes(data)
     table = whirl.open(path)["sweep"]
     assert len(table.values) == 5 and table["orbit/max_radius"].shape == (5, 1)
-    with pytest.raises(
-        whirl.FileFailure, match="damaged.h5' is damaged or was changed"
-    ):
+    with pytest.raises(whirl.FileFailure, match="damaged.h5' is damaged or was changed"):
         table["poincare/section"]
 
 
-@pytest.mark.parametrize(
-    "place", ["stations", "sweep", "sweep/values", "sweep/orbit", "parameters/name"]
-)
-def test_files_that_lack_something_are_refused_in_a_sentence(
-    good_file, tmp_path, place
-):
+@pytest.mark.parametrize("place", ["stations", "sweep", "sweep/values", "sweep/orbit", "parameters/name"])
+def test_files_that_lack_something_are_refused_in_a_sentence(good_file, tmp_path, place):
     path = tmp_path / "lacks.h5"
     path.write_bytes(good_file.read_bytes())
     with h5py.File(path, "r+") as file:
@@ -288,10 +242,7 @@ def test_pandas(good):
     assert list(frame.columns[:4]) == ["point", "omega", "branch", "verdict"]
     assert same(frame["omega"].to_numpy(), table.values)
     assert same(frame["orbit/mean disc y"].to_numpy(), table["orbit/mean"][:, 0, 1])
-    assert (
-        frame.attrs["units"]["orbit/max_radius disc"] == "length"
-        and frame.attrs["units"]["omega"] == "rad/s"
-    )
+    assert frame.attrs["units"]["orbit/max_radius disc"] == "length" and frame.attrs["units"]["omega"] == "rad/s"
 
 
 def test_xarray(good, map_files):
@@ -321,9 +272,7 @@ def test_points_of_xarray_are_chosen_by_the_parameter(good):
 def test_results_and_tables_are_as_dictionaries(good):
     assert "sweep" in good and "map" not in good and bool(good)
     assert list(good) == list(good.keys()) == ["sweep"] and len(good) == 1
-    assert dict(good.items())["sweep"] is good["sweep"] and list(good.values()) == [
-        good["sweep"]
-    ]
+    assert dict(good.items())["sweep"] is good["sweep"] and list(good.values()) == [good["sweep"]]
     assert list(good["sweep"].keys()) == list(good["sweep"])
     assert good.get("sweep") is good["sweep"] and good.get("modes") is None
 
@@ -340,9 +289,7 @@ def test_the_explorer_holds_the_result(good, good_file, tmp_path):
     (tmp_path / "template.html").write_text("<html>@WHIRL-RUNS@</html>")
     page = good.explorer(template=tmp_path / "template.html")
     assert good.title in page and len(page) > 1000
-    whirl.open(good_file).explorer(
-        tmp_path / "page.html", template=tmp_path / "template.html"
-    )
+    whirl.open(good_file).explorer(tmp_path / "page.html", template=tmp_path / "template.html")
     assert good.title in (tmp_path / "page.html").read_text()
 
 
@@ -363,9 +310,7 @@ study:
 """
 
 
-@pytest.mark.parametrize(
-    "speed, hertz", [("omega", [20, 35, 50]), ("2*pi*50", 50), ("omega+n^2", np.nan)]
-)
+@pytest.mark.parametrize("speed, hertz", [("omega", [20, 35, 50]), ("2*pi*50", 50), ("omega+n^2", np.nan)])
 def test_si_where_the_speed_changes(speed, hertz, tmp_path):
     result = whirl.run(whirl.Case(text=SPEEDS % speed), progress=False)
     result.save(tmp_path / "speeds.h5")
@@ -375,13 +320,9 @@ def test_si_where_the_speed_changes(speed, hertz, tmp_path):
             opened["sweep"],
             whirl.read(tmp_path / "speeds.h5")["sweep"],
         ):
-            assert np.allclose(
-                table.clock / (2 * np.pi), hertz, rtol=1e-14, equal_nan=True
-            )
+            assert np.allclose(table.clock / (2 * np.pi), hertz, rtol=1e-14, equal_nan=True)
             exponent, unit = table.si("lyapunov/largest")
-            assert unit == "1/s" and np.allclose(
-                exponent, table["lyapunov/largest"] * hertz, equal_nan=True
-            )
+            assert unit == "1/s" and np.allclose(exponent, table["lyapunov/largest"] * hertz, equal_nan=True)
             if np.isfinite(hertz).all() and speed == "omega":
                 # The perturbation of a linear rotor dies as exp(-d t/(2 m)), whatever the speed; its size, which counts
                 # velocities too, swings by the ratio of both frequencies meanwhile: log(2) in 8 s or more.
@@ -407,13 +348,9 @@ def test_clocks_of_keyphasors_and_of_own_systems(map_files):
         )
         if varied == "order" and ratio != "= order":
             case = case.replace("damping: 20 N.s/m", "damping: = 20*order")
-        assert np.allclose(
-            whirl.Case(text=case).outline()["sweep"].clock, clock, equal_nan=True
-        ), (ratio, varied)
+        assert np.allclose(whirl.Case(text=case).outline()["sweep"].clock, clock, equal_nan=True), (ratio, varied)
     own = whirl.systems.System(lambda t, x, p: [-x[0]], [1.0], {"w": 1.0}, speed="w")
-    table = own.sweep("w", [1.0, 1.2, 2.0], transient=1, record=2, analyze="poincare")[
-        "sweep"
-    ]
+    table = own.sweep("w", [1.0, 1.2, 2.0], transient=1, record=2, analyze="poincare")["sweep"]
     assert np.array_equal(table.clock, [1.0, 1.2, 2.0])
     with whirl.open(map_files[1]) as opened:
         assert np.array_equal(opened["map"].clock, opened["map"].values)
@@ -425,9 +362,7 @@ def test_clocks_of_keyphasors_and_of_own_systems(map_files):
     )
 
 
-@pytest.mark.parametrize(
-    "name, value", [("plane", 0), ("starts", 0), ("clock_of", -1), ("clock_of", 5)]
-)
+@pytest.mark.parametrize("name, value", [("plane", 0), ("starts", 0), ("clock_of", -1), ("clock_of", 5)])
 def test_attributes_that_cannot_be(map_files, tmp_path, name, value):
     (tmp_path / "bad.h5").write_bytes(map_files[1].read_bytes())
     with h5py.File(tmp_path / "bad.h5", "r+") as file:
@@ -440,9 +375,7 @@ def test_orders_are_no_lengths(good):
     lines, unit = good["sweep"].si("spectrum/lines")
     plain = good["sweep"]["spectrum/lines"]
     assert unit == "m" and np.array_equal(lines[..., 0], plain[..., 0], equal_nan=True)
-    assert np.allclose(
-        lines[..., 1:], plain[..., 1:] * good.length_scale, equal_nan=True
-    )
+    assert np.allclose(lines[..., 1:], plain[..., 1:] * good.length_scale, equal_nan=True)
 
 
 def test_numbers_that_are_kept_are_not_written_to(good, good_file):
@@ -469,9 +402,7 @@ def test_parameters_may_be_called_as_columns(name):
     )
     table = whirl.run(whirl.Case(text=text % "omega"), progress=False)["sweep"]
     frame = table.to_pandas()
-    assert list(frame[f"parameter {name}"]) == [20, 35, 50] and list(
-        frame["point"]
-    ) == [1, 2, 3]
+    assert list(frame[f"parameter {name}"]) == [20, 35, 50] and list(frame["point"]) == [1, 2, 3]
     assert list(table.to_xarray()[f"parameter {name}"].values) == [20, 35, 50]
 
 
@@ -528,10 +459,7 @@ def test_laws_that_are_left_are_told():
     result = whirl.run(case, progress=False)
     assert list(result["modes"][FIELD.RANGES_LEFT].ravel()) == [0, 1]
     (told,) = result.beyond
-    assert (
-        told.startswith("modes: film at journal: eccentricity ratio up to 0.95")
-        and "(1 of 2 points)" in told
-    )
+    assert told.startswith("modes: film at journal: eccentricity ratio up to 0.95") and "(1 of 2 points)" in told
 
 
 def test_contacts_that_hold_a_machine_at_rest():
@@ -578,9 +506,7 @@ def test_a_run_that_stopped_before_a_table_holds_nothing_there(tmp_path):
         "  unbalance: {parameter: load, from: 1, to: 2, points: 9}\n"
     )
     words = [COMMAND, "run", "case.yaml", "-q", "-o", "case.h5", "--max-time", "0.3 s"]
-    assert (
-        subprocess.run(words, cwd=tmp_path, stderr=subprocess.DEVNULL).returncode == 3
-    )
+    assert subprocess.run(words, cwd=tmp_path, stderr=subprocess.DEVNULL).returncode == 3
     result = whirl.open(tmp_path / "case.h5")
     assert len(result["unbalance"].values) == 0
     assert result.held == [] and result.beyond == []
@@ -602,14 +528,10 @@ study: {response: {}, integrate: {transient: 5, record: 5}}
 
 def test_warnings_of_the_library_are_shown(tmp_path):
     case = whirl.Case(text=WARNED)
-    with pytest.warns(
-        UserWarning, match="film.length: is 4 times the diameter"
-    ) as shown:
+    with pytest.warns(UserWarning, match="film.length: is 4 times the diameter") as shown:
         result = whirl.run(case, progress=False)
     (told,) = case.warnings
-    assert [str(one.message) for one in shown] == [told] == result.warnings and shown[
-        0
-    ].filename == __file__
+    assert [str(one.message) for one in shown] == [told] == result.warnings and shown[0].filename == __file__
     assert repr(result).endswith(", 1 warning>")
     assert str(result).splitlines()[1:] == [f"warning: {told}", "response: 1 point"]
     result.save(tmp_path / "a.h5")
@@ -619,12 +541,8 @@ def test_warnings_of_the_library_are_shown(tmp_path):
 
 def test_warnings_are_in_the_units_of_the_case():
     text = "rotor: {{speed: 300, length_scale: 1 mm, stations: {{a: {{mass: 1 kg}}}}, elements: [{}]}}"
-    film = (
-        "{film: {at: a, clearance: 30 mm, viscosity: 0.1, radius: 12.7 m, length: 1 m}}"
-    )
-    case = whirl.Case(
-        text=f"whirl: 1\n{text.format(film)}\nstudy: {{modes: {{}}, units: US}}\n"
-    )
+    film = "{film: {at: a, clearance: 30 mm, viscosity: 0.1, radius: 12.7 m, length: 1 m}}"
+    case = whirl.Case(text=f"whirl: 1\n{text.format(film)}\nstudy: {{modes: {{}}, units: US}}\n")
     (told,) = [words for words in case.warnings if "bearings have up to" in words]
     assert told.endswith("radius: is 500000 mil, and bearings have up to 393700 mil")
 
@@ -657,11 +575,7 @@ def test_copies_are_read_only(good, good_file):
             with pytest.raises(TypeError, match=f"is a copy.*{words}"):
                 change(copy)
         assert dict(copy) == before == copy.copy() and type(copy.copy()) is dict
-    assert (
-        json.loads(json.dumps(good.facts))
-        == good.facts
-        == pickle.loads(pickle.dumps(good.facts))
-    )
+    assert json.loads(json.dumps(good.facts)) == good.facts == pickle.loads(pickle.dumps(good.facts))
 
 
 def test_files_that_are_there_are_kept(good, good_file, tmp_path):
@@ -673,14 +587,9 @@ def test_files_that_are_there_are_kept(good, good_file, tmp_path):
             lambda path, **more: result.explorer(path, template=page, **more),
         ):
             mine.write_text("mine")
-            with pytest.raises(
-                FileExistsError, match="is there already and is kept: overwrite=True"
-            ) as caught:
+            with pytest.raises(FileExistsError, match="is there already and is kept: overwrite=True") as caught:
                 write(mine)
-            assert (
-                isinstance(caught.value, whirl.FileFailure)
-                and mine.read_text() == "mine"
-            )
+            assert isinstance(caught.value, whirl.FileFailure) and mine.read_text() == "mine"
             write(mine, overwrite=True)
             assert mine.read_bytes()[:4] != b"mine"
     for name in ("a.csv", "a.TXT", "fan.json", "fan.yaml", "a.mat"):
@@ -718,14 +627,9 @@ def test_missing_files_are_missing_files(tmp_path):
         whirl.bearing,
     )
     for read in reads:
-        with pytest.raises(
-            FileNotFoundError, match="^cannot read .*no.h5'?: No such file"
-        ) as caught:
+        with pytest.raises(FileNotFoundError, match="^cannot read .*no.h5'?: No such file") as caught:
             read(missing)
-        assert (
-            isinstance(caught.value, whirl.BadInput)
-            and caught.value.errno == errno.ENOENT
-        )
+        assert isinstance(caught.value, whirl.BadInput) and caught.value.errno == errno.ENOENT
 
 
 def test_a_wrong_kind_of_thing_is_one_sentence(good, good_file):

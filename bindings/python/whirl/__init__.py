@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from .errors import BadInput, Error, ExistingFile, FileFailure, MissingFile, MissingProgram, NumericalFailure
     from .errors import OutOfMemory, ReadOnlyCopy, Stopped
     from .findings import Column, Sheet, Statement, Statements
+    from .fitting import Estimate, Fit, fit
     from .result import Parameter, Result, Station, open, read
     from .running import run
     from .table import Field, Table
@@ -40,6 +41,9 @@ _HOMES = {
     "open": "result",
     "read": "result",
     "run": "running",
+    "fit": "fitting",
+    "Fit": "fitting",
+    "Estimate": "fitting",
     "Balance": "balancing",
     "balance": "balancing",
     "readings": "balancing",

@@ -83,9 +83,7 @@ class _About:
 
     @cached_property
     def parameters(self) -> dict[str, Parameter]:
-        named = {
-            name: Parameter(name, *rest) for name, *rest in self._source.parameters()
-        }
+        named = {name: Parameter(name, *rest) for name, *rest in self._source.parameters()}
         return ReadOnly(named, "case.set(name, value) sets a parameter of a case")
 
     @cached_property
@@ -116,9 +114,7 @@ class _About:
         from ._library import check, ffi, lib, word_bytes
 
         if not parameter:
-            raise errors.BadInput(
-                "nothing varies in the table: its points are told by their index"
-            )
+            raise errors.BadInput("nothing varies in the table: its points are told by their index")
         index, values = ffi.new("size_t *"), np.ascontiguousarray(values, dtype=float)
         check(
             lib.whirl_nearest_value(
@@ -224,9 +220,7 @@ class Result:
                 count = (force > 0).sum()
                 if count:
                     most = np.nanmax(force)
-                    told.append(
-                        f"{name}: {contact} with {most:.4g} N ({count} of {len(force)} points)"
-                    )
+                    told.append(f"{name}: {contact} with {most:.4g} N ({count} of {len(force)} points)")
         return told
 
     @property
@@ -238,9 +232,7 @@ class Result:
         for name, share in self._rows_of(FIELD.RANGES_REST):
             missing = ~(share >= 1)
             if missing.any():
-                told.append(
-                    f"{name}: no place of rest was found ({missing.sum()} of {share.size} points)"
-                )
+                told.append(f"{name}: no place of rest was found ({missing.sum()} of {share.size} points)")
         return told
 
     @property
@@ -253,9 +245,7 @@ class Result:
         for name, apart in self._rows_of(FIELD.RANGES_ELSEWHERE):
             found = np.isfinite(apart).any(axis=tuple(range(1, apart.ndim)))
             if found.any():
-                told.append(
-                    f"{name}: there is another place of rest ({found.sum()} of {found.size} points)"
-                )
+                told.append(f"{name}: there is another place of rest ({found.sum()} of {found.size} points)")
         return told
 
     @property
@@ -281,10 +271,7 @@ class Result:
     @cached_property
     def tables(self) -> dict[str, Table]:
         """Tables by name, such as "sweep", "map", "branch"."""
-        tables = {
-            name: Table(self._about, table)
-            for name, table in self._source.tables().items()
-        }
+        tables = {name: Table(self._about, table) for name, table in self._source.tables().items()}
         return ReadOnly(tables, "tables are those of the result")
 
     @property
@@ -311,16 +298,12 @@ class Result:
             This one: ``result.show_in("mil, rpm").plot.bode()``.
         """
         if not isinstance(units, str):
-            raise errors.BadInput(
-                f"the units are {units!r}, expected words such as 'um, rpm, p-p'"
-            )
+            raise errors.BadInput(f"the units are {units!r}, expected words such as 'um, rpm, p-p'")
         for source in (self._source, self._whole):
             if source:
                 source.show_in(units)
         self._units = units
-        self._about.__dict__.pop(
-            "facts", None
-        )  # facts contain the units of a result in memory
+        self._about.__dict__.pop("facts", None)  # facts contain the units of a result in memory
         return self
 
     def parameter_unit(self, name: str) -> str:
@@ -330,9 +313,7 @@ class Result:
     def __getitem__(self, name: str) -> Table:
         if name in self.tables:
             return self.tables[name]
-        raise KeyError(
-            f"the result has no table '{name}', expected one of: {', '.join(self.tables)}"
-        )
+        raise KeyError(f"the result has no table '{name}', expected one of: {', '.join(self.tables)}")
 
     def __contains__(self, name: object) -> bool:
         return name in self.tables
@@ -453,9 +434,7 @@ class Result:
 
         return sheet_of(self._figured(), name, units)
 
-    def sheet_text(
-        self, name: str | None = None, format: str = "text", units: str | None = None
-    ) -> str:
+    def sheet_text(self, name: str | None = None, format: str = "text", units: str | None = None) -> str:
         """A sheet as ``whirl table`` writes it: "text", "csv", "latex" (a table with rules of booktabs) or "json". All
         statements and sheets without a name, as "text" or "json"."""
         from .findings import text_of
@@ -492,9 +471,7 @@ class Result:
         self._source.write(path)
 
     def __reduce__(self):
-        raise TypeError(
-            "a result cannot be pickled: save() writes it to a file, and whirl.open() reads that"
-        )
+        raise TypeError("a result cannot be pickled: save() writes it to a file, and whirl.open() reads that")
 
     def close(self) -> None:
         """Closes the file of an opened result; afterwards nothing can be read."""
@@ -533,9 +510,7 @@ class Result:
             raise errors.BadInput(
                 "the explorer's template was not found: 'make explorer' builds it, WHIRL_EXPLORER may say where it is"
             )
-        handle, name = self._source.library_result(), ffi.new(
-            "char[]", Path(self.case_name or "result").stem.encode()
-        )
+        handle, name = self._source.library_result(), ffi.new("char[]", Path(self.case_name or "result").stem.encode())
         with tempfile.TemporaryDirectory() as folder:
             check(
                 lib.whirl_explorer_write(
@@ -578,19 +553,13 @@ class Result:
         for table in self.tables.values():
             over = f" over {table.parameter}" if table.parameter else ""
             size = " x ".join(map(str, table.shape))
-            lines.append(
-                f"{table.name}: {size} point{'' if size == '1' else 's'}{over}"
-            )
+            lines.append(f"{table.name}: {size} point{'' if size == '1' else 's'}{over}")
             lines += [f"  {own}" for own in statements if own.table == table.name]
         lines += [str(own) for own in statements if own.table not in self.tables]
-        return "\n".join(
-            lines + (["partial: not all points are there"] if self.partial else [])
-        )
+        return "\n".join(lines + (["partial: not all points are there"] if self.partial else []))
 
     def __repr__(self) -> str:
-        tables = ", ".join(
-            f"{t.name} ({' x '.join(map(str, t.shape))})" for t in self.tables.values()
-        )
+        tables = ", ".join(f"{t.name} ({' x '.join(map(str, t.shape))})" for t in self.tables.values())
         count = len(self.warnings)
         told = f", {count} warning{'s' if count > 1 else ''}" if count else ""
         return f"<whirl.Result {self.title!r}: {tables}{', partial' if self.partial else ''}{told}>"

@@ -11,6 +11,7 @@
 
 #include "whirl/engine/branch.h"
 #include "whirl/engine/fields.h"
+#include "whirl/engine/fit.h"
 #include "whirl/engine/integrate.h"
 #include "whirl/engine/linear.h"
 #include "whirl/engine/record.h"
@@ -88,7 +89,7 @@ typedef struct whirl_kind {
 
 // clang-format off
 /// Studies of machines at rest: name, meaning, source, and `STILL` if also for machines at speed 0, `RUNNING` if the
-/// speed changes, else `TURNING`. Each is both an analysis and a part of a study of that name.
+/// speed changes, `FITTED` if motions are fitted to measured ones, else `TURNING`. Each is both an analysis and a part of a study of that name.
 #define WHIRL_STUDIES_AT_REST(study)                                                                                   \
     study(modes, "frequencies, damping, whirl and shapes of small motions about the position of rest",                 \
           "Friswell, Penny, Garvey, Lees 2010; Floquet 1883 where coefficients turn with the shaft", STILL)            \
@@ -103,7 +104,9 @@ typedef struct whirl_kind {
     study(torsion, "steady response of stations that twist to torques at orders of the speed and fixed frequencies",   \
           "Holzer 1921; Nestorides 1958; API RP 684", TURNING)                                                         \
     study(runup, "run up or down: the motion over time while the speed changes, by a rate or by a drive",              \
-          "Lewis 1932; Sommerfeld 1902; Kononenko 1969", RUNNING)
+          "Lewis 1932; Sommerfeld 1902; Kononenko 1969", RUNNING)                                                      \
+    study(fit, "parameters at which motions are the measured ones, with their errors",                                 \
+          "Levenberg 1944; Marquardt 1963; More 1978", FITTED)
 // clang-format on
 
 /// Description of an analysis.
@@ -267,6 +270,8 @@ typedef struct whirl_resting {
     const double *rest;             ///< [dimension] equilibrium found from the start; may be NULL without `elsewhere`
     const double *elsewhere;        ///< [dimension] another equilibrium, found from a neighbouring value's; NULL: none
     double elsewhere_growth;        ///< largest real part of all eigenvalues there, per unit of the system's time
+    const whirl_fit *fit;           ///< of fits: what was fitted, with
+    const whirl_fit_solution *solution; ///< its result; the system and all else are NULL
 } whirl_resting;
 
 /// Computes kxx, kxy, ... of the bearings at a speed (rad/s) about the machine's equilibrium, coefficients

@@ -308,6 +308,12 @@
 #define WHIRL_FIELD_RUNUP_CONTACT_FORCE "runup/contact_force"
 #define WHIRL_FIELD_RUNUP_CONTACT_GAP "runup/contact_gap"
 
+#define WHIRL_FIELD_FIT_OUTCOME "fit/outcome"
+#define WHIRL_FIELD_FIT_UNKNOWN "fit/unknown"
+#define WHIRL_FIELD_FIT_CORRELATION "fit/correlation"
+#define WHIRL_FIELD_FIT_MOTION "fit/motion"
+#define WHIRL_FIELD_FIT_NUMBER "fit/number"
+
 #define WHIRL_FIELD_MAP_SECOND "map/second"
 #define WHIRL_FIELD_MAP_THIRD "map/third"
 #define WHIRL_FIELD_MAP_WIDTH "map/width"

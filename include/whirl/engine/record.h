@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "whirl/engine/fit.h"
 #include "whirl/engine/integrate.h"
 #include "whirl/engine/orbit.h"
 #include "whirl/engine/system.h"
@@ -145,6 +146,7 @@ typedef struct whirl_record_options {
     whirl_growth growth;       ///< costs one trajectory while watched, or as many as there are coordinates
     whirl_trace_options trace; ///< for branches only
     whirl_runup_options runup; ///< options of run-ups
+    whirl_fit_options fit;     ///< options of fits
 } whirl_record_options;
 
 /// Returns the members of the options for cases (parts "integrate" and "keep", and "detail" for options that a detail

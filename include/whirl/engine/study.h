@@ -34,7 +34,7 @@ typedef struct whirl_given {
 } whirl_given;
 
 /// Most parameters that all points of a batch have at other values than the case.
-enum { WHIRL_MAX_GIVEN = 8 };
+enum { WHIRL_MAX_GIVEN = 16 };
 
 /// A batch: points with the same options.
 ///
@@ -93,6 +93,7 @@ typedef struct whirl_batch {
     whirl_integrate_options integrate; ///< method of the motions
     whirl_record_options record;       ///< contents of the records
     whirl_analysis_set analyses;       ///< analyses of the points
+    const whirl_fit *fit;              ///< of a fit: what is fitted to what; borrowed; else NULL
     const whirl_room *room;            ///< NULL, or memory of large `values`; borrowed
 } whirl_batch;
 

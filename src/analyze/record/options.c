@@ -143,6 +143,44 @@ const whirl_member *whirl_trace_members(void) {
     return traced;
 }
 
+#define FIT(TYPE, field, key, unit, kind, fallback, range, choices, meaning)                                           \
+    MEMBER(whirl_fit_options, TYPE, "fit_" #field, field, "fit", false, key, "", unit, kind, false, fallback, range,   \
+           choices, meaning, "")
+#define FIT_COUNT(field, most, meaning)                                                                                \
+    MEMBER(whirl_fit_options, WHOLE, "fit_" #field, field, "", false, #field, "", "1", WHIRL_KEY_WHOLE, false, "0",    \
+           WHIRL_FROM_TO(0, most), NULL, meaning, "")
+
+const whirl_member *whirl_fit_members(void) {
+    static const whirl_member fits[] = {
+        FIT(WHOLE, revolutions, "revolutions", "1", WHIRL_KEY_WHOLE, "1", WHIRL_FROM_TO(1, WHIRL_MAX_ORBIT), NULL,
+            "of the period of the motions: 1 synchronous, 2 after a doubling"),
+        FIT(WHOLE, transient, "transient", "1", WHIRL_KEY_WHOLE, "200", WHIRL_FROM_TO(0, WHIRL_MAX_TRANSIENT), NULL,
+            "revolutions by which a motion comes near its orbit at the first values"),
+        FIT(WORD, loss, "loss", "", WHIRL_KEY_CHOICE, "squares", WHIRL_ANY, "squares|huber",
+            "squares of residuals, or huber: squares up to some standard deviations, then straight: against outliers; "
+            "needs noise"),
+        FIT(NUMBER, huber, "huber", "1", WHIRL_KEY_NUMBER, "2", WHIRL_POSITIVE, NULL,
+            "these standard deviations, for loss: huber"),
+        FIT(WHOLE, most_steps, "steps", "1", WHIRL_KEY_WHOLE, "100", WHIRL_FROM_TO(1, 100000), NULL,
+            "most evaluations of all motions"),
+        FIT(NUMBER, tolerance, "tolerance", "1", WHIRL_KEY_NUMBER, "1e-8", WHIRL_ABOVE_TO(1e-13, 0.1), NULL,
+            "largest change of unknowns in the last step, as part of them"),
+        FIT(NUMBER, rtol, "rtol", "1", WHIRL_KEY_NUMBER, "1e-11", WHIRL_ABOVE_TO(1e-14, 1e-6), NULL,
+            "relative tolerance of the orbits' integration"),
+        FIT(WORD, method, "method", "", WHIRL_KEY_CHOICE, "dop853", WHIRL_ANY, "dop853|rodas5p",
+            "of the integration; rodas5p for stiff machines"),
+        FIT_COUNT(unknowns, WHIRL_MAX_UNKNOWNS, "number of unknown parameters"),
+        FIT_COUNT(motions, WHIRL_MAX_FIT_MOTIONS, "number of motions"),
+        FIT_COUNT(numbers, WHIRL_MAX_FIT_NUMBERS, "number of measured numbers"),
+        MEMBER(whirl_fit_options, NUMBER, "fit_noise", noise, "", false, "given_noise", "", "1", WHIRL_KEY_NUMBER,
+               false, "0", WHIRL_NOT_NEGATIVE, NULL, "1: the noise of the measured numbers is given", ""),
+        MEMBER(whirl_fit_options, NUMBER, "fit_data", data, "", false, "checksum", "", "1", WHIRL_KEY_NUMBER, false,
+               "0", WHIRL_ANY, NULL, "checksum of the measured numbers", ""),
+        {.part = NULL},
+    };
+    return fits;
+}
+
 #define RUNUP(TYPE, field, unit, kind, fallback, range, choices, meaning)                                              \
     MEMBER(whirl_runup_options, TYPE, "runup_" #field, field, "runup", false, #field, "", unit, kind, false, fallback, \
            range, choices, meaning, "")
@@ -324,6 +362,7 @@ whirl_record_options whirl_record_default(void) {
     whirl_members_default(members, &options);
     whirl_members_default(whirl_trace_members(), &options.trace);
     whirl_members_default(whirl_runup_members(), &options.runup);
+    whirl_members_default(whirl_fit_members(), &options.fit);
     options.settle = false;
     return options;
 }

@@ -13,7 +13,7 @@ static const figure_kind *const kinds[] = {
     &unbalance_figure,   &critical_speeds_figure, &stability_figure,    &screening_figure,
     &centreline_figure,  &orbits_figure,          &transient_figure,    &runup_figure,
     &runup_polar_figure, &runup_spectra_figure,   &runup_motion_figure, &twists_figure,
-    &point_figure,       &field_figure,
+    &fit_figure,         &point_figure,           &field_figure,
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 

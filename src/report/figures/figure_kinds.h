@@ -90,8 +90,8 @@ bool table_is_sweep(const drawing *of, const whirl_table *table);
 extern const figure_kind rotor_figure, bifurcation_figure, waterfall_figure, map_figure, branch_figure, curves_figure,
     torus_figure, campbell_figure, decrement_figure, shapes_figure, deflected_figure, sag_figure, unbalance_figure,
     critical_speeds_figure, stability_figure, screening_figure, centreline_figure, orbits_figure, transient_figure,
-    runup_figure, runup_polar_figure, runup_spectra_figure, runup_motion_figure, twists_figure, point_figure,
-    field_figure;
+    runup_figure, runup_polar_figure, runup_spectra_figure, runup_motion_figure, twists_figure, fit_figure,
+    point_figure, field_figure;
 
 /// Colours of amplitudes in waterfalls and spectrograms: viridis from its bright end, so that on white the largest are
 /// the darkest.

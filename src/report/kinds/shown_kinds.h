@@ -33,7 +33,13 @@ void find_lines(const finder *of);
 int shown_modes_growing(const whirl_table *table, size_t point);
 
 extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance, shown_critical_speeds,
-    shown_stability, shown_statics, shown_runup, shown_twists;
+    shown_stability, shown_statics, shown_runup, shown_twists, shown_fit;
+
+/// Returns the point of a table of fits with the least sum of squares; the number of points if there is none.
+size_t fit_best(const whirl_table *table);
+
+/// Writes the name of a measured quantity by its row of the field fit/number: "disc x", "disc 45 deg 2X".
+void fit_name_probe(const whirl_result *result, const double *row, char *name, size_t size);
 
 /// Finds torsional modes in a table of modes: their excitations, separations and shapes.
 void find_torsion(const finder *of);

@@ -21,7 +21,7 @@ typedef struct study_kind {
 /// Returns the kind of a batch's points.
 const study_kind *study_kind_of(const whirl_batch *batch);
 
-extern const study_kind rest_kind, branch_kind, torus_kind;
+extern const study_kind rest_kind, branch_kind, torus_kind, fit_kind;
 
 // ---------------------------------------------------------------- critical
 // Events between two neighbouring points of a study of machines at rest.

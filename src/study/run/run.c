@@ -52,6 +52,7 @@ static whirl_status check_study(const whirl_study *study) {
         if (batch->neighbours > 0 && (batch->starts <= 1 || batch->count <= 1))
             return whirl_fail(WHIRL_BAD_INPUT,
                               "batch '%s' has starts from neighbours, expected several points and starts", batch->name);
+        if (batch->fit && batch->fit->trouble) return whirl_fail(WHIRL_BAD_INPUT, "%s", batch->fit->trouble);
         const whirl_status refined = check_refined_map(batch);
         if (refined.code != WHIRL_OK) return refined;
     }

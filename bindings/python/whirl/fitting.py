@@ -1,0 +1,182 @@
+"""Fits: parameters of a machine from measured orbits and Bode plots (the study ``fit``).
+
+>>> found = whirl.fit("fan.yaml", "bode.csv", {"k": (0.6e6, 2e6), "e": (0, 100e-6)}, noise="2 um")
+>>> found["k"].value, found["k"].low, found["k"].high
+
+libwhirl computes; numbers are those of ``whirl run`` with ``study: {fit: ...}``, bit for bit.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import tempfile
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .case import Case, _block
+from .errors import BadInput
+from .fields import FIELD
+from .running import run
+
+if TYPE_CHECKING:
+    import pandas
+
+    from .result import Result
+
+__all__ = ["Estimate", "Fit", "fit"]
+
+_KNOWN = ("determined", "at a bound", "weak", "unknown")
+_ENDS = ("found", "steps", "stuck", "no motion")
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A fitted parameter, in SI."""
+
+    name: str  #: name of the parameter
+    start: float  #: value at which the search began
+    value: float  #: value found
+    error: float  #: standard error; NaN if it is not determined
+    low: float  #: lower end of the 95 % interval; NaN likewise
+    high: float  #: its upper end
+    known: str  #: "determined", "at a bound", "weak" (an interval as wide as bounds or value), "unknown"
+
+
+class Fit(Mapping):
+    """What a fit found: a mapping from names of parameters to :class:`Estimate`, of the start with the least sum."""
+
+    def __init__(self, result: Result) -> None:
+        self.result = result  #: the whole :class:`Result`
+        table = next(table for table in result.tables.values() if FIELD.FIT_UNKNOWN in table)
+        outcomes = table[FIELD.FIT_OUTCOME].reshape(len(table), -1)
+        sums = np.where(np.isnan(outcomes[:, 3]), np.inf, outcomes[:, 3])
+        best = int(np.argmin(sums))
+        outcome = outcomes[best]
+        names = list(result.parameters)
+        self.end = _ENDS[int(outcome[0])]  #: "found", "steps" (too few), "stuck", "no motion" (at the start)
+        self.steps = int(outcome[2])  #: evaluations of all motions
+        self.sum = float(outcome[3])  #: sum of squares of residuals over noise (m2 without noise)
+        self.deviation = float(outcome[4])  #: standard deviation of residuals over noise (m without noise)
+        self.starts = outcomes  #: one row a start, columns of the field ``fit/outcome``
+        self._estimates = {}
+        for index, start, value, error, half, _low, _high, known in table[FIELD.FIT_UNKNOWN][best]:
+            label = _KNOWN[int(known)] if np.isfinite(known) else "unknown"
+            name = names[int(index)]
+            self._estimates[name] = Estimate(name, start, value, error, value - half, value + half, label)
+        count = len(self._estimates)
+        #: [parameters, parameters] coefficients of correlation of the errors
+        self.correlations = table[FIELD.FIT_CORRELATION][best].reshape(count, -1)[:, :count]
+        #: one row a measured number, columns of the field ``fit/number``
+        self.numbers = table[FIELD.FIT_NUMBER][best]
+
+    def __getitem__(self, name: str) -> Estimate:
+        return self._estimates[name]
+
+    def __iter__(self):
+        return iter(self._estimates)
+
+    def __len__(self) -> int:
+        return len(self._estimates)
+
+    def frame(self) -> pandas.DataFrame:
+        """The estimates as a pandas DataFrame, one row a parameter."""
+        import pandas
+
+        return pandas.DataFrame([vars(own) for own in self._estimates.values()]).set_index("name")
+
+    def __repr__(self) -> str:
+        lines = [f"<whirl.Fit {self.end} after {self.steps} steps>"]
+        for own in self._estimates.values():
+            lines.append(f"  {own.name}: {own.value:.6g}, 95 % {own.low:.6g} to {own.high:.6g} ({own.known})")
+        return "\n".join(lines)
+
+
+def _table_of(data: Any, folder: str, number: int) -> str:
+    """The path of a table: of a file, or of a DataFrame or dict of columns that is written."""
+    if isinstance(data, (str, os.PathLike)):
+        path = Path(data)
+        if not path.is_file():
+            raise BadInput(f"there is no table {str(data)!r} of measured numbers")
+        return str(path.resolve())
+    columns = {str(name): np.asarray(data[name], float) for name in data}
+    lengths = {len(column) for column in columns.values()}
+    if len(lengths) != 1:
+        raise BadInput(f"the columns of measured numbers have {sorted(lengths)} rows, expected as many in all")
+    path = Path(folder) / f"measured-{number}.csv"
+    rows = np.column_stack(list(columns.values()))
+    np.savetxt(path, rows, "%.17g", ",", header=",".join(columns), comments="")
+    return str(path)
+
+
+def _where(bounds: Any) -> dict[str, Any]:
+    """``{start, from, to}`` of what stands for an unknown: None, (from, to), (start, from, to), or a dict."""
+    if bounds is None:
+        return {}
+    if isinstance(bounds, Mapping):
+        return dict(bounds)
+    if isinstance(bounds, Sequence) and not isinstance(bounds, str) and len(bounds) in (2, 3):
+        return dict(zip(("start", "from", "to")[3 - len(bounds) :], bounds))
+    raise BadInput(f"an unknown is looked for in {bounds!r}, expected (from, to), (start, from, to) or a dict")
+
+
+def fit(
+    case: Case | str | os.PathLike | dict,
+    data: Any,
+    unknown: Mapping[str, Any] | Sequence[str],
+    *,
+    at: Mapping[str, Any] | Sequence[Mapping[str, Any]] | None = None,
+    noise: str | float | None = None,
+    threads: int = 0,
+    **options: Any,
+) -> Fit:
+    """Fits parameters of a machine to measured motions.
+
+    Parameters
+    ----------
+    case : Case, file or dict
+        The machine; its study is replaced.
+    data : file, DataFrame, dict of columns, or a list of them
+        Measured numbers. Headings say what a column is: "angle [deg]" with "disc x [um]" for an orbit, "speed [rpm]"
+        with "disc x [um]" and "disc x lag [deg]" for orders (guide, chapter 18).
+    unknown : dict or list of names
+        Parameters that are looked for: None, (from, to), (start, from, to), or {"start": ..., "from": ..., "to": ...};
+        texts have units, numbers are in SI.
+    at : dict, or a list of one for each table, optional
+        Parameters with the values that they had in the measurement.
+    noise : text or float, optional
+        Standard deviation of the measured numbers: "2 um", or m.
+    threads : int
+        0: all.
+    **options
+        Other keys of ``study: {fit: ...}``: starts, revolutions, transient, loss, huber, steps, tolerance, rtol, method.
+
+    Raises
+    ------
+    BadInput
+        If a table, a name or a unit is wrong, with its place.
+    """
+    case = case if isinstance(case, Case) else Case(case)
+    tables = list(data) if isinstance(data, (list, tuple)) else [data]
+    places = list(at) if isinstance(at, (list, tuple)) else [at] * len(tables)
+    if len(places) != len(tables):
+        raise BadInput(f"`at` has {len(places)} places for {len(tables)} tables, expected one for each")
+    names = unknown if isinstance(unknown, Mapping) else dict.fromkeys(unknown)
+    # The study of the case makes room for the fit.
+    machine = re.sub(r"(?m)^study:.*\n(?:(?:[ \t#].*)?\n|[ \t#].*\Z)*", "", case.text.rstrip("\n") + "\n")
+    with tempfile.TemporaryDirectory(prefix="whirl-fit-") as folder:
+        items = []
+        for number, (table, place) in enumerate(zip(tables, places), 1):
+            item = {"file": _table_of(table, folder, number)}
+            if place:
+                item["at"] = dict(place)
+            if noise is not None:
+                item["noise"] = noise if isinstance(noise, str) else f"{float(noise)!r} m"
+            items.append(item)
+        study = {"unknown": {name: _where(bounds) for name, bounds in names.items()}, "data": items, **options}
+        text = machine + _block({"study": {"fit": study}}) + "\n"
+        return Fit(run(Case(text=text, name=case.name), threads=threads))

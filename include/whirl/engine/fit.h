@@ -1,0 +1,132 @@
+/// Fits: values of parameters of a machine at which its motions are the measured ones (study `fit`).
+///
+/// Each measured motion is a periodic orbit of the machine at parameters of its own. Its displacements, and the orders
+/// of them, are compared with the measured numbers. The sum of squares of their differences over their noise is made
+/// small by Levenberg and Marquardt's method with the exact derivatives of the orbits (whirl/engine/sensitivity.h).
+#ifndef WHIRL_FIT_H
+#define WHIRL_FIT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "whirl/engine/descriptor.h"
+#include "whirl/engine/system.h"
+#include "whirl/status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// Limits of fits.
+enum {
+    WHIRL_MAX_UNKNOWNS = 8,        ///< parameters that are looked for
+    WHIRL_MAX_FIT_SETS = 32,       ///< files of measured numbers
+    WHIRL_MAX_FIT_MOTIONS = 1024,  ///< motions of a fit
+    WHIRL_MAX_FIT_NUMBERS = 100000 ///< measured numbers
+};
+
+/// Options of a fit.
+typedef struct whirl_fit_options {
+    int revolutions;              ///< of the orbits
+    int transient;                ///< revolutions after which a motion is near its orbit
+    char loss[WHIRL_NAME_SIZE];   ///< "squares", or "huber": squares up to huber standard deviations, then linear
+    double huber;                 ///< these
+    int most_steps;               ///< most evaluations of all motions
+    double tolerance;             ///< largest change of parameters in the last step, as part of them
+    double rtol;                  ///< relative tolerance of the orbits' integration
+    char method[WHIRL_NAME_SIZE]; ///< dop853 or rodas5p
+    int unknowns;                 ///< number of unknown parameters
+    int motions;                  ///< number of motions
+    int numbers;                  ///< number of measured numbers
+    double noise;                 ///< 1 if their noise is given, else 0
+    double data;                  ///< checksum of them
+} whirl_fit_options;
+
+/// Returns the members of these options for cases (part "fit") and results; static, ended by a member without a part.
+const whirl_member *whirl_fit_members(void);
+
+/// A measured quantity of a motion x(theta), theta the angle of the shaft.
+typedef enum whirl_fit_quantity {
+    WHIRL_FIT_SAMPLE,   ///< displacement at an instant
+    WHIRL_FIT_COS,      ///< a of a cos(n theta) + b sin(n theta), the part of order n
+    WHIRL_FIT_SIN,      ///< b of it
+    WHIRL_FIT_AMPLITUDE ///< sqrt(a^2 + b^2)
+} whirl_fit_quantity;
+
+/// A measured number.
+typedef struct whirl_fit_number {
+    size_t set;                  ///< file that it is from, from 0
+    size_t motion;               ///< index of its motion
+    size_t station;              ///< index of its probe
+    double angle;                ///< rad, direction of the probe from the x axis towards y
+    whirl_fit_quantity quantity; ///< what was measured
+    double at;                   ///< revolutions since the motion's beginning, or the order
+    double value;                ///< m
+    double noise;                ///< m, standard deviation; 1 if it is not given
+} whirl_fit_number;
+
+/// A motion.
+typedef struct whirl_fit_motion {
+    size_t given_count;              ///< number of parameters with values of their own
+    const struct whirl_given *given; ///< [given_count] these; borrowed
+    double speed;                    ///< rad/s; 0: the machine's own
+    size_t instants;                 ///< of a revolution at which displacements are needed
+} whirl_fit_motion;
+
+/// An unknown parameter.
+typedef struct whirl_fit_unknown {
+    const char *name;        ///< borrowed
+    size_t index;            ///< index among the parameters of the case
+    double start, low, high; ///< SI; infinite bounds: none
+} whirl_fit_unknown;
+
+/// What is fitted to what.
+typedef struct whirl_fit {
+    size_t unknown_count, motion_count, number_count; ///< lengths of the lists
+    const whirl_fit_unknown *unknowns;                ///< [unknown_count] borrowed
+    const whirl_fit_motion *motions;                  ///< [motion_count] borrowed
+    const whirl_fit_number *numbers;                  ///< [number_count] borrowed
+    const char *trouble;                              ///< NULL, or why the measured numbers could not be read; borrowed
+} whirl_fit;
+
+/// How a fit ended.
+typedef enum whirl_fit_end {
+    WHIRL_FIT_FOUND,    ///< at a minimum of the sum of squares
+    WHIRL_FIT_STEPS,    ///< after most_steps
+    WHIRL_FIT_STUCK,    ///< no shorter step made the sum smaller
+    WHIRL_FIT_NO_MOTION ///< at the start a motion did not settle on an orbit of so many revolutions
+} whirl_fit_end;
+
+/// What is known of a fitted parameter.
+typedef enum whirl_fit_known {
+    WHIRL_FIT_DETERMINED, ///< its interval is narrower than its bounds and its value
+    WHIRL_FIT_AT_BOUND,   ///< it is at one of its bounds
+    WHIRL_FIT_WEAK,       ///< its 95 % interval is as wide as its bounds, or wider than twice its value
+    WHIRL_FIT_UNKNOWN     ///< the measured numbers do not depend on it, or on a combination that it belongs to
+} whirl_fit_known;
+
+/// Result of a fit from one start.
+typedef struct whirl_fit_solution {
+    whirl_fit_end end;                ///< how it ended
+    size_t lost;                      ///< NO_MOTION: index of that motion
+    int steps;                        ///< evaluations of all motions
+    double sum;                       ///< sum of squares of residuals over noise
+    double deviation;                 ///< standard deviation of residuals over noise; of residuals, m, without noise
+    size_t degrees;                   ///< degrees of freedom: numbers less unknowns that are not held at a bound
+    size_t rank;                      ///< combinations of parameters that the numbers depend on
+    double condition;                 ///< of the derivatives with columns of length 1
+    double start[WHIRL_MAX_UNKNOWNS]; ///< SI
+    double value[WHIRL_MAX_UNKNOWNS]; ///< SI
+    double error[WHIRL_MAX_UNKNOWNS]; ///< standard errors, SI; NaN if unknown
+    double half[WHIRL_MAX_UNKNOWNS];  ///< half-widths of 95 % intervals, SI; NaN if unknown
+    whirl_fit_known known[WHIRL_MAX_UNKNOWNS];                  ///< what is known of them
+    double correlation[WHIRL_MAX_UNKNOWNS][WHIRL_MAX_UNKNOWNS]; ///< of the unknowns
+    double *model;                                              ///< [number_count] m, what the machine does there
+    double *largest; ///< [motion_count] largest modulus of the orbit's multipliers: stable below 1
+    double *speeds;  ///< [motion_count] rad/s
+} whirl_fit_solution;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

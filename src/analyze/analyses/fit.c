@@ -1,0 +1,90 @@
+// Fits: the parameters that were found, what is known of them, and every measured number beside what the machine does.
+#include <math.h>
+
+#include "analysis.h"
+
+enum { OUTCOME, UNKNOWN, CORRELATION, MOTION, NUMBER, FIELD_COUNT };
+
+static size_t fit_unknowns(const block_shape *shape) {
+    return (size_t)shape->options->fit.unknowns;
+}
+
+static size_t fit_motions(const block_shape *shape) {
+    return (size_t)shape->options->fit.motions;
+}
+
+static size_t fit_numbers(const block_shape *shape) {
+    return (size_t)shape->options->fit.numbers;
+}
+
+static const field_plan fields[FIELD_COUNT] = {
+    [OUTCOME] = {WHIRL_FIELD_FIT_OUTCOME, "1",
+                 "end, lost, steps, sum, deviation, degrees, rank, condition (end: 0 at a minimum, 1 after the most "
+                 "steps, 2 no shorter step helps, 3 motion `lost` has no orbit at the start; sum of squares over "
+                 "noise, and their standard deviation: in m and m2 if no noise is given)",
+                 WHIRL_PER_POINT, 8, NULL},
+    [UNKNOWN] = {WHIRL_FIELD_FIT_UNKNOWN, "1",
+                 "parameter, start, found, error, half, lowest, highest, known (index of the parameter; SI; standard "
+                 "error; half the width of the 95 % interval; bounds; known: 0 determined, 1 at a bound, 2 weakly, 3 "
+                 "not at all)",
+                 WHIRL_PER_POINT, 8, fit_unknowns},
+    [CORRELATION] = {WHIRL_FIELD_FIT_CORRELATION, "1", "coefficients of correlation of the unknowns' errors",
+                     WHIRL_PER_POINT, WHIRL_MAX_UNKNOWNS, fit_unknowns},
+    [MOTION] = {WHIRL_FIELD_FIT_MOTION, "1",
+                "speed, multiplier (rad/s; largest modulus of the orbit's multipliers: stable below 1)",
+                WHIRL_PER_POINT, 2, fit_motions},
+    [NUMBER] =
+        {WHIRL_FIELD_FIT_NUMBER, "1",
+         "set, motion, station, angle, quantity, at, measured, model, noise (file and motion from 0; rad; 0 "
+         "displacement, 1 and 2 cosine and sine part of an order, 3 its amplitude; revolutions, or the order; m)",
+         WHIRL_PER_POINT, 9, fit_numbers},
+};
+
+static void fit_fill_unknown(const whirl_fit *fit, const whirl_fit_solution *s, size_t u, double *out) {
+    const whirl_fit_unknown *own = &fit->unknowns[u];
+    const bool found = s->end != WHIRL_FIT_NO_MOTION;
+    out[0] = (double)own->index;
+    out[1] = s->start[u];
+    out[2] = found ? s->value[u] : NAN;
+    out[3] = found ? s->error[u] : NAN;
+    out[4] = found ? s->half[u] : NAN;
+    out[5] = isfinite(own->low) ? own->low : NAN;
+    out[6] = isfinite(own->high) ? own->high : NAN;
+    out[7] = found ? (double)s->known[u] : NAN;
+}
+
+static whirl_status fit_compute(const whirl_resting *point, const whirl_record_options *options,
+                                const block_view *view) {
+    const whirl_fit *fit = point->fit;
+    const whirl_fit_solution *s = point->solution;
+    const bool found = s->end != WHIRL_FIT_NO_MOTION;
+    const double outcome[] = {(double)s->end,
+                              found ? NAN : (double)s->lost,
+                              (double)s->steps,
+                              found ? s->sum : NAN,
+                              found ? s->deviation : NAN,
+                              found ? (double)s->degrees : NAN,
+                              found ? (double)s->rank : NAN,
+                              found && isfinite(s->condition) ? s->condition : NAN};
+    memcpy(view_numbers(view, OUTCOME, 0), outcome, sizeof outcome);
+    for (size_t u = 0; u < fit->unknown_count; u++) {
+        fit_fill_unknown(fit, s, u, view_numbers(view, UNKNOWN, 0) + 8 * u);
+        for (size_t k = 0; k < fit->unknown_count && found; k++)
+            view_numbers(view, CORRELATION, 0)[WHIRL_MAX_UNKNOWNS * u + k] = s->correlation[u][k];
+    }
+    for (size_t i = 0; i < fit->motion_count; i++) {
+        double *out = view_numbers(view, MOTION, 0) + 2 * i;
+        out[0] = s->speeds[i];
+        out[1] = s->largest[i];
+    }
+    for (size_t i = 0; i < fit->number_count; i++) {
+        const whirl_fit_number *own = &fit->numbers[i];
+        const double row[] = {(double)own->set, (double)own->motion,       (double)own->station,
+                              own->angle,       (double)own->quantity,     own->at,
+                              own->value,       found ? s->model[i] : NAN, options->fit.noise > 0.0 ? own->noise : NAN};
+        memcpy(view_numbers(view, NUMBER, 0) + 9 * i, row, sizeof row);
+    }
+    return whirl_ok();
+}
+
+const analysis_plan fit_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_resting = fit_compute};

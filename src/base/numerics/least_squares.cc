@@ -1,0 +1,203 @@
+// Levenberg and Marquardt's method with bounds, and the covariance at its end; decompositions by Eigen.
+#include "eigen_plain.h"
+
+#include "least_squares.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <vector>
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+namespace {
+
+constexpr double least_damping = 1e-12, first_damping = 1e-3, most_damping = 1e12;
+
+/// The method between two evaluations.
+struct State {
+    const least_squares &problem;
+    Index n, m;
+    VectorXd p, r, longest; ///< longest: largest norms of the columns so far
+    RowMajor jacobian;
+    double sum = 0.0, damping = first_damping, growth = 2.0;
+
+    explicit State(const least_squares &of)
+        : problem(of), n(static_cast<Index>(of.unknowns)), m(static_cast<Index>(of.count)), p(n), r(m),
+          longest(VectorXd::Zero(n)), jacobian(m, n) {}
+
+    bool evaluate(const VectorXd &at, VectorXd &residuals, RowMajor &derivatives) const {
+        return problem.evaluate(problem.context, at.data(), residuals.data(), derivatives.data()) &&
+               residuals.allFinite() && derivatives.allFinite();
+    }
+
+    /// Returns true if the sum falls only beyond a bound at which p_i is.
+    bool held(Index i, const VectorXd &gradient) const {
+        return (p(i) <= problem.low[i] && gradient(i) > 0.0) || (p(i) >= problem.high[i] && gradient(i) < 0.0);
+    }
+
+    /// Returns the next p by the present damping.
+    VectorXd next() const {
+        const VectorXd gradient = jacobian.transpose() * r;
+        std::vector<Index> free;
+        for (Index i = 0; i < n; i++)
+            if (!held(i, gradient)) free.push_back(i);
+        const auto count = static_cast<Index>(free.size());
+        VectorXd out = p;
+        if (count == 0) return out;
+        MatrixXd a = MatrixXd::Zero(m + count, count);
+        VectorXd b = VectorXd::Zero(m + count);
+        b.head(m) = -r;
+        for (Index k = 0; k < count; k++) {
+            const Index i = free[static_cast<size_t>(k)];
+            a.col(k).head(m) = jacobian.col(i);
+            a(m + k, k) = std::sqrt(damping) * longest(i);
+        }
+        const VectorXd step = a.colPivHouseholderQr().solve(b);
+        for (Index k = 0; k < count; k++) {
+            const Index i = free[static_cast<size_t>(k)];
+            out(i) = std::min(std::max(p(i) + step(k), problem.low[i]), problem.high[i]);
+        }
+        return out;
+    }
+
+    /// Returns true if the step is too short to matter.
+    bool is_short(const VectorXd &step) const {
+        for (Index i = 0; i < n; i++)
+            if (std::abs(step(i)) > problem.tolerance * std::max(std::abs(p(i)), problem.scale[i] * problem.tolerance))
+                return false;
+        return true;
+    }
+
+    void go(const VectorXd &to, const VectorXd &residuals, const RowMajor &derivatives) {
+        p = to;
+        r = residuals;
+        jacobian = derivatives;
+        sum = r.squaredNorm();
+        for (Index i = 0; i < n; i++) {
+            longest(i) = std::max(longest(i), jacobian.col(i).norm());
+            if (!(longest(i) > 0.0)) longest(i) = 1.0 / problem.scale[i];
+        }
+        if (problem.accept != nullptr) problem.accept(problem.context);
+    }
+
+    void damp() {
+        damping = std::max(damping, least_damping) * growth;
+        growth *= 2.0;
+    }
+};
+
+least_squares_result solve(State &s) {
+    least_squares_result out = {LEAST_SQUARES_NOWHERE, 1, std::numeric_limits<double>::infinity()};
+    VectorXd residuals(s.m);
+    RowMajor derivatives(s.m, s.n);
+    if (!s.evaluate(s.p, residuals, derivatives)) return out;
+    s.go(s.p, residuals, derivatives);
+    for (out.end = LEAST_SQUARES_STEPS; out.steps < s.problem.most_steps;) {
+        const VectorXd to = s.next(), step = to - s.p;
+        const double promised = s.sum - (s.r + s.jacobian * step).squaredNorm();
+        if (s.is_short(step)) {
+            out.end = LEAST_SQUARES_FOUND;
+            break;
+        }
+        out.steps++;
+        const bool computed = s.evaluate(to, residuals, derivatives);
+        const double gain = computed ? s.sum - residuals.squaredNorm() : -1.0;
+        // Rounding of the sum hides smaller promises.
+        const bool rounds = computed && promised <= 1e-13 * s.sum && gain > -1e-12 * s.sum;
+        if (computed && (gain > 1e-4 * promised || rounds)) {
+            const double ratio = promised > 0.0 ? gain / promised : 1.0;
+            s.go(to, residuals, derivatives);
+            s.damping = std::max(s.damping * std::max(0.1, 1.0 - std::pow(2.0 * ratio - 1.0, 3)), least_damping);
+            s.growth = 2.0;
+            if (!rounds) continue;
+            out.end = LEAST_SQUARES_FOUND;
+            break;
+        }
+        s.damp();
+        if (s.damping < most_damping) continue;
+        out.end = LEAST_SQUARES_STUCK;
+        break;
+    }
+    out.sum = s.sum;
+    return out;
+}
+
+} // namespace
+
+least_squares_result least_squares_solve(const least_squares *problem, double *p, double *residuals,
+                                         double *derivatives) {
+    try {
+        State s(*problem);
+        for (Index i = 0; i < s.n; i++) s.p(i) = std::min(std::max(p[i], problem->low[i]), problem->high[i]);
+        const least_squares_result out = solve(s);
+        Eigen::Map<VectorXd>(p, s.n) = s.p;
+        if (out.end == LEAST_SQUARES_NOWHERE) return out;
+        Eigen::Map<VectorXd>(residuals, s.m) = s.r;
+        Eigen::Map<RowMajor>(derivatives, s.m, s.n) = s.jacobian;
+        return out;
+    } catch (const std::bad_alloc &) {
+        return {LEAST_SQUARES_MEMORY, 0, std::numeric_limits<double>::infinity()};
+    }
+}
+
+bool least_squares_describe(size_t unknowns, size_t count, const double *derivatives, double *errors,
+                            double *correlations, least_squares_facts *facts) {
+    // Singular values below this part of the largest are rounding of the derivatives; so is such a part of a vector.
+    constexpr double rounding = 1e-8, belongs = 1e-3;
+    constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
+    try {
+        const auto n = static_cast<Index>(unknowns), m = static_cast<Index>(count);
+        MatrixXd a = Eigen::Map<const RowMajor>(derivatives, m, n);
+        const VectorXd lengths = a.colwise().norm();
+        for (Index i = 0; i < n; i++)
+            if (lengths(i) > 0.0) a.col(i) /= lengths(i);
+        const Eigen::JacobiSVD<MatrixXd> svd(a, Eigen::ComputeThinU | Eigen::ComputeThinV);
+        const VectorXd &values = svd.singularValues();
+        const MatrixXd &v = svd.matrixV();
+        // Covariance of the combinations that r depends on; the others leave their members unknown.
+        MatrixXd covariance = MatrixXd::Zero(n, n);
+        std::vector<bool> lost(unknowns, false);
+        facts->rank = 0;
+        for (Index k = 0; k < n; k++) {
+            const double value = k < values.size() ? values(k) : 0.0;
+            if (value > rounding * values(0)) {
+                covariance += v.col(k) * v.col(k).transpose() / (value * value);
+                facts->rank++;
+            } else if (k < v.cols()) {
+                for (Index i = 0; i < n; i++)
+                    if (std::abs(v(i, k)) > belongs) lost[static_cast<size_t>(i)] = true;
+            }
+        }
+        for (Index i = 0; i < n && m < n; i++) lost[static_cast<size_t>(i)] = true;
+        facts->condition = facts->rank == unknowns ? values(0) / values(n - 1) : unbounded;
+        for (Index i = 0; i < n; i++) {
+            errors[i] = lost[static_cast<size_t>(i)] ? unbounded : std::sqrt(covariance(i, i)) / lengths(i);
+            for (Index k = 0; k < n; k++)
+                correlations[i * n + k] = lost[static_cast<size_t>(i)] || lost[static_cast<size_t>(k)]
+                                              ? missing
+                                              : covariance(i, k) / std::sqrt(covariance(i, i) * covariance(k, k));
+        }
+        return true;
+    } catch (const std::bad_alloc &) {
+        return false;
+    }
+}
+
+double least_squares_student(size_t degrees) {
+    constexpr double x = 1.959963984540054;
+    if (degrees == 0) return std::numeric_limits<double>::infinity();
+    if (degrees == 1) return 12.706204736432095;
+    if (degrees == 2) return 4.302652729911275;
+    const double d = static_cast<double>(degrees), x2 = x * x;
+    const double g1 = (x2 + 1.0) * x / 4.0, g2 = ((5.0 * x2 + 16.0) * x2 + 3.0) * x / 96.0;
+    const double g3 = (((3.0 * x2 + 19.0) * x2 + 17.0) * x2 - 15.0) * x / 384.0;
+    const double g4 = ((((79.0 * x2 + 776.0) * x2 + 1482.0) * x2 - 1920.0) * x2 - 945.0) * x / 92160.0;
+    return x + (g1 + (g2 + (g3 + g4 / d) / d) / d) / d;
+}

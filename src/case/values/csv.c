@@ -1,0 +1,186 @@
+// Tables of numbers in text files.
+#include "whirl/internal/csv.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "input.h"
+#include "whirl/engine/case.h"
+
+enum { CSV_MAX_BYTES = 1 << 30, CSV_FIRST_ROWS = 4096 };
+
+/// A table while it is read.
+typedef struct csv_reader {
+    csv_table *table;
+    size_t most; ///< most columns
+    char separator;
+    int line;
+} csv_reader;
+
+whirl_status csv_fail(const csv_table *table, int line, int column, const char *format, ...) {
+    char text[WHIRL_MESSAGE_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    return whirl_fail(WHIRL_BAD_INPUT, "%.150s:%d:%d: %.300s", table->path, line, column, text);
+}
+
+/// Takes the next cell of a line without blanks and quotes around it. Returns false after the last one.
+static bool csv_cell(const csv_reader *r, const char **at, const char *end, char text[CSV_TEXT], const char **first) {
+    if (!*at || *at > end) return false;
+    const char *from = *at, *stop = memchr(from, r->separator, (size_t)(end - from));
+    const char *to = stop ? stop : end;
+    *at = stop ? stop + 1 : NULL;
+    while (from < to && (isspace((unsigned char)*from) || *from == '"')) from++;
+    while (to > from && (isspace((unsigned char)to[-1]) || to[-1] == '"')) to--;
+    *first = from;
+    snprintf(text, CSV_TEXT, "%.*s", (int)(to - from < CSV_TEXT ? to - from : CSV_TEXT), from);
+    return true;
+}
+
+/// Parts a heading into its name and the unit in brackets.
+static void csv_part(csv_column *own, char text[CSV_TEXT]) {
+    char *unit = strpbrk(text, "[(");
+    if (unit) {
+        *unit++ = '\0';
+        unit[strcspn(unit, "])")] = '\0';
+    }
+    for (char *end = text + strlen(text); end > text && isspace((unsigned char)end[-1]);) *--end = '\0';
+    snprintf(own->name, sizeof own->name, "%s", text);
+    snprintf(own->unit, sizeof own->unit, "%s", unit ? unit : "");
+}
+
+static whirl_status csv_headings(csv_reader *r, const char *from, const char *end) {
+    csv_table *table = r->table;
+    char text[CSV_TEXT];
+    const char *at = from, *first;
+    const size_t length = (size_t)(end - from);
+    table->heading = r->line;
+    r->separator = memchr(from, ',', length) ? ',' : memchr(from, ';', length) ? ';' : '\t';
+    table->columns = calloc(r->most, sizeof *table->columns);
+    if (!table->columns) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a table");
+    while (csv_cell(r, &at, end, text, &first)) {
+        const int place = (int)(first - from) + 1;
+        if (table->column_count == r->most)
+            return csv_fail(table, r->line, place, "has more than %zu columns", r->most);
+        csv_column *own = &table->columns[table->column_count++];
+        own->place = place;
+        csv_part(own, text);
+    }
+    return whirl_ok();
+}
+
+static whirl_status csv_grow(csv_table *table) {
+    const size_t room = table->room > 0 ? 2 * table->room : CSV_FIRST_ROWS;
+    if (table->count < table->room) return whirl_ok();
+    double *numbers = malloc(table->column_count * room * sizeof *numbers);
+    int *lines = realloc(table->lines, room * sizeof *lines);
+    if (lines) table->lines = lines;
+    if (!numbers || !lines) {
+        free(numbers);
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu rows", room);
+    }
+    for (size_t c = 0; c < table->column_count && table->count > 0; c++)
+        memcpy(numbers + c * room, table->numbers + c * table->room, table->count * sizeof *numbers);
+    free(table->numbers);
+    table->numbers = numbers;
+    table->room = room;
+    return whirl_ok();
+}
+
+static whirl_status csv_row(csv_reader *r, const char *from, const char *end) {
+    csv_table *table = r->table;
+    char text[CSV_TEXT], *rest;
+    const char *at = from, *first;
+    size_t cells = 0;
+    const whirl_status status = csv_grow(table);
+    if (status.code != WHIRL_OK) return status;
+    while (csv_cell(r, &at, end, text, &first)) {
+        const int place = (int)(first - from) + 1;
+        if (cells == table->column_count)
+            return csv_fail(table, r->line, place, "there are more cells than the %zu headings", table->column_count);
+        double *own = table->numbers + cells * table->room + table->count;
+        *own = strtod(text, &rest);
+        if (!*text)
+            return csv_fail(table, r->line, place, "the cell is empty, expected a number: cut the record at its gaps");
+        if (rest == text || *rest || !isfinite(*own))
+            return csv_fail(table, r->line, place, "'%.30s' is no number", text);
+        cells++;
+    }
+    if (cells < table->column_count)
+        return csv_fail(table, r->line, (int)(end - from) + 1, "there are %zu cells, expected %zu as the headings",
+                        cells, table->column_count);
+    table->lines[table->count++] = r->line;
+    return whirl_ok();
+}
+
+/// Reads all lines: empty ones and those after # are left out, the first of these is the title.
+whirl_status csv_read(const char *path, const char *text, size_t length, size_t most_columns, csv_table *out) {
+    *out = (csv_table){.path = path};
+    csv_reader r = {.table = out, .most = most_columns};
+    const size_t mark = length >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+    const char *end = text + length;
+    whirl_status status = whirl_ok();
+    for (const char *from = text + mark; from < end && status.code == WHIRL_OK;) {
+        const char *stop = memchr(from, '\n', (size_t)(end - from)), *last = stop ? stop : end, *next = last + 1;
+        r.line++;
+        while (last > from && isspace((unsigned char)last[-1]) && last[-1] != '\t') last--;
+        const char *begin = from;
+        while (begin < last && isspace((unsigned char)*begin)) begin++;
+        if (begin < last && *begin == '#') {
+            begin += 1 + strspn(begin + 1, " ");
+            if (!*out->title && begin < last)
+                snprintf(out->title, sizeof out->title, "%.*s", (int)(last - begin), begin);
+        } else if (begin < last) {
+            status = out->column_count == 0 ? csv_headings(&r, from, last) : csv_row(&r, from, last);
+        }
+        from = next;
+    }
+    return status;
+}
+
+whirl_status csv_load(const char *path, size_t most_columns, csv_table *out) {
+    char *text = NULL;
+    size_t length = 0;
+    input_file in;
+    *out = (csv_table){.path = path};
+    if (!input_read(path, CSV_MAX_BYTES, &in, &text, &length))
+        return whirl_fail(in.no_memory ? WHIRL_NO_MEMORY : WHIRL_BAD_INPUT, "cannot read %.200s: %.128s", path,
+                          in.reason);
+    const whirl_status status = in.size > length ? whirl_fail(WHIRL_BAD_INPUT, "%.200s: is larger than 1 GiB", path)
+                                                 : csv_read(path, text, length, most_columns, out);
+    free(text);
+    return status;
+}
+
+void csv_free(csv_table *table) {
+    free(table->columns);
+    free(table->numbers);
+    free(table->lines);
+    *table = (csv_table){.path = NULL};
+}
+
+whirl_status csv_unit(const csv_table *table, size_t column, const char *si, const char *example, double *size) {
+    char text[CSV_TEXT];
+    const csv_column *own = &table->columns[column];
+    *size = 1.0;
+    if (!*own->unit)
+        return csv_fail(table, table->heading, own->place, "this column has no unit, expected one in brackets: [%s]",
+                        example);
+    snprintf(text, sizeof text, "1 %.60s", own->unit);
+    if (whirl_quantity_value(text, si, size).code == WHIRL_OK && *size > 0.0) return whirl_ok();
+    return csv_fail(table, table->heading, own->place, "[%.40s] is no unit of a %s", own->unit,
+                    strcmp(si, "m") == 0     ? "length"
+                    : strcmp(si, "s") == 0   ? "time"
+                    : strcmp(si, "rad") == 0 ? "angle"
+                                             : "speed");
+}
+
+const double *csv_numbers(const csv_table *table, size_t column) {
+    return table->numbers + column * table->room;
+}

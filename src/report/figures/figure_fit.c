@@ -1,0 +1,148 @@
+// Fits: measured numbers of a file and the fitted machine, and their differences.
+#include <math.h>
+#include <stdio.h>
+
+#include "figure_kinds.h"
+#include "shown_kinds.h"
+#include "whirl/engine/fit.h"
+
+/// Columns of the field fit/number that are drawn.
+enum { FIT_SET, FIT_MOTION, FIT_STATION, FIT_ANGLE, FIT_QUANTITY, FIT_AT, FIT_MEASURED, FIT_MODEL, FIT_NUMBERS = 9 };
+
+static const double two_pi = 6.283185307179586476925;
+
+/// Kinds of panels.
+enum { FIT_DISPLACEMENT, FIT_RESIDUAL, FIT_LAG };
+
+static void fit_list(figure_list *to, const drawing *of, const whirl_table *table) {
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_FIT_NUMBER);
+    const size_t point = field ? fit_best(table) : table->count;
+    (void)of;
+    if (point == table->count) return;
+    const double *rows = whirl_table_field(table, point, WHIRL_FIELD_FIT_NUMBER, 0);
+    double last = -1.0;
+    for (size_t i = 0; i < field->rows; i++) {
+        const double set = rows[FIT_NUMBERS * i + FIT_SET];
+        if (set == last) continue;
+        last = set;
+        const figure_place place = {.kind = &fit_figure, .table = table, .point = (long)point, .which = (size_t)set};
+        char name[WHIRL_NAME_SIZE];
+        snprintf(name, sizeof name, "fit-%.0f", set + 1.0);
+        list_figure(to, &place, name, "Measured numbers of file %.0f and the fitted machine", set + 1.0);
+    }
+}
+
+/// Returns true for rows of one probe and order: a line of a panel.
+static bool fit_is_line(const double *a, const double *b) {
+    const bool both = a[FIT_STATION] == b[FIT_STATION] && a[FIT_ANGLE] == b[FIT_ANGLE];
+    return both && (a[FIT_QUANTITY] == WHIRL_FIT_SAMPLE || a[FIT_AT] == b[FIT_AT]);
+}
+
+/// What a panel shows of one row, measured and of the model, in SI. Cosine and sine parts stand one after the other.
+/// False for a row that it does not show.
+static bool fit_seen(const double *row, int panel, double seen[2]) {
+    const bool parts = row[FIT_QUANTITY] == WHIRL_FIT_COS;
+    const double *sine = row + FIT_NUMBERS;
+    if (row[FIT_QUANTITY] == WHIRL_FIT_SIN || (panel == FIT_LAG && !parts)) return false;
+    for (int i = 0; i < 2; i++) {
+        const double own = row[FIT_MEASURED + i], other = parts ? sine[FIT_MEASURED + i] : 0.0;
+        seen[i] = panel == FIT_LAG ? fmod(atan2(other, own) + two_pi, two_pi) : parts ? hypot(own, other) : own;
+    }
+    if (panel == FIT_RESIDUAL) seen[0] -= seen[1];
+    return true;
+}
+
+/// Moves lags by whole turns: that of the model next to that of the row before, the measured one next to the model's.
+static void fit_unwind(double seen[2], double before) {
+    seen[1] -= two_pi * round((seen[1] - before) / two_pi);
+    seen[0] -= two_pi * round((seen[0] - seen[1]) / two_pi);
+}
+
+/// A panel of one file.
+typedef struct fit_panel {
+    const drawing *of;
+    const whirl_table *table;
+    size_t point, first, count; ///< rows of the file
+    bool samples;
+    double x_unit;
+} fit_panel;
+
+static const double *fit_row(const fit_panel *p, size_t i) {
+    return whirl_table_field(p->table, p->point, WHIRL_FIELD_FIT_NUMBER, 0) + FIT_NUMBERS * (p->first + i);
+}
+
+/// Place of a row along the axis: degrees, or the speed of its motion.
+static double fit_along(const fit_panel *p, const double *row) {
+    if (p->samples) return 360.0 * row[FIT_AT];
+    const double *motions = whirl_table_field(p->table, p->point, WHIRL_FIELD_FIT_MOTION, 0);
+    return motions[2 * (size_t)row[FIT_MOTION]] / p->x_unit;
+}
+
+static void fit_draw(const fit_panel *p, int kind, double y_unit, whirl_figure *figure, whirl_panel *panel) {
+    size_t colour = 0;
+    for (size_t i = 0; i < p->count; i++) {
+        const double *first = fit_row(p, i);
+        bool drawn = false;
+        for (size_t k = 0; k < i && !drawn; k++) drawn = fit_is_line(fit_row(p, k), first);
+        double seen[2];
+        if (drawn || !fit_seen(first, kind, seen)) continue;
+        char name[2 * WHIRL_NAME_SIZE], both[2 * WHIRL_NAME_SIZE + 16];
+        fit_name_probe(p->of->result, first, name, sizeof name);
+        const char *shown = line_colour(colour++);
+        for (int which = 0; which < (kind == FIT_RESIDUAL ? 1 : 2); which++) {
+            snprintf(both, sizeof both, "%.100s, %s", name, which ? "fitted" : "measured");
+            whirl_series *series = panel_named(figure, panel, which ? WHIRL_LINE : WHIRL_DOTS,
+                                               kind == FIT_DISPLACEMENT ? both : "", shown, which ? 0.8 : 2.0);
+            double before = 0.0;
+            for (size_t k = i; k < p->count; k++) {
+                if (!fit_is_line(first, fit_row(p, k)) || !fit_seen(fit_row(p, k), kind, seen)) continue;
+                if (kind == FIT_LAG) fit_unwind(seen, before);
+                before = seen[1];
+                series_add(figure, series, fit_along(p, fit_row(p, k)), seen[which] / y_unit);
+            }
+        }
+    }
+}
+
+static void fit_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    const whirl_field *field = whirl_layout_field(&place->table->layout, WHIRL_FIELD_FIT_NUMBER);
+    fit_panel p = {.of = of, .table = place->table, .point = (size_t)place->point};
+    const double *rows = whirl_table_field(p.table, p.point, WHIRL_FIELD_FIT_NUMBER, 0);
+    // The rows of the file.
+    while (p.first < field->rows && rows[FIT_NUMBERS * p.first + FIT_SET] != (double)place->which) p.first++;
+    while (p.first + p.count < field->rows && rows[FIT_NUMBERS * (p.first + p.count) + FIT_SET] == (double)place->which)
+        p.count++;
+    if (p.count == 0) return;
+    const whirl_unit *length = &of->units->of[WHIRL_QUANTITY_LENGTH], *speed = &of->units->of[WHIRL_QUANTITY_SPEED];
+    bool lags = false;
+    p.samples = fit_row(&p, 0)[FIT_QUANTITY] == WHIRL_FIT_SAMPLE;
+    p.x_unit = speed->size;
+    for (size_t i = 0; i < p.count; i++) lags = lags || fit_row(&p, i)[FIT_QUANTITY] == WHIRL_FIT_COS;
+    // Displacements or amplitudes, their residuals, and lags.
+    for (int kind = FIT_DISPLACEMENT; kind <= FIT_LAG; kind++) {
+        static const char *const names[] = {"displacement", "residual", "lag"};
+        if (kind == FIT_LAG && !lags) continue;
+        whirl_panel *panel = figure_panel(figure, names[kind], 1.0, kind == FIT_DISPLACEMENT ? 5.0 : 2.6);
+        if (!panel) return;
+        if (p.samples)
+            snprintf(panel->x.label, sizeof panel->x.label, "angle of the shaft (deg)");
+        else
+            snprintf(panel->x.label, sizeof panel->x.label, "speed (%s)", speed->name);
+        if (kind == FIT_LAG)
+            snprintf(panel->y.label, sizeof panel->y.label, "lag (deg)");
+        else
+            snprintf(panel->y.label, sizeof panel->y.label, "%s (%s)",
+                     kind == FIT_RESIDUAL ? "residual"
+                     : p.samples          ? "displacement"
+                                          : "amplitude",
+                     length->name);
+        fit_draw(&p, kind, kind == FIT_LAG ? two_pi / 360.0 : length->size, figure, panel);
+    }
+    snprintf(figure->caption, sizeof figure->caption,
+             "Measured numbers (dots) and what the machine does with the fitted parameters (lines). Residuals are "
+             "measured less fitted%s.",
+             p.samples ? "" : ", of amplitudes");
+}
+
+const figure_kind fit_figure = {
+    .list = fit_list, .describe = fit_describe, .stem = "fit-", .study = "{fit: {unknown: {...}, data: ...}}"};

@@ -1,0 +1,284 @@
+// Findings of fits: the parameters found, what the measured numbers do not tell of them, and how well they agree.
+#include <math.h>
+#include <string.h>
+
+#include "quantities.h"
+#include "shown_kinds.h"
+#include "whirl/engine/fit.h"
+
+/// Columns of the fields, in the order of src/analyze/analyses/fit.c.
+enum { FIT_END, FIT_LOST, FIT_STEPS, FIT_SUM, FIT_DEVIATION, FIT_DEGREES, FIT_RANK, FIT_CONDITION };
+enum { FIT_PARAMETER, FIT_START, FIT_VALUE, FIT_ERROR, FIT_HALF, FIT_LOW, FIT_HIGH, FIT_KNOWN };
+enum { FIT_SET, FIT_MOTION, FIT_STATION, FIT_ANGLE, FIT_QUANTITY, FIT_AT, FIT_MEASURED, FIT_MODEL, FIT_NOISE };
+enum { FIT_COLUMNS = 8, FIT_NUMBERS = 9 };
+
+/// Correlations from this size on are named.
+static const double much_correlated = 0.95;
+
+/// Residuals of so many times the given noise are more than noise.
+static const double much_more_noise = 1.5;
+
+size_t fit_best(const whirl_table *table) {
+    size_t best = table->count;
+    double least = INFINITY;
+    for (size_t point = 0; point < table->count; point++) {
+        const double *outcome = whirl_table_field(table, point, WHIRL_FIELD_FIT_OUTCOME, 0);
+        if (!whirl_table_done(table, point) || !outcome || !(outcome[FIT_SUM] < least)) continue;
+        least = outcome[FIT_SUM];
+        best = point;
+    }
+    return best;
+}
+
+/// The fit that is shown: the one with the least sum of squares.
+typedef struct shown_fit {
+    const finder *of;
+    size_t point;
+    size_t unknowns, numbers;
+    const double *outcome, *unknown, *correlation, *number;
+} shown_fit_of;
+
+static const char *fit_name(const shown_fit_of *f, size_t u) {
+    const double index = f->unknown[FIT_COLUMNS * u + FIT_PARAMETER];
+    const whirl_result *result = f->of->result;
+    return index >= 0.0 && index < (double)result->parameter_count ? result->parameters[(size_t)index].name : "";
+}
+
+static whirl_unit fit_unit(const shown_fit_of *f, size_t u) {
+    return whirl_shown_parameter(f->of->units, fit_name(f, u));
+}
+
+/// Says why a fit is no answer.
+static void fit_find_failures(const finder *of) {
+    static const char *const why[] = {"", "it stopped after the most steps (steps: more)",
+                                      "no shorter step makes the sum of squares smaller", ""};
+    for (size_t point = 0; point < of->table->count; point++) {
+        const double *outcome = whirl_table_field(of->table, point, WHIRL_FIELD_FIT_OUTCOME, 0);
+        if (!whirl_table_done(of->table, point) || !outcome || !(outcome[FIT_END] > 0.0)) continue;
+        whirl_statement *own = find_judgement(of, "fit", "", WHIRL_FAILS);
+        phrase_text(of, &own->asked, "a minimum of the sum of squares");
+        if (of->table->count > 1) phrase_text(of, &own->at, "start %zu", point + 1);
+        if (outcome[FIT_END] == (double)WHIRL_FIT_NO_MOTION)
+            phrase_text(of, &own->found,
+                        "motion %.0f of the measured ones has no orbit of %d revolution%s at the start: other start "
+                        "values, revolutions or a longer transient",
+                        outcome[FIT_LOST] + 1.0, of->table->record.fit.revolutions,
+                        of->table->record.fit.revolutions == 1 ? "" : "s");
+        else
+            phrase_text(of, &own->found, "%s", why[(int)outcome[FIT_END]]);
+    }
+}
+
+/// One statement for each parameter, and a warning for those that the numbers do not determine.
+static void fit_find_unknown(const shown_fit_of *f, size_t u) {
+    static const char *const not_known[] = {
+        "", "at its bound: wider bounds, or another cause of what was measured",
+        "hardly determined by the measured numbers: its interval is as wide as its bounds or its value",
+        "not determined: the measured numbers do not depend on it, or only together with others"};
+    const finder *of = f->of;
+    const double *row = f->unknown + FIT_COLUMNS * u;
+    const whirl_unit unit = fit_unit(f, u);
+    const int known = (int)row[FIT_KNOWN];
+    const char *what = find_text(of->findings, "parameter %s", fit_name(f, u));
+    whirl_statement *own =
+        known == WHIRL_FIT_DETERMINED ? find_statement(of, what) : find_judgement(of, what, "", WHIRL_NOT_KNOWN);
+    phrase_unit(of, &own->found, &unit, 8, row[FIT_VALUE]);
+    if (isfinite(row[FIT_ERROR])) {
+        phrase_text(of, &own->found, ", standard error ");
+        phrase_unit(of, &own->found, &unit, 3, row[FIT_ERROR]);
+        phrase_text(of, &own->found, ", 95 %% within ");
+        phrase_unit(of, &own->found, &unit, 6, row[FIT_VALUE] - row[FIT_HALF]);
+        phrase_text(of, &own->found, " to ");
+        phrase_unit(of, &own->found, &unit, 6, row[FIT_VALUE] + row[FIT_HALF]);
+    }
+    if (known == WHIRL_FIT_DETERMINED) return;
+    phrase_text(of, &own->asked, "determined by what was measured");
+    phrase_text(of, &own->told, "%s", not_known[known]);
+}
+
+static void fit_find_sheet(const shown_fit_of *f) {
+    static const char *const known[] = {"yes", "at its bound", "hardly", "no"};
+    const finder *of = f->of;
+    whirl_sheet *sheet = find_sheet(of, "unknowns", "Fitted parameters");
+    sheet_texts(of, sheet, "parameter", "parameter");
+    sheet_column(of, sheet, "start", "start", WHIRL_QUANTITY_NUMBER, 8);
+    sheet_column(of, sheet, "found", "found", WHIRL_QUANTITY_NUMBER, 8);
+    sheet_column(of, sheet, "error", "standard error", WHIRL_QUANTITY_NUMBER, 3);
+    sheet_column(of, sheet, "low", "95 % from", WHIRL_QUANTITY_NUMBER, 6);
+    sheet_column(of, sheet, "high", "to", WHIRL_QUANTITY_NUMBER, 6);
+    sheet_texts(of, sheet, "unit", "unit");
+    sheet_texts(of, sheet, "determined", "determined");
+    for (size_t u = 0; u < f->unknowns; u++) {
+        const double *row = f->unknown + FIT_COLUMNS * u;
+        const whirl_unit unit = fit_unit(f, u);
+        sheet_row(of, sheet);
+        cell_text(of, sheet, find_text(of->findings, "%s", fit_name(f, u)));
+        cell_number(of, sheet, row[FIT_START] / unit.size);
+        cell_number(of, sheet, row[FIT_VALUE] / unit.size);
+        cell_number(of, sheet, row[FIT_ERROR] / unit.size);
+        cell_number(of, sheet, (row[FIT_VALUE] - row[FIT_HALF]) / unit.size);
+        cell_number(of, sheet, (row[FIT_VALUE] + row[FIT_HALF]) / unit.size);
+        cell_text(of, sheet, find_text(of->findings, "%s", unit.name));
+        cell_text(of, sheet, known[(int)row[FIT_KNOWN]]);
+    }
+    find_sheet_end(of);
+}
+
+static void fit_find_correlations(const shown_fit_of *f) {
+    const finder *of = f->of;
+    whirl_sheet *sheet = find_sheet(of, "correlations", "Correlations of the parameters' errors");
+    sheet_texts(of, sheet, "parameter", "parameter");
+    sheet_texts(of, sheet, "other", "with");
+    sheet_column(of, sheet, "correlation", "correlation", WHIRL_QUANTITY_NUMBER, 4);
+    for (size_t u = 0; u < f->unknowns; u++)
+        for (size_t k = u + 1; k < f->unknowns; k++) {
+            sheet_row(of, sheet);
+            cell_text(of, sheet, find_text(of->findings, "%s", fit_name(f, u)));
+            cell_text(of, sheet, find_text(of->findings, "%s", fit_name(f, k)));
+            cell_number(of, sheet, f->correlation[WHIRL_MAX_UNKNOWNS * u + k]);
+        }
+    find_sheet_end(of);
+    for (size_t u = 0; u < f->unknowns; u++)
+        for (size_t k = u + 1; k < f->unknowns; k++) {
+            const double correlation = f->correlation[WHIRL_MAX_UNKNOWNS * u + k];
+            if (!(fabs(correlation) >= much_correlated)) continue;
+            whirl_statement *own = find_statement(of, "correlation");
+            phrase_text(of, &own->found, "%s and %s: %.4f: what was measured tells little of each alone",
+                        fit_name(f, u), fit_name(f, k), correlation);
+        }
+}
+
+/// Residuals of one probe in one file.
+typedef struct fit_channel {
+    const double *first; ///< row of its first number
+    size_t count;
+    double squares, largest, measured;
+} fit_channel;
+
+static bool fit_same_channel(const double *a, const double *b) {
+    return a[FIT_SET] == b[FIT_SET] && a[FIT_STATION] == b[FIT_STATION] && a[FIT_ANGLE] == b[FIT_ANGLE] &&
+           (a[FIT_QUANTITY] == WHIRL_FIT_SAMPLE) == (b[FIT_QUANTITY] == WHIRL_FIT_SAMPLE) &&
+           (a[FIT_QUANTITY] == WHIRL_FIT_SAMPLE || a[FIT_AT] == b[FIT_AT]);
+}
+
+void fit_name_probe(const whirl_result *result, const double *row, char *name, size_t size) {
+    const double degrees = row[FIT_ANGLE] * 57.295779513082321;
+    const char *station =
+        row[FIT_STATION] < (double)result->station_count ? result->stations[(size_t)row[FIT_STATION]].name : "";
+    char direction[32];
+    if (fabs(degrees) < 1e-9 || fabs(degrees - 90.0) < 1e-9)
+        snprintf(direction, sizeof direction, "%s", degrees > 45.0 ? "y" : "x");
+    else
+        snprintf(direction, sizeof direction, "%.4g deg", degrees);
+    if (row[FIT_QUANTITY] == WHIRL_FIT_SAMPLE)
+        snprintf(name, size, "%s %s", station, direction);
+    else
+        snprintf(name, size, "%s %s %gX", station, direction, row[FIT_AT]);
+}
+
+static void fit_find_channels(const shown_fit_of *f) {
+    enum { MOST = 256 };
+    const finder *of = f->of;
+    fit_channel channels[MOST];
+    size_t count = 0;
+    for (size_t i = 0; i < f->numbers; i++) {
+        const double *row = f->number + FIT_NUMBERS * i;
+        size_t c = 0;
+        while (c < count && !fit_same_channel(channels[c].first, row)) c++;
+        if (c == MOST) continue;
+        if (c == count) channels[count++] = (fit_channel){.first = row};
+        const double off = row[FIT_MODEL] - row[FIT_MEASURED];
+        channels[c].count++;
+        channels[c].squares += off * off;
+        channels[c].measured += row[FIT_MEASURED] * row[FIT_MEASURED];
+        channels[c].largest = fmax(channels[c].largest, fabs(off));
+    }
+    whirl_sheet *sheet = find_sheet(of, "residuals", "Measured numbers and the fitted machine");
+    sheet_column(of, sheet, "file", "file", WHIRL_QUANTITY_NUMBER, 4);
+    sheet_texts(of, sheet, "probe", "probe");
+    sheet_column(of, sheet, "numbers", "numbers", WHIRL_QUANTITY_NUMBER, 6);
+    sheet_column(of, sheet, "rms", "measured, rms", WHIRL_QUANTITY_LENGTH, 4);
+    sheet_column(of, sheet, "residual", "residual, rms", WHIRL_QUANTITY_LENGTH, 3);
+    sheet_column(of, sheet, "largest", "largest residual", WHIRL_QUANTITY_LENGTH, 3);
+    for (size_t c = 0; c < count; c++) {
+        char name[2 * WHIRL_NAME_SIZE];
+        const fit_channel *own = &channels[c];
+        fit_name_probe(of->result, own->first, name, sizeof name);
+        sheet_row(of, sheet);
+        cell_number(of, sheet, own->first[FIT_SET] + 1.0);
+        cell_text(of, sheet, find_text(of->findings, "%s", name));
+        cell_number(of, sheet, (double)own->count);
+        cell_number(of, sheet, sqrt(own->measured / (double)own->count));
+        cell_number(of, sheet, sqrt(own->squares / (double)own->count));
+        cell_number(of, sheet, own->largest);
+    }
+    find_sheet_end(of);
+}
+
+/// Says how well the fit agrees, and whether its motions are stable.
+static void fit_find_agreement(const shown_fit_of *f) {
+    const finder *of = f->of;
+    const double *outcome = f->outcome;
+    const bool noise = of->table->record.fit.noise > 0.0, poor = noise && outcome[FIT_DEVIATION] > much_more_noise;
+    whirl_statement *own =
+        noise ? find_judgement(of, "agreement", "", poor ? WHIRL_FAILS : WHIRL_HOLDS) : find_statement(of, "agreement");
+    if (noise) phrase_text(of, &own->asked, "residuals as large as the given noise");
+    phrase_text(of, &own->found, "residuals have the standard deviation ");
+    if (noise)
+        phrase_text(of, &own->found, "%.4g of the given noise", outcome[FIT_DEVIATION]);
+    else
+        phrase_number(of, &own->found, WHIRL_QUANTITY_LENGTH, 4, outcome[FIT_DEVIATION]);
+    phrase_text(of, &own->found, " (%.0f degrees of freedom, %.0f steps)", outcome[FIT_DEGREES], outcome[FIT_STEPS]);
+    if (poor) phrase_text(of, &own->told, "the machine does not do what was measured, or there was more noise");
+    const whirl_field *motions = whirl_layout_field(&of->table->layout, WHIRL_FIELD_FIT_MOTION);
+    const double *motion = whirl_table_field(of->table, f->point, WHIRL_FIELD_FIT_MOTION, 0);
+    size_t unstable = 0, first = 0;
+    for (size_t i = motions ? motions->rows : 0; i-- > 0;)
+        if (motion[2 * i + 1] > 1.0) unstable++, first = i;
+    if (unstable == 0) return;
+    own = find_judgement(of, "stable motions", "", WHIRL_FAILS);
+    phrase_text(of, &own->asked, "all fitted motions are stable");
+    phrase_text(of, &own->found, "%zu of %zu fitted motions are unstable, first number %zu at ", unstable,
+                motions->rows, first + 1);
+    phrase_number(of, &own->found, WHIRL_QUANTITY_SPEED, 5, motion[2 * first]);
+    phrase_text(of, &own->told, "no machine shows them");
+}
+
+/// How many starts led to the same minimum.
+static void fit_find_starts(const shown_fit_of *f) {
+    const finder *of = f->of;
+    size_t same = 0, done = 0;
+    if (of->table->count < 2) return;
+    for (size_t point = 0; point < of->table->count; point++) {
+        const double *outcome = whirl_table_field(of->table, point, WHIRL_FIELD_FIT_OUTCOME, 0);
+        if (!whirl_table_done(of->table, point) || !outcome) continue;
+        done++;
+        same += outcome[FIT_SUM] <= f->outcome[FIT_SUM] * (1.0 + 1e-6);
+    }
+    whirl_statement *own = find_statement(of, "starts");
+    phrase_text(of, &own->found, "%zu of %zu starts led to the least sum of squares", same, done);
+}
+
+static void fit_find(const finder *of) {
+    const whirl_layout *layout = &of->table->layout;
+    const whirl_field *unknown = whirl_layout_field(layout, WHIRL_FIELD_FIT_UNKNOWN);
+    const whirl_field *number = whirl_layout_field(layout, WHIRL_FIELD_FIT_NUMBER);
+    shown_fit_of f = {.of = of, .point = fit_best(of->table)};
+    fit_find_failures(of);
+    if (f.point == of->table->count || !unknown || !number) return;
+    f.unknowns = unknown->rows;
+    f.numbers = number->rows;
+    f.outcome = whirl_table_field(of->table, f.point, WHIRL_FIELD_FIT_OUTCOME, 0);
+    f.unknown = whirl_table_field(of->table, f.point, WHIRL_FIELD_FIT_UNKNOWN, 0);
+    f.correlation = whirl_table_field(of->table, f.point, WHIRL_FIELD_FIT_CORRELATION, 0);
+    f.number = whirl_table_field(of->table, f.point, WHIRL_FIELD_FIT_NUMBER, 0);
+    for (size_t u = 0; u < f.unknowns; u++) fit_find_unknown(&f, u);
+    fit_find_agreement(&f);
+    fit_find_starts(&f);
+    fit_find_sheet(&f);
+    fit_find_correlations(&f);
+    fit_find_channels(&f);
+}
+
+const shown_kind shown_fit = {
+    .field = WHIRL_FIELD_FIT_UNKNOWN, .anchor = "fit", .name = "Fit to measured motions", .find = fit_find};

@@ -1,0 +1,284 @@
+#include "fit_motions.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "whirl/engine/orbit.h"
+#include "whirl/engine/sensitivity.h"
+
+static const double two_pi = 6.283185307179586476925;
+
+whirl_status fit_motions_make(fit_motions *m) {
+    m->kept = calloc(2 * m->fit->motion_count, sizeof *m->kept);
+    m->tried = m->kept + m->fit->motion_count;
+    m->model = calloc(m->fit->number_count + 1, sizeof *m->model);
+    m->status = whirl_ok();
+    return m->kept && m->model ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for motions of a fit");
+}
+
+void fit_motions_free(fit_motions *m) {
+    for (size_t i = 0; m->kept && i < 2 * m->fit->motion_count; i++) free(m->kept[i].node);
+    free(m->kept);
+    free(m->model);
+}
+
+void fit_motions_keep(void *motions) {
+    fit_motions *m = motions;
+    for (size_t i = 0; i < m->fit->motion_count; i++) {
+        const fit_orbit before = m->kept[i];
+        m->kept[i] = m->tried[i];
+        m->tried[i] = before;
+    }
+}
+
+// ---------------------------------------------------------------- one motion
+
+/// A motion at values of the unknowns.
+typedef struct fit_place {
+    const fit_motions *of;
+    const whirl_fit_motion *motion;
+    const double *values; ///< [unknowns]
+    whirl_batch batch;    ///< requests its machine
+    whirl_given given[WHIRL_MAX_GIVEN];
+    whirl_orbit_options options;
+} fit_place;
+
+/// Sets the parameters of a motion: its own, then the unknowns.
+static void place_make(fit_place *p, const fit_motions *of, size_t index, const double *values) {
+    const whirl_fit_options *fit = &of->batch->record.fit;
+    *p = (fit_place){.of = of, .motion = &of->fit->motions[index], .values = values, .batch = *of->batch};
+    size_t count = 0;
+    for (size_t i = 0; i < p->motion->given_count; i++) p->given[count++] = p->motion->given[i];
+    for (size_t i = 0; i < of->fit->unknown_count; i++)
+        p->given[count++] = (whirl_given){of->fit->unknowns[i].name, values[i]};
+    p->batch.given = p->given;
+    p->batch.given_count = count;
+    p->batch.speed = p->motion->speed;
+    p->options = whirl_orbit_default();
+    p->options.integrate.stop = of->batch->integrate.stop;
+    strcpy(p->options.integrate.method, fit->method);
+    p->options.integrate.atol *= fit->rtol / p->options.integrate.rtol;
+    p->options.integrate.rtol = fit->rtol;
+    p->options.tolerance = fmax(p->options.tolerance, 10.0 * fit->rtol);
+}
+
+static whirl_status place_machine(const fit_place *p, whirl_machine *machine) {
+    return p->of->study->machine(p->of->study->family, &p->batch, NAN, machine);
+}
+
+/// Moves x from the machine's start to near its orbit.
+static whirl_status place_settle(const fit_place *p, const whirl_system *system, double *x) {
+    whirl_integrate_options options = p->options.integrate;
+    whirl_integrator *integrator = NULL;
+    options.rtol = fmax(options.rtol, 1e-8);
+    options.atol = fmax(options.atol, 1e-10);
+    whirl_status status = whirl_integrator_new(system, &options, &integrator);
+    for (int i = 0; i < p->of->batch->record.fit.transient && status.code == WHIRL_OK; i++)
+        if (whirl_integrator_revolve(integrator, x, NULL, NULL) != WHIRL_BOUNDED)
+            status = whirl_fail(WHIRL_BAD_INPUT, "its motion leaves its bounds after %d revolutions", i);
+    whirl_integrator_free(integrator);
+    return status;
+}
+
+/// Finds the orbit: from the kept one and its derivatives, or after a transient.
+static whirl_status place_find(const fit_place *p, const whirl_machine *machine, const fit_orbit *kept,
+                               whirl_orbit **orbit) {
+    const whirl_system *system = machine->system;
+    const size_t n = system->dimension, revolutions = (size_t)p->of->batch->record.fit.revolutions;
+    const bool known = kept->dimension == n;
+    double *x = calloc(n + 1, sizeof *x);
+    if (!x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a motion of a fit");
+    memcpy(x, known ? kept->node : machine->start, n * sizeof *x);
+    for (size_t u = 0; u < p->of->fit->unknown_count && known; u++)
+        for (size_t i = 0; i < n; i++) x[i] += (p->values[u] - kept->at[u]) * kept->slopes[u * n + i];
+    whirl_status status = known ? whirl_ok() : place_settle(p, system, x);
+    if (status.code == WHIRL_OK) status = whirl_orbit_find(system, x, revolutions, &p->options, orbit);
+    free(x);
+    return status;
+}
+
+/// Derives the orbit by all unknowns. `lengths` gets the metres of a unit of displacement and their derivatives.
+static whirl_status place_derive(fit_place *p, const whirl_orbit *orbit, whirl_orbit_sensitivity **out,
+                                 double lengths[1 + WHIRL_MAX_UNKNOWNS]) {
+    const size_t count = p->of->fit->unknown_count;
+    whirl_sensitivity *by[WHIRL_MAX_UNKNOWNS] = {NULL};
+    whirl_extended *extended = NULL;
+    whirl_status status = whirl_ok();
+    // The parameter of a machine beside is the batch's; all others stay.
+    for (size_t u = 0; u < count && status.code == WHIRL_OK; u++) {
+        const whirl_fit_unknown *unknown = &p->of->fit->unknowns[u];
+        const size_t own = p->motion->given_count + u;
+        const whirl_given kept = p->given[own];
+        const double reach = p->values[u] == 0.0 ? 1e-3 * (unknown->high - unknown->low) : 0.0;
+        snprintf(p->batch.parameter, sizeof p->batch.parameter, "%s", unknown->name);
+        p->given[own] = p->given[p->batch.given_count - 1];
+        p->batch.given_count--;
+        status = whirl_sensitivity_new(p->of->study, &p->batch, p->values[u], isfinite(reach) ? reach : 1e-3, &by[u]);
+        p->batch.given_count++;
+        p->given[own] = kept;
+        if (status.code == WHIRL_OK) lengths[1 + u] = whirl_sensitivity_length(by[u], &lengths[0]);
+    }
+    *p->batch.parameter = '\0';
+    if (status.code == WHIRL_OK) status = whirl_extended_new(count, by, &extended);
+    if (status.code == WHIRL_OK)
+        status = whirl_orbit_sensitivity_new(extended, orbit, &p->options, p->motion->instants, out);
+    whirl_extended_free(extended);
+    for (size_t u = 0; u < count; u++) whirl_sensitivity_free(by[u]);
+    return status;
+}
+
+// ---------------------------------------------------------------- measured numbers
+
+/// The displacement of a probe along a direction at one instant, m: its value, and its derivatives [unknowns].
+typedef struct probe_view {
+    const whirl_probe *probe;
+    double cos, sin; ///< of the direction
+    double lengths[1 + WHIRL_MAX_UNKNOWNS];
+} probe_view;
+
+static double view_along(const probe_view *v, const double *state) {
+    return v->cos * whirl_probe_value(v->probe, state, 0) + v->sin * whirl_probe_value(v->probe, state, 1);
+}
+
+static void view_instant(const probe_view *v, const whirl_orbit_sensitivity *orbit, size_t index, double *value,
+                         double *slopes) {
+    const size_t n = orbit->dimension;
+    const double turn = (double)(index % orbit->instants) / (double)orbit->instants;
+    const double runout =
+        v->cos * whirl_probe_runout(v->probe, 0, turn) + v->sin * whirl_probe_runout(v->probe, 1, turn);
+    const double displacement = view_along(v, orbit->states + index * n) + runout;
+    *value = v->lengths[0] * displacement;
+    for (size_t u = 0; u < orbit->count; u++)
+        slopes[u] = v->lengths[0] * view_along(v, orbit->slopes + (index * orbit->count + u) * n) +
+                    v->lengths[1 + u] * displacement;
+}
+
+/// Adds up one part of an order, 2/N sum x cos or sin.
+static void view_order(const probe_view *v, const whirl_orbit_sensitivity *orbit, double order, bool sine,
+                       double *value, double *slopes) {
+    const size_t all = orbit->revolutions * orbit->instants;
+    double at[1 + WHIRL_MAX_UNKNOWNS];
+    *value = 0.0;
+    memset(slopes, 0, orbit->count * sizeof *slopes);
+    for (size_t k = 0; k < all; k++) {
+        const double angle = two_pi * order * (double)k / (double)orbit->instants;
+        const double weight = 2.0 / (double)all * (sine ? sin(angle) : cos(angle));
+        view_instant(v, orbit, k, &at[0], at + 1);
+        *value += weight * at[0];
+        for (size_t u = 0; u < orbit->count; u++) slopes[u] += weight * at[1 + u];
+    }
+}
+
+static void view_number(const probe_view *v, const whirl_orbit_sensitivity *orbit, const whirl_fit_number *number,
+                        double *value, double *slopes) {
+    double sine, by_sine[WHIRL_MAX_UNKNOWNS];
+    switch (number->quantity) {
+    case WHIRL_FIT_SAMPLE:
+        view_instant(v, orbit, (size_t)lround(number->at * (double)orbit->instants), value, slopes);
+        break;
+    case WHIRL_FIT_COS:
+    case WHIRL_FIT_SIN:
+        view_order(v, orbit, number->at, number->quantity == WHIRL_FIT_SIN, value, slopes);
+        break;
+    case WHIRL_FIT_AMPLITUDE:
+        view_order(v, orbit, number->at, false, value, slopes);
+        view_order(v, orbit, number->at, true, &sine, by_sine);
+        const double size = hypot(*value, sine);
+        for (size_t u = 0; u < orbit->count; u++)
+            slopes[u] = size > 0.0 ? (*value * slopes[u] + sine * by_sine[u]) / size : 0.0;
+        *value = size;
+        break;
+    }
+}
+
+/// Writes what a motion's measured numbers are on its orbit, and their derivatives [numbers][unknowns].
+static void place_numbers(const fit_place *p, const whirl_system *system, const whirl_orbit_sensitivity *orbit,
+                          const double *lengths, double *model, double *slopes) {
+    const whirl_fit *fit = p->of->fit;
+    const size_t motion = (size_t)(p->motion - fit->motions);
+    for (size_t i = 0; i < fit->number_count; i++) {
+        const whirl_fit_number *number = &fit->numbers[i];
+        if (number->motion != motion) continue;
+        probe_view view = {&system->probes[number->station], cos(number->angle), sin(number->angle), {0.0}};
+        memcpy(view.lengths, lengths, sizeof view.lengths);
+        view_number(&view, orbit, number, &model[i], slopes + i * fit->unknown_count);
+    }
+}
+
+/// Notes an orbit as the one tried.
+static whirl_status place_note(const fit_place *p, const whirl_machine *machine, const whirl_orbit *orbit,
+                               const whirl_orbit_sensitivity *derived, fit_orbit *out) {
+    const size_t n = orbit->dimension, count = p->of->fit->unknown_count;
+    double *numbers = realloc(out->node, (1 + count) * n * sizeof *numbers);
+    if (!numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of a fit");
+    *out = (fit_orbit){.dimension = n,
+                       .node = numbers,
+                       .slopes = numbers + n,
+                       .largest = whirl_orbit_largest(orbit),
+                       .speed = machine->speed};
+    memcpy(out->at, p->values, count * sizeof *p->values);
+    memcpy(out->node, orbit->nodes, n * sizeof *numbers);
+    memcpy(out->slopes, derived->slopes, count * n * sizeof *numbers);
+    return whirl_ok();
+}
+
+/// Computes one motion: its orbit, and its part of the model and of the derivatives.
+static whirl_status place_compute(const fit_motions *m, size_t index, const double *values, double *slopes) {
+    fit_place p;
+    whirl_machine machine = {.system = NULL};
+    whirl_orbit *orbit = NULL;
+    whirl_orbit_sensitivity *derived = NULL;
+    double lengths[1 + WHIRL_MAX_UNKNOWNS] = {1.0};
+    place_make(&p, m, index, values);
+    whirl_status status = place_machine(&p, &machine);
+    if (status.code == WHIRL_OK) status = place_find(&p, &machine, &m->kept[index], &orbit);
+    if (status.code == WHIRL_OK) status = place_derive(&p, orbit, &derived, lengths);
+    if (status.code == WHIRL_OK) place_numbers(&p, machine.system, derived, lengths, m->model, slopes);
+    if (status.code == WHIRL_OK) status = place_note(&p, &machine, orbit, derived, &m->tried[index]);
+    whirl_orbit_sensitivity_free(derived);
+    whirl_orbit_free(orbit);
+    if (machine.release) machine.release(machine.owner);
+    return status;
+}
+
+// ---------------------------------------------------------------- all motions
+
+/// Replaces a residual by the one whose square is Huber's loss, and its derivatives: r up to k, then
+/// sqrt(2 k |r| - k^2).
+static void soften(double k, size_t count, double *residual, double *derivatives) {
+    const double size = fabs(*residual);
+    if (size <= k) return;
+    const double less = sqrt(2.0 * k * size - k * k);
+    for (size_t u = 0; u < count; u++) derivatives[u] *= k / less;
+    *residual = copysign(less, *residual);
+}
+
+bool fit_motions_evaluate(void *motions, const double *values, double *residuals, double *derivatives) {
+    fit_motions *m = motions;
+    const whirl_fit *fit = m->fit;
+    const size_t count = fit->unknown_count;
+    m->lost = fit->motion_count;
+#pragma omp parallel for num_threads(m->threads) schedule(dynamic)
+    for (size_t i = 0; i < fit->motion_count; i++) {
+        const whirl_status status = place_compute(m, i, values, derivatives);
+#pragma omp critical(whirl_fit)
+        if (status.code != WHIRL_OK && i < m->lost) {
+            m->lost = i;
+            m->status = status;
+        }
+    }
+    if (m->goes_on && !m->goes_on(m->of)) m->status = whirl_fail(WHIRL_STOPPED, "stopped");
+    if (m->lost < fit->motion_count || m->status.code == WHIRL_STOPPED) return false;
+    m->status = whirl_ok();
+    const whirl_fit_options *options = &m->batch->record.fit;
+    const bool huber = strcmp(options->loss, "huber") == 0;
+    for (size_t i = 0; i < fit->number_count; i++) {
+        const double noise = fit->numbers[i].noise;
+        residuals[i] = (m->model[i] - fit->numbers[i].value) / noise;
+        for (size_t u = 0; u < count; u++) derivatives[i * count + u] /= noise;
+        if (huber) soften(options->huber, count, &residuals[i], derivatives + i * count);
+    }
+    return true;
+}

@@ -1,0 +1,42 @@
+/// Motions of a fit: their orbits at given values of the unknowns, and what the measured numbers are there.
+#ifndef STUDY_FIT_MOTIONS_H
+#define STUDY_FIT_MOTIONS_H
+
+#include "whirl/engine/fit.h"
+#include "whirl/engine/study.h"
+
+/// The orbit of a motion, for the values of the unknowns at which the fit is.
+typedef struct fit_orbit {
+    double at[WHIRL_MAX_UNKNOWNS]; ///< these values
+    size_t dimension;              ///< of the state; 0: no orbit is known yet
+    double *node;                  ///< [dimension] its state at the beginning
+    double *slopes;                ///< [unknowns][dimension] the derivatives of it
+    double largest, speed;         ///< largest modulus of its multipliers, and speed of the shaft, rad/s
+} fit_orbit;
+
+/// All motions of a fit. `tried` are the orbits of the last evaluation, `kept` those at which the fit is.
+typedef struct fit_motions {
+    const whirl_study *study;
+    const whirl_batch *batch;
+    const whirl_fit *fit;
+    int threads;
+    fit_orbit *kept, *tried;   ///< [motions]
+    double *model;             ///< [numbers] m, of the last evaluation
+    bool (*goes_on)(void *of); ///< called by the first thread after every evaluation: false to end
+    void *of;                  ///< passed to it
+    size_t lost;         ///< index of the motion without an orbit in the last evaluation, or the number of motions
+    whirl_status status; ///< why; WHIRL_NO_MEMORY and WHIRL_STOPPED end the fit
+} fit_motions;
+
+/// Makes them. WHIRL_NO_MEMORY. Freed by fit_motions_free, after a failure, too.
+whirl_status fit_motions_make(fit_motions *m);
+void fit_motions_free(fit_motions *m);
+
+/// Evaluates residuals [numbers], model less measured over noise, and their derivatives [numbers][unknowns], as
+/// least_squares_solve asks; false if a motion has no orbit near the one kept.
+bool fit_motions_evaluate(void *motions, const double *values, double *residuals, double *derivatives);
+
+/// Keeps the orbits of the last evaluation.
+void fit_motions_keep(void *motions);
+
+#endif

@@ -1,0 +1,258 @@
+// Fits: a rotor that rubs, against digits of an independent program; what data do not tell; coverage of intervals.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+#include "support_flow.h"
+#include "whirl/engine.h"
+
+enum { MAX_TEXT = 8192, SAMPLES = 64 };
+
+static const double two_pi = 6.283185307179586476925;
+
+static char folder[] = "/tmp/whirl-fit-XXXXXX";
+
+static void path_of(const char *name, char path[256]) {
+    snprintf(path, 256, "%s/%s", folder, name);
+}
+
+/// Runs a case whose tables are in the folder.
+static whirl_result *run_fit(const char *text, int threads) {
+    char path[256];
+    whirl_problems problems = {0};
+    whirl_case *object = NULL;
+    whirl_result *result = NULL;
+    path_of("fit.yaml", path);
+    const whirl_status status = whirl_case_parse(text, strlen(text), path, &problems, &object);
+    if (status.code != WHIRL_OK) print_error("%s\n", problems.count > 0 ? problems.items[0].message : status.message);
+    require_ok(status);
+    whirl_problems_free(&problems);
+    require_ok(whirl_case_run(object, &(whirl_run_options){.threads = threads}, &result));
+    whirl_case_free(object);
+    return result;
+}
+
+// ---------------------------------------------------------------- the rotor of jeffcott-rub.yaml, by five numbers
+
+#define RUBBING                                                                                                        \
+    "whirl: 1\n"                                                                                                       \
+    "parameters: {omega: 1 rad/s, e: 0.9, g: 1 m, k_r: 10 N/m, mu: 0.05, c: 0.2 N s/m}\n"                              \
+    "rotor:\n"                                                                                                         \
+    "  speed: = omega\n"                                                                                               \
+    "  length_scale: 1 m\n"                                                                                            \
+    "  stations: {disc: {mass: 1 kg, damping: = c, eccentricity: = e}}\n"                                              \
+    "  elements:\n"                                                                                                    \
+    "    - shaft: {between: [disc, ground], k1: 1 N/m}\n"                                                              \
+    "    - rub: {at: disc, gap: = g, stiffness: = k_r, friction: = mu}\n"                                              \
+    "    - gravity: 0.5\n"
+
+/// Writes 64 samples of the orbit at a speed, plus disturbances of known form.
+static void write_samples(const char *name, double omega) {
+    char path[256];
+    whirl_case *object;
+    whirl_study study;
+    whirl_machine machine;
+    static const char text[] = RUBBING "study:\n  sweep: {parameter: omega, from: 0.8, to: 1.2, points: 3}\n";
+    double x[4] = {0.7, 0.0, 0.0, 0.7};
+    require_ok(whirl_case_parse(text, sizeof text - 1, "rubbing", NULL, &object));
+    require_ok(whirl_case_study(object, &study));
+    require_ok(study.machine(study.family, &study.batches[0], omega, &machine));
+    whirl_integrator *integrator = make_integrator(machine.system, "dop853", SAMPLES);
+    revolve(integrator, x, 100);
+    whirl_integrator_free(integrator);
+    whirl_orbit *orbit;
+    const whirl_orbit_options options = whirl_orbit_default();
+    require_ok(whirl_orbit_find(machine.system, x, 1, &options, &orbit));
+    // Without derivatives by parameters the states at instants come from the machine extended by one that is unused.
+    whirl_sensitivity *by;
+    whirl_extended *extended;
+    whirl_orbit_sensitivity *samples;
+    whirl_batch batch = study.batches[0];
+    const whirl_given speed = {"omega", omega};
+    snprintf(batch.parameter, sizeof batch.parameter, "mu");
+    batch.given = &speed;
+    batch.given_count = 1;
+    require_ok(whirl_sensitivity_new(&study, &batch, 0.05, 0.0, &by));
+    require_ok(whirl_extended_new(1, &by, &extended));
+    require_ok(whirl_orbit_sensitivity_new(extended, orbit, &options, SAMPLES, &samples));
+    path_of(name, path);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fprintf(file, "angle [deg], disc x [m], disc y [m]\n");
+    for (int k = 0; k < SAMPLES; k++)
+        fprintf(file, "%.17g, %.17g, %.17g\n", 360.0 * k / SAMPLES,
+                samples->states[4 * k] + 0.002 * sin(7.0 * k + 1.0 + 3.0 * omega),
+                samples->states[4 * k + 1] + 0.002 * cos(11.0 * k + 2.0 + 5.0 * omega));
+    fclose(file);
+    whirl_orbit_sensitivity_free(samples);
+    whirl_extended_free(extended);
+    whirl_sensitivity_free(by);
+    whirl_orbit_free(orbit);
+    machine.release(machine.owner);
+    whirl_case_free(object);
+}
+
+static const char fitted[] = RUBBING "study:\n"
+                                     "  fit:\n"
+                                     "    unknown:\n"
+                                     "      e: {start: 0.92}\n"
+                                     "      g: {start: 0.99 m}\n"
+                                     "      k_r: {start: 10.5 N/m}\n"
+                                     "      mu: {start: 0.06}\n"
+                                     "      c: {start: 0.21 N s/m}\n"
+                                     "    data:\n"
+                                     "      - {file: orbit-1.csv, at: {omega: 0.85 rad/s}}\n"
+                                     "      - {file: orbit-2.csv, at: {omega: 1 rad/s}}\n"
+                                     "      - {file: orbit-3.csv, at: {omega: 1.15 rad/s}}\n"
+                                     "    tolerance: 1e-11\n"
+                                     "    rtol: 1e-13\n";
+
+/// Digits: exact tangents by DOP853 in an independent program, Richardson differences of extended orbits.
+static void rubbing_orbits(void **unused) {
+    (void)unused;
+    static const char *const names[] = {"e", "g", "k_r", "mu", "c"};
+    static const double found[5] = {0.9000638546263, 0.9998612866208, 9.995958362655, 0.0500193183249, 0.2000210795785};
+    static const double errors[5] = {2.1629438439e-4, 1.4021933810e-4, 5.1766307485e-3, 9.1949642145e-5,
+                                     8.2024842637e-5};
+    static const struct {
+        int a, b;
+        double value;
+    } correlations[] = {{1, 2, 0.695845557}, {0, 1, -0.530518886}, {2, 3, -0.404106748}, {3, 4, -0.372240224}};
+    write_samples("orbit-1.csv", 0.85);
+    write_samples("orbit-2.csv", 1.0);
+    write_samples("orbit-3.csv", 1.15);
+    whirl_result *one = run_fit(fitted, 1), *result = run_fit(fitted, 2);
+    const whirl_table *table = &result->tables[0];
+    // Threads change no bit.
+    assert_memory_equal(whirl_table_block(table, 0), whirl_table_block(&one->tables[0], 0),
+                        table->layout.size * sizeof(double));
+    const double *outcome = whirl_table_field(table, 0, WHIRL_FIELD_FIT_OUTCOME, 0);
+    const double *unknown = whirl_table_field(table, 0, WHIRL_FIELD_FIT_UNKNOWN, 0);
+    const double *correlation = whirl_table_field(table, 0, WHIRL_FIELD_FIT_CORRELATION, 0);
+    assert_int_equal((int)outcome[0], WHIRL_FIT_FOUND);
+    for (int u = 0; u < 5; u++) {
+        check_within("Fit", words("rubbing orbits: %s", names[u]), found[u], unknown[8 * u + 2], 1e-11 * found[u]);
+        check_within("Fit", words("rubbing orbits: standard error of %s", names[u]), errors[u], unknown[8 * u + 3],
+                     1e-8 * errors[u]);
+        assert_int_equal((int)unknown[8 * u + 7], WHIRL_FIT_DETERMINED);
+    }
+    check_within("Fit", "rubbing orbits: sum of squares", 7.7247398014e-4, outcome[3], 1e-13);
+    check_within("Fit", "rubbing orbits: standard deviation of residuals", 1.4276518908e-3, outcome[4], 1e-12);
+    assert_int_equal((int)outcome[5], 384 - 5);
+    for (size_t i = 0; i < sizeof correlations / sizeof *correlations; i++)
+        check_within(
+            "Fit", words("rubbing orbits: correlation %s, %s", names[correlations[i].a], names[correlations[i].b]),
+            correlations[i].value, correlation[WHIRL_MAX_UNKNOWNS * correlations[i].a + correlations[i].b], 1e-8);
+    whirl_result_free(one);
+    whirl_result_free(result);
+}
+
+// ---------------------------------------------------------------- closed forms
+
+#define DISC                                                                                                           \
+    "whirl: 1\n"                                                                                                       \
+    "parameters: {n: 100 rad/s, m: 3 kg, k: 30 kN/m, c: 40 N s/m, e: 50 um, mu: 0.1}\n"                                \
+    "rotor:\n"                                                                                                         \
+    "  speed: = n\n"                                                                                                   \
+    "  length_scale: %s\n"                                                                                             \
+    "  rotation: %s\n"                                                                                                 \
+    "  stations: {disc: {mass: = m, damping: = c, eccentricity: = e}}\n"                                               \
+    "  elements:\n"                                                                                                    \
+    "    - shaft: {between: [disc, ground], k1: = k}\n"                                                                \
+    "    - rub: {at: disc, gap: 5 mm, stiffness: 1 MN/m, friction: = mu}\n"                                            \
+    "study:\n"                                                                                                         \
+    "  fit:\n"                                                                                                         \
+    "    unknown: %s\n"                                                                                                \
+    "    data: bode.csv\n"                                                                                             \
+    "    tolerance: 1e-10\n"
+
+/// Amplitudes and lags of a disc on a spring by their closed form, e w^2/(k/m - w^2 + i c w/m), at 9 speeds. Clockwise,
+/// y leads x.
+static void write_bode(double m, double k, double c, double e, bool clockwise) {
+    char path[256];
+    path_of("bode.csv", path);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fprintf(file, "speed [rad/s], disc x [um], disc x lag [rad], disc y [um], disc y lag [rad]\n");
+    for (int i = 0; i < 9; i++) {
+        const double w = 60.0 + 10.0 * i, real = k / m - w * w, imaginary = c * w / m;
+        const double amplitude = 1e6 * e * w * w / hypot(real, imaginary), lag = atan2(imaginary, real);
+        fprintf(file, "%.17g, %.17g, %.17g, %.17g, %.17g\n", w, amplitude, lag, amplitude,
+                lag + (clockwise ? -0.25 : 0.25) * two_pi);
+    }
+    fclose(file);
+}
+
+static whirl_result *run_disc(const char *scale, const char *rotation, const char *unknown) {
+    char text[MAX_TEXT];
+    snprintf(text, sizeof text, DISC, scale, rotation, unknown);
+    return run_fit(text, 2);
+}
+
+/// What was put in comes out, whatever the unit of the state, and clockwise, too.
+static void closed_forms(void **unused) {
+    (void)unused;
+    static const struct {
+        const char *scale, *rotation;
+    } forms[] = {{"1 mm", "counter-clockwise"}, {"1 um", "counter-clockwise"}, {"1 mm", "clockwise"}};
+    static const double truth[3] = {33e3, 52.0, 38e-6};
+    static const char *const names[3] = {"k", "c", "e"};
+    for (size_t i = 0; i < sizeof forms / sizeof *forms; i++) {
+        write_bode(3.0, truth[0], truth[1], truth[2], strcmp(forms[i].rotation, "clockwise") == 0);
+        whirl_result *result = run_disc(forms[i].scale, forms[i].rotation, "{k: , c: , e: }");
+        const double *unknown = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_FIT_UNKNOWN, 0);
+        for (int u = 0; u < 3; u++)
+            check_within("Fit", words("disc on a spring, %s, %s: %s", forms[i].scale, forms[i].rotation, names[u]),
+                         truth[u], unknown[8 * u + 2], 1e-9 * truth[u]);
+        whirl_result_free(result);
+    }
+}
+
+/// Mass, damping and stiffness have a common factor that no unbalance response tells; the friction of a stator that is
+/// not touched acts on nothing.
+static void not_determined(void **unused) {
+    (void)unused;
+    static const int known[5] = {WHIRL_FIT_UNKNOWN, WHIRL_FIT_UNKNOWN, WHIRL_FIT_UNKNOWN, WHIRL_FIT_DETERMINED,
+                                 WHIRL_FIT_UNKNOWN};
+    write_bode(3.0, 33e3, 52.0, 38e-6, false);
+    whirl_result *result = run_disc("1 mm", "counter-clockwise", "{m: , k: , c: , e: , mu: }");
+    const double *unknown = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_FIT_UNKNOWN, 0);
+    const double *outcome = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_FIT_OUTCOME, 0);
+    for (int u = 0; u < 5; u++) assert_int_equal((int)unknown[8 * u + 7], known[u]);
+    assert_int_equal((int)outcome[6], 3);
+    check_within("Fit", "no common factor known: e", 38e-6, unknown[8 * 3 + 2], 1e-9 * 38e-6);
+    check_within("Fit", "no common factor known: k/m", 11e3, unknown[8 + 2] / unknown[2], 1e-5);
+    assert_true(isnan(unknown[3]) && isfinite(unknown[8 * 3 + 3]));
+    whirl_result_free(result);
+}
+
+static int make_folder(void **unused) {
+    (void)unused;
+    return mkdtemp(folder) ? 0 : -1;
+}
+
+static int remove_folder(void **unused) {
+    static const char *const names[] = {"orbit-1.csv", "orbit-2.csv", "orbit-3.csv", "bode.csv"};
+    char path[256];
+    (void)unused;
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        path_of(names[i], path);
+        unlink(path);
+    }
+    return rmdir(folder);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(rubbing_orbits), cmocka_unit_test(closed_forms),
+                                       cmocka_unit_test(not_determined)};
+    return cmocka_run_group_tests_name("fit", tests, make_folder, remove_folder);
+}
