@@ -31,6 +31,7 @@ rotor:
 STAGE = "    - stage: {at: disc, power: 200 kW, diameter: 0.4 m, width: 20 mm, density_ratio: 1.2}\n"
 OVER = "parameter: k, from: 1e6, to: 1e8, points: 3"
 RUN = "speed_from: 10 rad/s, speed_to: 20 rad/s, rate: 50 rad/s2, rows: 4, stationary: 0"
+BRANCH = "parameter: omega, from: 100, to: 120, points: 20, rtol: 1e-9"
 NUMBERS = ["0", "-1", "2.5", "1e30"]
 STATIONS = ["nowhere", "disc", "right", "[disc, left]", "[]"]
 RULE = "running_to: 3000 rpm, weight: 12 kg"
@@ -56,7 +57,21 @@ STUDIES = {
         },
     ),
     "response": ("", {}),
+    "branch": (
+        BRANCH,
+        {
+            **dict.fromkeys("longest switches segments points step rtol torus_nodes torus_points".split(), NUMBERS),
+            "revolutions": ["2", "3", *NUMBERS],
+            "at": ["[110]", "[110, 115]", "[200]", "[]"],
+            "begin": ["start", "linear", "nowhere"],
+            "rest": ["yes", "no"],
+            "tori": ["yes"],
+        },
+    ),
 }
+# Machines whose motions leave their bounds: at once, or after some revolutions.
+FLEEING = MACHINE.replace("KXX", "-1e9")
+GROWING = MACHINE.replace("KXX", "= k, kxy: 2e7, kyx: -2e7")
 BESIDE = {
     "integrate": dict.fromkeys("steps_per_revolution rtol limit transient record watch".split(), NUMBERS),
     "keep": dict.fromkeys("waveform samples highest_order".split(), NUMBERS),
@@ -79,6 +94,11 @@ def cases():
             for value in values:
                 given = f"{part}: {{{key}: {value}}}" if key else f"{part}: {value}"
                 yield given, MACHINE.replace("KXX", "= k") + f"study:\n  response: {{}}\n  {given}\n"
+    for name, machine in (("flees", FLEEING), ("grows", GROWING)):
+        for begin in ("settled", "start", "linear"):
+            for rest in ("no", "yes"):
+                given = f"branch: {{{BRANCH}, begin: {begin}, rest: {rest}}}"
+                yield f"{given} of a machine that {name}", machine + f"study:\n  {given}\n"
     # Stiffness over the speed: no critical speeds all at once.
     for study in ("critical_speeds", "modes", "statics"):
         text = MACHINE.replace("KXX", "= 1e4*omega") + f"study:\n  {study}: {{}}\n"
@@ -100,9 +120,8 @@ def main():
             with open("case.yaml", "w", encoding="utf-8") as file:
                 file.write(text)
             checked, said, why = whirl("check", "case.yaml")
-            ran, _, complaint = whirl(
-                "run", "case.yaml", "-q", "-o", "r.h5", "--threads", "1", "--max-time", "0.2 s"
-            )
+            time = "9 s" if name.startswith("branch") else "0.2 s"
+            ran, _, complaint = whirl("run", "case.yaml", "-q", "-o", "r.h5", "--threads", "1", "--max-time", time)
             for left in os.listdir("."):
                 os.remove(left)
             good += checked == 0

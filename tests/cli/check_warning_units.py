@@ -24,12 +24,8 @@ quantity = re.compile(rf"({number}) ({'|'.join(map(re.escape, units))})(?![\w/])
 def texts(name):
     """What `check` says, what the result says, and the warnings of its JSON."""
     warned = re.compile(r"^(?:\S+ )?warning: (.*)$|^((?:bearing|seal) at .*)$", re.M)
-    with open(name + ".check") as file, open(name + ".show") as out, open(
-        name + ".json"
-    ) as document:
-        said = [
-            ["".join(one) for one in warned.findall(own.read())] for own in (file, out)
-        ]
+    with open(name + ".check") as file, open(name + ".show") as out, open(name + ".json") as document:
+        said = [["".join(one) for one in warned.findall(own.read())] for own in (file, out)]
         own = json.load(document)
     said.append(own["warnings"] + own.get("fits", []))
     return said
@@ -38,17 +34,11 @@ def texts(name):
 used = set()
 for of in sys.argv[1:]:
     metric, customary = texts(of), texts(of + "-us")
-    assert (
-        metric[1] == metric[2] and customary[1] == customary[2]
-    ), "summary and JSON differ"
-    assert set(w for w in metric[0] if not w.startswith(("bearing", "seal"))) <= set(
-        metric[1]
-    ), "check says others"
+    assert metric[1] == metric[2] and customary[1] == customary[2], "summary and JSON differ"
+    assert set(w for w in metric[0] if not w.startswith(("bearing", "seal"))) <= set(metric[1]), "check says others"
     for si, us in zip(metric[1], customary[1], strict=True):
         assert quantity.sub("#", si) == quantity.sub("#", us), (si, us)
-        for (value, unit), (told, own) in zip(
-            quantity.findall(si), quantity.findall(us), strict=True
-        ):
+        for (value, unit), (told, own) in zip(quantity.findall(si), quantity.findall(us), strict=True):
             name, size, zero = shown[unit]
             right = float(value) / size - zero
             assert own == name and abs(float(told) - right) <= 5.1e-4 * abs(right), (

@@ -21,8 +21,8 @@ static void cosine(const void *model, double t, double *forcing) {
 }
 
 /// Linear and cubic parts of one oscillator in tau = W t: W^2 x'' + c W x' + k x + b x^3 = F cos tau; p: these, and the
-/// stiffness of its stop.
-enum { SPEED, DAMPING, STIFFNESS, CUBIC, FORCE, STOP };
+/// stiffness and the place of its stop.
+enum { SPEED, DAMPING, STIFFNESS, CUBIC, FORCE, STOP, GAP };
 
 static void oscillator(const void *model, double t, const double *f, const double *x, double *dxdt) {
     const double *p = model, W = p[SPEED];
@@ -359,8 +359,7 @@ static void doublings_of_duffing(void **state) {
 
 /// x'' + .1 x' + x + s (x - 1) [x > 1] = F cos W t: nothing touches up to F^2 = (1 - W^2)^2 + (.1 W)^2 of amplitude 1.
 static double gap_of(const double *p, const double *x) {
-    (void)p;
-    return x[0] - 1.0;
+    return x[0] - p[GAP];
 }
 
 static void stop_on_sides(const void *model, double t, const double *f, const double *x, const double *sides,
@@ -396,16 +395,22 @@ static void stop_gradient(const void *model, double t, const double *x, size_t i
     gradient[1] = *by_time = 0.0;
 }
 
+/// Gives an oscillator the stop.
+static void add_stop(test_family *of, double stiffness, double gap) {
+    of->system.switch_count = 1;
+    of->system.rhs = stop;
+    of->system.rhs_on_sides = stop_on_sides;
+    of->system.tangent = stop_tangent;
+    of->system.switches = stop_switch;
+    of->system.switch_gradient = stop_gradient;
+    of->p[STOP] = stiffness;
+    of->p[GAP] = gap;
+}
+
 static test_family stop_family(double W, double F) {
     test_family family = oscillator_family(W, 0.1, 1.0, 0.0, F);
-    family.system.switch_count = 1;
-    family.system.rhs = stop;
-    family.system.rhs_on_sides = stop_on_sides;
-    family.system.tangent = stop_tangent;
-    family.system.switches = stop_switch;
-    family.system.switch_gradient = stop_gradient;
+    add_stop(&family, 20.0, 1.0);
     family.varied = FORCE;
-    family.p[STOP] = 20.0;
     return family;
 }
 
@@ -469,6 +474,54 @@ static void no_orbit_goes_through_the_stop(void **state) {
         assert_true(within > 0);
         whirl_branch_free(branch);
         whirl_orbit_free(start);
+    }
+}
+
+/// Follows a driven two-well oscillator over its force, and returns the first doubling of the branch, a copy.
+static whirl_branch_point first_doubling(const test_family *family, whirl_branch **branch) {
+    whirl_branch_options options = whirl_branch_default(0.2, 0.32);
+    whirl_orbit *start = find_orbit(family, 1, &options.orbit);
+    *branch = follow_branch(family, start, 1, &options);
+    const whirl_branch_point *point = special_point(*branch, WHIRL_DOUBLING, 0);
+    whirl_orbit_free(start);
+    assert_non_null(point);
+    return *point;
+}
+
+/// A stop at the very place that the orbit reaches at its doubling: the map has a term of the power 3/2 of the depth,
+/// and third differences have no limit. Farther away the stop changes nothing.
+static void doublings_at_a_graze(void **state) {
+    static const double stiffnesses[] = {0.3, 1.0, 10.0}, apart[] = {0.0, 1e-9, -1e-9};
+    (void)state;
+    for (size_t i = 0; i < sizeof stiffnesses / sizeof *stiffnesses; i++) {
+        test_family family = oscillator_family(1.2, 0.3, -1.0, 1.0, 0.2);
+        whirl_branch *branch;
+        family.varied = FORCE;
+        family.start[0] = 0.56838897;
+        family.start[1] = 0.41272660 / 1.2;
+        const whirl_branch_point alone = first_doubling(&family, &branch);
+        const double far = 1.1 * alone.orbit->high[0];
+        assert_true(alone.criticality < 0.0);
+        whirl_branch_free(branch);
+        add_stop(&family, stiffnesses[i], far);
+        const whirl_branch_point beside = first_doubling(&family, &branch);
+        const double place = far + beside.orbit->touches[0].nearest;
+        check_within("branches", words("doubling, stop of %g beside the orbit: at F =", stiffnesses[i]), alone.value,
+                     beside.value, 1e-10);
+        check_within("branches", "its criticality", alone.criticality, beside.criticality,
+                     1e-6 * fabs(alone.criticality));
+        whirl_branch_free(branch);
+        for (size_t k = 0; k < sizeof apart / sizeof *apart; k++) {
+            char text[128];
+            add_stop(&family, stiffnesses[i], place + apart[k]);
+            const whirl_branch_point point = first_doubling(&family, &branch);
+            const char *const of = words("doubling, stop of %g, %g beyond the orbit", stiffnesses[i], apart[k]);
+            whirl_special_text(&point, text, sizeof text);
+            // The multiplier changes with the root of the depth, 3e-5.
+            check_within("branches", words("%s: at F =", of), alone.value, point.value, 1e-4 * stiffnesses[i]);
+            check_text("branches", of, "orbits of twice the period begin, criticality not known", text);
+            whirl_branch_free(branch);
+        }
     }
 }
 
@@ -580,6 +633,7 @@ int main(void) {
                                        cmocka_unit_test(kinked_doublings),
                                        cmocka_unit_test(doublings_of_duffing),
                                        cmocka_unit_test(grazes_are_located),
+                                       cmocka_unit_test(doublings_at_a_graze),
                                        cmocka_unit_test(no_orbit_goes_through_the_stop),
                                        cmocka_unit_test(the_curve_of_first_touches),
                                        cmocka_unit_test(the_curve_of_folds_has_a_cusp),

@@ -28,11 +28,7 @@ def check_same(memory, file, path):
     assert list(memory.tables) == list(file.tables)
     assert memory.parameters == file.parameters and memory.stations == file.stations
     assert memory.contacts == file.contacts and memory.case_text == file.case_text
-    assert (memory.speed, memory.length_scale, memory.force_scale) == (
-        file.speed,
-        file.length_scale,
-        file.force_scale,
-    )
+    assert (memory.speed, memory.length_scale, memory.force_scale) == (file.speed, file.length_scale, file.force_scale)
     with h5py.File(path) as plain:
         for name, table in memory.tables.items():
             other, group = file.tables[name], plain[name]
@@ -112,10 +108,7 @@ def test_attractors_of_a_basin(basin):
 def test_attractors_of_several_starts(name, request):
     result = request.getfixturevalue(name)
     (table,) = result.tables.values()
-    number, own = (
-        table.attractors,
-        table["starts/neighbour"] == 0,
-    )  # those from neighbours are no sample
+    number, own = table.attractors, table["starts/neighbour"] == 0  # those from neighbours are no sample
     assert number.max() >= 2 and table.place.max() == (3 if name == "starts" else 5)
     for place in np.unique(table.place):
         here = table.place == place
@@ -165,10 +158,7 @@ def test_saved_results_are_files_of_the_command(good, good_file, tmp_path):
 
 def test_arrays_are_not_copied_and_outlive_their_result(good_file):
     result = whirl.read(good_file)
-    radius, again = (
-        result["sweep"]["orbit/max_radius"],
-        result["sweep"]["orbit/max_radius"],
-    )
+    radius, again = result["sweep"]["orbit/max_radius"], result["sweep"]["orbit/max_radius"]
     assert radius.ctypes.data == again.ctypes.data and not radius.flags.writeable and not radius.flags.owndata
     expected, gone = radius.copy(), weakref.ref(result)
     del result, again
@@ -315,11 +305,7 @@ def test_si_where_the_speed_changes(speed, hertz, tmp_path):
     result = whirl.run(whirl.Case(text=SPEEDS % speed), progress=False)
     result.save(tmp_path / "speeds.h5")
     with whirl.open(tmp_path / "speeds.h5") as opened:
-        for table in (
-            result["sweep"],
-            opened["sweep"],
-            whirl.read(tmp_path / "speeds.h5")["sweep"],
-        ):
+        for table in (result["sweep"], opened["sweep"], whirl.read(tmp_path / "speeds.h5")["sweep"]):
             assert np.allclose(table.clock / (2 * np.pi), hertz, rtol=1e-14, equal_nan=True)
             exponent, unit = table.si("lyapunov/largest")
             assert unit == "1/s" and np.allclose(exponent, table["lyapunov/largest"] * hertz, equal_nan=True)
@@ -331,21 +317,10 @@ def test_si_where_the_speed_changes(speed, hertz, tmp_path):
 
 def test_clocks_of_keyphasors_and_of_own_systems(map_files):
     text = (SPEEDS % "omega").replace(
-        "    - shaft",
-        "    - force: {at: disc, amplitude: 1 N, ratio: %s, keyphasor: yes}\n    - shaft",
+        "    - shaft", "    - force: {at: disc, amplitude: 1 N, ratio: %s, keyphasor: yes}\n    - shaft"
     )
-    for ratio, varied, clock in (
-        ("1.5", "order", 150 * np.pi),
-        ("= order", "order", np.nan),
-        ("1.5", "n", np.nan),
-    ):
-        case = (
-            text.replace(
-                "parameter: n, values: [20, 35, 50]",
-                f"parameter: {varied}, values: [1, 2]",
-            )
-            % ratio
-        )
+    for ratio, varied, clock in (("1.5", "order", 150 * np.pi), ("= order", "order", np.nan), ("1.5", "n", np.nan)):
+        case = text.replace("parameter: n, values: [20, 35, 50]", f"parameter: {varied}, values: [1, 2]") % ratio
         if varied == "order" and ratio != "= order":
             case = case.replace("damping: 20 N.s/m", "damping: = 20*order")
         assert np.allclose(whirl.Case(text=case).outline()["sweep"].clock, clock, equal_nan=True), (ratio, varied)
@@ -356,10 +331,7 @@ def test_clocks_of_keyphasors_and_of_own_systems(map_files):
         assert np.array_equal(opened["map"].clock, opened["map"].values)
         with pytest.raises(ValueError, match="read-only"):
             opened["map"].second_values[0] = 1.0
-    assert np.array_equal(
-        np.unique(whirl.Case(map_files[0]).outline()["map"].clock),
-        np.linspace(50, 400, 5),
-    )
+    assert np.array_equal(np.unique(whirl.Case(map_files[0]).outline()["map"].clock), np.linspace(50, 400, 5))
 
 
 @pytest.mark.parametrize("name, value", [("plane", 0), ("starts", 0), ("clock_of", -1), ("clock_of", 5)])
@@ -381,14 +353,7 @@ def test_orders_are_no_lengths(good):
 def test_numbers_that_are_kept_are_not_written_to(good, good_file):
     with whirl.open(good_file) as opened:
         for table in (good["sweep"], opened["sweep"]):
-            for array in (
-                table.values,
-                table.length_scale,
-                table.point,
-                table.branch,
-                table.verdicts,
-                table.clock,
-            ):
+            for array in (table.values, table.length_scale, table.point, table.branch, table.verdicts, table.clock):
                 with pytest.raises(ValueError, match="read-only"):
                     array[0] = array[1]
 
@@ -472,20 +437,8 @@ def test_contacts_that_hold_a_machine_at_rest():
                 "length_scale": "0.1 mm",
                 "stations": {"disc": {"mass": "10 kg", "damping": "600 N.s/m"}},
                 "elements": [
-                    {
-                        "spring": {
-                            "between": ["disc", "ground"],
-                            "stiffness": "400 kN/m",
-                        }
-                    },
-                    {
-                        "rub": {
-                            "at": "disc",
-                            "gap": "0.2 mm",
-                            "stiffness": "2 MN/m",
-                            "friction": 0,
-                        }
-                    },
+                    {"spring": {"between": ["disc", "ground"], "stiffness": "400 kN/m"}},
+                    {"rub": {"at": "disc", "gap": "0.2 mm", "stiffness": "2 MN/m", "friction": 0}},
                     {"gravity": "= load"},
                 ],
             },
@@ -582,10 +535,7 @@ def test_files_that_are_there_are_kept(good, good_file, tmp_path):
     mine, page = tmp_path / "mine.h5", tmp_path / "template.html"
     page.write_text("@WHIRL-RUNS@")
     for result in (good, whirl.open(good_file), whirl.read(good_file)):
-        for write in (
-            result.save,
-            lambda path, **more: result.explorer(path, template=page, **more),
-        ):
+        for write in (result.save, lambda path, **more: result.explorer(path, template=page, **more)):
             mine.write_text("mine")
             with pytest.raises(FileExistsError, match="is there already and is kept: overwrite=True") as caught:
                 write(mine)
@@ -593,10 +543,7 @@ def test_files_that_are_there_are_kept(good, good_file, tmp_path):
             write(mine, overwrite=True)
             assert mine.read_bytes()[:4] != b"mine"
     for name in ("a.csv", "a.TXT", "fan.json", "fan.yaml", "a.mat"):
-        with pytest.raises(
-            whirl.BadInput,
-            match="ending of another kind of file, expected the name of a result",
-        ):
+        with pytest.raises(whirl.BadInput, match="ending of another kind of file, expected the name of a result"):
             good.save(tmp_path / name)
         assert not (tmp_path / name).exists()
     for name in ("a", "a.hdf5", "omega-1.5", "a.csv.h5"):
@@ -618,14 +565,7 @@ def test_notebooks_find_the_explorer_beside_the_command(good, tmp_path, monkeypa
 
 def test_missing_files_are_missing_files(tmp_path):
     missing = tmp_path / "no.h5"
-    reads = (
-        whirl.open,
-        whirl.read,
-        whirl.Case,
-        whirl.run,
-        whirl.balance,
-        whirl.bearing,
-    )
+    reads = (whirl.open, whirl.read, whirl.Case, whirl.run, whirl.balance, whirl.bearing)
     for read in reads:
         with pytest.raises(FileNotFoundError, match="^cannot read .*no.h5'?: No such file") as caught:
             read(missing)
@@ -635,36 +575,12 @@ def test_missing_files_are_missing_files(tmp_path):
 def test_a_wrong_kind_of_thing_is_one_sentence(good, good_file):
     for call, kind, words in (
         (lambda: good.figure(3), whirl.BadInput, "3 is no text"),
-        (
-            lambda: good.parameters["omgea"],
-            KeyError,
-            "there is no 'omgea', did you mean 'omega'",
-        ),
-        (
-            lambda: good.plot.bifurcation(ax=3),
-            whirl.BadInput,
-            "ax is 3, expected axes of Matplotlib",
-        ),
-        (
-            lambda: whirl.Case(good_file),
-            whirl.BadInput,
-            "is a result, expected a case: whirl.open",
-        ),
-        (
-            lambda: whirl.open(GOOD),
-            whirl.BadInput,
-            "it is no HDF5 file, expected a result",
-        ),
-        (
-            lambda: whirl.Case([1]),
-            TypeError,
-            r"a case is \[1\], expected the name of a file or a dict",
-        ),
-        (
-            lambda: whirl.Case(GOOD).spend("10 s"),
-            whirl.BadInput,
-            "to spend are '10 s', expected a number",
-        ),
+        (lambda: good.parameters["omgea"], KeyError, "there is no 'omgea', did you mean 'omega'"),
+        (lambda: good.plot.bifurcation(ax=3), whirl.BadInput, "ax is 3, expected axes of Matplotlib"),
+        (lambda: whirl.Case(good_file), whirl.BadInput, "is a result, expected a case: whirl.open"),
+        (lambda: whirl.open(GOOD), whirl.BadInput, "it is no HDF5 file, expected a result"),
+        (lambda: whirl.Case([1]), TypeError, r"a case is \[1\], expected the name of a file or a dict"),
+        (lambda: whirl.Case(GOOD).spend("10 s"), whirl.BadInput, "to spend are '10 s', expected a number"),
     ):
         with pytest.raises(kind, match=words):
             call()

@@ -194,8 +194,7 @@ class Result:
     @property
     def beyond(self) -> list[str]:
         """The ranges of laws that points of tables have left: which, and how far they went. Field "ranges/left" of a
-        table tells how many a point has left, "ranges/reached" what each came to and where its range ends.
-        """
+        table tells how many a point has left, "ranges/reached" what each came to and where its range ends."""
         told = []
         for name, every in self._rows_of(FIELD.RANGES_REACHED):
             for i in range(every.shape[1] // 2):
@@ -212,8 +211,7 @@ class Result:
     @property
     def held(self) -> list[str]:
         """The contacts against which machines at rest rest, and which small motions leave closed. Field "ranges/held"
-        of a table is the normal force of every contact at every point, 0 where it is open.
-        """
+        of a table is the normal force of every contact at every point, 0 where it is open."""
         told = []
         for name, every in self._rows_of(FIELD.RANGES_HELD):
             for contact, force in zip(self.contacts, self.force_scale * every.T):
@@ -239,8 +237,7 @@ class Result:
     def elsewhere(self) -> list[str]:
         """The tables of machines at rest with points that have another place of rest, to which that of the value before
         or after leads. Field "ranges/elsewhere" of a table has the distance of each station from its place of rest,
-        and "ranges/elsewhere_growth" the largest real part of the eigenvalues there, 1/s: stable below 0.
-        """
+        and "ranges/elsewhere_growth" the largest real part of the eigenvalues there, 1/s: stable below 0."""
         told = []
         for name, apart in self._rows_of(FIELD.RANGES_ELSEWHERE):
             found = np.isfinite(apart).any(axis=tuple(range(1, apart.ndim)))
@@ -382,14 +379,7 @@ class Result:
         """
         from .figure import describe
 
-        return describe(
-            self._figured(),
-            name,
-            units,
-            panels,
-            log,
-            None if other is None else other._figured(),
-        )
+        return describe(self._figured(), name, units, panels, log, None if other is None else other._figured())
 
     def figure(
         self,
@@ -589,9 +579,7 @@ def find_template() -> str | os.PathLike | None:
     return next((place for place in places if place and os.path.exists(place)), None)
 
 
-def open(
-    path: str | os.PathLike,
-) -> Result:  # noqa: A001 (whirl.open reads as one says it)
+def open(path: str | os.PathLike) -> Result:  # noqa: A001 (whirl.open reads as one says it)
     """Opens a result file. Nothing but its outline is read before it is asked for, however large it is.
 
     The file is read by h5py as it stands. For files from untrusted sources there is :func:`read`, which has libwhirl

@@ -4,8 +4,10 @@
 #include <stdlib.h>
 
 #include "attractors.h"
+#include "kinds.h"
 #include "memory.h"
 #include "run.h"
+#include "settled.h"
 #include "whirl/internal/study_try.h"
 
 /// States of the largest machine whose first point is tried: it takes about half a second.
@@ -327,12 +329,28 @@ static whirl_status try_point(const whirl_study *study, const whirl_batch *batch
     return status;
 }
 
+/// Begins the branches of a batch, without following them.
+static whirl_status try_branches(const whirl_study *study, const whirl_batch *batch, const whirl_stop *stop) {
+    whirl_batch own = *batch;
+    whirl_status status = whirl_ok();
+    own.integrate.stop = stop;
+    for (size_t i = 0; i < batch->count && status.code == WHIRL_OK && !*stop; i++) {
+        whirl_orbit *orbit;
+        status = settled_orbit(study, &own, batch->values[i], &orbit);
+        whirl_orbit_free(orbit);
+    }
+    return *stop ? whirl_ok() : status;
+}
+
 whirl_status whirl_study_try(const whirl_study *study, const whirl_stop *stop) {
     study_run run = {.study = study};
     whirl_status status = whirl_study_outline(study, &run.result);
     whirl_result_free(run.result);
     if (status.code == WHIRL_OK) status = count_states(&run);
-    for (size_t i = 0; i < study->batch_count && status.code == WHIRL_OK; i++)
-        if (whirl_analysis_kind(study->batches[i].analyses)->place) status = try_point(study, &study->batches[i], stop);
+    for (size_t i = 0; i < study->batch_count && status.code == WHIRL_OK; i++) {
+        const whirl_batch *batch = &study->batches[i];
+        if (whirl_analysis_kind(batch->analyses)->place) status = try_point(study, batch, stop);
+        if (study_kind_of(batch) == &branch_kind && !batch->second[0]) status = try_branches(study, batch, stop);
+    }
     return status.code == WHIRL_BAD_INPUT || status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
 }
