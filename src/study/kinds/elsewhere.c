@@ -59,6 +59,53 @@ static bool is_same(const whirl_system *system, const double *a, const double *b
     return !(apart > same_part * size + same_length);
 }
 
+/// Writes which coordinates nothing holds at x (work [2][dimension]): idle ones (whirl_settled) that stay where they
+/// are put. A pad without a film but with a spring comes back.
+static void find_loose(const whirl_system *system, const double *x, double *work, whirl_settled *kinds, bool *loose) {
+    const size_t d = system->dimension;
+    const double aside = 0x1p-13;
+    double *moved = work + d;
+    memcpy(work, x, d * sizeof *x);
+    if (!system->settle(system->model, work, kinds)) return;
+    for (size_t i = 0; i < d; i++) work[i] = kinds[i] == WHIRL_IDLE;
+    for (size_t i = 0; i < d; i++) {
+        if (work[i] == 0.0) continue;
+        memcpy(moved, x, d * sizeof *x);
+        const double there = moved[i] += aside;
+        loose[i] = loose[i] || (system->settle(system->model, moved, kinds) && moved[i] == there);
+    }
+}
+
+/// Returns true if the machine rests at x and at `rest` because what nothing holds stands otherwise: with that as at
+/// `rest`, the search from x leads to `rest`. What an idle pad's film still carries moves the others, and no equation
+/// says how the pad stands: a place of rest is known to that.
+static whirl_status is_loosely_same(const whirl_system *system, const double *x, const double *rest, bool *same) {
+    const size_t d = system->dimension;
+    bool any = false;
+    *same = false;
+    if (!system->settle) return whirl_ok();
+    double *work = calloc(3 * d, sizeof *work);
+    whirl_settled *kinds = calloc(d, sizeof *kinds);
+    bool *loose = calloc(d, sizeof *loose);
+    whirl_status status = whirl_ok();
+    if (work && kinds && loose) {
+        find_loose(system, x, work, kinds, loose);
+        find_loose(system, rest, work, kinds, loose);
+        for (size_t i = 0; i < d; i++) {
+            work[i] = loose[i] ? rest[i] : x[i];
+            any = any || work[i] != x[i];
+        }
+        if (any) status = whirl_equilibrium(system, work);
+        *same = any && status.code == WHIRL_OK && is_same(system, work, rest);
+    } else {
+        status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the place of rest of %zu coordinates", d);
+    }
+    free(work);
+    free(kinds);
+    free(loose);
+    return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
+}
+
 /// Goes from a neighbour's place to where the machine rests near it. A place that moves free, to which no force brings
 /// it back, is no other one.
 static whirl_status follow(const whirl_machine *machine, const double *rest, const double *from, double **elsewhere,
@@ -69,7 +116,9 @@ static whirl_status follow(const whirl_machine *machine, const double *rest, con
     if (!x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the place of rest of %zu coordinates", d);
     memcpy(x, from, d * sizeof *x);
     whirl_status status = whirl_equilibrium(machine->system, x);
-    if (status.code == WHIRL_OK && !is_same(machine->system, x, rest)) {
+    bool same = status.code != WHIRL_OK || is_same(machine->system, x, rest);
+    if (!same) status = is_loosely_same(machine->system, x, rest, &same);
+    if (status.code == WHIRL_OK && !same) {
         status = whirl_modes_new(machine->system, x, &modes);
         if (status.code == WHIRL_OK && modes->free == 0 && !(modes->period > 0.0)) {
             *growth = modes->growth;
