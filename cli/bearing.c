@@ -6,10 +6,13 @@
 #include <string.h>
 
 #include "case_arguments.h"
-#include "console.h"
+#include "cores.h"
 #include "files.h"
 #include "found.h"
+#include "guard.h"
+#include "interrupt.h"
 #include "output.h"
+#include "progress.h"
 #include "whirl/engine/bearing_table.h"
 #include "whirl/engine/figure.h"
 

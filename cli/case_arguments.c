@@ -1,6 +1,6 @@
 #include "case_arguments.h"
 
-#include "console.h"
+#include "guard.h"
 
 #include <errno.h>
 #include <stdlib.h>

@@ -1,6 +1,11 @@
 /// whirl check: reports all problems of case files, or their content.
 #include "command.h"
-#include "console.h"
+#include "cores.h"
+#include "estimate.h"
+#include "guard.h"
+#include "phases.h"
+#include "progress.h"
+#include "study_summary.h"
 
 #include <math.h>
 #include <stdbool.h>

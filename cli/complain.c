@@ -1,5 +1,6 @@
 #include "command.h"
-#include "console.h"
+#include "guard.h"
+#include "terminal.h"
 
 #include <errno.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 #define _GNU_SOURCE // sched_getaffinity; NOLINT(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
-#include "console.h"
+#include "cores.h"
 
 #include <sched.h>
 

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "console.h"
+#include "terminal.h"
 
 // ---------------------------------------------------------------- one name that can be described
 

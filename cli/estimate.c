@@ -1,4 +1,4 @@
-#include "console.h"
+#include "estimate.h"
 
 #include <math.h>
 #include <string.h>

@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <sys/stat.h>
 
-#include "console.h"
 #include "files.h"
+#include "guard.h"
 #include "output.h"
 
 enum { KEY_FORCE = 0x100 };

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "console.h"
 #include "files.h"
+#include "guard.h"
 #include "output.h"
 #include "whirl/engine/figure.h"
 

@@ -1,4 +1,4 @@
-#include "console.h"
+#include "guard.h"
 
 #include <errno.h>
 #include <signal.h>

@@ -1,4 +1,4 @@
-#include "console.h"
+#include "interrupt.h"
 
 #include <math.h>
 #include <signal.h>

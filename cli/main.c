@@ -1,6 +1,6 @@
 /// whirl COMMAND ...: finds the command and hands over.
 #include "command.h"
-#include "console.h"
+#include "guard.h"
 #include "ranks.h"
 #include "together.h"
 

@@ -1,7 +1,7 @@
 /// whirl merge: makes the result from the journals of shards.
 #include "command.h"
 
-#include "console.h"
+#include "cores.h"
 #include "study.h"
 
 static const struct argp_option options[] = {

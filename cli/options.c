@@ -1,6 +1,6 @@
 /// Parsing the arguments of a command: argp, preceded by suggestions for unknown options, which argp lacks.
 #include "command.h"
-#include "console.h"
+#include "guard.h"
 
 #include <stdbool.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "console.h"
+#include "phases.h"
 
 #include <math.h>
 #include <stdbool.h>

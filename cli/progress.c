@@ -1,9 +1,12 @@
-#include "console.h"
+#include "progress.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
+
+#include "interrupt.h"
+#include "terminal.h"
 
 enum { MAX_COLUMNS = 120, MAX_BAR = 40 };
 

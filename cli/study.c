@@ -7,9 +7,11 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "console.h"
+#include "guard.h"
+#include "interrupt.h"
 #include "journal.h"
 #include "output.h"
+#include "progress.h"
 #include "ranks.h"
 #include "together.h"
 #include "whirl/engine/report.h"

@@ -1,4 +1,4 @@
-#include "console.h"
+#include "study_summary.h"
 
 #include <stdio.h>
 #include <string.h>

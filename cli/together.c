@@ -5,7 +5,8 @@
 #include <string.h>
 
 #include "command.h"
-#include "console.h"
+#include "interrupt.h"
+#include "progress.h"
 #include "ranks.h"
 
 /// The numbers that all ranks see; before these, how many pieces of each pass are dealt out.

@@ -5,8 +5,8 @@
 
 #include <stdint.h>
 
-#include "console.h"
 #include "journal.h"
+#include "progress.h"
 
 /// Numbers that ranks exchange; the first two at once when they change.
 enum {

@@ -8,7 +8,9 @@
 #include <string.h>
 
 #include "case_arguments.h"
-#include "console.h"
+#include "cores.h"
+#include "interrupt.h"
+#include "progress.h"
 #include "whirl/internal/verify.h"
 
 enum { SAMPLE = 9, MAX_POINTS = 10000, MAX_REVOLUTIONS = 1000000, NAME_SIZE = 64 };

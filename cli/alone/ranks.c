@@ -1,7 +1,7 @@
 // One process is all there is.
 #include "ranks.h"
 
-#include "console.h"
+#include "cores.h"
 
 /// Numbers that only this process sees; the interface knows them by their place.
 static int64_t words[RANKS_WORDS];

@@ -11,7 +11,7 @@
 #include <time.h>
 
 #include "command.h"
-#include "console.h"
+#include "cores.h"
 
 /// Outcome of all ranks.
 typedef struct outcome {

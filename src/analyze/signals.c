@@ -6,8 +6,10 @@
 #include <string.h>
 
 #include "analysis.h"
+#include "recurrence.h"
 #include "section.h"
-#include "signal_parts.h"
+#include "signal_check.h"
+#include "zero_one.h"
 
 _Static_assert((int)WHIRL_SIGNALS_COLUMNS == (int)SPECTRUM_COLUMNS, "rows are handed on as they are");
 _Static_assert((int)WHIRL_SIGNALS_LINES >= (int)WHIRL_MAX_LINES, "callers have room for all lines");

@@ -5,9 +5,11 @@
 #include <string.h>
 
 #include "lanes.h"
-#include "linear_parts.h"
+#include "linear_status.h"
 #include "matrix.h"
+#include "mean.h"
 #include "memory.h"
+#include "whirl/engine/linear.h"
 
 /// A machine of bearings alone, linearised at its equilibrium, and the inner states of the bearings.
 typedef struct inner_states {

@@ -4,9 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "linear_parts.h"
+#include "linear_status.h"
 #include "matrix.h"
+#include "mean.h"
+#include "mean_rest.h"
 #include "memory.h"
+#include "whirl/engine/linear.h"
 
 /// Relative singular value below which a direction counts as a free motion and is not moved.
 static const double free_direction = 1e-12;

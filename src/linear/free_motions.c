@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "linear_parts.h"
+#include "free_motions.h"
 
 /// A sum below this part of its summands is doubtful: it may be rounding.
 static const double doubtful = 1e-8;

@@ -4,9 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "linear_parts.h"
 #include "matrix.h"
+#include "mean.h"
 #include "numerics.h"
+#include "whirl/engine/linear.h"
 
 /// A closed loop in coordinates in which its Jacobian is upper Hessenberg, so that a frequency takes n^2 operations
 /// (Laub 1981), and workspace for its equations.

@@ -1,9 +1,10 @@
-#include "linear_parts.h"
+#include "mean.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "linear_status.h"
 #include "memory.h"
 
 enum { PHASES = 16 };

@@ -4,10 +4,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "linear_parts.h"
+#include "direction.h"
+#include "free_motions.h"
 #include "matrix.h"
+#include "mean.h"
+#include "mean_rest.h"
 #include "memory.h"
+#include "modes_memory.h"
 #include "numerics.h"
+#include "periodic.h"
 
 /// Real and imaginary parts below this part of an eigenvalue are rounding.
 static const double rounding = 1e-13;

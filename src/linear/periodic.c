@@ -1,10 +1,11 @@
-#include "linear_parts.h"
+#include "periodic.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "matrix.h"
+#include "mean.h"
 #include "whirl/engine/integrate.h"
 
 static whirl_integrate_options tight(void) {

@@ -3,9 +3,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "linear_parts.h"
+#include "linear_status.h"
 #include "matrix.h"
+#include "mean.h"
+#include "mean_rest.h"
 #include "memory.h"
+#include "periodic.h"
+#include "whirl/engine/linear.h"
 
 static const double two_pi = 6.283185307179586476925;
 

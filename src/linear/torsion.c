@@ -3,8 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "linear_parts.h"
+#include "linear_status.h"
 #include "matrix.h"
+#include "mean.h"
 #include "memory.h"
 #include "whirl/engine/torsion.h"
 

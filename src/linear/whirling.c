@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "bracket.h"
-#include "linear_parts.h"
+#include "modes_memory.h"
 
 /// Parts into which the interval between two neighbouring frequencies of the tables is divided.
 enum { PARTS = 2 };

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "runup_parts.h"
-#include "signal_parts.h"
+#include "synchronous.h"
 #include "whirl/engine/linear.h"
 
 /// Columns of fields of x and y, or of both ways to go round, at every order.

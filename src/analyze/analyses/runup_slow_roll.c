@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "runup_parts.h"
-#include "signal_parts.h"
+#include "synchronous.h"
 
 /// The 1X of x (axis 0) or y of a row as a vector; NaN where the row is missing.
 static double complex slow_roll_vector(const block_view *view, size_t station, size_t row, size_t axis) {

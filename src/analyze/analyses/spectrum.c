@@ -6,7 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "signal_parts.h"
+#include "spectral_lines.h"
+#include "synchronous.h"
+#include "transform.h"
 
 static const double pi = 3.141592653589793238463;
 

@@ -2,9 +2,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "approach.h"
+#include "archive.h"
+#include "metric.h"
 #include "numerics.h"
-#include "record.h"
+#include "orbit_search.h"
+#include "orbits.h"
 #include "section.h"
+#include "settling.h"
 
 /// Longest orbit that is searched while a motion settles: two of its returns must fit into the kept states.
 enum { LONGEST = 40 };

@@ -1,4 +1,4 @@
-#include "record.h"
+#include "archive.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 // Rest: a motion that is constant, to what its steps resolve, at an equilibrium. It is as small as the errors of its
 // steps, so neither its returns nor a perturbed copy mean anything; the equilibrium and its eigenvalues decide instead.
 // See docs/theory.md, "Rest".
-#include "record.h"
+#include "at_rest.h"
 
 #include <math.h>
 #include <stdlib.h>

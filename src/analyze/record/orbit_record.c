@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "record.h"
+#include "record_block.h"
 #include "whirl/engine/ensemble.h"
 #include "whirl/engine/orbit.h"
 

@@ -1,11 +1,13 @@
-#include "record.h"
+#include "orbit_search.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "archive.h"
 #include "matrix.h"
 #include "numerics.h"
+#include "whirl/engine/ensemble.h"
 
 // ---------------------------------------------------------------- one orbit_search
 

@@ -1,6 +1,10 @@
-#include "record.h"
+#include "orbits.h"
 
 #include <math.h>
+
+#include "orbit_search.h"
+#include "record_block.h"
+#include "recurrence.h"
 
 /// Additional cost of a revolution with a perturbation, in revolutions.
 static const double perturbed = 0.5;

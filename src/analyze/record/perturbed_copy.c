@@ -1,5 +1,5 @@
 // Growth of a small perturbation (Benettin et al. 1980), by a perturbed copy that is rescaled every revolution.
-#include "record.h"
+#include "perturbed_copy.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,11 +1,13 @@
 // The memory of a record.
-#include "record.h"
+#include "record_block.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "archive.h"
 #include "numerics.h"
+#include "recurrence.h"
 #include "section.h"
 
 int record_skip(const whirl_record_options *options, int revolution, size_t period) {

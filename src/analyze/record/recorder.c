@@ -6,7 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "record.h"
+#include "approach.h"
+#include "archive.h"
+#include "at_rest.h"
+#include "orbit_search.h"
+#include "orbits.h"
+#include "perturbed_copy.h"
+#include "record_block.h"
+#include "settling.h"
+#include "steps.h"
 #include "whirl/engine/ensemble.h"
 
 #define NO_LANE ((size_t)-1)

@@ -1,9 +1,10 @@
-#include "record.h"
+#include "settling.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "archive.h"
 #include "numerics.h"
 #include "whirl/engine/analyze.h"
 

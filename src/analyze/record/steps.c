@@ -1,4 +1,4 @@
-#include "record.h"
+#include "steps.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -6,8 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "birkhoff.h"
 #include "numerics.h"
-#include "record.h"
+#include "record_block.h"
+#include "recurrence.h"
+#include "whirl/engine/ensemble.h"
+#include "zero_one.h"
 
 /// Copies that run side by side, and those of systems that run alone; least revolutions that count, and those that are
 /// then judged.

@@ -5,6 +5,7 @@
 // Nonlinearity 31 (2018) 491). A motion that still settles disagrees as well.
 #include <math.h>
 
+#include "birkhoff.h"
 #include "numerics.h"
 #include "section.h"
 

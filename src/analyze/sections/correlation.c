@@ -4,6 +4,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
+#include "correlation.h"
 #include "section.h"
 
 /// sum over n of (z(n) - mean) . (z(n + lag) - mean), over its value at lag 0.

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "curves.h"
 #include "section.h"
 
 enum { MAX_POINTS = 2000, MAX_CURVES = WHIRL_MAX_PERIOD, MIN_POINTS_A_CURVE = 12 };

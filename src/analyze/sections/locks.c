@@ -6,7 +6,10 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "curves.h"
+#include "locks.h"
 #include "numerics.h"
+#include "rotation.h"
 #include "section.h"
 
 static const double two_pi = 6.283185307179586;

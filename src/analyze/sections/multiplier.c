@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "multiplier.h"
 #include "section.h"
 
 enum { MIN_RETURNS = 12, MAX_RETURNS = 64 };

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "recurrence.h"
 #include "section.h"
 
 /// Largest |z(n+k) - z(n)| among `count` points from `first` on.

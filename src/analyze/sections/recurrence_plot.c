@@ -5,7 +5,7 @@
 #include <stdbool.h>
 
 #include "section.h"
-#include "signal_parts.h"
+#include "signal_check.h"
 
 /// Statistics of the lines along a scan.
 typedef struct line_count {

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "numerics.h"
+#include "rotation.h"
 #include "section.h"
 
 enum { MIN_POINTS = 24, ORDERED_POINTS = 2000 };

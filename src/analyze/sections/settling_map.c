@@ -9,6 +9,7 @@
 
 #include "matrix.h"
 #include "section.h"
+#include "settling_map.h"
 
 enum { MAX_DIRECTIONS = 10, MAX_DIMENSION = 128, MIN_A_DIRECTION = 6 };
 

@@ -7,6 +7,7 @@
 #include <stdbool.h>
 
 #include "section.h"
+#include "zero_one.h"
 
 enum { MAX_POINTS = 4000, FREQUENCIES = 25, MAX_LAGS = 50 };
 

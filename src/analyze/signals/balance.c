@@ -5,7 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "signal_parts.h"
+#include "balance_equations.h"
+#include "balance_limits.h"
+#include "balance_sets.h"
+#include "balance_trials.h"
 
 static const double two_pi = 6.283185307179586476925;
 

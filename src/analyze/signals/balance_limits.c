@@ -1,5 +1,5 @@
 // Best weights within limits: least largest vibration, or least squares, by Newton's method on a barrier.
-#include "signal_parts.h"
+#include "balance_limits.h"
 
 #include <float.h>
 #include <math.h>

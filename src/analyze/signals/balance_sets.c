@@ -1,8 +1,10 @@
 // Sets of weights that excite one mode alone (Bishop, Gladwell 1959; Kellenberger 1972; as trial sets of the unified
 // approach: Darlow, Smalley, Parkinson 1981).
-#include "signal_parts.h"
+#include "balance_sets.h"
 
 #include <math.h>
+
+#include "balance_equations.h"
 
 /// Excitation of the modes by weights in the planes and, if these are kept, resultant and couple.
 typedef struct conditions {

@@ -1,9 +1,11 @@
 // Trial weights from a model: the usual tenth of the bearing load, limited to what readings resolve and limits allow,
 // where they reduce the vibration.
-#include "signal_parts.h"
+#include "balance_trials.h"
 
 #include <math.h>
 #include <string.h>
+
+#include "balance_equations.h"
 
 static const double force_share = 0.1, least_change = 0.3, most_change = 1.0, clear = 5.0, gravity = 9.80665;
 

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "signal_parts.h"
+#include "signal_check.h"
 
 static const double two_pi = 6.283185307179586476925;
 

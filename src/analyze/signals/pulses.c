@@ -3,7 +3,9 @@
 #include <complex.h>
 #include <math.h>
 
-#include "signal_parts.h"
+#include "signal_check.h"
+#include "synchronous.h"
+#include "transform.h"
 
 static const double pi = 3.141592653589793238463;
 

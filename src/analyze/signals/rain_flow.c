@@ -4,7 +4,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-#include "signal_parts.h"
+#include "signal_check.h"
 
 /// Returns true if the history turns at `middle`, between the last point that counts and the next sample.
 static bool rain_flow_turns(double last, double middle, double next) {

@@ -1,4 +1,4 @@
-#include "signal_parts.h"
+#include "signal_check.h"
 
 #include <math.h>
 #include <stdbool.h>

@@ -1,7 +1,7 @@
 // Loss of amplitude of a sinusoid whose frequency sweeps through a Hann window.
 #include <math.h>
 
-#include "signal_parts.h"
+#include "whirl/signals.h"
 
 static const double pi = 3.141592653589793238463;
 

@@ -4,7 +4,7 @@
 // convolution with the transform of exp(-t n^2), a Gaussian, of which the nearest places suffice. The longer
 // transform's length is a power of two, so that a number of samples with large prime factors costs no more than its
 // neighbours.
-#include "signal_parts.h"
+#include "transform.h"
 
 #include <math.h>
 #include <stdlib.h>

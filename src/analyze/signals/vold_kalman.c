@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "signal_parts.h"
+#include "signal_check.h"
 
 static const double pi = 3.141592653589793238463;
 

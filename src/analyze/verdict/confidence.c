@@ -1,10 +1,16 @@
 // Confidence of a verdict: agreement between the pieces of evidence, and between two tolerances.
-#include "section.h"
+#include "confidence.h"
 
 #include <limits.h>
 #include <math.h>
 
 #include "analysis.h"
+#include "birkhoff.h"
+#include "evidence.h"
+#include "locks.h"
+#include "multiplier.h"
+#include "recurrence.h"
+#include "section.h"
 
 /// Largest remaining distance to the limit, over its size, of a settled motion.
 static const double settled = 1e-6;

@@ -1,10 +1,13 @@
-#include "section.h"
+#include "evidence.h"
 
 #include <math.h>
 
 #include "analysis.h"
+#include "birkhoff.h"
 #include "numerics.h"
-#include "record.h"
+#include "record_block.h"
+#include "recurrence.h"
+#include "section.h"
 
 evidence evidence_gather(const whirl_record *record) {
     evidence e = {.points = record_points(record),

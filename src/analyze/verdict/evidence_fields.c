@@ -2,7 +2,11 @@
 #include <math.h>
 
 #include "analysis.h"
+#include "correlation.h"
+#include "evidence.h"
+#include "multiplier.h"
 #include "section.h"
+#include "zero_one.h"
 
 enum { CHAOS, CORRELATION, MEMORY, SETTLING, MULTIPLIER, MODULUS, FIELD_COUNT };
 

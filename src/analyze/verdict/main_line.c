@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "analysis.h"
+#include "main_line.h"
 #include "section.h"
 
 enum { MIN_REVOLUTIONS = 32, MAX_STATIONS = 64, MAX_MULTIPLE = 8 };

@@ -4,8 +4,19 @@
 #include <stdbool.h>
 
 #include "analysis.h"
-#include "record.h"
+#include "birkhoff.h"
+#include "confidence.h"
+#include "curves.h"
+#include "evidence.h"
+#include "locks.h"
+#include "main_line.h"
+#include "recurrence.h"
+#include "rotation.h"
 #include "section.h"
+#include "settling.h"
+#include "settling_map.h"
+#include "steps.h"
+#include "zero_one.h"
 
 /// Standard errors by which an exponent must differ from zero.
 static const double sigmas = 3.0;

@@ -4,8 +4,14 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "record.h"
+#include "birkhoff.h"
+#include "confidence.h"
+#include "evidence.h"
+#include "multiplier.h"
+#include "recurrence.h"
 #include "section.h"
+#include "settling.h"
+#include "steps.h"
 #include "whirl/engine/analyze.h"
 
 const char *whirl_regime_name(whirl_regime regime) {

@@ -8,6 +8,10 @@
 
 #include <cmocka.h>
 
+#include "birkhoff.h"
+#include "confidence.h"
+#include "evidence.h"
+#include "recurrence.h"
 #include "section.h"
 #include "whirl/engine/analyze.h"
 

@@ -7,6 +7,7 @@
 
 #include <cmocka.h>
 
+#include "curves.h"
 #include "section.h"
 
 static const double two_pi = 6.283185307179586, golden = 0.6180339887498949;

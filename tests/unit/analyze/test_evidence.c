@@ -9,9 +9,13 @@
 
 #include <cmocka.h>
 
+#include "correlation.h"
+#include "multiplier.h"
 #include "near.h"
+#include "rotation.h"
 #include "section.h"
 #include "synthetic.h"
+#include "zero_one.h"
 
 static const double two_pi = 6.283185307179586, golden = 0.38196601125010515;
 

@@ -11,6 +11,7 @@
 
 #include <cmocka.h>
 
+#include "main_line.h"
 #include "section.h"
 #include "whirl/engine/analyze.h"
 

@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "record.h"
+#include "settling.h"
 
 /// Revolutions until 1e-6 (1 + 2^-n), beside a phase that turns by `rate`, counts as settled; 1000 where it never does.
 static int revolutions(double rate) {

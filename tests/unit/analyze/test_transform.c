@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "signal_parts.h"
+#include "transform.h"
 
 static const double two_pi = 6.283185307179586476925;
 

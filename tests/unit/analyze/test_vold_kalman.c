@@ -205,7 +205,7 @@ static void refusals(void **state) {
     for (int poles = 1; poles <= 2; poles++) { // the same order twice, also with another zero of its angle
         for (size_t i = 0; i < COUNT; i++) phases[COUNT + i] = phases[i] + 0.3;
         assert_refused(whirl_signals_vold_kalman(y, COUNT, 200.0, phases, 2, widths, poles, found),
-                       "the orders cannot be told apart");
+                       "the orders cannot be separated");
     }
     fill(0.0);
     y[3] = NAN;

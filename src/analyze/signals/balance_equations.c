@@ -1,4 +1,4 @@
-#include "signal_parts.h"
+#include "balance_equations.h"
 
 #include <math.h>
 #include <stdlib.h>

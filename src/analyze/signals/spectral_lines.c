@@ -4,7 +4,8 @@
 // the error of the guess. The leakage of the other lines (and of a line's own mirror image at the negative frequency)
 // is known in closed form and subtracted; a few rounds converge. Side lobes do not disturb the picking of peaks: at
 // whole bins the transform of one sinusoid falls monotonically.
-#include "signal_parts.h"
+#include "spectral_lines.h"
+#include "transform.h"
 
 #include <complex.h>
 #include <math.h>

@@ -1,0 +1,44 @@
+/// A motion's approach to a periodic orbit: when Newton's method is worth a try, and whether the motion itself reaches
+/// the orbit that was found. See docs/theory.md, "Orbits of settled motions".
+#ifndef ANALYZE_APPROACH_H
+#define ANALYZE_APPROACH_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "archive.h"
+#include "orbit_search.h"
+#include "section.h"
+#include "settling.h"
+
+typedef struct approach approach;
+
+/// Makes one for motions of the system with these options. NULL without memory. Freed by approach_free.
+approach *approach_new(const whirl_system *system, const whirl_integrate_options *integrate,
+                       const whirl_record_options *options);
+void approach_free(approach *a);
+
+/// Serializes its state.
+void approach_archive(approach *a, archive *to);
+
+/// Returns the period of an orbit that may be near after `revolution` revolutions, given the last states; 0 if Newton's
+/// method is not worth a try.
+size_t approach_tries(approach *a, const settling *states, int revolution);
+
+/// Takes the result of Newton's method from that state: the approach then owns *s. WHIRL_NO_MEMORY.
+whirl_status approach_take(approach *a, orbit_search *s, const settling *states, int revolution);
+
+/// Checks the last revolution, if an orbit is known. Called before approach_arrives.
+void approach_goes_on(approach *a, const settling *states);
+
+/// Returns true if the motion, at the start of the orbit's first revolution, is so near a stable orbit, and approaches
+/// it as its multipliers predict, that it must settle on it.
+bool approach_arrives(const approach *a, const settling *states);
+
+/// Returns the orbit that was found last, NULL without one; owned by the approach.
+orbit_search *approach_orbit(const approach *a);
+
+/// Returns the revolutions that Newton's method has taken.
+double approach_spent(const approach *a);
+
+#endif

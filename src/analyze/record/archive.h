@@ -1,0 +1,28 @@
+/// Serialization: one description of a state's parts serves measuring, writing and reading.
+#ifndef ANALYZE_ARCHIVE_H
+#define ANALYZE_ARCHIVE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "section.h"
+
+typedef enum archive_way { ARCHIVE_MEASURE, ARCHIVE_WRITE, ARCHIVE_READ } archive_way;
+
+typedef struct archive {
+    archive_way way;
+    unsigned char *bytes; ///< [size] written or read; NULL while measuring
+    size_t size, at;
+    bool sound; ///< false if the data read do not fit
+} archive;
+
+/// Processes `size` bytes of memory.
+void archive_part(archive *a, void *memory, size_t size);
+
+/// Processes a number that must be equal when it is read.
+void archive_same(archive *a, double number);
+
+/// Processes a count, at most `most` when it is read.
+void archive_count(archive *a, size_t *count, size_t most);
+
+#endif

@@ -1,0 +1,44 @@
+/// The memory of a record.
+#ifndef ANALYZE_RECORD_BLOCK_H
+#define ANALYZE_RECORD_BLOCK_H
+
+#include <stddef.h>
+
+#include "archive.h"
+#include "section.h"
+
+/// Returns the revolution at which a motion continues that has settled on P-`period` after `revolution` revolutions: it
+/// skips the rest of the transient except the last 64 revolutions, or three periods if these are longer than 64.
+int record_skip(const whirl_record_options *options, int revolution, size_t period);
+
+/// Makes an empty record for a motion of the system, all zero. NULL without memory. Freed by whirl_record_free.
+whirl_record *record_new(const whirl_system *system, const whirl_integrate_options *integrate,
+                         const whirl_record_options *options);
+
+/// Prepares the record of a motion on an orbit of k <= options->record revolutions, which are recorded at the end of
+/// sections and waveforms.
+void record_begin_orbit(whirl_record *record, const whirl_record_options *options, size_t k);
+
+/// Fills the rest of the record, before means are scaled, by repeating these revolutions, and growths by the largest
+/// multiplier of record->orbit.
+void record_repeat_orbit(whirl_record *record, const whirl_record_options *options);
+
+/// Returns the section so far. An angle is replaced by a point on a circle whose arcs are as long as the angles'
+/// differences, so that states that differ by whole turns agree. Valid until the next call.
+section record_points(const whirl_record *record);
+
+/// Clears coordinates that turn from a complete record: they have no size and no place in the section.
+void record_close_turns(whirl_record *record);
+
+/// Serializes the options and sizes that a record's meaning depends on, and its content so far.
+void record_archive(whirl_record *record, const whirl_integrate_options *integrate, const whirl_record_options *options,
+                    archive *a);
+
+/// Sets the initial perturbations [count][dimension]. A single one lies across all axes; the k-th of all is sin(k
+/// theta_i), theta_i = pi i/(n + 1) for the i-th axis of n. They are orthonormal, and since sin(k theta)/sin(theta) are
+/// polynomials of rising degree in cos(theta), any k axes see the first k of them as independent: even if the motion
+/// decouples planes, or other groups of coordinates, the fastest growth comes first. Coordinates that turn have axes of
+/// their own, the last: orthogonalized in turn, the others never mix with them.
+void record_place_perturbations(const whirl_record *record, size_t count, double *perturbations);
+
+#endif

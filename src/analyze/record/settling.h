@@ -1,0 +1,28 @@
+/// Detection of motions that have settled on a periodic orbit, whose transient can then be cut short.
+#ifndef ANALYZE_SETTLING_H
+#define ANALYZE_SETTLING_H
+
+#include <stddef.h>
+
+#include "archive.h"
+#include "section.h"
+
+/// The last states of a section, and for every k how many revolutions in a row have returned after k.
+typedef struct settling settling;
+
+/// Makes one for motions of the system, which is borrowed: coordinates that turn do not count for returns. NULL without
+/// memory. Freed by settling_free.
+settling *settling_new(const whirl_system *system);
+void settling_free(settling *settling);
+
+/// Serializes its state.
+void settling_archive(settling *settling, archive *a);
+
+/// Adds the state x [dimension] at the end of a revolution. Returns the least k <= 128 after which the motion has
+/// returned to 1e-11 of its size for three periods and 32 revolutions; 0 without one.
+size_t settling_note(settling *settling, const double *x);
+
+/// Returns the state [dimension] so many revolutions before the last one; NULL if it is not kept. 129 are kept.
+const double *settling_state(const settling *settling, size_t back);
+
+#endif

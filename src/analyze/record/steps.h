@@ -1,0 +1,20 @@
+/// Fixed steps that are too long for a motion, and their effect on its verdict.
+#ifndef ANALYZE_STEPS_H
+#define ANALYZE_STEPS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "section.h"
+
+/// Fills record->steps of a finished motion, by a few of its revolutions. Methods with a tolerance are skipped.
+whirl_status steps_look(const whirl_system *system, const whirl_integrate_options *integrate, whirl_record *record);
+
+/// Corrects a verdict for steps that are too long: none if they are unstable or wrong, less confidence if they are
+/// coarse.
+void steps_weigh(whirl_verdict *verdict, const whirl_step_quality *steps);
+
+/// Writes why steps leave a verdict undetermined; false if they do not.
+bool steps_reason(const whirl_verdict *verdict, char *text, size_t size);
+
+#endif

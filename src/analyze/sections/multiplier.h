@@ -1,0 +1,16 @@
+/// The largest Floquet multiplier of a periodic motion, from the returns of its section.
+#ifndef ANALYZE_MULTIPLIER_H
+#define ANALYZE_MULTIPLIER_H
+
+#include "section.h"
+
+/// The largest Floquet multiplier of a periodic motion; of a complex pair the one with positive imaginary part.
+typedef struct multiplier {
+    double real, imaginary;
+} multiplier;
+
+/// Finds it by least squares on the returns z(n + period) - z(n), while they shrink between a hundredth of the motion's
+/// size and its rounding. NaN if there are too few of these, or if they do not follow one multiplier or a pair.
+multiplier multiplier_find(const section *all, int period, double size, double rounding);
+
+#endif

@@ -1,0 +1,36 @@
+/// Evidence for verdicts.
+#ifndef ANALYZE_EVIDENCE_H
+#define ANALYZE_EVIDENCE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "birkhoff.h"
+#include "recurrence.h"
+#include "section.h"
+
+typedef struct evidence {
+    section points;
+    double size;         ///< size of the motion
+    double rounding;     ///< distances over the size that are insignificant
+    size_t growth_count; ///< after the first tenth, in which the perturbation aligns
+    const double *growth;
+    recurrence returns;
+    regularity averages;
+    whirl_estimate exponent;
+    whirl_estimate second; ///< sharp, for regular motions; NaN unless all perturbations were followed
+    bool forced;           ///< by a phase that fits no revolution: then a stable motion does not return
+    bool exponents_failed; ///< the growth is invalid
+} evidence;
+
+/// Gathers the inexpensive evidence.
+evidence evidence_gather(const whirl_record *record);
+
+/// Returns the evidence of the later half of the recorded revolutions, for a motion that settled late.
+evidence evidence_later_half(const evidence *all);
+
+/// Returns the growth rate of returns, natural logarithm per revolution, negative while the motion settles: from those
+/// in the first and in the last quarter of the recorded revolutions, which are three quarters apart.
+double settling_rate(const evidence *e);
+
+#endif

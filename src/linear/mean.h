@@ -1,0 +1,49 @@
+/// A system without what drives it in time: the forcing at zero amplitude, turning phases at their mean.
+#ifndef LINEAR_MEAN_H
+#define LINEAR_MEAN_H
+
+#include "whirl/engine/system.h"
+
+/// A system with workspace.
+typedef struct mean_system {
+    const whirl_system *system;
+    size_t count;           ///< coordinates that do not turn on and on
+    whirl_settled *settled; ///< [dimension] coordinates that mean_settle sets to a balance of their own
+    size_t *kept;           ///< [count] coordinates of the state
+    int samples;            ///< phases over which the mean is taken
+    double *state;          ///< [dimension] workspace, as the next two
+    double *slope;          ///< [dimension]
+    double *unit;           ///< [count][dimension]
+    double *rows;           ///< [count][dimension]
+    /// Values of time that are constant; 0 for the others.
+    double steady[WHIRL_MAX_FORCING];
+} mean_system;
+
+/// Makes a mean system in one block, *block, which the caller frees by free. WHIRL_BAD_INPUT for a system without a
+/// Jacobian.
+whirl_status mean_begin(mean_system *m, const whirl_system *system, void **block);
+
+/// Moves coordinates that have a balance of their own to that balance (whirl_system.settle). Returns false without one.
+bool mean_settle(mean_system *m, double *x);
+
+/// Leaves out coordinates that are idle where the machine rests: their motions are not modes of the machine.
+void mean_leave_idle(mean_system *m, const double *x);
+
+/// Writes the mean system's right-hand side [count] at x [dimension].
+void mean_slope(mean_system *m, const double *x, double *slope);
+
+/// Writes the normal forces of all contacts [contact_count]; `room` [contact_count] is workspace.
+void mean_contacts(mean_system *m, const double *x, double *force, double *room);
+
+/// Writes the mean system's Jacobian [count][count] at x [dimension].
+void mean_jacobian(mean_system *m, const double *x, double *jacobian);
+
+/// Returns true if the system's Jacobian at x depends on time through the forcing: coefficients turn with the shaft.
+/// jacobian [count][count] is workspace.
+bool mean_is_modulated(mean_system *m, const double *x, double *jacobian);
+
+/// Returns the coordinate that is the rate of coordinate `row`, from a Jacobian [n][n]; n if `row` is not a
+/// displacement.
+size_t mean_rate_of(const double *jacobian, size_t n, size_t row);
+
+#endif

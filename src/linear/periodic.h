@@ -1,0 +1,17 @@
+/// Periodic motions of systems whose coefficients turn with the shaft, and their monodromy matrix.
+#ifndef LINEAR_PERIODIC_H
+#define LINEAR_PERIODIC_H
+
+#include "mean.h"
+
+/// Finds the periodic motion near x [dimension], which becomes its state at t = 0, and its monodromy matrix
+/// [count][count] over *period, for the coordinates that do not turn on and on. Without `closed` it is enough that the
+/// matrix no longer changes: the matrix of a linear machine is the same for all motions, and its periodic motion may be
+/// unbounded. WHIRL_BAD_INPUT if no motion is found, or the coefficients do not repeat after a number of revolutions.
+whirl_status periodic_find(const mean_system *m, double *x, bool closed, double *monodromy, double *period);
+
+/// Writes the mean [dimension] and the first harmonic [dimension][2] of the periodic motion that starts at x, as
+/// periodic_find left it.
+whirl_status periodic_harmonic(const mean_system *m, const double *x, double *mean, double *harmonic);
+
+#endif
