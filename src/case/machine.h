@@ -47,12 +47,12 @@ typedef struct machine_choice {
     double frequency;           ///< rad/s, frequency of whirl in place of the shaft's
 } machine_choice;
 
-/// As machine_build, at a speed and with the changes of a variant.
+/// Builds the machine like machine_build, at a speed and with the changes of a variant.
 whirl_status machine_build_with(const machine_parts *machine, valuation *v, double speed, const machine_choice *choice,
                                 whirl_rotor **rotor);
 
-/// As machine_build, with springs of a stiffness (N/m) in place of the bearings, or with the bearings alone on stations
-/// of 1 kg.
+/// Builds the machine like machine_build, with springs of a stiffness (N/m) in place of the bearings, or with the
+/// bearings alone on stations of 1 kg.
 whirl_status machine_build_on_springs(const machine_parts *machine, valuation *v, double speed, whirl_bearings what,
                                       double stiffness, whirl_rotor **rotor);
 whirl_status machine_build_bearings(const machine_parts *machine, valuation *v, double speed, whirl_rotor **rotor);

@@ -115,14 +115,14 @@ const fit_parts *fit_read(case_reader *reader, const machine_parts *machine, con
 
 // ---------------------------------------------------------------- tables of measured numbers
 
-/// What a column holds.
+/// Contents of a column.
 typedef struct fit_column {
     enum { FIT_ANGLE, FIT_SPEED, FIT_PARAMETER, FIT_DISPLACEMENT, FIT_LAG } kind;
     size_t station;
     double direction, order; ///< rad; order of vectors
     double size;             ///< SI per unit
     const parameter *parameter;
-    size_t lag; ///< of a displacement: column of its lag, or its own
+    size_t lag; ///< column of the lag of a displacement, or its own column
 } fit_column;
 
 /// The lists of a fit while its tables are read.
@@ -380,7 +380,7 @@ static whirl_status fit_take_table(fit_maker *m) {
         const bool axis = strcmp(name, "angle") == 0 || strcmp(name, "turns") == 0 || strcmp(name, "speed") == 0 ||
                           parameters_find(m->reader->parameters, name) < m->reader->parameters->count;
         if (axis && along < table->column_count)
-            return FIT_FAIL(m, c, "is a second column besides probes, expected one of angle, speed, or a parameter");
+            return FIT_FAIL(m, c, "is a second column without a probe, expected one of angle, speed, or a parameter");
         if (axis) along = c;
     }
     if (along == table->column_count)

@@ -1,4 +1,4 @@
-// What studies name: stations of the machine, and parameters with values.
+// Names in studies: stations of the machine, and parameters with values.
 #include "plan.h"
 
 #include <math.h>

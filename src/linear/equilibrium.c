@@ -262,7 +262,8 @@ static void regain_films(search *s, double *x, double *at) {
     }
 }
 
-/// As rest_find; *share is the part of the load up to which the equilibrium was followed.
+/// Finds the equilibrium from x on, the load applied in shares if need be. *share is the part of the load up to which
+/// the equilibrium was followed.
 static whirl_status rest_follow(mean_system *m, double *x, double *share) {
     const size_t n = m->count, d = m->system->dimension;
     double *block = calloc(5 * n + n * n + 3 * d + 1, sizeof *block);

@@ -96,7 +96,7 @@ typedef struct twist_link {
     double modulus;                       ///< m3, of its weakest section against torsion; 0: unknown
 } twist_link;
 
-/// How often a harmonic torque pulsates.
+/// Frequencies of harmonic torques.
 typedef enum harmonic_rate {
     HARMONIC_STEADY,     ///< it does not
     HARMONIC_BY_ROTOR,   ///< `rate` times the speed of the rotor
@@ -120,7 +120,7 @@ typedef struct twist_fatigue {
     size_t station[2];
     bool by_stress;       ///< ranges are Pa; else N m
     double modulus;       ///< m3, of the section that counts; 0: the one of what joins the stations
-    double concentration; ///< of the stress in it
+    double concentration; ///< stress concentration in it
     size_t count;         ///< points of the curve
     double ranges[WHIRL_MAX_LIST], lives[WHIRL_MAX_LIST]; ///< falling ranges, growing lives
     double slope, endurance;                              ///< as in whirl_signals_damage
@@ -246,7 +246,7 @@ void assembly_inertance(assembly *to, size_t row, size_t by, double mass);
 /// them perhaps NO_COORDINATE, the ground.
 void assembly_inerter(assembly *to, size_t one, size_t other, double mass);
 
-/// What joins two places: N/m, N s/m and kg, of angles N m/rad, N m s/rad and kg m2.
+/// Stiffness, damping and inertance between two places: N/m, N s/m and kg, of angles N m/rad, N m s/rad and kg m2.
 typedef struct joining {
     double stiffness, damping, inertance;
     double modulus; ///< as in twist_link

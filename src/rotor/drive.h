@@ -1,4 +1,4 @@
-/// What turns a shaft whose speed is a state of the machine: motors, loads and other torques.
+/// Torques that turn a shaft whose speed is a state of the machine: motors, loads and others.
 #ifndef ROTOR_DRIVE_H
 #define ROTOR_DRIVE_H
 
@@ -34,7 +34,7 @@ double drive_highest(const shaft_drive *drive);
 /// Most torques of a rotor, states of one, and numbers of its law.
 enum { MAX_TORQUES = 16, TORQUE_STATES = 4, TORQUE_NUMBERS = 8 };
 
-/// Where and when a torque acts: SI, in the sense of its station's rotation.
+/// Time, speed and angle at which a torque acts: SI, in the sense of its station's rotation.
 typedef struct torque_place {
     double time;         ///< s
     double speed, angle; ///< rad/s and rad, of its station
@@ -45,14 +45,14 @@ typedef struct torque_place {
 typedef struct shaft_torque {
     const struct torque_law *law;
     size_t station;                ///< NO_STATION: the shaft as a whole
-    double number[TORQUE_NUMBERS]; ///< of the law
+    double number[TORQUE_NUMBERS]; ///< numbers of the law
     size_t count;                  ///< columns of its table
     double table[3][WHIRL_MAX_LIST];
 } shaft_torque;
 
 /// A law of torques.
 typedef struct torque_law {
-    const char *name; ///< of its element
+    const char *name; ///< name of its element
     size_t states;    ///< first-order states, which begin at 0
     bool motor;       ///< a trip ends it
     /// Returns the torque, N m, and writes the slopes of its states by time unless NULL.

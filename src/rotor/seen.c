@@ -1,4 +1,4 @@
-// What elements see of a state of their rotor.
+// States and extremes of a rotor as its elements see them.
 #include <string.h>
 
 #include "machine.h"

@@ -1,4 +1,4 @@
-// What excites the twists of a rotor, and what carries torque from station to station, for its response to torques
+// Excitations of the twists of a rotor, and paths of torque from station to station, for its response to torques
 // (whirl/engine/torsion.h).
 #include <math.h>
 #include <stdlib.h>

@@ -46,7 +46,7 @@ whirl_status rotor_model_train(const whirl_design *design, whirl_model *out) {
                 piece = piece || rotor_link_station(rotor, of.link, end) == rotor->station_count;
         }
         if (of.element) {
-            // Of the first gear about its axis.
+            // Stiffness and damping about the axis of the first gear.
             element_carried by;
             of.element->type->carry(of.element, &(element_place){.q = {0.0}}, &by);
             own.stiffness = by.stiffness / by.unit * by.lever[0] * by.lever[0];

@@ -54,6 +54,7 @@ static void put_case(whirl_status *status, hid_t file, const whirl_result *resul
 static void put_parameters(whirl_status *status, hid_t file, const whirl_result *result) {
     const size_t count = result->parameter_count, stride = sizeof *result->parameters;
     const whirl_parameter *parameters = result->parameters;
+    // Gather values and shown units.
     double *values = malloc((2 * count + 1) * sizeof *values), *sizes = values ? values + count : NULL;
     whirl_unit *shown = calloc(count + 1, sizeof *shown);
     whirl_shown_units units = {0};
@@ -64,6 +65,7 @@ static void put_parameters(whirl_status *status, hid_t file, const whirl_result 
         shown[i] = whirl_shown_parameter(&units, parameters[i].name);
         sizes[i] = shown[i].size;
     }
+    // Write them, a data set each.
     const hid_t group = put_group(status, file, "parameters");
     put_texts(status, group, "name", texts_of(count ? parameters->name : "", stride, count));
     put_numbers(status, group, "value", values, list_of(count), "/parameters/unit");
@@ -249,12 +251,14 @@ static void put_verdicts(whirl_status *status, hid_t group, const whirl_table *w
     size_t longest_name = 0, longest_reason = 0;
     column names, reasons;
     if (status->code != WHIRL_OK) return;
+    // Find the longest texts.
     for (size_t i = 0; i < own->table.count; ++i) {
         put_into_words(whole, finished_point(own, i), &words);
         const size_t name = strlen(words.name), reason = strlen(words.reason);
         if (name > longest_name) longest_name = name;
         if (reason > longest_reason) longest_reason = reason;
     }
+    // Write names and reasons.
     const hid_t verdicts = put_group(status, group, "verdict");
     column_of_texts(status, &names, verdicts, "name", shape_of(&own->table), longest_name + 1);
     column_of_texts(status, &reasons, verdicts, "reason", shape_of(&own->table), longest_reason + 1);
@@ -386,6 +390,7 @@ static void put_points(whirl_status *status, hid_t group, const whirl_result *re
 }
 
 static void put_table(whirl_status *status, hid_t file, const whirl_result *result, const whirl_table *table) {
+    // Names, and the shape of the points.
     if (status->code == WHIRL_OK) *status = check_layout(table);
     const hid_t group = put_group(status, file, table->name);
     const whirl_layout *layout = &table->layout;
@@ -408,6 +413,7 @@ static void put_table(whirl_status *status, hid_t file, const whirl_result *resu
         put_whole_attribute(status, group, "refine", (int64_t)table->refine);
         put_whole_attribute(status, group, "grid", (int64_t)table->grid);
     }
+    // Analyses, fields and options.
     put_analyses(status, group, table->analyses);
     put_texts_attribute(status, group, "fields",
                         texts_of(layout->fields[0].name, sizeof *layout->fields, layout->field_count));

@@ -25,7 +25,7 @@ enum {
 
 static const double two_pi = 6.283185307179586476925;
 
-/// What a column of the table holds.
+/// A column of the table.
 typedef struct record_column {
     enum { COLUMN_TIME, COLUMN_KEYPHASOR, COLUMN_SPEED, COLUMN_CHANNEL } kind;
     char station[WHIRL_NAME_SIZE];

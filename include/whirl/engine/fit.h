@@ -27,7 +27,7 @@ enum {
 
 /// Options of a fit.
 typedef struct whirl_fit_options {
-    int revolutions;              ///< of the orbits
+    int revolutions;              ///< revolutions of the orbits
     int transient;                ///< revolutions after which a motion is near its orbit
     char loss[WHIRL_NAME_SIZE];   ///< "squares", or "huber": squares up to huber standard deviations, then linear
     double huber;                 ///< these
@@ -59,7 +59,7 @@ typedef struct whirl_fit_number {
     size_t motion;               ///< index of its motion
     size_t station;              ///< index of its probe
     double angle;                ///< rad, direction of the probe from the x axis towards y
-    whirl_fit_quantity quantity; ///< what was measured
+    whirl_fit_quantity quantity; ///< the measured quantity
     double at;                   ///< revolutions since the motion's beginning, or the order
     double value;                ///< m
     double noise;                ///< m, standard deviation; 1 if it is not given
@@ -70,7 +70,7 @@ typedef struct whirl_fit_motion {
     size_t given_count;              ///< number of parameters with values of their own
     const struct whirl_given *given; ///< [given_count] these; borrowed
     double speed;                    ///< rad/s; 0: the machine's own
-    size_t instants;                 ///< of a revolution at which displacements are needed
+    size_t instants;                 ///< instants of a revolution at which displacements are needed
 } whirl_fit_motion;
 
 /// An unknown parameter.
@@ -80,7 +80,7 @@ typedef struct whirl_fit_unknown {
     double start, low, high; ///< SI; infinite bounds: none
 } whirl_fit_unknown;
 
-/// What is fitted to what.
+/// A problem of a fit: unknown parameters, motions, and the numbers measured of them.
 typedef struct whirl_fit {
     size_t unknown_count, motion_count, number_count; ///< lengths of the lists
     const whirl_fit_unknown *unknowns;                ///< [unknown_count] borrowed
@@ -89,7 +89,7 @@ typedef struct whirl_fit {
     const char *trouble;                              ///< NULL, or why the measured numbers could not be read; borrowed
 } whirl_fit;
 
-/// How a fit ended.
+/// Reasons for the end of a fit.
 typedef enum whirl_fit_end {
     WHIRL_FIT_FOUND,    ///< at a minimum of the sum of squares
     WHIRL_FIT_STEPS,    ///< after most_steps
@@ -97,7 +97,7 @@ typedef enum whirl_fit_end {
     WHIRL_FIT_NO_MOTION ///< at the start a motion did not settle on an orbit of so many revolutions
 } whirl_fit_end;
 
-/// What is known of a fitted parameter.
+/// Confidence in a fitted parameter.
 typedef enum whirl_fit_known {
     WHIRL_FIT_DETERMINED, ///< its interval is narrower than its bounds and its value
     WHIRL_FIT_AT_BOUND,   ///< it is at one of its bounds
@@ -107,21 +107,21 @@ typedef enum whirl_fit_known {
 
 /// Result of a fit from one start.
 typedef struct whirl_fit_solution {
-    whirl_fit_end end;                ///< how it ended
+    whirl_fit_end end;                ///< reason for its end
     size_t lost;                      ///< NO_MOTION: index of that motion
     int steps;                        ///< evaluations of all motions
     double sum;                       ///< sum of squares of residuals over noise
     double deviation;                 ///< standard deviation of residuals over noise; of residuals, m, without noise
     size_t degrees;                   ///< degrees of freedom: numbers less unknowns that are not held at a bound
     size_t rank;                      ///< combinations of parameters that the numbers depend on
-    double condition;                 ///< of the derivatives with columns of length 1
+    double condition;                 ///< condition of the derivatives with columns of length 1
     double start[WHIRL_MAX_UNKNOWNS]; ///< SI
     double value[WHIRL_MAX_UNKNOWNS]; ///< SI
     double error[WHIRL_MAX_UNKNOWNS]; ///< standard errors, SI; NaN if unknown
     double half[WHIRL_MAX_UNKNOWNS];  ///< half-widths of 95 % intervals, SI; NaN if unknown
-    whirl_fit_known known[WHIRL_MAX_UNKNOWNS];                  ///< what is known of them
-    double correlation[WHIRL_MAX_UNKNOWNS][WHIRL_MAX_UNKNOWNS]; ///< of the unknowns
-    double *model;                                              ///< [number_count] m, what the machine does there
+    whirl_fit_known known[WHIRL_MAX_UNKNOWNS];                  ///< confidence in each
+    double correlation[WHIRL_MAX_UNKNOWNS][WHIRL_MAX_UNKNOWNS]; ///< correlations of the unknowns
+    double *model;                                              ///< [number_count] m, the displacements of the machine
     double *largest; ///< [motion_count] largest modulus of the orbit's multipliers: stable below 1
     double *speeds;  ///< [motion_count] rad/s
 } whirl_fit_solution;

@@ -72,9 +72,9 @@ double whirl_extended_unit(const whirl_extended *extended, size_t parameter);
 
 /// Derivatives of a periodic orbit by parameters.
 typedef struct whirl_orbit_sensitivity {
-    size_t dimension;   ///< of the machine's state
+    size_t dimension;   ///< dimension of the machine's state
     size_t count;       ///< number of parameters
-    size_t revolutions; ///< of the orbit
+    size_t revolutions; ///< revolutions of the orbit
     size_t instants;    ///< equally spaced instants of a revolution, from its beginning on
     double *states;     ///< [revolutions][instants][dimension] states of the orbit, in the machine's units
     double *slopes;     ///< [revolutions][instants][count][dimension] their derivatives by the parameters, in SI
@@ -84,7 +84,7 @@ typedef struct whirl_orbit_sensitivity {
 /// carried from its nodes at the beginnings of revolutions. Integration is by options->integrate, whose method carries
 /// several perturbations ("cvode" does not); for a method of fixed steps instants must divide steps_per_revolution.
 /// WHIRL_BAD_INPUT also for orbits with a period of their own and equilibria, where the orbit has a multiplier 1 (it is
-/// lost there), and if a parameter changes the rate of a turning coordinate, so that no orbit is beside;
+/// lost there), and if a parameter changes the rate of a turning coordinate, so that its neighbours have no such orbit;
 /// WHIRL_NO_MEMORY. Freed by whirl_orbit_sensitivity_free.
 whirl_status whirl_orbit_sensitivity_new(const whirl_extended *extended, const whirl_orbit *orbit,
                                          const whirl_orbit_options *options, size_t instants,

@@ -17,7 +17,7 @@ struct whirl_system;
 /// Kinds of what is reported with a torque. Results hold these numbers.
 typedef enum whirl_torque_kind {
     WHIRL_TORQUE_BETWEEN,           ///< a shaft, coupling or spring between two twists
-    WHIRL_TORQUE_INDUCTION_MOTOR,   ///< of a run-up, as the next three
+    WHIRL_TORQUE_INDUCTION_MOTOR,   ///< a motor at a station, in a run-up only; so are the next three
     WHIRL_TORQUE_SYNCHRONOUS_START, ///< at a station
     WHIRL_TORQUE_SHORT_CIRCUIT,     ///< at a station
     WHIRL_TORQUE_TIMED,             ///< at a station
@@ -34,10 +34,10 @@ typedef struct whirl_excitation {
     double frequency; ///< rad/s
 } whirl_excitation;
 
-/// What carries torque between two stations. Torques are positive where the first station drives the second along the
-/// rotation; those of gears act on the first one, from the second.
+/// A path of torque between two stations (a shaft, a gear, a spring). Torques are positive where the first station
+/// drives the second along the rotation; those of gears act on the first one, from the second.
 typedef struct whirl_torque_path {
-    whirl_torque_kind kind; ///< of what carries it
+    whirl_torque_kind kind; ///< kind of the part that carries it
     size_t station[2];      ///< probes; the number of probes: a node between stations, or the ground
     double modulus; ///< m3, of a shaft's weakest section against torsion: shear stress is torque over it; 0: unknown
 } whirl_torque_path;
@@ -47,7 +47,7 @@ typedef struct whirl_torque_curve {
     size_t count;                  ///< points of the curve
     double ranges[WHIRL_MAX_LIST]; ///< [count] N m
     double lives[WHIRL_MAX_LIST];  ///< [count] cycles to failure
-    double slope;                  ///< of a curve of one point: N = lives[0] (ranges[0]/range)^slope
+    double slope;                  ///< slope of a curve of one point: N = lives[0] (ranges[0]/range)^slope
     double endurance;              ///< N m, a range below which nothing counts; 0: none
 } whirl_torque_curve;
 

@@ -46,7 +46,7 @@ typedef struct least_squares_result {
 least_squares_result least_squares_solve(const least_squares *problem, double *p, double *residuals,
                                          double *derivatives);
 
-/// What a minimum tells of p.
+/// Rank and condition at a minimum.
 typedef struct least_squares_facts {
     size_t rank; ///< number of combinations of p that r depends on
     double

@@ -165,7 +165,7 @@ double stepper_divergence(const stepper *c, double t, const double *x);
 /// Moves the perturbations to the end of the step tried; called before the motion moves.
 void stepper_vary(stepper *c);
 
-/// As stepper_cross, with the saltation of the perturbations.
+/// Crosses a switch like stepper_cross, with the saltation of the perturbations.
 void stepper_cross_varied(stepper *c, size_t which);
 
 /// Notes the state x at c->t, where a step of rk4 begins that does not locate switches.

@@ -177,6 +177,7 @@ static void put_point_cells(line *row, const whirl_result *result, const whirl_t
 static void write_points(FILE *stream, const whirl_result *result, const whirl_table *table,
                          const whirl_field *unused) {
     (void)unused;
+    // Headings.
     line row = {stream, false};
     const whirl_layout *layout = &table->layout;
     const whirl_shown_units units = units_of(result);
@@ -188,6 +189,7 @@ static void write_points(FILE *stream, const whirl_result *result, const whirl_t
         for (size_t i = 0; field->rows == 1 && i < field->repeat * field->columns; ++i)
             put_field_heading(&row, &units, table, field, i / field->columns, i % field->columns);
     end_line(&row);
+    // One line for each finished point.
     for (size_t point = 0; point < table->count; ++point) {
         char verdict[WHIRL_NAME_SIZE];
         if (!whirl_table_done(table, point) || !whirl_table_block(table, point)) continue;
@@ -291,6 +293,7 @@ static void write_attractors(FILE *stream, const whirl_result *result, const whi
                              const whirl_field *unused) {
     static const char *const headings[] = {"attractor", "verdict", "starts", "of", "share", "error", "first point"};
     (void)unused;
+    // Headings.
     line row = {stream, false};
     whirl_coexistence found;
     put_cell(&row, "place");
@@ -299,6 +302,7 @@ static void write_attractors(FILE *stream, const whirl_result *result, const whi
     if (table->plane > 0) put_parameter_heading(&row, result, table->third);
     for (size_t i = 0; i < sizeof headings / sizeof *headings; ++i) put_cell(&row, headings[i]);
     end_line(&row);
+    // One line for each attractor of each place.
     if (whirl_table_coexistence(table, &found).code != WHIRL_OK) return;
     for (size_t i = 0; i < found.count; ++i) {
         const whirl_coexisting *one = &found.items[i];

@@ -165,6 +165,7 @@ static bool check_fixed_array(const byte_source *source, uint64_t address, uint6
 /// Reads IV.A.2.i, version 4: chunks with checksums, a single one or a fixed array.
 static bool read_layout(const byte_source *source, plain_part part, plain_object *object) {
     enum { CHUNKED = 2, ONE_FILTERED = 2, ONE = 1, FIXED_ARRAY = 3 };
+    // Read the version, the kind and the size of a chunk.
     const unsigned version = (unsigned)plain_number(&part, 1), kind = (unsigned)plain_number(&part, 1);
     const unsigned flags = (unsigned)plain_number(&part, 1);
     const size_t rank = (size_t)plain_number(&part, 1), width = (size_t)plain_number(&part, 1);
@@ -179,6 +180,7 @@ static bool read_layout(const byte_source *source, plain_part part, plain_object
         object->chunk = (size_t)length; // the last one is the size of an element
     }
     stored += FLETCHER;
+    // A single chunk.
     const unsigned index = (unsigned)plain_number(&part, 1);
     if (index == ONE && flags == ONE_FILTERED) {
         const uint64_t length = plain_number(&part, 8), left_out = plain_number(&part, 4);
@@ -187,6 +189,7 @@ static bool read_layout(const byte_source *source, plain_part part, plain_object
         return address == PLAIN_NOWHERE ||
                (in_file(source->size, address, length) && length == stored && left_out == 0);
     }
+    // A fixed array of chunks.
     if (index != FIXED_ARRAY || flags != 0) return false;
     const uint64_t page_bits = plain_number(&part, 1), address = plain_number(&part, 8);
     if (part.short_of || page_bits == 0 || page_bits > MAX_PAGE_BITS) return false;
@@ -219,6 +222,7 @@ static bool check_group_info(plain_part part) {
 
 bool plain_message(const byte_source *source, unsigned type, plain_part message, plain_object *object,
                    plain_lead *lead) {
+    // Most messages occur once.
     if (type < 32 && type != NIL && type != LINK && type != ATTRIBUTE && type != CONTINUATION) {
         if (object->found >> type & 1) return false;
         object->found |= 1u << type;

@@ -134,7 +134,7 @@ static whirl_status place_derive(fit_place *p, const whirl_orbit *orbit, whirl_o
 /// The displacement of a probe along a direction at one instant, m: its value, and its derivatives [unknowns].
 typedef struct probe_view {
     const whirl_probe *probe;
-    double cos, sin; ///< of the direction
+    double cos, sin; ///< cosine and sine of the direction
     double lengths[1 + WHIRL_MAX_UNKNOWNS];
 } probe_view;
 

@@ -8,7 +8,7 @@
 /// The orbit of a motion, for the values of the unknowns at which the fit is.
 typedef struct fit_orbit {
     double at[WHIRL_MAX_UNKNOWNS]; ///< these values
-    size_t dimension;              ///< of the state; 0: no orbit is known yet
+    size_t dimension;              ///< dimension of the state; 0: no orbit is known yet
     double *node;                  ///< [dimension] its state at the beginning
     double *slopes;                ///< [unknowns][dimension] the derivatives of it
     double largest, speed;         ///< largest modulus of its multipliers, and speed of the shaft, rad/s

@@ -32,7 +32,7 @@ typedef struct whirl_model_mass {
     double twist, turns;
 } whirl_model_mass;
 
-/// What joins the twists of two stations, pieces of a shaft in series. SI.
+/// A joint of the twists of two stations: a coupling, a gear, or pieces of a shaft in series. SI.
 typedef struct whirl_model_joint {
     whirl_torque_path path;    ///< with the weakest section
     double stiffness, damping; ///< N m/rad of the first station, N m s/rad; NaN: a rigid gear, or not known
