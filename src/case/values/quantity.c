@@ -7,6 +7,7 @@
 
 #include <ctype.h>
 #include <errno.h>
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,6 +17,7 @@
 #include "lock.h"
 #include "memory.h"
 #include "tree.h"
+#include "words.h"
 
 enum { LONGEST_NUMBER = 60, LONGEST_UNIT = 60 };
 
@@ -124,10 +126,27 @@ static bool same_dimension(const ut_unit *a, const ut_unit *b) {
     return same && (ut_is_dimensionless(a) || has_radian(a) == has_radian(b));
 }
 
+/// Returns the number that is read where the exponent of `value` is `power` higher: 80 um, 0.08 mm and 8e-5 m are one
+/// double, so that a machine is the same to the bit in whichever of these units its lengths are written.
+static double shift_decimals(double value, int power) {
+    char text[NUMBER_SIZE], shifted[2 * NUMBER_SIZE];
+    const char *end;
+    number_text(value, text);
+    char *exponent = strchr(text, 'e');
+    const long own = exponent ? strtol(exponent + 1, NULL, 10) : 0;
+    if (exponent) *exponent = '\0';
+    snprintf(shifted, sizeof shifted, "%se%ld", text, own + power);
+    return quantity_number(shifted, &value, &end) ? value : (double)NAN;
+}
+
 static bool convert(ut_unit *from, ut_unit *to, double *value) {
     cv_converter *converter = ut_get_converter(from, to);
     if (!made(converter != NULL)) return false;
-    *value = cv_convert_double(converter, *value);
+    const double one = cv_convert_double(converter, 1.0), exact = 4.0 * DBL_EPSILON;
+    const int power = one > 0.0 ? (int)lround(log10(one)) : 0;
+    const bool decimal = isfinite(*value) && cv_convert_double(converter, 0.0) == 0.0 && power != 0 &&
+                         fabs(one / pow(10.0, power) - 1.0) <= exact;
+    *value = decimal ? shift_decimals(*value, power) : cv_convert_double(converter, *value);
     cv_free(converter);
     return true;
 }

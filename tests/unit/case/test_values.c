@@ -29,6 +29,28 @@ static void expect_parameter(const char *text, double expected) {
 
 static const double pi = 3.14159265358979323846;
 
+/// A number in a decimal unit is the double that is read where its exponent is that of the unit, whatever the unit.
+static void decimal_units_are_exact(void **state) {
+    static const struct {
+        const char *unit;
+        int power;
+    } units[] = {{"nm", -9}, {"um", -6},   {"mm", -3},    {"cm", -2},    {"km", 3},   {"g", -3},
+                 {"mg", -6}, {"kN", 3},    {"MN/m", 6},   {"mPa.s", -3}, {"GPa", 9},  {"bar", 5},
+                 {"ms", -3}, {"g mm", -6}, {"kN s/m", 3}, {"cm2", -4},   {"N/mm", 3}, {"mrad", -3}};
+    static const char *const numbers[] = {"30", "0.07", "80.1", "1.1e-3", "123.456789", "9999", "-0.3", "1e20"};
+    (void)state;
+    for (size_t u = 0; u < sizeof units / sizeof *units; u++)
+        for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+            char written[64], plain[64];
+            const char *const mark = strchr(numbers[i], 'e');
+            const int own = mark ? atoi(mark + 1) : 0, length = (int)strcspn(numbers[i], "e");
+            snprintf(written, sizeof written, "%s %s", numbers[i], units[u].unit);
+            snprintf(plain, sizeof plain, "%.*se%d", length, numbers[i], own + units[u].power);
+            if (parameter_value(written) != strtod(plain, NULL)) print_error("%s is not %s\n", written, plain);
+            assert_true(parameter_value(written) == strtod(plain, NULL));
+        }
+}
+
 static void quantities_are_in_si(void **state) {
     (void)state;
     expect_parameter("12 mm", 0.012);
@@ -677,6 +699,7 @@ static void products_are_as_the_parser_has_them(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(decimal_units_are_exact),
         cmocka_unit_test(quantities_are_in_si),
         cmocka_unit_test(units_of_us_practice),
         cmocka_unit_test(expressions_are_in_si),
