@@ -53,7 +53,7 @@ class Fit(Mapping):
     def __init__(self, result: Result) -> None:
         self.result = result  #: the whole :class:`Result`
         table = next(table for table in result.tables.values() if FIELD.FIT_UNKNOWN in table)
-        outcomes = table[FIELD.FIT_OUTCOME].reshape(len(table), -1)
+        outcomes = table[FIELD.FIT_OUTCOME].reshape(-1, 8)
         sums = np.where(np.isnan(outcomes[:, 3]), np.inf, outcomes[:, 3])
         best = int(np.argmin(sums))
         outcome = outcomes[best]
@@ -64,15 +64,16 @@ class Fit(Mapping):
         self.deviation = float(outcome[4])  #: standard deviation of residuals over noise (m without noise)
         self.starts = outcomes  #: one row a start, columns of the field ``fit/outcome``
         self._estimates = {}
-        for index, start, value, error, half, _low, _high, known in table[FIELD.FIT_UNKNOWN][best]:
+        unknowns = table[FIELD.FIT_UNKNOWN].reshape(len(outcomes), -1, 8)
+        for index, start, value, error, half, _low, _high, known in unknowns[best]:
             label = _KNOWN[int(known)] if np.isfinite(known) else "unknown"
             name = names[int(index)]
             self._estimates[name] = Estimate(name, start, value, error, value - half, value + half, label)
         count = len(self._estimates)
         #: [parameters, parameters] coefficients of correlation of the errors
-        self.correlations = table[FIELD.FIT_CORRELATION][best].reshape(count, -1)[:, :count]
+        self.correlations = table[FIELD.FIT_CORRELATION].reshape(len(outcomes), count, -1)[best][:, :count]
         #: one row a measured number, columns of the field ``fit/number``
-        self.numbers = table[FIELD.FIT_NUMBER][best]
+        self.numbers = table[FIELD.FIT_NUMBER].reshape(len(outcomes), -1, 9)[best]
 
     def __getitem__(self, name: str) -> Estimate:
         return self._estimates[name]

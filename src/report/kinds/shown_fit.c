@@ -1,5 +1,6 @@
 // Findings of fits: the parameters found, what the measured numbers do not tell of them, and how well they agree.
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "quantities.h"
@@ -44,8 +45,20 @@ static const char *fit_name(const shown_fit_of *f, size_t u) {
     return index >= 0.0 && index < (double)result->parameter_count ? result->parameters[(size_t)index].name : "";
 }
 
+/// Returns the unit of a parameter. A zero in the case does not tell the size of its unit: "0 deg".
 static whirl_unit fit_unit(const shown_fit_of *f, size_t u) {
-    return whirl_shown_parameter(f->of->units, fit_name(f, u));
+    const char *name = fit_name(f, u);
+    whirl_unit unit = whirl_shown_parameter(f->of->units, name), written = {.name = ""};
+    for (size_t i = 0; i < f->of->result->parameter_count; i++) {
+        const whirl_parameter *own = &f->of->result->parameters[i];
+        char one[WHIRL_NAME_SIZE + 8], *end;
+        if (strcmp(own->name, name) != 0 || own->value != 0.0 || strcmp(own->unit, unit.name) != 0) continue;
+        strtod(own->text, &end);
+        snprintf(written.name, sizeof written.name, "%.40s", end + strspn(end, " "));
+        snprintf(one, sizeof one, "1 %.40s", written.name);
+        if (*written.name && whirl_quantity_value(one, own->unit, &written.size).code == WHIRL_OK) unit = written;
+    }
+    return unit;
 }
 
 /// Says why a fit is no answer.

@@ -14,6 +14,7 @@ struct whirl_sensitivity {
     whirl_machine machines[MACHINES]; ///< at the value, then above and below it, from the largest h on
     double *rows;                     ///< [MACHINES][larger of dimension and switch_count] workspace
     double *sides;                    ///< [switch_count] workspace
+    double *lines, *errors;           ///< [entries of a row][LEVELS] and [entries] workspace
 };
 
 static const whirl_system *system_of(const whirl_sensitivity *s, size_t machine) {
@@ -65,7 +66,9 @@ whirl_status whirl_sensitivity_new(const whirl_study *study, const whirl_batch *
         status = sensitivity_build(s, study, batch, value);
     }
     if (status.code == WHIRL_OK) {
-        s->rows = calloc(MACHINES * sensitivity_width(s), sizeof *s->rows);
+        s->rows = calloc((MACHINES + LEVELS + 1) * sensitivity_width(s), sizeof *s->rows);
+        s->lines = s->rows + MACHINES * sensitivity_width(s);
+        s->errors = s->lines + LEVELS * sensitivity_width(s);
         s->sides = calloc(system_of(s, 0)->switch_count + 1, sizeof *s->sides);
         if (!s->rows || !s->sides) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a sensitivity");
     }
@@ -118,28 +121,81 @@ static void slope_of(const whirl_sensitivity *s, size_t index, double t, const d
     for (size_t i = 0; i < system->dimension; i++) slope[i] *= longer;
 }
 
-/// Returns the derivative of entry i of the rows and its error: the entry of Neville's table that differs least from
-/// its neighbours.
-static double sensitivity_extrapolate(const whirl_sensitivity *s, size_t i, double *error) {
+/// Adds level k to Neville's table of entry i of the rows, whose last line is `line` [LEVELS]. The derivative is the
+/// entry that differs least from its neighbours; off its error. Returns true if that is rounding, so that further
+/// levels add nothing.
+static bool sensitivity_extrapolate(const whirl_sensitivity *s, size_t i, size_t k, double line[LEVELS],
+                                    double *derivative, double *off) {
     const size_t n = sensitivity_width(s);
-    double table[LEVELS][LEVELS], best = 0.0;
-    *error = INFINITY;
-    for (size_t k = 0; k < LEVELS; k++) {
-        const double above = s->rows[(2 * k + 1) * n + i], below = s->rows[(2 * k + 2) * n + i];
-        const double rounding = 8.0 * DBL_EPSILON * fmax(fabs(above), fabs(below)) / sensitivity_step(s, k);
-        table[k][0] = (above - below) / (2.0 * sensitivity_step(s, k));
-        for (size_t j = 1; j <= k; j++) {
-            const double less = ldexp(1.0, 2 * (int)j) - 1.0;
-            table[k][j] = table[k][j - 1] + (table[k][j - 1] - table[k - 1][j - 1]) / less;
-            const double off =
-                fmax(fabs(table[k][j] - table[k][j - 1]), fabs(table[k][j] - table[k - 1][j - 1])) + rounding;
-            if (off < *error) {
-                best = table[k][j];
-                *error = off;
-            }
-        }
+    const double above = s->rows[(2 * k + 1) * n + i], below = s->rows[(2 * k + 2) * n + i];
+    const double rounding = 8.0 * DBL_EPSILON * fmax(fabs(above), fabs(below)) / sensitivity_step(s, k);
+    double before = line[0], entry = (above - below) / (2.0 * sensitivity_step(s, k));
+    line[0] = entry;
+    if (k == 0) {
+        *derivative = entry;
+        *off = INFINITY;
     }
-    return isfinite(*error) ? best : table[LEVELS - 1][LEVELS - 1];
+    for (size_t j = 1; j <= k; j++) {
+        const double less = ldexp(1.0, 2 * (int)j) - 1.0, next = entry + (entry - before) / less;
+        const double own = fmax(fabs(next - entry), fabs(next - before)) + rounding;
+        if (own < *off) {
+            *derivative = next;
+            *off = own;
+        }
+        before = line[j];
+        line[j] = entry = next;
+    }
+    if (k + 1 == LEVELS && !isfinite(*off)) *derivative = entry;
+    return *off <= 2.0 * rounding;
+}
+
+/// Extrapolates the first `count` entries of the rows, which `fill` writes for one machine: derivatives [count], and
+/// unless NULL their errors. Levels are computed until all entries are known to rounding.
+static void sensitivity_derive(const whirl_sensitivity *s, size_t count,
+                               void (*fill)(const whirl_sensitivity *s, size_t machine, const void *at), const void *at,
+                               double *derivatives, double *errors) {
+    bool known = false;
+    for (size_t k = 0; k < LEVELS && !known; k++) {
+        fill(s, 2 * k + 1, at);
+        fill(s, 2 * k + 2, at);
+        known = k > 0;
+        for (size_t i = 0; i < count; i++)
+            known = sensitivity_extrapolate(s, i, k, s->lines + LEVELS * i, &derivatives[i], &s->errors[i]) && known;
+    }
+    if (errors) memcpy(errors, s->errors, count * sizeof *errors);
+}
+
+/// A state of a motion, and what is derived there.
+typedef struct derived_at {
+    double t;
+    const double *x, *sides;
+    size_t which; ///< switching function
+} derived_at;
+
+static void fill_slope(const whirl_sensitivity *s, size_t machine, const void *at) {
+    const derived_at *own = at;
+    slope_of(s, machine, own->t, own->x, own->sides);
+}
+
+static void fill_length(const whirl_sensitivity *s, size_t machine, const void *at) {
+    (void)at;
+    s->rows[machine * sensitivity_width(s)] = s->machines[machine].length;
+}
+
+static void fill_switch(const whirl_sensitivity *s, size_t machine, const void *at) {
+    const derived_at *own = at;
+    const whirl_system *system = system_of(s, machine);
+    double *row = s->rows + machine * sensitivity_width(s);
+    system->switches(system->model, time_factor(s, machine) * own->t, own->x, row);
+    row[0] = row[own->which];
+}
+
+static void fill_gradient(const whirl_sensitivity *s, size_t machine, const void *at) {
+    const derived_at *own = at;
+    const whirl_system *system = system_of(s, machine);
+    double by_time;
+    system->switch_gradient(system->model, time_factor(s, machine) * own->t, own->x, own->which,
+                            s->rows + machine * sensitivity_width(s), &by_time);
 }
 
 void whirl_sensitivity_slope(const whirl_sensitivity *s, double t, const double *x, const double *sides, double *slope,
@@ -150,40 +206,29 @@ void whirl_sensitivity_slope(const whirl_sensitivity *s, double t, const double 
         for (size_t i = 0; i < system->switch_count; i++) s->sides[i] = s->sides[i] > 0.0 ? 1.0 : -1.0;
         sides = s->sides;
     }
-    for (size_t i = 1; i < MACHINES; i++) slope_of(s, i, t, x, sides);
-    for (size_t i = 0; i < system->dimension; i++) {
-        double off;
-        slope[i] = sensitivity_extrapolate(s, i, &off);
-        if (error) error[i] = off;
-    }
+    const derived_at at = {.t = t, .x = x, .sides = sides};
+    sensitivity_derive(s, system->dimension, fill_slope, &at, slope, error);
 }
 
 double whirl_sensitivity_length(const whirl_sensitivity *s, double *length) {
-    double off;
+    double slope;
     *length = s->machines[0].length;
-    for (size_t i = 1; i < MACHINES; i++) s->rows[i * sensitivity_width(s)] = s->machines[i].length;
-    return sensitivity_extrapolate(s, 0, &off);
+    sensitivity_derive(s, 1, fill_length, NULL, &slope, NULL);
+    return slope;
 }
 
 /// Returns the derivative by the parameter of switching function `which`, continued beyond its zero.
 static double switch_by_parameter(const whirl_sensitivity *s, double t, const double *x, size_t which) {
-    double off;
-    for (size_t i = 1; i < MACHINES; i++) {
-        const whirl_system *system = system_of(s, i);
-        system->switches(system->model, time_factor(s, i) * t, x, s->rows + i * sensitivity_width(s));
-    }
-    return sensitivity_extrapolate(s, which, &off);
+    const derived_at at = {.t = t, .x = x, .which = which};
+    double slope;
+    sensitivity_derive(s, 1, fill_switch, &at, &slope, NULL);
+    return slope;
 }
 
 /// Computes the derivative by the parameter of the gradient of switching function `which`: out [dimension].
 static void gradient_by_parameter(const whirl_sensitivity *s, double t, const double *x, size_t which, double *out) {
-    double off, by_time;
-    for (size_t i = 1; i < MACHINES; i++) {
-        const whirl_system *system = system_of(s, i);
-        system->switch_gradient(system->model, time_factor(s, i) * t, x, which, s->rows + i * sensitivity_width(s),
-                                &by_time);
-    }
-    for (size_t i = 0; i < system_of(s, 0)->dimension; i++) out[i] = sensitivity_extrapolate(s, i, &off);
+    const derived_at at = {.t = t, .x = x, .which = which};
+    sensitivity_derive(s, system_of(s, 0)->dimension, fill_gradient, &at, out, NULL);
 }
 
 // ---------------------------------------------------------------- the machine with its parameters as states
