@@ -38,7 +38,7 @@ void summarize_study(const whirl_study *study) {
         // The parameters, and the number of points.
         printf("  %s", batch->name);
         if (batch->parameter[0]) printf(" of %s", batch->parameter);
-        if (batch->row > 0) printf("%s%s", batch->plane > 0 ? ", " : " and ", batch->second);
+        if (*batch->second && batch->row > 0) printf("%s%s", batch->plane > 0 ? ", " : " and ", batch->second);
         if (batch->plane > 0) printf(" and %s", batch->third);
         if (batch->refine > 0) printf(", refined from squares of %zu", batch->refine);
         if (batch->fit) {

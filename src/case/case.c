@@ -171,7 +171,7 @@ static bool is_weighed(const study_plan *plan, size_t index) {
 /// Checks layouts of the analyses (too many fields, missing records), and the behaviour of moving machines.
 static void check_layouts(case_reader *reader, case_content *content, const plan_parts *parts, valuation *v) {
     whirl_rotor *rotor = NULL;
-    bool built_to_move = false;
+    bool built_to_move = false, spreads[PLAN_MAX_SPREADS] = {false};
     for (size_t b = 0; b < content->plan.batch_count; b++) {
         whirl_layout layout;
         const whirl_batch *batch = &content->plan.batches[b];
@@ -195,9 +195,11 @@ static void check_layouts(case_reader *reader, case_content *content, const plan
         if (status.code == WHIRL_OK)
             status = whirl_record_check(whirl_rotor_system(rotor), &batch->integrate, &batch->record);
         if (status.code != WHIRL_OK) problem_at(reader->problems, content->plan.origins[b].place, "%s", status.message);
+        if (status.code == WHIRL_OK) tolerances_check(reader, parts, batch, &layout, &content->machine, rotor, spreads);
         if (!batch->values) plan_check_start(reader, &content->plan, b, v, &content->machine, rotor);
         if (tells_weight(batch) && !is_weighed(&content->plan, b)) check_statics(reader, content, b, v);
     }
+    tolerances_unfound(reader, parts, spreads);
     whirl_rotor_free(rotor);
 }
 
@@ -209,6 +211,7 @@ static void check_with_values(case_reader *reader, case_content *content, const 
         machine_check(reader, &v, &content->machine);
         plan_make(reader, &v, parts, &content->plan);
         resting_make(reader, &v, parts, &content->plan);
+        tolerances_make(reader, &v, parts, &content->plan);
         check_basin(reader, content, parts);
         parameters_settle(&v, &content->parameters);
         machine_settle(&v, &content->machine);

@@ -152,6 +152,33 @@ static whirl_status describe_given(const case_content *content, const whirl_batc
     return whirl_result_add_fact(result, name, text);
 }
 
+/// Adds the parameters with tolerances, "tolerance 1": "c: uniform from 0.19 mm to 0.21 mm", and the numbers that are
+/// asked of all samples, "limit 1", as whirl_spread_read reads them.
+static whirl_status describe_tolerances(const case_content *content, whirl_result *result) {
+    const study_plan *plan = &content->plan;
+    char name[WHIRL_NAME_SIZE], text[WHIRL_SPREAD_TEXT + 4 * WHIRL_NAME_SIZE];
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < plan->tolerated_count && status.code == WHIRL_OK; i++) {
+        const whirl_tolerance *own = &plan->tolerated[i];
+        const double numbers[] = {own->mean, own->deviation, own->low, own->high};
+        char shown[4][WHIRL_NAME_SIZE];
+        for (size_t k = 0; k < 4; k++)
+            value_text(&content->parameters, own->name, numbers[k], shown[k], sizeof shown[k]);
+        const bool low = isfinite(own->low), high = isfinite(own->high), normal = own->deviation > 0.0;
+        snprintf(name, sizeof name, "tolerance %zu", i + 1);
+        snprintf(text, sizeof text, "%s: %s%s%s%s%s%s%s%s", own->name, normal ? "normal, mean " : "uniform",
+                 normal ? shown[0] : "", normal ? ", standard deviation " : "", normal ? shown[1] : "",
+                 low ? " from " : "", low ? shown[2] : "", high ? " to " : "", high ? shown[3] : "");
+        status = whirl_result_add_fact(result, name, text);
+    }
+    for (size_t i = 0; i < plan->spread_count && status.code == WHIRL_OK; i++) {
+        snprintf(name, sizeof name, "limit %zu", i + 1);
+        whirl_spread_text(&plan->spreads[i], text);
+        status = whirl_result_add_fact(result, name, text);
+    }
+    return status;
+}
+
 /// Finds the length scale at a point of a batch's table; that of the unchanged case if the point is not done.
 static whirl_status scale_at(const case_content *content, const whirl_batch *batch, const whirl_table *table,
                              size_t point, double *scale) {
@@ -159,7 +186,9 @@ static whirl_status scale_at(const case_content *content, const whirl_batch *bat
     whirl_given given[PLAN_MAX_GIVEN];
     valuation v;
     if (*table->parameter && isnan(table->values[point])) return whirl_ok();
-    const size_t count = plan_given(batch, *table->parameter ? table->values[point] : (double)NAN,
+    whirl_batch own = *batch;
+    if (batch->tolerances.samples > 0) own.sampled = 1 + whirl_table_slot(table, point) / batch->row;
+    const size_t count = plan_given(&own, *table->parameter ? table->values[point] : (double)NAN,
                                     whirl_table_second(table, point), whirl_table_third(table, point), given);
     whirl_status status = valuation_open(&v, &content->parameters, given, count);
     if (status.code == WHIRL_OK) status = valuation_number(&v, formula, scale);
@@ -174,6 +203,8 @@ static bool depends_on_batch(const case_content *content, const char *expression
         if (*names[i] && case_depends(content, expression, names[i])) return true;
     for (size_t i = 0; i < batch->given_count; i++)
         if (case_depends(content, expression, batch->given[i].name)) return true;
+    for (int i = 0; i < batch->tolerances.parameters; i++)
+        if (case_depends(content, expression, batch->tolerated[i].name)) return true;
     return false;
 }
 
@@ -260,6 +291,8 @@ static whirl_status describe_clock(const whirl_case *object, const whirl_result 
     // A condition that sets the speed sets it for all points.
     for (size_t i = 0; i < batch->given_count && expression; i++)
         if (case_depends(content, expression, batch->given[i].name)) table->clock_of = WHIRL_CLOCK_UNKNOWN;
+    for (int i = 0; i < batch->tolerances.parameters && expression; i++)
+        if (case_depends(content, expression, batch->tolerated[i].name)) table->clock_of = WHIRL_CLOCK_UNKNOWN;
     if (!*table->parameter || table->clock_of == WHIRL_CLOCK_UNKNOWN) return whirl_ok();
     const bool traced = batch->values == NULL, keyphasor = *whirl_result_keyphasor(result) != '\0';
     const axis_values axes[] = {{batch->parameter, traced ? batch->bounds : batch->values, traced ? 2 : batch->count},
@@ -345,6 +378,7 @@ whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *
         status = describe_axes(&object->content, batch, &object->content.plan.origins[i], result);
         if (status.code == WHIRL_OK) status = describe_given(&object->content, batch, result);
     }
+    if (status.code == WHIRL_OK) status = describe_tolerances(&object->content, result);
     if (status.code == WHIRL_OK && *object->content.units)
         status = whirl_result_add_fact(result, "units", object->content.units);
     if (status.code == WHIRL_OK) status = case_warn(&object->content, result);

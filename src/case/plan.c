@@ -142,9 +142,7 @@ whirl_batch *plan_add_batch(study_plan *result, whirl_role role, const char *nam
     return batch;
 }
 
-/// Adds a batch like the one at index `like`, with another role, name and place.
-static whirl_batch *plan_add_like(study_plan *result, size_t like, whirl_role role, const char *name,
-                                  const file_node *place) {
+whirl_batch *plan_add_like(study_plan *result, size_t like, whirl_role role, const char *name, const file_node *place) {
     *plan_next_origin(result) = result->origins[like];
     whirl_batch *batch = plan_add_batch(result, role, name, place);
     *batch = result->batches[like];
@@ -518,6 +516,10 @@ size_t plan_given(const whirl_batch *batch, double value, double second, double 
     size_t count = 0;
     for (size_t i = 0; i < 3 && *varied[i].name && !isnan(varied[i].value); i++) given[count++] = varied[i];
     for (size_t i = 0; i < batch->given_count; i++) given[count++] = batch->given[i];
+    double values[WHIRL_MAX_TOLERANCES];
+    const size_t tolerated = batch->sampled > 0 ? (size_t)batch->tolerances.parameters : 0;
+    if (tolerated > 0) whirl_tolerance_values(&batch->tolerances, batch->tolerated, batch->sampled - 1, values);
+    for (size_t i = 0; i < tolerated; i++) given[count++] = (whirl_given){batch->tolerated[i].name, values[i]};
     return count;
 }
 
@@ -525,7 +527,9 @@ size_t plan_given_at(const whirl_batch *batch, size_t point, whirl_given given[P
     const double *const axes[] = {batch->values, batch->second_values, batch->third_values};
     double values[3];
     for (size_t i = 0; i < 3; i++) values[i] = axes[i] ? axes[i][point] : (double)NAN;
-    return plan_given(batch, values[0], values[1], values[2], given);
+    whirl_batch own = *batch;
+    if (batch->tolerances.samples > 0) own.sampled = 1 + point / batch->row;
+    return plan_given(&own, values[0], values[1], values[2], given);
 }
 
 size_t plan_batch(const study_plan *plan, const char *name) {

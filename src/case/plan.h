@@ -6,6 +6,7 @@
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/claims.h"
 #include "whirl/engine/descriptor.h"
+#include "whirl/engine/spread.h"
 #include "whirl/engine/study.h"
 
 #include <stddef.h>
@@ -19,7 +20,8 @@ enum { SCHEMA_VERSION = 1, SCHEMA_MAX_POINTS = 10000000, SCHEMA_MAX_DETAIL = 100
 extern const whirl_group schema_still_rotor;
 extern const whirl_group schema_case, schema_document, schema_rotor, schema_study, schema_response, schema_sweep,
     schema_map, schema_basin, schema_axis, schema_motions, schema_branch, schema_curves, schema_initial, schema_starts,
-    schema_integrate, schema_keep, schema_detail, schema_event, schema_fit_unknown, schema_fit_data;
+    schema_integrate, schema_keep, schema_detail, schema_event, schema_fit_unknown, schema_fit_data, schema_tolerances,
+    schema_distribution, schema_limit;
 
 #define SCHEMA_INDEX_AT_REST(name, ...) SCHEMA_AT_REST_##name,
 
@@ -68,6 +70,9 @@ typedef struct study_plan {
     plan_start *starts;
     size_t range_count;
     plan_range *ranges; ///< ranges of further starts, in the order of the file
+    size_t tolerated_count, spread_count;
+    whirl_tolerance *tolerated; ///< parameters with tolerances
+    whirl_spread_of *spreads;   ///< numbers that are asked of all samples
 } study_plan;
 
 /// A list of numbers, each with its place.
@@ -106,11 +111,34 @@ struct resting_parts {
     const struct fit_parts *fit;       ///< for fits: their unknowns and tables, or NULL
 };
 
-enum { PLAN_MAX_RESTING = 16, PLAN_MAX_CONDITIONS = 8 };
+enum { PLAN_MAX_RESTING = 16, PLAN_MAX_CONDITIONS = 8, PLAN_MAX_SPREADS = 16 };
+
+/// The distribution of a parameter as the case has it.
+typedef struct distribution_parts {
+    const parameter *parameter;
+    const file_node *place;
+    setting_list keys;                        ///< keys of a mapping; none for a text alone
+    bool within, own;                         ///< bounds around a value are given; that value is the parameter's own
+    bool relative;                            ///< `below` and `above` are parts of the value
+    double value, below, above;               ///< that value, and the distances of its bounds
+    number_formula from, to, mean, deviation; ///< if their keys are given
+} distribution_parts;
+
+/// Parameters with tolerances, and the numbers that are asked of all samples.
+typedef struct tolerance_parts {
+    setting_list keys; ///< without a place: there is no study of tolerances
+    size_t count;
+    distribution_parts distributions[WHIRL_MAX_TOLERANCES];
+    size_t spread_count;
+    whirl_spread_of spreads[PLAN_MAX_SPREADS];
+    const file_node *spread_places[PLAN_MAX_SPREADS];
+    const char *units[PLAN_MAX_SPREADS]; ///< SI unit of the limits, "1" for plain numbers
+} tolerance_parts;
 
 /// Reads `study:` in two steps. First everything that needs no values, with all its problems ...
 typedef struct plan_parts {
     setting_list study, integrate, keep, detail, branch, curves, map, starts;
+    tolerance_parts tolerances;
     size_t resting_count, condition_count;
     /// Studies at rest, in the order of the registry and of the file, then motions next to them.
     resting_parts resting[PLAN_MAX_RESTING];
@@ -140,8 +168,12 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
 whirl_status plan_start_state(const study_plan *plan, size_t batch, size_t start, valuation *v,
                               const whirl_rotor *rotor, double *state);
 
-/// Returns the number of parameter values at which a batch has its machines: varied ones (NaN: none) and fixed ones.
-enum { PLAN_MAX_GIVEN = 3 + 2 * WHIRL_MAX_GIVEN, PLAN_GIVEN_TEXT = PLAN_MAX_GIVEN * (2 * WHIRL_NAME_SIZE + 32) };
+/// Returns the number of parameter values at which a batch has its machines: varied ones (NaN: none), fixed ones, and
+/// those of the sample that the batch requests.
+enum {
+    PLAN_MAX_GIVEN = 3 + 2 * WHIRL_MAX_GIVEN + WHIRL_MAX_TOLERANCES,
+    PLAN_GIVEN_TEXT = PLAN_MAX_GIVEN * (2 * WHIRL_NAME_SIZE + 32)
+};
 size_t plan_given(const whirl_batch *batch, double value, double second, double third,
                   whirl_given given[PLAN_MAX_GIVEN]);
 
@@ -182,6 +214,9 @@ plan_origin *plan_next_origin(study_plan *result);
 
 /// Adds a batch of one point.
 whirl_batch *plan_add_batch(study_plan *result, whirl_role role, const char *name, const file_node *place);
+
+/// Adds a batch like the one at index `like`, with another role, name and place.
+whirl_batch *plan_add_like(study_plan *result, size_t like, whirl_role role, const char *name, const file_node *place);
 
 /// Adds a batch along an axis, with the name of the axis's group; NULL after a problem.
 whirl_batch *plan_make_axis(case_reader *reader, valuation *v, const axis_parts *axis, whirl_role role,
@@ -230,6 +265,27 @@ void plan_read_given(case_reader *reader, const file_node *where, condition_part
 
 /// Reads the key `change`: parameters with the values that they have after it.
 void plan_read_change(case_reader *reader, setting_list *keys, condition_parts *change);
+
+// ---------------------------------------------------------------- plan_tolerances
+// Studies of tolerances: distributions of parameters, and batches of samples of other batches.
+
+/// Reads distributions and limits.
+void tolerances_read(case_reader *reader, plan_parts *parts);
+
+/// Adds a batch of samples for every batch of points, motions or machines at rest, after all others.
+void tolerances_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result);
+
+/// Notes which of the numbers that are asked for a batch of samples has; then reports those that none has.
+void tolerances_check(case_reader *reader, const plan_parts *parts, const whirl_batch *batch,
+                      const whirl_layout *layout, const machine_parts *machine, const whirl_rotor *rotor,
+                      bool found[PLAN_MAX_SPREADS]);
+void tolerances_unfound(case_reader *reader, const plan_parts *parts, const bool found[PLAN_MAX_SPREADS]);
+
+// ---------------------------------------------------------------- iso_286
+// Tolerance classes of sizes, "H7" (ISO 286-1:2010).
+
+/// Finds the limits of a class, from the nominal size, all in m. On failure `why` is the reason.
+bool iso_286_limits(const char *name, double size, double *lower, double *upper, char why[WHY_SIZE]);
 
 // ---------------------------------------------------------------- plan_course
 // The course of a run: its events, and its laws of speed, torque and ground.

@@ -81,6 +81,9 @@ static const whirl_key study_keys[] = {
     CHOICE_KEY("initial", OPTIONAL, "", "names of stations with their initial state; absent: zero"),
     CHOICE_KEY("starts", OPTIONAL, "",
                "several starts of every point of a response, sweep or map, to find coexisting motions: see starts"),
+    CHOICE_KEY("tolerances", OPTIONAL, "",
+               "parameters with distributions: every point of a response or sweep, of motions, and of studies of "
+               "machines at rest is computed at many samples of them, too: see tolerances"),
     CHOICE_KEY("integrate", OPTIONAL, "", "method and length of the integration: see integrate"),
     CHOICE_KEY("keep", OPTIONAL, "", "parts of waveforms and spectra that are kept: see keep"),
     CHOICE_KEY("analyze", OPTIONAL, "",
@@ -231,11 +234,45 @@ static const whirl_key starts_keys[] = {
               "neighbour's motion on an attractor that they lack; these count in no share"),
 };
 
+static const whirl_key tolerances_keys[] = {
+    CHOICE_KEY("parameters", REQUIRED, "",
+               "names of parameters with their tolerances: 0.2 mm +- 5 %; +- 0.01 mm about the case's own value; "
+               "40 mm H7 (ISO 286-1); or the keys of a distribution"),
+    CHOICE_KEY("of", OPTIONAL, "",
+               "a list of numbers of every point, with limits if they have some: see limit; absent: the usual numbers "
+               "of each study"),
+};
+
+static const whirl_key distribution_keys[] = {
+    CHOICE_KEY("distribution", DEFAULT("uniform"), "uniform|normal",
+               "uniform between bounds, or normal, cut off at bounds if there are some"),
+    CHOICE_KEY("within", OPTIONAL, "", "bounds as a text, such as 0.2 mm +- 5 % or 40 mm H7; this or from and to"),
+    NUMBER_KEY("from", "", "", OPTIONAL, WHIRL_ANY, "lower bound"),
+    NUMBER_KEY("to", "", "", OPTIONAL, WHIRL_ANY, "upper bound"),
+    NUMBER_KEY(
+        "mean", "", "", OPTIONAL, WHIRL_ANY,
+        "mean of the normal distribution before bounds cut it off; absent: between the bounds, or the case's own "
+        "value"),
+    NUMBER_KEY("deviation", "", "", OPTIONAL, WHIRL_POSITIVE,
+               "its standard deviation; absent: a sixth of the distance between the bounds"),
+};
+
+static const whirl_key limit_keys[] = {
+    CHOICE_KEY("field", REQUIRED, "", "a field of the results, such as unbalance/axes or orbit/max_radius"),
+    CHOICE_KEY("column", OPTIONAL, "", "name of its column, such as major; absent: the first"),
+    WHOLE_KEY("row", "", DEFAULT("1"), WHIRL_FROM_TO(1, 100000), "its row, such as the number of a mode, from 1"),
+    CHOICE_KEY("at", OPTIONAL, "", "the station or contact of the number; needed where the field has several"),
+    NUMBER_KEY("below", "", "", OPTIONAL, WHIRL_ANY,
+               "upper limit, in the unit of the field; plain numbers are in SI, lengths in m"),
+    NUMBER_KEY("above", "", "", OPTIONAL, WHIRL_ANY, "lower limit"),
+};
+
 // Tables of structs whose members are keys of a part.
 typedef const whirl_member *(*table)(void);
 static const table of_batch[] = {whirl_batch_members, NULL};
 static const table of_options[] = {whirl_integrate_members, whirl_record_members, whirl_trace_members,
                                    whirl_runup_members,     whirl_fit_members,    NULL};
+static const table of_tolerances[] = {whirl_tolerance_members, NULL};
 static const table of_probe[] = {whirl_probe_members, NULL};
 
 #define GROUP(name, meaning, keys, tables)                                                                             \
@@ -268,6 +305,12 @@ const whirl_group schema_fit_unknown =
     GROUP("fit_unknown", "where an unknown parameter is looked for", fit_unknown_keys, NULL);
 const whirl_group schema_fit_data = GROUP("fit_data", "a table of measured numbers", fit_data_keys, NULL);
 const whirl_group schema_starts = GROUP("starts", "several starts of every point", starts_keys, NULL);
+const whirl_group schema_tolerances =
+    GROUP("tolerances", "parameters with distributions, and what is asked of them", tolerances_keys, of_tolerances);
+const whirl_group schema_distribution =
+    GROUP("distribution", "the distribution of a parameter with a tolerance", distribution_keys, NULL);
+const whirl_group schema_limit =
+    GROUP("limit", "a number of every point of a study of tolerances, and its limits", limit_keys, NULL);
 const whirl_group schema_integrate = PART("integrate", "method and length of the integration", of_options);
 const whirl_group schema_keep = PART("keep", "parts of waveforms and spectra that are kept", of_options);
 const whirl_group schema_detail =
@@ -281,27 +324,18 @@ const char *schema_scaled_unit(const whirl_key *key) {
 
 const whirl_group *const *whirl_case_groups(void) {
     static const whirl_group *const groups[] = {
-        &schema_case,
-        &schema_document,
-        &schema_rotor,
-        &schema_study,
-        &schema_response,
-        &schema_sweep,
-        &schema_map,
-        &schema_basin,
-        &schema_axis,
-        WHIRL_STUDIES_AT_REST(ADDRESS_AT_REST) & schema_motions,
-        &schema_branch,
-        &schema_curves,
-        &schema_initial,
-        &schema_starts,
-        &schema_integrate,
-        &schema_keep,
-        &schema_detail,
-        &schema_event,
-        &schema_fit_unknown,
-        &schema_fit_data,
-        NULL,
+        &schema_case,       &schema_document,
+        &schema_rotor,      &schema_study,
+        &schema_response,   &schema_sweep,
+        &schema_map,        &schema_basin,
+        &schema_axis,       WHIRL_STUDIES_AT_REST(ADDRESS_AT_REST) & schema_motions,
+        &schema_branch,     &schema_curves,
+        &schema_initial,    &schema_starts,
+        &schema_tolerances, &schema_distribution,
+        &schema_limit,      &schema_integrate,
+        &schema_keep,       &schema_detail,
+        &schema_event,      &schema_fit_unknown,
+        &schema_fit_data,   NULL,
     };
     return groups;
 }

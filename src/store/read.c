@@ -365,6 +365,19 @@ static void check_starts(whirl_status *status, const whirl_table *table) {
                        table->name, planned, table->starts);
 }
 
+/// Checks that a study of tolerances has the same points for every machine of its samples.
+static void check_samples(whirl_status *status, const whirl_table *table) {
+    const whirl_field *values = whirl_layout_field(&table->layout, WHIRL_FIELD_TOLERANCES_VALUES);
+    if (status->code != WHIRL_OK || table->role != WHIRL_ROLE_TOLERANCES) return;
+    *status = whirl_members_check(whirl_tolerance_members(), &table->tolerances);
+    if (status->code != WHIRL_OK) return;
+    const size_t machines = whirl_tolerance_machines(&table->tolerances), planned = whirl_table_planned(table);
+    if (!values || values->rows != (size_t)table->tolerances.parameters || planned == 0 || planned % machines != 0)
+        *status = whirl_fail(WHIRL_BAD_INPUT,
+                             "/%s has %zu points of %zu machines of samples, expected as many of every machine",
+                             table->name, planned, machines);
+}
+
 /// Reads the planes of a map, which must be whole, with whole rows.
 static void get_planes(whirl_status *status, hid_t group, size_t planned, whirl_table *table) {
     if (status->code != WHIRL_OK || !whirl_layout_field(&table->layout, WHIRL_FIELD_MAP_THIRD) || table->grid > 0)
@@ -439,6 +452,7 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
         get_field(status, group, result, table->count, how->limit, layout, &layout->fields[i], &words[i]);
         check_known(status, &how->known, &layout->fields[i]);
     }
+    check_samples(status, table);
     if (status->code == WHIRL_OK) *status = whirl_layout_check(layout, table->analyses, &table->record);
     // Each field has room in the file, so all of them have in 64 times its size; datasets are then checked one by one.
     if (status->code == WHIRL_OK && (!how->taker || how->taker->take))

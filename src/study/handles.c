@@ -288,16 +288,20 @@ const whirl_member *whirl_table_options(const whirl_table *table, size_t group, 
                   {whirl_record_members(), offsetof(whirl_table, record)},
                   {whirl_trace_members(), offsetof(whirl_table, record.trace)},
                   {whirl_runup_members(), offsetof(whirl_table, record.runup)},
-                  {whirl_fit_members(), offsetof(whirl_table, record.fit)}};
-    if (group > 2) return NULL;
-    if (group == 2 && whirl_analysis_has(table->analyses, "runup"))
-        group = 3;
-    else if (group == 2 && whirl_analysis_has(table->analyses, "fit"))
-        group = 4;
-    else if (group == 2 && !whirl_analysis_kind(table->analyses)->found)
-        return NULL;
-    *offset = groups[group].offset;
-    return groups[group].members;
+                  {whirl_fit_members(), offsetof(whirl_table, record.fit)},
+                  {whirl_tolerance_members(), offsetof(whirl_table, tolerances)}};
+    const bool has[] = {true,
+                        true,
+                        whirl_analysis_kind(table->analyses)->found,
+                        whirl_analysis_has(table->analyses, "runup"),
+                        whirl_analysis_has(table->analyses, "fit"),
+                        table->role == WHIRL_ROLE_TOLERANCES};
+    for (size_t i = 0; i < sizeof groups / sizeof *groups; i++) {
+        if (!has[i] || group-- > 0) continue;
+        *offset = groups[i].offset;
+        return groups[i].members;
+    }
+    return NULL;
 }
 
 /// Finds occurrence `*index` of a member with a name; *index is reduced by the occurrences that were passed.

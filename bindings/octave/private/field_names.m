@@ -297,6 +297,9 @@ names.map_width = 'map/width';
 names.starts_number = 'starts/number';
 names.starts_state = 'starts/state';
 names.starts_neighbour = 'starts/neighbour';
+names.tolerances_sample = 'tolerances/sample';
+names.tolerances_machine = 'tolerances/machine';
+names.tolerances_values = 'tolerances/values';
 names.refine_rounds = 'refine/rounds';
 names.refine_revolutions = 'refine/revolutions';
 end

@@ -299,5 +299,8 @@ class FIELD:
     STARTS_NUMBER = "starts/number"
     STARTS_STATE = "starts/state"
     STARTS_NEIGHBOUR = "starts/neighbour"
+    TOLERANCES_SAMPLE = "tolerances/sample"
+    TOLERANCES_MACHINE = "tolerances/machine"
+    TOLERANCES_VALUES = "tolerances/values"
     REFINE_ROUNDS = "refine/rounds"
     REFINE_REVOLUTIONS = "refine/revolutions"

@@ -27,16 +27,17 @@ extern "C" {
 
 /// Roles of the points of a table in a study, whatever their analyses.
 typedef enum whirl_role {
-    WHIRL_ROLE_POINT,    ///< one point at the case's own parameters: "response"
-    WHIRL_ROLE_SURVEY,   ///< points along a parameter: "sweep"
-    WHIRL_ROLE_DETAIL,   ///< some of these, recorded longer: "detail"
-    WHIRL_ROLE_MAP,      ///< points over two or three parameters: "map"
-    WHIRL_ROLE_BASIN,    ///< starts of one machine: "basin"
-    WHIRL_ROLE_BRANCHES, ///< orbits along a parameter: "branch"
-    WHIRL_ROLE_CURVES,   ///< special points over two parameters: "curves"
-    WHIRL_ROLE_TORI,     ///< "tori"
-    WHIRL_ROLE_MOTIONS,  ///< motions that accompany studies at rest: "motions"
-    WHIRL_ROLE_REST,     ///< machines at rest: "modes", "statics", ...
+    WHIRL_ROLE_POINT,      ///< one point at the case's own parameters: "response"
+    WHIRL_ROLE_SURVEY,     ///< points along a parameter: "sweep"
+    WHIRL_ROLE_DETAIL,     ///< some of these, recorded longer: "detail"
+    WHIRL_ROLE_MAP,        ///< points over two or three parameters: "map"
+    WHIRL_ROLE_BASIN,      ///< starts of one machine: "basin"
+    WHIRL_ROLE_BRANCHES,   ///< orbits along a parameter: "branch"
+    WHIRL_ROLE_CURVES,     ///< special points over two parameters: "curves"
+    WHIRL_ROLE_TORI,       ///< "tori"
+    WHIRL_ROLE_MOTIONS,    ///< motions that accompany studies at rest: "motions"
+    WHIRL_ROLE_REST,       ///< machines at rest: "modes", "statics", ...
+    WHIRL_ROLE_TOLERANCES, ///< samples of parameters with tolerances, in motion or at rest
     WHIRL_ROLES
 } whirl_role;
 

@@ -322,6 +322,10 @@
 #define WHIRL_FIELD_STARTS_STATE "starts/state"
 #define WHIRL_FIELD_STARTS_NEIGHBOUR "starts/neighbour"
 
+#define WHIRL_FIELD_TOLERANCES_SAMPLE "tolerances/sample"
+#define WHIRL_FIELD_TOLERANCES_MACHINE "tolerances/machine"
+#define WHIRL_FIELD_TOLERANCES_VALUES "tolerances/values"
+
 #define WHIRL_FIELD_REFINE_ROUNDS "refine/rounds"
 #define WHIRL_FIELD_REFINE_REVOLUTIONS "refine/revolutions"
 

@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #include "whirl/engine/analyze.h"
+#include "whirl/engine/tolerances.h"
 #include "whirl/handles.h"
 #include "whirl/status.h"
 
@@ -57,6 +58,9 @@ struct whirl_table {
     /// of the square that begins at it and whose corners agree, or 1 for the point alone; the point stands for all grid
     /// points of that square (whirl_table_cover). Both 0: not refined.
     size_t grid, refine;
+    /// A study of tolerances: the table has all parameter values for the first machine of the samples, then for the
+    /// next (whirl_tolerance_machines); 0 samples: none.
+    whirl_tolerance_options tolerances;
     size_t count; ///< number of points with a block
     /// Number of points of the study, if it exceeds `count` in a file that was written early; 0: count.
     size_t planned;

@@ -13,6 +13,7 @@
 #include "whirl/engine/result.h"
 #include "whirl/engine/stop.h"
 #include "whirl/engine/system.h"
+#include "whirl/engine/tolerances.h"
 #include "whirl/status.h"
 
 #ifdef __cplusplus
@@ -79,14 +80,19 @@ typedef struct whirl_batch {
     /// of its own motions reached and from which it has not started, up to WHIRL_MAX_NEIGHBOUR_STARTS in all. The
     /// rounds end when no value lacks one. These points follow all others in the table, and count in no share.
     size_t neighbours;
-    bool outline;          ///< requested machine: an outline (whirl_rotor_outline)
-    double speed;          ///< requested machine: speed, rad/s; 0, and in the batch itself: its own
-    bool asynchronous;     ///< requested machine: its coefficients are those at `frequency` of whirl,
-    double frequency;      ///< rad/s, instead of the speed of the shaft
-    double variant_value;  ///< requested machine: value of its variant
-    whirl_variant variant; ///< requested machine: its variant; in the batch itself the studied one
-    size_t start;          ///< requested machine: index of its start, from 0; in the batch itself 0
-    whirl_carry carry;     ///< use of the ends of neighbouring motions as starts
+    /// A study of tolerances: `count` is that of all machines of all samples, each with a row of `row` points; 0
+    /// samples: none.
+    whirl_tolerance_options tolerances;
+    const whirl_tolerance *tolerated; ///< [tolerances.parameters] these parameters; borrowed
+    size_t sampled;                   ///< requested machine: 1 + index of the machine among those of samples; 0: none
+    bool outline;                     ///< requested machine: an outline (whirl_rotor_outline)
+    double speed;                     ///< requested machine: speed, rad/s; 0, and in the batch itself: its own
+    bool asynchronous;                ///< requested machine: its coefficients are those at `frequency` of whirl,
+    double frequency;                 ///< rad/s, instead of the speed of the shaft
+    double variant_value;             ///< requested machine: value of its variant
+    whirl_variant variant;            ///< requested machine: its variant; in the batch itself the studied one
+    size_t start;                     ///< requested machine: index of its start, from 0; in the batch itself 0
+    whirl_carry carry;                ///< use of the ends of neighbouring motions as starts
     /// Compute every motion again from the same start with errors of a step 16 times smaller (twice the steps of a
     /// fixed-step method), to confirm its verdict. Needs the analysis "regime".
     bool confirm;

@@ -7,6 +7,7 @@
 #include "report_parts.h"
 #include "whirl/engine/result.h"
 #include "whirl/engine/shown.h"
+#include "whirl/engine/spread.h"
 #include "whirl/internal/model.h"
 
 typedef struct shown_kind {
@@ -33,7 +34,7 @@ void find_lines(const finder *of);
 int shown_modes_growing(const whirl_table *table, size_t point);
 
 extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance, shown_critical_speeds,
-    shown_stability, shown_statics, shown_runup, shown_twists, shown_fit;
+    shown_stability, shown_statics, shown_runup, shown_twists, shown_fit, shown_tolerances;
 
 /// Returns the point of a table of fits with the least sum of squares; the number of points if there is none.
 size_t fit_best(const whirl_table *table);
@@ -72,6 +73,20 @@ bool mode_is_torsional(const whirl_table *table, size_t point, size_t mode);
 
 /// Returns true for a mode with a damping ratio above WHIRL_OVERDAMPED_RATIO.
 bool mode_is_overdamped(const whirl_table *table, size_t point, size_t mode);
+
+// ---------------------------------------------------------------- spread_words
+// Numbers whose spread over samples is shown (whirl/engine/spread.h).
+
+enum { SPREAD_NAME = 5 * WHIRL_NAME_SIZE, SPREAD_VERDICTS = 32 };
+
+/// Writes the name of a number: "major of unbalance axes at disc".
+void spread_name(const whirl_table *table, const whirl_spread_of *of, char text[SPREAD_NAME]);
+
+/// Returns the unit in which it is shown: shown number = number in SI over its size.
+whirl_unit spread_unit(const whirl_shown_units *units, const whirl_table *table, const whirl_spread_of *of);
+
+/// Lists the different verdicts of a table, in the order of their first points; returns how many.
+size_t spread_verdicts(const whirl_table *table, whirl_verdict verdicts[SPREAD_VERDICTS]);
 
 // ---------------------------------------------------------------- mode_lines
 // Modes followed from point to point along a parameter, each with a name.

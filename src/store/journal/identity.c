@@ -62,7 +62,7 @@ static bool is_planned(const whirl_table *table, size_t point) {
            (y % table->refine == 0 || y + 1 == whirl_table_rows(table));
 }
 
-static void put_points(FILE *out, const whirl_table *table) {
+static void put_points(FILE *out, const whirl_result *outline, const whirl_table *table) {
     char first[NUMBER_SIZE], last[NUMBER_SIZE];
     uint32_t sum = 0;
     size_t count = 0, end = 0;
@@ -85,6 +85,12 @@ static void put_points(FILE *out, const whirl_table *table) {
                 exact(table->values[end], last), (unsigned)sum);
     if (table->row > 0) fprintf(out, ", in rows of %zu, each with a %s of its own", table->row, table->second);
     if (table->plane > 0) fprintf(out, ", in planes of %zu, each with a %s of its own", table->plane, table->third);
+    if (table->tolerances.samples > 0) fputs(", of samples of", out);
+    for (int i = 0; i < table->tolerances.parameters; ++i) {
+        char fact[WHIRL_NAME_SIZE];
+        snprintf(fact, sizeof fact, "tolerance %d", i + 1);
+        fprintf(out, " (%s)", whirl_result_fact(outline, fact));
+    }
     if (table->starts > 1) fprintf(out, ", from %zu starts each", table->starts);
     if (table->neighbours > 0) fprintf(out, ", and from neighbours in up to %zu rounds", table->neighbours);
     if (table->refine > 0) fprintf(out, ", refined from squares of %zu", table->refine);
@@ -147,7 +153,7 @@ whirl_status identity_text(const whirl_result *outline, bool build, char **text,
         fprintf(out, "station %zu\t%s\n", i + 1, outline->stations[i].name);
     for (size_t i = 0; i < outline->table_count; ++i) {
         const whirl_table *table = &outline->tables[i];
-        put_points(out, table);
+        put_points(out, outline, table);
         const whirl_member *members;
         for (size_t group = 0, at; (members = whirl_table_options(table, group, &at)) != NULL; group++)
             put_options(out, table->name, members, (const char *)table + at);

@@ -15,7 +15,8 @@ enum { RESTING_PIECE = 8 };
 typedef struct worker {
     study_run *run;
     const pass *pass;
-    const whirl_batch *batch; ///< with the placed unbalances
+    whirl_batch own;          ///< copy of the batch, with the machine of the sample that is being computed
+    const whirl_batch *batch; ///< that copy, with the placed unbalances
     whirl_table *table;
     bool has_modes;
     resting_machine before; ///< the point before, if it is known
@@ -48,12 +49,17 @@ static whirl_status resting_keep(const worker *w, size_t slot) {
     return status.code == WHIRL_OK ? run_journal_sync(w->run->journal) : status;
 }
 
+/// Returns true for a point without one before it: the first, and the first of every machine of samples.
+static bool resting_is_first(const worker *w, size_t slot) {
+    return w->batch->tolerances.samples > 0 && w->batch->row > 0 ? slot % w->batch->row == 0 : slot == 0;
+}
+
 /// Locates critical speeds between the point before and this one, which becomes the next point's before. Does nothing
 /// if the equilibrium is lost in between.
 static whirl_status resting_locate(worker *w, size_t slot, resting_machine *own) {
     whirl_status status = whirl_ok();
     w->count = 0;
-    if (slot == 0) return status;
+    if (resting_is_first(w, slot)) return status;
     if (!w->before.modes) status = resting_new(w->run->study, w->batch, w->table->values[slot - 1], &w->before);
     if (status.code == WHIRL_OK) status = resting_follow(&w->before, own);
     if (status.code == WHIRL_OK)
@@ -65,8 +71,8 @@ static whirl_status resting_locate(worker *w, size_t slot, resting_machine *own)
 
 /// Returns true if other equilibria are looked for: for turning machines with their own bearings.
 static bool looks_elsewhere(const worker *w, const whirl_machine *machine) {
-    return w->table->count > 1 && machine->speed != 0.0 &&
-           whirl_layout_field(&w->table->layout, WHIRL_FIELD_RANGES_ELSEWHERE);
+    const size_t points = w->batch->tolerances.samples > 0 ? w->batch->row : w->table->count;
+    return points > 1 && machine->speed != 0.0 && whirl_layout_field(&w->table->layout, WHIRL_FIELD_RANGES_ELSEWHERE);
 }
 
 static whirl_status resting_analyze(worker *w, size_t slot, const resting_machine *own) {
@@ -87,6 +93,7 @@ static whirl_status resting_analyze(worker *w, size_t slot, const resting_machin
         status = whirl_analyze_resting(&point, &w->pass->record, w->batch->analyses, &w->table->layout,
                                        resting_block_of(w, slot));
     free(elsewhere);
+    sample_note(w->batch, slot, &w->table->layout, resting_block_of(w, slot));
     // A machine that could not be built has already named its place.
     if (status.code == WHIRL_BAD_INPUT && *w->batch->parameter && strncmp(status.message, "at ", 3) != 0)
         status = whirl_fail(status.code, "at %s = %.10g: %.300s", w->batch->parameter, own->value, status.message);
@@ -101,6 +108,7 @@ static whirl_status leave_unfound(worker *w, size_t slot) {
     if (status.code != WHIRL_OK) return status;
     whirl_unfound_at_rest(&w->table->layout, whirl_equilibrium_share(machine.system, machine.start),
                           resting_block_of(w, slot));
+    sample_note(w->batch, slot, &w->table->layout, resting_block_of(w, slot));
     if (machine.release) machine.release(machine.owner);
     return status;
 }
@@ -108,6 +116,7 @@ static whirl_status leave_unfound(worker *w, size_t slot) {
 static whirl_status resting_compute(worker *w, size_t slot) {
     const double value = w->table->values[slot];
     resting_machine own = {.value = value};
+    if (w->own.tolerances.samples > 0) w->own.sampled = 1 + (w->own.row > 0 ? slot / w->own.row : 0);
     whirl_status status = w->has_modes ? resting_new(w->run->study, w->batch, value, &own)
                                        : w->run->study->machine(w->run->study->family, w->batch, value, &own.machine);
     if (status.code == WHIRL_OK && w->has_modes) status = resting_locate(w, slot, &own);
@@ -166,9 +175,10 @@ static whirl_status resting_work(study_run *run, const pass *p) {
         errno = 0;
         worker w = {.run = run,
                     .pass = p,
-                    .batch = &run->study->batches[p->batch],
+                    .own = run->study->batches[p->batch],
                     .table = &run->result->tables[p->batch],
                     .most = (size_t)p->record.modes + 1};
+        w.batch = &w.own;
         w.has_modes = (w.batch->analyses & modes) != 0;
         w.found = calloc(w.most, sizeof *w.found);
         w.block = calloc(w.table->layout.size + 1, sizeof *w.block);

@@ -15,6 +15,7 @@ whirl_status whirl_study_machine(const whirl_study *study, const whirl_batch *ba
     if (batch->starts > 1) own.start = point / batch->count < batch->starts ? point / batch->count : 0;
     if (batch->second_values) own.second_value = batch->second_values[index];
     if (batch->third_values) own.third_value = batch->third_values[index];
+    if (batch->tolerances.samples > 0) own.sampled = 1 + (batch->row > 0 ? index / batch->row : 0);
     whirl_status status = whirl_study_place(study, &own, &placed);
     if (status.code == WHIRL_OK) status = study->machine(study->family, &own, value, machine);
     free(placed);
@@ -51,4 +52,30 @@ void map_note(const whirl_batch *batch, size_t point, const whirl_layout *layout
     if (field && batch->second_values) block[field->offset] = batch->second_values[point];
     if (third && batch->third_values) block[third->offset] = batch->third_values[point];
     if (width) block[width->offset] = 1.0; // a refined map's final widths are noted at the end
+}
+
+whirl_status sample_add_fields(const whirl_batch *batch, whirl_layout *layout) {
+    const size_t count = (size_t)batch->tolerances.parameters;
+    if (batch->tolerances.samples == 0) return whirl_ok();
+    if (layout->field_count + 3 > WHIRL_MAX_FIELDS)
+        return whirl_fail(WHIRL_BAD_INPUT, "the chosen analyses have more than %d fields", WHIRL_MAX_FIELDS - 3);
+    study_add_field(layout, WHIRL_FIELD_TOLERANCES_SAMPLE, "1", "number of the sample, from 1");
+    study_add_field(layout, WHIRL_FIELD_TOLERANCES_MACHINE, "1",
+                    "0: the sample (A), 1: another one for indices (B), above: A with one parameter of B");
+    study_add_field(layout, WHIRL_FIELD_TOLERANCES_VALUES, "1",
+                    "values of the parameters with tolerances, in their order, in SI");
+    layout->fields[layout->field_count - 1].rows = count;
+    layout->size += count - 1;
+    return whirl_ok();
+}
+
+void sample_note(const whirl_batch *batch, size_t point, const whirl_layout *layout, double *block) {
+    const whirl_field *sample = whirl_layout_field(layout, WHIRL_FIELD_TOLERANCES_SAMPLE);
+    const whirl_field *machine = whirl_layout_field(layout, WHIRL_FIELD_TOLERANCES_MACHINE);
+    const whirl_field *values = whirl_layout_field(layout, WHIRL_FIELD_TOLERANCES_VALUES);
+    if (batch->tolerances.samples == 0 || !sample || !machine || !values) return;
+    const size_t index = batch->row > 0 ? point / batch->row : 0, each = whirl_tolerance_each(&batch->tolerances);
+    block[sample->offset] = (double)(index / each + 1);
+    block[machine->offset] = (double)(index % each);
+    whirl_tolerance_values(&batch->tolerances, batch->tolerated, index, block + values->offset);
 }

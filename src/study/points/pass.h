@@ -169,6 +169,12 @@ whirl_status map_add_field(const whirl_batch *batch, whirl_layout *layout);
 /// Notes these values in the block of a point, by its index in the batch.
 void map_note(const whirl_batch *batch, size_t point, const whirl_layout *layout, double *block);
 
+/// Adds the fields "tolerances/..." of a study of tolerances. WHIRL_BAD_INPUT if it has too many fields.
+whirl_status sample_add_fields(const whirl_batch *batch, whirl_layout *layout);
+
+/// Notes sample, machine and parameters of a point, by its index in the batch, in its block.
+void sample_note(const whirl_batch *batch, size_t point, const whirl_layout *layout, double *block);
+
 // ---------------------------------------------------------------- starts.c
 
 /// Adds the fields "starts/number" and "starts/state" of a batch with several starts, and "starts/neighbour" if it may

@@ -37,6 +37,7 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     if (machine.release) machine.release(machine.owner);
     if (status.code == WHIRL_OK) status = starts_add_fields(batch, stations, &table->layout);
     if (status.code == WHIRL_OK) status = map_add_field(batch, &table->layout);
+    if (status.code == WHIRL_OK) status = sample_add_fields(batch, &table->layout);
     if (status.code == WHIRL_OK && study_is_refined(study) && !batch_is_found(batch))
         status = refine_add_fields(&table->layout);
     if (status.code != WHIRL_OK) return status;
@@ -47,7 +48,8 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     memcpy(table->second, batch->second, sizeof table->second);
     if (batch->third_values) memcpy(table->third, batch->third, sizeof table->third);
     table->clock_factor = 1.0;
-    table->row = batch->row;
+    table->tolerances = batch->tolerances;
+    table->row = batch->tolerances.samples > 0 ? 0 : batch->row;
     table->plane = batch->plane;
     table->starts = batch->starts > 1 ? batch->starts : 0;
     table->neighbours = batch->neighbours;

@@ -94,6 +94,8 @@ size_t whirl_table_places(const whirl_table *table) {
     if (table->source) return whirl_table_places(table->source);
     if (table->grid > 0) return table->grid;
     if (table->places > 0) return table->places;
+    const size_t machines = whirl_tolerance_machines(&table->tolerances);
+    if (machines > 0) return planned / machines;
     return table->starts > 1 ? planned / table->starts : planned;
 }
 

@@ -1,0 +1,106 @@
+/// Spreads: statistics of a number of every point over the samples of a study of tolerances.
+#ifndef WHIRL_SPREAD_H
+#define WHIRL_SPREAD_H
+
+#include "whirl/engine/lyapunov.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/tolerances.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum { WHIRL_SPREAD_TEXT = 4 * WHIRL_NAME_SIZE }; ///< size of whirl_spread_text
+
+/// A number of every point, and its limits.
+typedef struct whirl_spread_of {
+    char field[WHIRL_NAME_SIZE];  ///< name of its field
+    char column[WHIRL_NAME_SIZE]; ///< name of its column, "" for the first
+    size_t row;                   ///< its row, from 0
+    char at[WHIRL_NAME_SIZE];     ///< its station or contact, "" for a number of the point
+    double above, below;          ///< limits in SI between which it has to be; infinite: none
+} whirl_spread_of;
+
+/// Writes it as whirl_spread_read reads it: "unbalance/axes column major row 1 above -inf below 5e-05 at disc".
+void whirl_spread_text(const whirl_spread_of *of, char text[WHIRL_SPREAD_TEXT]);
+
+/// Reads that text. Returns false for any other.
+bool whirl_spread_read(const char *text, whirl_spread_of *of);
+
+/// A place in the blocks of a table.
+typedef struct whirl_spread_at {
+    const whirl_field *field;
+    size_t which, index; ///< station or contact; number within the field's array
+} whirl_spread_at;
+
+/// Finds the number in a layout; names [count] are those of stations or contacts, as the field has them. Returns what
+/// is missing, a clause, or NULL; static text.
+const char *whirl_spread_find(const whirl_spread_of *of, const whirl_layout *layout, const char *const *stations,
+                              size_t station_count, const char *const *contacts, size_t contact_count,
+                              whirl_spread_at *at);
+
+/// Probabilities of the quantiles of a spread, in rising order: 0.05, 0.25, 0.5, 0.75, 0.95.
+enum { WHIRL_QUANTILES = 5 };
+extern const double whirl_quantiles[WHIRL_QUANTILES];
+
+/// A probability: with its standard error, and an interval that has it in 95 % of cases (Wilson 1927, for as many
+/// independent samples). Samples without a number widen the interval to both sides.
+typedef struct whirl_probability {
+    whirl_estimate of;
+    double from, to;
+} whirl_probability;
+
+/// Sensitivity indices of a parameter: the part of the variance that it causes alone, and together with others.
+typedef struct whirl_index {
+    whirl_estimate first, total;
+} whirl_index;
+
+/// Statistics of a number; errors are standard errors, from the replicates of the samples. Estimates without a meaning
+/// are NaN.
+typedef struct whirl_spread {
+    size_t samples, failed; ///< samples that are done; samples among them without the number
+    double least, most;     ///< extremes of all samples
+    whirl_estimate mean, variance, deviation, quantiles[WHIRL_QUANTILES];
+    whirl_probability beyond;                    ///< that the number is not between its limits
+    size_t index_count;                          ///< number of parameters with indices; 0: none
+    whirl_index indices[WHIRL_MAX_TOLERANCES];   ///< of the number
+    whirl_index beyond_of[WHIRL_MAX_TOLERANCES]; ///< of the probability to be beyond the limits
+} whirl_spread;
+
+/// Place of whirl_table_spread for the worst of all values of the parameter: the largest number of a sample, or with a
+/// lower limit alone the least.
+#define WHIRL_ANYWHERE ((size_t)-1)
+
+/// Returns the number of a point in SI; NaN if it has none.
+double whirl_spread_number(const whirl_result *result, const whirl_table *table, size_t point,
+                           const whirl_spread_at *at);
+
+/// Finds the statistics of a number over the first `samples` samples (0: all) of a table of samples, at a value of its
+/// parameter by its place from 0, or WHIRL_ANYWHERE. WHIRL_BAD_INPUT for other tables, WHIRL_NO_MEMORY.
+whirl_status whirl_table_spread(const whirl_result *result, const whirl_table *table, const whirl_spread_of *of,
+                                size_t place, size_t samples, whirl_spread *spread);
+
+/// Kinds of what a sample may do, for whirl_table_chance.
+typedef enum whirl_chance {
+    WHIRL_CHANCE_VERDICT, ///< a verdict: regime and period
+    WHIRL_CHANCE_TOUCH    ///< any contact is closed at some time
+} whirl_chance;
+
+/// Finds the probability of a verdict (its regime, and its period where it is periodic), or of touching; `spread` has
+/// all of 0 and 1 as its number, and so indices of the probability. Samples without a verdict have failed. Errors as
+/// whirl_table_spread.
+whirl_status whirl_table_chance(const whirl_table *table, whirl_chance chance, const whirl_verdict *verdict,
+                                size_t place, size_t samples, whirl_spread *spread);
+
+/// Gives the numbers that are asked of a table, by index from 0: those of the case (facts "limit 1", ...) that the
+/// table has, or the usual ones. Returns false past the last.
+bool whirl_table_asked(const whirl_result *result, const whirl_table *table, size_t index, whirl_spread_of *of);
+
+/// Returns the name of a parameter with a tolerance, by index from 0 (facts "tolerance 1", ...); "" past the last.
+/// Writes it to name.
+const char *whirl_result_tolerance(const whirl_result *result, size_t index, char name[WHIRL_NAME_SIZE]);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

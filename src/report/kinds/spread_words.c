@@ -1,0 +1,57 @@
+// Names and units of numbers whose spread over samples is shown.
+#include <stdio.h>
+#include <string.h>
+
+#include "shown_kinds.h"
+
+void spread_name(const whirl_table *table, const whirl_spread_of *of, char text[SPREAD_NAME]) {
+    const whirl_field *field = whirl_layout_field(&table->layout, of->field);
+    const char *last = strrchr(of->field, '/'), *own = last ? last + 1 : of->field;
+    const size_t group = strcspn(of->field, "/");
+    // The group says what "speed" or "frequency" is of, and a mode has its number.
+    snprintf(text, SPREAD_NAME, "%s%s%.*s %s", of->column, *of->column ? " of " : "", (int)group, of->field, own);
+    for (char *c = text; *c; c++)
+        if (*c == '_') *c = ' ';
+    const size_t used = strlen(text);
+    if (field && field->rows > 1) snprintf(text + used, SPREAD_NAME - used, " %zu", of->row + 1);
+    const size_t now = strlen(text);
+    if (*of->at) snprintf(text + now, SPREAD_NAME - now, " at %s", of->at);
+}
+
+/// Returns the index of the column of a number.
+static size_t spread_column(const whirl_field *field, const char *column) {
+    char names[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE];
+    size_t i = 0;
+    if (!whirl_field_column_names(field, names)) return 0;
+    while (i < field->columns && strcmp(names[i], column) != 0) i++;
+    return i < field->columns ? i : 0;
+}
+
+whirl_unit spread_unit(const whirl_shown_units *units, const whirl_table *table, const whirl_spread_of *of) {
+    const whirl_field *field = whirl_layout_field(&table->layout, of->field);
+    whirl_unit plain = {.size = 1.0};
+    if (!field) return plain;
+    const char *unit = whirl_column_unit(field, spread_column(field, of->column));
+    if (strcmp(unit, "length") == 0)
+        return units->of[whirl_field_counting(field) == WHIRL_AMPLITUDE ? WHIRL_QUANTITY_SIZE : WHIRL_QUANTITY_LENGTH];
+    if (strcmp(unit, "force") == 0) return units->of[WHIRL_QUANTITY_FORCE];
+    if (strcmp(unit, "rad/s") == 0)
+        return units->of[strstr(of->field, "speed") ? WHIRL_QUANTITY_SPEED : WHIRL_QUANTITY_FREQUENCY];
+    if (strcmp(unit, "1") != 0) snprintf(plain.name, sizeof plain.name, "%s", unit);
+    return plain;
+}
+
+size_t spread_verdicts(const whirl_table *table, whirl_verdict verdicts[SPREAD_VERDICTS]) {
+    size_t count = 0;
+    for (size_t point = 0; point < table->count && whirl_layout_has_verdict(&table->layout); point++) {
+        if (!whirl_table_done(table, point)) continue;
+        const whirl_verdict own = whirl_table_verdict(table, point);
+        size_t i = 0;
+        if (own.regime == WHIRL_UNDETERMINED || own.regime == WHIRL_NOT_JUDGED) continue;
+        while (i < count &&
+               (verdicts[i].regime != own.regime || (own.regime == WHIRL_PERIODIC && verdicts[i].period != own.period)))
+            i++;
+        if (i == count && count < SPREAD_VERDICTS) verdicts[count++] = own;
+    }
+    return count;
+}
