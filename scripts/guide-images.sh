@@ -13,3 +13,5 @@ awk '/^# tested: rig.yaml/ { inside = 1; next } /^```/ { inside = 0 } inside' "$
 "$whirl" report rig.h5 -o report --quiet 2>/dev/null || [ -f report/rig/bifurcation-disc.png ]
 mkdir -p "$root/docs/images/guide"
 cp report/rig/bifurcation-disc.png report/rig/omega-8000rpm-disc.png "$root/docs/images/guide"
+"$whirl" run "$root/cases/tolerances.yaml" --quiet -o tolerances.h5
+"$whirl" figure tolerances.h5 tolerances-major-of-unbalance-axes-at-wheel -o "$root/docs/images/guide/tolerances.png" --force

@@ -510,26 +510,30 @@ static void make_branch(case_reader *reader, valuation *v, const plan_parts *par
     if (settings_yes(&parts->branch, "tori")) make_tori(parts, own, result);
 }
 
-size_t plan_given(const whirl_batch *batch, double value, double second, double third,
-                  whirl_given given[PLAN_MAX_GIVEN]) {
-    const whirl_given varied[] = {{batch->parameter, value}, {batch->second, second}, {batch->third, third}};
+/// As plan_given, for a machine of samples (whirl_batch.sampled).
+static size_t given_of(const whirl_batch *batch, const double values[3], size_t sampled,
+                       whirl_given given[PLAN_MAX_GIVEN]) {
+    const whirl_given varied[] = {{batch->parameter, values[0]}, {batch->second, values[1]}, {batch->third, values[2]}};
+    double drawn[WHIRL_MAX_TOLERANCES];
     size_t count = 0;
     for (size_t i = 0; i < 3 && *varied[i].name && !isnan(varied[i].value); i++) given[count++] = varied[i];
     for (size_t i = 0; i < batch->given_count; i++) given[count++] = batch->given[i];
-    double values[WHIRL_MAX_TOLERANCES];
-    const size_t tolerated = batch->sampled > 0 ? (size_t)batch->tolerances.parameters : 0;
-    if (tolerated > 0) whirl_tolerance_values(&batch->tolerances, batch->tolerated, batch->sampled - 1, values);
-    for (size_t i = 0; i < tolerated; i++) given[count++] = (whirl_given){batch->tolerated[i].name, values[i]};
+    const size_t tolerated = sampled > 0 ? (size_t)batch->tolerances.parameters : 0;
+    if (tolerated > 0) whirl_tolerance_values(&batch->tolerances, batch->tolerated, sampled - 1, drawn);
+    for (size_t i = 0; i < tolerated; i++) given[count++] = (whirl_given){batch->tolerated[i].name, drawn[i]};
     return count;
+}
+
+size_t plan_given(const whirl_batch *batch, double value, double second, double third,
+                  whirl_given given[PLAN_MAX_GIVEN]) {
+    return given_of(batch, (const double[]){value, second, third}, batch->sampled, given);
 }
 
 size_t plan_given_at(const whirl_batch *batch, size_t point, whirl_given given[PLAN_MAX_GIVEN]) {
     const double *const axes[] = {batch->values, batch->second_values, batch->third_values};
     double values[3];
     for (size_t i = 0; i < 3; i++) values[i] = axes[i] ? axes[i][point] : (double)NAN;
-    whirl_batch own = *batch;
-    if (batch->tolerances.samples > 0) own.sampled = 1 + point / batch->row;
-    return plan_given(&own, values[0], values[1], values[2], given);
+    return given_of(batch, values, batch->tolerances.samples > 0 ? 1 + point / batch->row : 0, given);
 }
 
 size_t plan_batch(const study_plan *plan, const char *name) {

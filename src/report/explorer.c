@@ -225,8 +225,10 @@ static bool write_run(FILE *stream, const whirl_result *result, const whirl_case
     script_key(stream, ',', "tables");
     fputc('[', stream);
     const whirl_table *diagram = diagram_of(result);
-    for (size_t t = 0; t < result->table_count; t++) {
-        if (t > 0) fputc(',', stream);
+    // Of samples the page shows figures and sheets alone.
+    for (size_t t = 0, shown = 0; t < result->table_count; t++) {
+        if (result->tables[t].tolerances.samples > 0) continue;
+        if (shown++ > 0) fputc(',', stream);
         well = explorer_write_table(stream, &result->tables[t], &result->tables[t] == diagram) && well;
     }
     fputc(']', stream);

@@ -4,8 +4,8 @@
 # shellcheck shell=bash disable=SC2154
 
 # Points one by one, along a line and in a plane; carried up and down, and confirmed; refined; confirmed and followed; at
-# rest; along branches and on tori.
-[ -n "${kinds[*]:-}" ] || kinds=(plain map carry refined followed modes branch tori)
+# rest; along branches and on tori; of samples.
+[ -n "${kinds[*]:-}" ] || kinds=(plain map carry refined followed modes branch tori tolerances)
 sed -e 's/points: 5/points: 2000/' -e 's/, spectrum//' "$tests/good.yaml" >plain.yaml
 sed -e 's/  sweep: .*/  map: {x: {parameter: omega, from: 1, to: 4, points: 60}, y: {parameter: kappa, from: 5, to: 20, points: 20}}/' \
     plain.yaml >map.yaml
@@ -16,6 +16,7 @@ sed -e 's/from: 1.0, to: 0.1, points: 512/from: 0.28, to: 0.1, points: 10/' -e '
     -e 's/transient: 1100, record: 100/transient: 100, record: 400/' -e 's/revolution: 1024/revolution: 256/' \
     "$cases/paper.yaml" >followed.yaml
 sed 's/points: 9/points: 41/' "$tests/modes.yaml" >modes.yaml
+sed '/^study:/a\  tolerances: {parameters: {kappa: +- 20 %}, samples: 256}' "$tests/good.yaml" >tolerances.yaml
 cp "$tests/branch.yaml" "$tests/tori.yaml" .
 declare -A span
 for name in "${kinds[@]}"; do

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from .fitting import Estimate, Fit, fit
     from .result import Parameter, Result, Station, open, read
     from .running import run
+    from .sampling import tolerances
     from .table import Field, Table
 
 _HOMES = {
@@ -44,6 +45,7 @@ _HOMES = {
     "fit": "fitting",
     "Fit": "fitting",
     "Estimate": "fitting",
+    "tolerances": "sampling",
     "Balance": "balancing",
     "balance": "balancing",
     "readings": "balancing",

@@ -424,6 +424,44 @@ class Result:
 
         return sheet_of(self._figured(), name, units)
 
+    def spread(
+        self,
+        field: str,
+        *,
+        column: str = "",
+        row: int = 1,
+        at: str = "",
+        above: float | None = None,
+        below: float | None = None,
+        what: str = "spread",
+        table: str = "",
+        units: str | None = None,
+    ) -> Sheet:
+        """Statistics of any number of the points of a study of tolerances, over the parameter: mean, deviation and
+        quantiles with their errors. ``to_pandas()`` of the sheet is a table.
+
+        Parameters
+        ----------
+        field : str
+            Name of the field, such as "orbit/max_radius".
+        column, row, at : optional
+            Its column by name, its row from 1 (the number of a mode), and its station or contact.
+        above, below : float, optional
+            Limits in SI.
+        what : str
+            "spread"; "indices", the parts of the variance that parameters cause; or "probabilities" of the limits.
+        table : str, optional
+            Which table of samples, where the result has several.
+        """
+        from .findings import sheet_of
+
+        words = [f"{table}/{what}:{field}" if table else f"{what}:{field}"]
+        words += [f"column {column}"] if column else []
+        words += [f"row {row}"] if row != 1 else []
+        words += [f"{key} {float(limit)!r}" for key, limit in (("above", above), ("below", below)) if limit is not None]
+        words += [f"at {at}"] if at else []
+        return sheet_of(self._figured(), " ".join(words), units)
+
     def sheet_text(self, name: str | None = None, format: str = "text", units: str | None = None) -> str:
         """A sheet as ``whirl table`` writes it: "text", "csv", "latex" (a table with rules of booktabs) or "json". All
         statements and sheets without a name, as "text" or "json"."""

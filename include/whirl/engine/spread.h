@@ -24,7 +24,7 @@ typedef struct whirl_spread_of {
 /// Writes it as whirl_spread_read reads it: "unbalance/axes column major row 1 above -inf below 5e-05 at disc".
 void whirl_spread_text(const whirl_spread_of *of, char text[WHIRL_SPREAD_TEXT]);
 
-/// Reads that text. Returns false for any other.
+/// Reads that text, of which only the field has to be there. Returns false for any other.
 bool whirl_spread_read(const char *text, whirl_spread_of *of);
 
 /// A place in the blocks of a table.
@@ -38,6 +38,10 @@ typedef struct whirl_spread_at {
 const char *whirl_spread_find(const whirl_spread_of *of, const whirl_layout *layout, const char *const *stations,
                               size_t station_count, const char *const *contacts, size_t contact_count,
                               whirl_spread_at *at);
+
+/// Finds the number in a table of a result. Returns false if it is not there, or without memory.
+bool whirl_spread_place(const whirl_result *result, const whirl_table *table, const whirl_spread_of *of,
+                        whirl_spread_at *at);
 
 /// Probabilities of the quantiles of a spread, in rising order: 0.05, 0.25, 0.5, 0.75, 0.95.
 enum { WHIRL_QUANTILES = 5 };

@@ -13,7 +13,7 @@ static const figure_kind *const kinds[] = {
     &unbalance_figure,   &critical_speeds_figure, &stability_figure,    &screening_figure,
     &centreline_figure,  &orbits_figure,          &transient_figure,    &runup_figure,
     &runup_polar_figure, &runup_spectra_figure,   &runup_motion_figure, &twists_figure,
-    &fit_figure,         &point_figure,           &field_figure,
+    &fit_figure,         &point_figure,           &field_figure,        &tolerances_figure,
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
@@ -25,7 +25,8 @@ whirl_status figures_list(const drawing *of, figure_list *list) {
         if (kinds[k]->whole) kinds[k]->list(list, of, of->result->table_count > 0 ? of->result->tables : NULL);
         for (size_t t = 0; t < of->result->table_count && !kinds[k]->whole; t++) {
             const whirl_table *table = &of->result->tables[t];
-            if (table->count > 0 && kinds[k]->list) kinds[k]->list(list, of, table);
+            const bool fits = (table->tolerances.samples > 0) == kinds[k]->samples;
+            if (table->count > 0 && fits && kinds[k]->list) kinds[k]->list(list, of, table);
         }
     }
     if (!list->failed) return whirl_ok();

@@ -51,6 +51,7 @@ struct figure_kind {
     whirl_status (*find)(figure_list *list, const drawing *of, const char *name);
     const char *stem;  ///< beginning of all names of this kind, or NULL
     const char *study; ///< the study in a case that makes these figures
+    bool samples;      ///< figures of studies of tolerances, which have no others
     bool whole;        ///< figures of the whole result: `list` is called once, with its first table or NULL
 };
 
@@ -91,7 +92,7 @@ extern const figure_kind rotor_figure, bifurcation_figure, waterfall_figure, map
     torus_figure, campbell_figure, decrement_figure, shapes_figure, deflected_figure, sag_figure, unbalance_figure,
     critical_speeds_figure, stability_figure, screening_figure, centreline_figure, orbits_figure, transient_figure,
     runup_figure, runup_polar_figure, runup_spectra_figure, runup_motion_figure, twists_figure, fit_figure,
-    point_figure, field_figure;
+    point_figure, field_figure, tolerances_figure;
 
 /// Colours of amplitudes in waterfalls and spectrograms: viridis from its bright end, so that on white the largest are
 /// the darkest.

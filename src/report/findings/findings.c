@@ -48,6 +48,54 @@ whirl_status whirl_findings_new(const whirl_result *result, const char *units, w
     return status;
 }
 
+/// Finds the spread of a number that a sheet's name asks for: "spread:FIELD column C at STATION", with "TABLE/" before
+/// it where several tables have samples.
+static whirl_status find_asked_spread(const whirl_result *view, const whirl_shown_units *units, const char *name,
+                                      whirl_findings **findings) {
+    const char *of = strchr(name, ':') + 1, *slash = memchr(name, '/', (size_t)(of - name));
+    const size_t length = slash ? (size_t)(slash - name) : 0;
+    whirl_spread_of number;
+    whirl_spread_at at;
+    if (!whirl_spread_read(of, &number))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "'%.80s' is no number of points, expected FIELD, and as needed column NAME, row N, below X, "
+                          "above X and at last at STATION",
+                          of);
+    for (size_t t = 0; t < view->table_count; t++) {
+        const whirl_table *table = &view->tables[t];
+        const bool named = !slash || (strlen(table->name) == length && strncmp(table->name, name, length) == 0);
+        if (!named || table->tolerances.samples == 0 || !whirl_spread_place(view, table, &number, &at)) continue;
+        whirl_findings *all = find_begin();
+        if (all) find_spread_of(&(finder){all, units, view, table, NULL}, &number);
+        return find_made(all, findings);
+    }
+    return whirl_fail(WHIRL_BAD_INPUT, "no table of samples has the number '%.80s'", of);
+}
+
+const char *findings_asked_spread(const char *name) {
+    static const char *const sheets[] = {"spread", "indices", "probabilities"};
+    const char *colon = strchr(name, ':');
+    for (size_t i = 0; i < sizeof sheets / sizeof *sheets && colon; i++) {
+        const size_t length = strlen(sheets[i]), before = (size_t)(colon - name);
+        if (before < length || strncmp(colon - length, sheets[i], length) != 0) continue;
+        if (before == length || colon[-(ptrdiff_t)length - 1] == '/') return sheets[i];
+    }
+    return NULL;
+}
+
+whirl_status findings_of_spread(const whirl_result *result, const char *units, const char *name,
+                                whirl_findings **findings) {
+    whirl_shown_units shown;
+    const int before = exhausted_watch();
+    *findings = NULL;
+    whirl_status status = whirl_result_shown_units(result, units, &shown);
+    if (status.code == WHIRL_OK) status = find_asked_spread(result, &shown, name, findings);
+    if (!exhausted(before)) return status;
+    whirl_findings_free(*findings);
+    *findings = NULL;
+    return whirl_fail(WHIRL_NO_MEMORY, "no memory for what was found");
+}
+
 // ---------------------------------------------------------------- a sheet by its name
 
 void whirl_sheet_name(const whirl_findings *findings, const whirl_sheet *sheet, char *text, size_t size) {

@@ -22,6 +22,13 @@ whirl_findings *find_begin(void);
 /// WHIRL_NO_MEMORY.
 whirl_status find_made(whirl_findings *made, whirl_findings **findings);
 
+/// Returns the sheet that a name asks for of a number of its own, "spread:FIELD at STATION"; NULL for other names.
+const char *findings_asked_spread(const char *name);
+
+/// Makes the findings on that number. Errors as whirl_findings_new, and WHIRL_BAD_INPUT for a number that is not there.
+whirl_status findings_of_spread(const whirl_result *result, const char *units, const char *name,
+                                whirl_findings **findings);
+
 /// Finds the first and the last computed point; returns how many: 0, 1 or 2.
 size_t find_ends(const whirl_table *table, size_t ends[2]);
 

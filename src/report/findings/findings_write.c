@@ -2,6 +2,7 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "findings_build.h"
 #include "report_parts.h"
 #include "whirl/engine/findings.h"
 #include "whirl/handles.h"
@@ -127,10 +128,12 @@ whirl_status whirl_result_findings(const whirl_result *result, const char *sheet
     if (status.code != WHIRL_OK) return status;
     if (!sheet && (asked.form == WHIRL_SHEET_CSV || asked.form == WHIRL_SHEET_LATEX))
         return whirl_fail(WHIRL_BAD_INPUT, "a file of format %.40s holds one sheet, expected the name of one", format);
-    status = whirl_findings_new(result, units, &findings);
+    const char *const spread = sheet ? findings_asked_spread(sheet) : NULL;
+    status =
+        spread ? findings_of_spread(result, units, sheet, &findings) : whirl_findings_new(result, units, &findings);
     if (status.code != WHIRL_OK) return status;
     asked.findings = findings;
-    if (sheet) status = whirl_findings_sheet(findings, sheet, &asked.sheet);
+    if (sheet) status = whirl_findings_sheet(findings, spread ? spread : sheet, &asked.sheet);
     if (status.code == WHIRL_OK) status = text_written(findings_write_asked, &asked, "for what was found", text);
     whirl_findings_free(findings);
     return status;

@@ -24,6 +24,10 @@ const shown_kind *shown_kind_of(const whirl_table *table);
 /// Finds the bearings, seals, dampers, magnets and supports of the machine.
 void find_machine(const finder *of);
 
+/// Finds the spread of a number over the samples of a table, and what parameters cause of it: the sheets "spread" and
+/// "indices".
+void find_spread_of(const finder *of, const whirl_spread_of *number);
+
 /// Finds the inertias and joints of stations that twist.
 void find_train(const finder *of, const whirl_model *model);
 

@@ -168,7 +168,7 @@ static void cell_estimate(const finder *of, whirl_sheet *sheet, whirl_estimate e
     cell_number(of, sheet, estimate.error);
 }
 
-static void find_spread(const finder *of, const whirl_spread_of *number, size_t index) {
+static void find_spread(const finder *of, const whirl_spread_of *number, const char *sheet_name) {
     static const char *const keys[WHIRL_QUANTILES] = {"q05", "q25", "median", "q75", "q95"};
     static const char *const error_keys[WHIRL_QUANTILES] = {"q05_error", "q25_error", "median_error", "q75_error",
                                                             "q95_error"};
@@ -177,8 +177,7 @@ static void find_spread(const finder *of, const whirl_spread_of *number, size_t 
     const whirl_unit unit = spread_unit(of->units, of->table, number);
     char name[SPREAD_NAME];
     spread_name(of->table, number, name);
-    whirl_sheet *sheet =
-        find_sheet(of, find_text(of->findings, "spread-%zu", index + 1), find_text(of->findings, "Spread of %s", name));
+    whirl_sheet *sheet = find_sheet(of, sheet_name, find_text(of->findings, "Spread of %s", name));
     sheet->of_points = true;
     if (*of->table->parameter) sheet_values(of, sheet, "", 6);
     sheet_units(of, sheet, "mean", "mean", &unit, 5);
@@ -306,6 +305,14 @@ static void find_convergence(const finder *of, const whirl_spread_of *numbers, s
     find_sheet_end(of);
 }
 
+void find_spread_of(const finder *of, const whirl_spread_of *number) {
+    const bool limited = isfinite(number->above) || isfinite(number->below);
+    const asked_chance chance = {.what = limits_text(of, number), .number = number};
+    find_spread(of, number, "spread");
+    find_chances(of, &chance, limited);
+    find_indices(of, number, 1, &chance, limited);
+}
+
 static void tolerances_find(const finder *of) {
     whirl_spread_of numbers[MAX_ASKED];
     asked_chance chances[2 * MAX_ASKED];
@@ -313,7 +320,7 @@ static void tolerances_find(const finder *of) {
     for (size_t i = 0; i < chance_count; i++) state_chance(of, &chances[i]);
     find_parameters(of);
     find_chances(of, chances, chance_count);
-    for (size_t i = 0; i < count; i++) find_spread(of, &numbers[i], i);
+    for (size_t i = 0; i < count; i++) find_spread(of, &numbers[i], find_text(of->findings, "spread-%zu", i + 1));
     find_indices(of, numbers, count, chances, chance_count);
     find_convergence(of, numbers, count, chances, chance_count);
 }

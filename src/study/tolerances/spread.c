@@ -27,30 +27,35 @@ static bool take_word(const char **text, char *word, size_t size) {
     return true;
 }
 
-/// Takes a key and the number behind it; false if they are not there.
-static bool take_number(const char **text, const char *key, double *value) {
+/// Takes the number behind a key; false if there is none.
+static bool take_number(const char **text, double *value) {
     char word[WHIRL_NAME_SIZE], *end;
-    if (!take_word(text, word, sizeof word) || strcmp(word, key) != 0) return false;
     if (!take_word(text, word, sizeof word)) return false;
     *value = strtod(word, &end);
-    return !*end;
+    return !*end && !isnan(*value);
 }
 
 bool whirl_spread_read(const char *text, whirl_spread_of *of) {
-    char word[WHIRL_NAME_SIZE];
-    double row;
-    *of = (whirl_spread_of){.row = 0};
-    if (!take_word(&text, of->field, sizeof of->field)) return false;
-    if (strncmp(text, " column ", 8) == 0 &&
-        !(take_word(&text, word, sizeof word) && take_word(&text, of->column, sizeof of->column)))
-        return false;
-    if (!take_number(&text, "row", &row) || !take_number(&text, "above", &of->above) ||
-        !take_number(&text, "below", &of->below) || !(row >= 1.0 && row <= 1e9))
-        return false;
-    of->row = (size_t)row - 1;
-    if (*text && (strncmp(text, " at ", 4) != 0 || strlen(text + 4) >= sizeof of->at)) return false;
-    if (*text) snprintf(of->at, sizeof of->at, "%s", text + 4);
-    return of->above < of->below;
+    char key[WHIRL_NAME_SIZE];
+    double row = 1.0;
+    *of = (whirl_spread_of){.above = -INFINITY, .below = INFINITY};
+    bool good = take_word(&text, of->field, sizeof of->field);
+    while (good && take_word(&text, key, sizeof key)) {
+        const char *rest = text + strspn(text, " ");
+        if (strcmp(key, "at") == 0) { // the rest of the text: contacts have names with blanks
+            good = *rest && strlen(rest) < sizeof of->at;
+            if (good) snprintf(of->at, sizeof of->at, "%s", rest);
+            break;
+        }
+        good = strcmp(key, "column") == 0  ? take_word(&text, of->column, sizeof of->column)
+               : strcmp(key, "row") == 0   ? take_number(&text, &row)
+               : strcmp(key, "above") == 0 ? take_number(&text, &of->above)
+               : strcmp(key, "below") == 0 ? take_number(&text, &of->below)
+                                           : false;
+    }
+    good = good && row >= 1.0 && row <= 1e9 && row == floor(row) && of->above < of->below;
+    of->row = good ? (size_t)row - 1 : 0;
+    return good;
 }
 
 const char *whirl_spread_find(const whirl_spread_of *of, const whirl_layout *layout, const char *const *stations,
@@ -415,6 +420,12 @@ static const char *find_in_result(const whirl_result *result, const whirl_table 
     }
     free((void *)names);
     return lacks;
+}
+
+bool whirl_spread_place(const whirl_result *result, const whirl_table *table, const whirl_spread_of *of,
+                        whirl_spread_at *at) {
+    whirl_status status = whirl_ok();
+    return !find_in_result(result, table, of, at, &status);
 }
 
 whirl_status whirl_table_spread(const whirl_result *result, const whirl_table *table, const whirl_spread_of *of,
