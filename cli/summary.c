@@ -40,6 +40,7 @@ void summarize_study(const whirl_study *study) {
         if (batch->parameter[0]) printf(" of %s", batch->parameter);
         if (*batch->second && batch->row > 0) printf("%s%s", batch->plane > 0 ? ", " : " and ", batch->second);
         if (batch->plane > 0) printf(" and %s", batch->third);
+        if (batch->tolerances.samples > 0) printf(" at %d samples", batch->tolerances.samples);
         if (batch->refine > 0) printf(", refined from squares of %zu", batch->refine);
         if (batch->fit) {
             const whirl_fit *fit = batch->fit;

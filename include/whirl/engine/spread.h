@@ -10,7 +10,8 @@
 extern "C" {
 #endif
 
-enum { WHIRL_SPREAD_TEXT = 4 * WHIRL_NAME_SIZE }; ///< size of whirl_spread_text
+/// Size of the text of whirl_spread_text.
+enum { WHIRL_SPREAD_TEXT = 4 * WHIRL_NAME_SIZE };
 
 /// A number of every point, and its limits.
 typedef struct whirl_spread_of {
@@ -29,8 +30,8 @@ bool whirl_spread_read(const char *text, whirl_spread_of *of);
 
 /// A place in the blocks of a table.
 typedef struct whirl_spread_at {
-    const whirl_field *field;
-    size_t which, index; ///< station or contact; number within the field's array
+    const whirl_field *field; ///< its field, of the layout
+    size_t which, index;      ///< station or contact; number within the field's array
 } whirl_spread_at;
 
 /// Finds the number in a layout; names [count] are those of stations or contacts, as the field has them. Returns what
@@ -43,28 +44,30 @@ const char *whirl_spread_find(const whirl_spread_of *of, const whirl_layout *lay
 bool whirl_spread_place(const whirl_result *result, const whirl_table *table, const whirl_spread_of *of,
                         whirl_spread_at *at);
 
-/// Probabilities of the quantiles of a spread, in rising order: 0.05, 0.25, 0.5, 0.75, 0.95.
+/// Number of quantiles of a spread: of the probabilities 0.05, 0.25, 0.5, 0.75 and 0.95.
 enum { WHIRL_QUANTILES = 5 };
+/// These probabilities.
 extern const double whirl_quantiles[WHIRL_QUANTILES];
 
 /// A probability: with its standard error, and an interval that has it in 95 % of cases (Wilson 1927, for as many
 /// independent samples). Samples without a number widen the interval to both sides.
 typedef struct whirl_probability {
-    whirl_estimate of;
-    double from, to;
+    whirl_estimate of; ///< the probability
+    double from, to;   ///< the interval
 } whirl_probability;
 
 /// Sensitivity indices of a parameter: the part of the variance that it causes alone, and together with others.
 typedef struct whirl_index {
-    whirl_estimate first, total;
+    whirl_estimate first, total; ///< alone, and with others
 } whirl_index;
 
 /// Statistics of a number; errors are standard errors, from the replicates of the samples. Estimates without a meaning
 /// are NaN.
 typedef struct whirl_spread {
-    size_t samples, failed; ///< samples that are done; samples among them without the number
-    double least, most;     ///< extremes of all samples
-    whirl_estimate mean, variance, deviation, quantiles[WHIRL_QUANTILES];
+    size_t samples, failed;                      ///< samples that are done; samples among them without the number
+    double least, most;                          ///< extremes of all samples
+    whirl_estimate mean, variance, deviation;    ///< moments; the deviation is the root of the variance
+    whirl_estimate quantiles[WHIRL_QUANTILES];   ///< at whirl_quantiles
     whirl_probability beyond;                    ///< that the number is not between its limits
     size_t index_count;                          ///< number of parameters with indices; 0: none
     whirl_index indices[WHIRL_MAX_TOLERANCES];   ///< of the number

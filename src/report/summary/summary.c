@@ -25,7 +25,20 @@ static void print_axes(FILE *out, const whirl_table *table) {
     fputs(" points", out);
 }
 
+/// "tolerances of omega: 3 points at each of 64 samples, of 5 machines each".
+static void print_samples(FILE *out, const whirl_table *table) {
+    const size_t places = whirl_table_places(table), each = whirl_tolerance_each(&table->tolerances);
+    fprintf(out, "%s%s%s: %zu point%s at each of %d samples", table->name, *table->parameter ? " of " : "",
+            table->parameter, places, summary_plural((double)places), table->tolerances.samples);
+    if (each > 1) fprintf(out, ", of %zu machines each", each);
+    fputc('\n', out);
+}
+
 void summarize_heading(FILE *out, const whirl_table *table) {
+    if (table->tolerances.samples > 0) {
+        print_samples(out, table);
+        return;
+    }
     if (!*table->parameter) {
         fprintf(out, "%s:\n", table->name);
         return;

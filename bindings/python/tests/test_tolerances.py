@@ -1,0 +1,87 @@
+"""Tolerances from Python: one call, sheets as pandas tables, any number on request, the samples themselves."""
+
+import numpy as np
+import pytest
+import whirl
+
+CASE = """
+whirl: 1
+title: A rotor whose amplitude is e k/(k - 1)
+parameters: {omega: 1 rad/s, e: 1 mm, k: 2 N/m}
+rotor:
+  speed: = omega
+  length_scale: 1 mm
+  stations:
+    disc: {mass: 1 kg, eccentricity: = e}
+  elements:
+    - shaft: {between: [disc, ground], k1: = k}
+study:
+  # of its response
+  unbalance: {parameter: omega, values: [0.5, 1]}
+"""
+
+
+@pytest.fixture(scope="module")
+def result():
+    return whirl.tolerances(
+        whirl.Case(text=CASE),
+        {"e": "1 mm +- 50 %", "k": {"from": "1.9 N/m", "to": "2.1 N/m"}},
+        of=[{"field": "unbalance/axes", "column": "major", "at": "disc", "below": "1.25 mm"}],
+        samples=256,
+        seed=7,
+        indices=True,
+        progress=False,
+    )
+
+
+def test_samples(result):
+    table = result["tolerances"]
+    values = table["tolerances/values"]
+    assert values.shape == (256 * 4 * 2, 2) and len(table.values) == 2048
+    assert np.all((values[:, 0] > 0.5e-3) & (values[:, 0] < 1.5e-3) & (values[:, 1] > 1.9) & (values[:, 1] < 2.1))
+    # The amplitude of every machine is that of its own parameters.
+    e, k = values.T
+    w = table.values
+    assert np.allclose(table["unbalance/axes"][:, 0, 0] * 1e-3, e * w**2 / (k - w**2), rtol=1e-12)
+
+
+def test_sheets_are_tables(result):
+    sheets = result.sheets()
+    assert {"probabilities", "spread-1", "indices", "convergence"} <= set(sheets)
+    frame = sheets["spread-1"].to_pandas()
+    assert len(frame) == 3  # both speeds, and the worst of them
+    indices = sheets["indices"].records(si=True)
+    own = [one for one in indices if one["parameter"] == "e" and "probability" not in one["what"]]
+    assert all(abs(one["total"] - 1.0) < 4 * one["total_error"] + 0.05 for one in own)
+    chance = sheets["probabilities"].records(si=True)[-1]
+    assert chance["from"] < 25.0 < chance["to"]  # e above 1.25 mm, nearly
+
+
+def test_any_number(result):
+    sheet = result.spread("unbalance/axes", column="minor", at="disc")
+    assert sheet.name == "spread" and len(sheet) == 3
+    mean = sheet.records(si=True)[1]
+    assert abs(mean["mean"] - 1e-3) < 4 * mean["mean_error"] + 5e-6
+    chance = result.spread("unbalance/axes", column="major", at="disc", below=1e-3, what="probabilities")
+    assert len(chance.records()) == 3
+    assert len(result.spread("unbalance/axes", at="disc", what="indices").records()) == 6
+    with pytest.raises(whirl.BadInput, match="no table of samples has the number"):
+        result.spread("unbalance/nothing")
+
+
+def test_figure(result):
+    name = next(name for name in result.figures() if name.startswith("tolerances-"))
+    panels = [panel["name"] for panel in result.figure_data(name)["panels"]]
+    assert panels == ["bands", "probability", "indices"]
+
+
+def test_file(result, tmp_path):
+    result.save(tmp_path / "t.h5")
+    again = whirl.open(tmp_path / "t.h5")
+    assert again.sheet("spread-1").records() == result.sheet("spread-1").records()
+
+
+def test_own_tolerances():
+    text = CASE + "  tolerances: {parameters: {e: +- 1 %}}\n"
+    with pytest.raises(whirl.BadInput, match="tolerances of its own"):
+        whirl.tolerances(whirl.Case(text=text), {"e": "+- 1 %"})
