@@ -88,7 +88,7 @@ static void put_verdict(bool *well, json_t *object, const whirl_table *table, si
     document_put(well, evidence, "neighbours", json_integer(verdict.neighbours));
     document_put(well, evidence, "followed", document_number(verdict.followed));
     document_put(well, evidence, "swelling", document_number(verdict.swelling));
-    document_put(well, evidence, "refuge", verdict.sought ? json_integer(verdict.refuge) : json_null());
+    document_put(well, evidence, "coexisting", verdict.sought ? json_integer(verdict.coexisting) : json_null());
     document_put(well, evidence, "survived", verdict.survived > 0.0 ? document_number(verdict.survived) : json_null());
     document_put(well, evidence, "ended", verdict.survived > 0.0 ? json_integer(verdict.ended) : json_null());
     document_put(well, evidence, "settling", document_number(verdict.settling.value));

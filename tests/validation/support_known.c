@@ -66,9 +66,10 @@ static whirl_verdict judge(const known_motion *motion, const run_options *run, b
     if (seeks && verdict.regime == WHIRL_CHAOTIC && verdict.agreement >= WHIRL_FAIR) {
         if (!motion->rotor) system.tangent = tangent;
         // Not where phases turn: fair at most then, as studies have it.
-        verdict.sought = whirl_record_refuge(&system, &run->integrate, record, &verdict.refuge).code == WHIRL_OK;
+        verdict.sought =
+            whirl_record_coexisting(&system, &run->integrate, record, &verdict.coexisting).code == WHIRL_OK;
         whirl_survival copies = {0};
-        if (verdict.agreement == WHIRL_HIGH && verdict.refuge == 0 &&
+        if (verdict.agreement == WHIRL_HIGH && verdict.coexisting == 0 &&
             whirl_record_survival(&system, &run->integrate, record, verdict.exponent.value, &copies).code == WHIRL_OK) {
             verdict.survived = copies.revolutions;
             verdict.ended = copies.ended;

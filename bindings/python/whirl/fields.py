@@ -68,7 +68,7 @@ class FIELD:
     REGIME_STEP_GROWTH = "regime/step_growth"
     REGIME_STEP_ERROR = "regime/step_error"
     REGIME_SWELLING = "regime/swelling"
-    REGIME_REFUGE = "regime/refuge"
+    REGIME_COEXISTING = "regime/coexisting"
     REGIME_SURVIVED = "regime/survived"
     REGIME_ENDED = "regime/ended"
     REGIME_SETTLES = "regime/settles"

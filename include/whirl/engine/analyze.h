@@ -348,10 +348,10 @@ void whirl_torus_end_text(double end, double p, double q, char *text, size_t siz
 /// Returns the verdict of a block; regime WHIRL_NOT_JUDGED with NaN evidence if it holds none.
 whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *block);
 
-/// Searches for coexisting attractors (whirl_record_refuge) if the block's verdict is chaos by clear evidence, and
+/// Searches for coexisting attractors (whirl_record_coexisting) if the block's verdict is chaos by clear evidence, and
 /// stores the outcome in the block. WHIRL_NO_MEMORY is the only error.
-whirl_status whirl_block_seek_refuge(const whirl_layout *layout, double *block, const whirl_system *system,
-                                     const whirl_integrate_options *integrate, const whirl_record *record);
+whirl_status whirl_block_seek_coexisting(const whirl_layout *layout, double *block, const whirl_system *system,
+                                         const whirl_integrate_options *integrate, const whirl_record *record);
 
 /// Follows perturbed copies (whirl_record_survival) if the block's verdict is chaos with high agreement and without a
 /// coexisting attractor, and stores their survival in the block; adds their revolutions to those integrated.

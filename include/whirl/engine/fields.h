@@ -78,7 +78,7 @@
 #define WHIRL_FIELD_REGIME_STEP_GROWTH "regime/step_growth"
 #define WHIRL_FIELD_REGIME_STEP_ERROR "regime/step_error"
 #define WHIRL_FIELD_REGIME_SWELLING "regime/swelling"
-#define WHIRL_FIELD_REGIME_REFUGE "regime/refuge"
+#define WHIRL_FIELD_REGIME_COEXISTING "regime/coexisting"
 #define WHIRL_FIELD_REGIME_SURVIVED "regime/survived"
 #define WHIRL_FIELD_REGIME_ENDED "regime/ended"
 #define WHIRL_FIELD_REGIME_SETTLES "regime/settles"

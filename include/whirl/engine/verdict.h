@@ -52,8 +52,8 @@ typedef struct whirl_advice {
     double factor;       ///< above 1 for remedies other than another start, else 1
 } whirl_advice;
 
-/// whirl_verdict.refuge of a coexisting stable equilibrium.
-enum { WHIRL_REFUGE_AT_REST = -1 };
+/// whirl_verdict.coexisting of a coexisting stable equilibrium.
+enum { WHIRL_COEXISTING_AT_REST = -1 };
 
 /// A verdict with its evidence.
 typedef struct whirl_verdict {
@@ -102,8 +102,8 @@ typedef struct whirl_verdict {
     double revolutions; ///< revolutions integrated
     double swelling;    ///< growth rate of the section between halves of the watched revolutions, per revolution
     bool sought;        ///< chaotic motion: true if coexisting attractors were searched
-    /// Coexisting attractor: k of a stable P-k, WHIRL_REFUGE_AT_REST for a stable equilibrium; 0: none found.
-    int refuge;
+    /// Coexisting attractor: k of a stable P-k, WHIRL_COEXISTING_AT_REST for a stable equilibrium; 0: none found.
+    int coexisting;
     double survived; ///< chaotic motion: total revolutions of its perturbed copies (whirl_record_survival)
     int ended;       ///< number of these copies that ended
     /// Logarithm per revolution of the slowest multiplier of the linear map that the section follows, below 0 for a
@@ -124,9 +124,9 @@ whirl_verdict whirl_judge(const whirl_record *record);
 
 /// Searches for coexisting attractors along a chaotic motion: stable equilibria near its section, and stable orbits
 /// that motions reach within 200 revolutions, from 32 starts at a tenth of the size of the section's box from states of
-/// the section. *refuge as in whirl_verdict. WHIRL_BAD_INPUT if the system has no Jacobian; WHIRL_NO_MEMORY.
-whirl_status whirl_record_refuge(const whirl_system *system, const whirl_integrate_options *integrate,
-                                 const whirl_record *record, int *refuge);
+/// the section. *coexisting as in whirl_verdict. WHIRL_BAD_INPUT if the system has no Jacobian; WHIRL_NO_MEMORY.
+whirl_status whirl_record_coexisting(const whirl_system *system, const whirl_integrate_options *integrate,
+                                     const whirl_record *record, int *coexisting);
 
 /// Survival of perturbed copies of a chaotic motion.
 typedef struct whirl_survival {

@@ -302,7 +302,7 @@ static whirl_status check_what_turns(const whirl_runup_options *o, bool has_driv
     if (driven && o->duration == 0.0)
         return whirl_fail(WHIRL_BAD_INPUT, "the run by the machine's drive has no end, expected duration");
     if (driven && !(fmax(fmax(o->from, o->to), *o->torque_law ? 0.0 : no_load) > 0.0))
-        return whirl_fail(WHIRL_BAD_INPUT, "nothing tells the highest speed of the run, expected speed_to");
+        return whirl_fail(WHIRL_BAD_INPUT, "the highest speed of the run is not known, expected speed_to");
     if (!driven && (o->trip_time > 0.0 || o->trip_speed > 0.0))
         return whirl_fail(WHIRL_BAD_INPUT, "the run has a rate and a trip of its drive, expected one of them");
     return whirl_ok();
@@ -412,9 +412,7 @@ whirl_status whirl_record_options_check(const whirl_record_options *options) {
                           "64",
                           trace->longest, trace->segments, WHIRL_MAX_ORBIT);
     if (options->modes < 1 || !isfinite(options->probe_angle))
-        return whirl_fail(WHIRL_BAD_INPUT,
-                          "%d modes are to be kept and a probe stands at %g, expected at least 1 and a "
-                          "number",
+        return whirl_fail(WHIRL_BAD_INPUT, "modes is %d and probe is %g, expected at least 1 and a finite angle",
                           options->modes, options->probe_angle);
     if (!(options->highest_order > 0.0) || !isfinite(options->highest_order))
         return whirl_fail(WHIRL_BAD_INPUT, "the highest order of spectra is %g, expected a number above 0",

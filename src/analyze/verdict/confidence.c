@@ -249,7 +249,7 @@ static whirl_confidence joint_confidence(const whirl_verdict *a, const whirl_ver
 /// Returns true if no attractor is known on which chaos may end, and copies of it stayed chaotic for long.
 static bool lives_long(const whirl_verdict *v) {
     if (v->regime != WHIRL_CHAOTIC) return true;
-    return v->sought && v->refuge == 0 && v->survived > 0.0 && v->ended == 0;
+    return v->sought && v->coexisting == 0 && v->survived > 0.0 && v->ended == 0;
 }
 
 void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other) {
@@ -260,14 +260,14 @@ void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other) {
     verdict->other_period = other->period;
     verdict->rests = verdict->rests && other->rests;
     verdict->sought = other->sought;
-    verdict->refuge = other->refuge;
+    verdict->coexisting = other->coexisting;
     verdict->survived = other->survived;
     verdict->ended = other->ended;
     if (verdict->regime == WHIRL_UNDETERMINED) return;
     // Equal regimes confirm each other, except chaos that may end.
     if (other->regime == verdict->regime && other->period == verdict->period) {
         verdict->confidence = joint_confidence(verdict, other);
-        const bool ends = verdict->refuge != 0 || verdict->ended > 0;
+        const bool ends = verdict->coexisting != 0 || verdict->ended > 0;
         if (ends || (verdict->confidence == WHIRL_HIGH && !lives_long(verdict))) {
             verdict->confidence = ends ? WHIRL_LOW : WHIRL_FAIR;
             verdict->advice = (whirl_advice){WHIRL_LONGER_TRANSIENT, usual_factor};

@@ -36,7 +36,7 @@ enum {
     STEP_GROWTH,
     STEP_ERROR,
     SWELLING,
-    REFUGE,
+    COEXISTING,
     SURVIVED,
     ENDED,
     SETTLES,
@@ -132,10 +132,11 @@ static const field_plan fields[FIELD_COUNT] = {
     [SWELLING] = {WHIRL_FIELD_REGIME_SWELLING, "1/revolution",
                   "evidence: rate at which the section grows from half to half of the watched revolutions",
                   WHIRL_PER_POINT, 1, NULL},
-    [REFUGE] = {WHIRL_FIELD_REGIME_REFUGE, "revolution",
-                "k of a stable P-k near the section of a chaotic motion, -1 for a stable equilibrium, 0 if none was "
-                "found, missing without a search",
-                WHIRL_PER_POINT, 1, NULL},
+    [COEXISTING] =
+        {WHIRL_FIELD_REGIME_COEXISTING, "revolution",
+         "k of a stable P-k near the section of a chaotic motion, -1 for a stable equilibrium, 0 if none was "
+         "found, missing without a search",
+         WHIRL_PER_POINT, 1, NULL},
     [SURVIVED] = {WHIRL_FIELD_REGIME_SURVIVED, "revolution",
                   "revolutions of all copies of a chaotic motion: without an end they exclude mean lives below a third "
                   "of them; missing without copies",
@@ -200,7 +201,7 @@ static void put_verdict(const whirl_verdict *v, const block_view *view) {
         [STEP_GROWTH] = v->step_growth,
         [STEP_ERROR] = v->step_error,
         [SWELLING] = v->swelling,
-        [REFUGE] = v->sought ? (double)v->refuge : (double)NAN,
+        [COEXISTING] = v->sought ? (double)v->coexisting : (double)NAN,
         [SURVIVED] = v->survived > 0.0 ? v->survived : (double)NAN,
         [ENDED] = v->survived > 0.0 ? (double)v->ended : (double)NAN,
         [SETTLES] = v->settles,
@@ -310,10 +311,10 @@ whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *bloc
         .step_error = regime_stored(layout, block, WHIRL_FIELD_REGIME_STEP_ERROR),
         .revolutions = fmax(regime_stored(layout, block, WHIRL_FIELD_REGIME_REVOLUTIONS), 0.0),
         .swelling = regime_stored(layout, block, WHIRL_FIELD_REGIME_SWELLING),
-        .sought = !isnan(regime_stored(layout, block, WHIRL_FIELD_REGIME_REFUGE)),
-        .refuge = regime_stored(layout, block, WHIRL_FIELD_REGIME_REFUGE) == WHIRL_REFUGE_AT_REST
-                      ? WHIRL_REFUGE_AT_REST
-                      : regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_REFUGE), WHIRL_MAX_PERIOD),
+        .sought = !isnan(regime_stored(layout, block, WHIRL_FIELD_REGIME_COEXISTING)),
+        .coexisting = regime_stored(layout, block, WHIRL_FIELD_REGIME_COEXISTING) == WHIRL_COEXISTING_AT_REST
+                          ? WHIRL_COEXISTING_AT_REST
+                          : regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_COEXISTING), WHIRL_MAX_PERIOD),
         .survived = fmax(regime_stored(layout, block, WHIRL_FIELD_REGIME_SURVIVED), 0.0),
         .ended = regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_ENDED), INT_MAX),
         .settles = regime_stored(layout, block, WHIRL_FIELD_REGIME_SETTLES) > 0.5,
@@ -334,11 +335,11 @@ static void store_verdict(const whirl_layout *layout, double *block, const whirl
     put_verdict(verdict, &view);
 }
 
-whirl_status whirl_block_seek_refuge(const whirl_layout *layout, double *block, const whirl_system *system,
-                                     const whirl_integrate_options *integrate, const whirl_record *record) {
+whirl_status whirl_block_seek_coexisting(const whirl_layout *layout, double *block, const whirl_system *system,
+                                         const whirl_integrate_options *integrate, const whirl_record *record) {
     whirl_verdict verdict = whirl_block_verdict(layout, block);
     if (verdict.regime != WHIRL_CHAOTIC || verdict.agreement < WHIRL_FAIR) return whirl_ok();
-    const whirl_status status = whirl_record_refuge(system, integrate, record, &verdict.refuge);
+    const whirl_status status = whirl_record_coexisting(system, integrate, record, &verdict.coexisting);
     if (status.code != WHIRL_OK) return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
     verdict.sought = true;
     store_verdict(layout, block, &verdict);
@@ -349,7 +350,7 @@ whirl_status whirl_block_survive(const whirl_layout *layout, double *block, cons
                                  const whirl_integrate_options *integrate, const whirl_record *record) {
     whirl_verdict verdict = whirl_block_verdict(layout, block);
     whirl_survival found;
-    if (verdict.regime != WHIRL_CHAOTIC || verdict.agreement < WHIRL_HIGH || verdict.refuge != 0) return whirl_ok();
+    if (verdict.regime != WHIRL_CHAOTIC || verdict.agreement < WHIRL_HIGH || verdict.coexisting != 0) return whirl_ok();
     const whirl_status status = whirl_record_survival(system, integrate, record, verdict.exponent.value, &found);
     if (status.code != WHIRL_OK) return status.code == WHIRL_BAD_INPUT ? whirl_ok() : status;
     verdict.survived = found.revolutions;

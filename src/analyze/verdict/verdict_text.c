@@ -92,7 +92,7 @@ static void unreturned_text(const whirl_verdict *v, char *text, size_t size) {
 /// Explains a chaotic verdict. Escape times are exponential: a life of n revolutions excludes, at 95 %, mean lives
 /// below n/3.
 static void chaotic_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
-    char refuge[128] = "", lasting[128] = "";
+    char coexisting[128] = "", lasting[128] = "";
     const double least = verdict_least_life(v);
     if (v->ended > 0)
         snprintf(lasting, sizeof lasting,
@@ -100,12 +100,14 @@ static void chaotic_reason(const whirl_verdict *v, const char *exponent, char *t
                  v->ended, v->survived / v->ended);
     else if (least >= 1.0)
         snprintf(lasting, sizeof lasting, "; chaotic for at least %.0f revolutions on average (95 %%)", least);
-    if (v->refuge == WHIRL_REFUGE_AT_REST)
-        snprintf(refuge, sizeof refuge, "; a stable equilibrium lies where it goes, on which it may end");
-    else if (v->refuge > 0)
-        snprintf(refuge, sizeof refuge, "; a stable P-%d lies where it goes, on which it may end", v->refuge);
+    if (v->coexisting == WHIRL_COEXISTING_AT_REST)
+        snprintf(coexisting, sizeof coexisting, "; a stable equilibrium lies where it goes, on which it may end");
+    else if (v->coexisting > 0)
+        snprintf(coexisting, sizeof coexisting, "; a stable P-%d lies where it goes, on which it may end",
+                 v->coexisting);
     snprintf(text, size, "small perturbations grow: %s; averages of two halves agree to %.1f digits only%s%s%s",
-             exponent, v->regularity, v->chaos <= 0.2 ? ", but the 0-1 test does not see chaos" : "", refuge, lasting);
+             exponent, v->regularity, v->chaos <= 0.2 ? ", but the 0-1 test does not see chaos" : "", coexisting,
+             lasting);
 }
 
 /// Explains an undetermined verdict: the first failed condition, in the order of the verdicts.

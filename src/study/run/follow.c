@@ -17,7 +17,7 @@ enum { REACH = 2, MIN_NEIGHBOURS = 16 };
 static bool is_chaotic(const whirl_table *table, size_t slot) {
     const whirl_verdict v = whirl_table_verdict(table, slot);
     const bool ended = v.followed > 0.0 && v.later_regime != WHIRL_CHAOTIC && v.later_regime != WHIRL_UNDETERMINED;
-    return v.regime == WHIRL_CHAOTIC && (v.confidence > WHIRL_LOW || (v.refuge != 0 && !ended));
+    return v.regime == WHIRL_CHAOTIC && (v.confidence > WHIRL_LOW || (v.coexisting != 0 && !ended));
 }
 
 /// Returns true if the sweep shows an end of chaos near the point.

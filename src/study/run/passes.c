@@ -317,7 +317,7 @@ static whirl_status worker_analyze(const worker *w, const point *p, const whirl_
         whirl_status status =
             whirl_analyze(record, &own->record, compared_analyses(own, work->batch), &work->other, w->other);
         if (status.code == WHIRL_OK && own->confirming)
-            status = whirl_block_seek_refuge(&work->other, w->other, system, &own->integrate, record);
+            status = whirl_block_seek_coexisting(&work->other, w->other, system, &own->integrate, record);
         if (status.code == WHIRL_OK && own->confirming)
             status = whirl_block_survive(&work->other, w->other, system, &own->integrate, record);
         return status;

@@ -48,24 +48,24 @@ static whirl_record_options watched(void) {
     return options;
 }
 
-static int refuge_of(const whirl_system *system, const double *start, int steps) {
+static int coexisting_of(const whirl_system *system, const double *start, int steps) {
     const whirl_integrate_options integrate = steps_of(steps);
     const whirl_record_options options = watched();
     whirl_record *record;
-    int refuge;
+    int coexisting;
     require_ok(whirl_record_motion(system, &integrate, &options, start, NULL, &record));
     assert_int_equal(whirl_judge(record).regime, WHIRL_CHAOTIC);
-    require_ok(whirl_record_refuge(system, &integrate, record, &refuge));
+    require_ok(whirl_record_coexisting(system, &integrate, record, &coexisting));
     whirl_record_free(record);
-    return refuge;
+    return coexisting;
 }
 
-static void refuges_of_lorenz(void **state) {
+static void coexisting_attractors_of_lorenz(void **state) {
     static const whirl_probe probe = {.name = "x"};
     const struct {
         double r;
-        int refuge;
-    } known[] = {{23.9, WHIRL_REFUGE_AT_REST}, {24.03, WHIRL_REFUGE_AT_REST}, {28.0, 0}};
+        int coexisting;
+    } known[] = {{23.9, WHIRL_COEXISTING_AT_REST}, {24.03, WHIRL_COEXISTING_AT_REST}, {28.0, 0}};
     const double start[] = {3.0, 4.0, 6.0};
     (void)state;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
@@ -76,7 +76,7 @@ static void refuges_of_lorenz(void **state) {
                                      .model = &known[i].r,
                                      .probe_count = 1,
                                      .probes = &probe};
-        assert_int_equal(refuge_of(&system, start, 128), known[i].refuge);
+        assert_int_equal(coexisting_of(&system, start, 128), known[i].coexisting);
     }
 }
 
@@ -90,7 +90,7 @@ static void chaos_that_is_all_there_is(void **state) {
                                  .probes = &probe};
     const double start[] = {2.0, 1.0};
     (void)state;
-    assert_int_equal(refuge_of(&system, start, 128), 0);
+    assert_int_equal(coexisting_of(&system, start, 128), 0);
 }
 
 typedef struct rubbing {
@@ -137,7 +137,7 @@ static void transient_chaos_high(void **state) {
         whirl_verdict_reason(&v, reason, sizeof reason);
         chaotic++;
         assert_true(v.confidence < WHIRL_HIGH);
-        told += v.refuge == 3 && strstr(reason, "a stable P-3 lies where it goes") != NULL;
+        told += v.coexisting == 3 && strstr(reason, "a stable P-3 lies where it goes") != NULL;
         assert_non_null(strstr(reason, "chaotic for at least"));
     }
     assert_true(chaotic >= 3 && told >= 2);
@@ -146,7 +146,7 @@ static void transient_chaos_high(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(refuges_of_lorenz),
+        cmocka_unit_test(coexisting_attractors_of_lorenz),
         cmocka_unit_test(chaos_that_is_all_there_is),
         cmocka_unit_test(transient_chaos_high),
     };

@@ -13,7 +13,7 @@
 static const double margin = 0.1;
 
 /// Returns true if x [dimension] is in the box of the record, or near it.
-static bool refuge_is_within(const whirl_record *record, const double *x) {
+static bool coexisting_is_within(const whirl_record *record, const double *x) {
     for (size_t i = 0; i < record->dimension; i++) {
         const double reach = margin * (record->high[i] - record->low[i]);
         if (!(x[i] >= record->low[i] - reach && x[i] <= record->high[i] + reach)) return false;
@@ -22,7 +22,7 @@ static bool refuge_is_within(const whirl_record *record, const double *x) {
 }
 
 /// Returns true if nothing drives the system in time; `room` has 2 dimension + forcing_count numbers.
-static bool is_free(const whirl_system *system, const double *x, double *room) {
+static bool coexisting_is_free(const whirl_system *system, const double *x, double *room) {
     enum { INSTANTS = 7 };
     const size_t d = system->dimension;
     for (int k = 0; k < INSTANTS; k++) {
@@ -35,17 +35,18 @@ static bool is_free(const whirl_system *system, const double *x, double *room) {
 }
 
 /// Searches a stable equilibrium from some states of the section.
-static whirl_status seek_rest(const whirl_system *system, const whirl_record *record, int *refuge) {
+static whirl_status coexisting_rest(const whirl_system *system, const whirl_record *record, int *coexisting) {
     enum { STATES = 8 };
     const size_t d = record->dimension;
     double *room = malloc((2 * d + system->forcing_count + 1) * sizeof *room);
-    const bool free_of_time = room && record->section_count >= STATES && is_free(system, record->section, room);
+    const bool free_of_time =
+        room && record->section_count >= STATES && coexisting_is_free(system, record->section, room);
     whirl_status status = room ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to look for an equilibrium");
-    for (size_t k = 0; k < STATES && free_of_time && *refuge == 0 && status.code == WHIRL_OK; k++) {
+    for (size_t k = 0; k < STATES && free_of_time && *coexisting == 0 && status.code == WHIRL_OK; k++) {
         whirl_modes *modes;
         status = whirl_modes_new(system, record->section + k * (record->section_count / STATES) * d, &modes);
-        if (status.code == WHIRL_OK && modes->growth < 0.0 && refuge_is_within(record, modes->rest))
-            *refuge = WHIRL_REFUGE_AT_REST;
+        if (status.code == WHIRL_OK && modes->growth < 0.0 && coexisting_is_within(record, modes->rest))
+            *coexisting = WHIRL_COEXISTING_AT_REST;
         if (status.code != WHIRL_NO_MEMORY) status = whirl_ok(); // none from there
         whirl_modes_free(modes);
     }
@@ -57,8 +58,8 @@ static whirl_status seek_rest(const whirl_system *system, const whirl_record *re
 enum { STARTS = 32 };
 
 /// Options for orbit searches: the motion's own method, or one that is exact enough to tell stability.
-static whirl_collect_options how_to_seek(const whirl_integrate_options *integrate, const double *low,
-                                         const double *high, const double *around) {
+static whirl_collect_options coexisting_options(const whirl_integrate_options *integrate, const double *low,
+                                                const double *high, const double *around) {
     const whirl_method *method;
     whirl_collect_options options = whirl_collect_default(low, high);
     options.starts = options.around_count = STARTS;
@@ -77,8 +78,8 @@ static whirl_collect_options how_to_seek(const whirl_integrate_options *integrat
 }
 
 /// Searches a stable orbit to which motions lead from near states of the section.
-static whirl_status seek_orbits(const whirl_system *system, const whirl_integrate_options *integrate,
-                                const whirl_record *record, int *refuge) {
+static whirl_status coexisting_orbits(const whirl_system *system, const whirl_integrate_options *integrate,
+                                      const whirl_record *record, int *coexisting) {
     const size_t d = record->dimension, apart = record->section_count / STARTS;
     double *low = malloc(2 * d * sizeof *low), *around = malloc(STARTS * d * sizeof *around);
     whirl_status status = low && around ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to look for orbits");
@@ -89,23 +90,25 @@ static whirl_status seek_orbits(const whirl_system *system, const whirl_integrat
     }
     for (size_t k = 0; k < STARTS && status.code == WHIRL_OK; k++)
         memcpy(around + k * d, record->section + (record->section_count - 1 - k * apart) * d, d * sizeof *around);
-    const whirl_collect_options options = how_to_seek(integrate, low, low + d, around);
+    const whirl_collect_options options = coexisting_options(integrate, low, low + d, around);
     if (status.code == WHIRL_OK) status = whirl_orbit_collect(system, &options, &found);
     for (size_t i = 0; status.code == WHIRL_OK && i < found->count; i++)
-        if (*refuge == 0 || (int)found->orbits[i]->revolutions < *refuge) *refuge = (int)found->orbits[i]->revolutions;
+        if (*coexisting == 0 || (int)found->orbits[i]->revolutions < *coexisting)
+            *coexisting = (int)found->orbits[i]->revolutions;
     whirl_collection_free(found);
     free(around);
     free(low);
     return status;
 }
 
-whirl_status whirl_record_refuge(const whirl_system *system, const whirl_integrate_options *integrate,
-                                 const whirl_record *record, int *refuge) {
-    *refuge = 0;
+whirl_status whirl_record_coexisting(const whirl_system *system, const whirl_integrate_options *integrate,
+                                     const whirl_record *record, int *coexisting) {
+    *coexisting = 0;
     if (!system->tangent || system->turns || record->motion != WHIRL_BOUNDED || record->section_count == 0)
         return whirl_fail(
             WHIRL_BAD_INPUT,
             "the search for coexisting attractors needs a Jacobian and a bounded motion without turning phases");
-    const whirl_status status = seek_rest(system, record, refuge);
-    return status.code != WHIRL_OK || *refuge != 0 ? status : seek_orbits(system, integrate, record, refuge);
+    const whirl_status status = coexisting_rest(system, record, coexisting);
+    return status.code != WHIRL_OK || *coexisting != 0 ? status
+                                                       : coexisting_orbits(system, integrate, record, coexisting);
 }
