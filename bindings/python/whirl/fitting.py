@@ -154,7 +154,8 @@ def fit(
     threads : int
         0: all.
     **options
-        Other keys of ``study: {fit: ...}``: starts, revolutions, transient, loss, huber, steps, tolerance, rtol, method.
+        Other keys of ``study: {fit: ...}``: starts, revolutions, transient, loss, huber, steps, tolerance, rtol,
+        method.
 
     Raises
     ------
