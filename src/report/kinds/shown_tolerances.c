@@ -5,11 +5,11 @@
 
 #include "shown_kinds.h"
 
-/// What a row is about: a value of the parameter, or all of them.
+/// Fills the value of the parameter that a row is about; empty: all of them.
 static void cell_place(const finder *of, whirl_sheet *sheet, size_t place) {
     if (!*of->table->parameter) return;
     if (place == WHIRL_ANYWHERE)
-        cell_text(of, sheet, "all");
+        cell_number(of, sheet, (double)NAN);
     else
         cell_value(of, sheet, place);
 }
@@ -111,7 +111,9 @@ static void find_chances(const finder *of, const asked_chance *chances, size_t c
     whirl_sheet *sheet = find_sheet(of, "probabilities", "Probabilities");
     sheet->about =
         "Standard errors are those of 16 independent scramblings of the samples. The interval is Wilson's, of "
-        "95 %, for as many independent samples; samples without a number (failed) widen it to both sides.";
+        "95 %, for as many independent samples; samples without a number (failed) widen it to both sides. A row "
+        "without "
+        "a value of the parameter is about all of them.";
     sheet_texts(of, sheet, "what", "of");
     if (*of->table->parameter) sheet_values(of, sheet, "", 6);
     sheet_column(of, sheet, "probability", "probability", WHIRL_QUANTITY_PERCENT, 4);
@@ -179,6 +181,7 @@ static void find_spread(const finder *of, const whirl_spread_of *number, const c
     spread_name(of->table, number, name);
     whirl_sheet *sheet = find_sheet(of, sheet_name, find_text(of->findings, "Spread of %s", name));
     sheet->of_points = true;
+    if (places > 1) sheet->about = "The row without a value of the parameter is about the worst of all values.";
     if (*of->table->parameter) sheet_values(of, sheet, "", 6);
     sheet_units(of, sheet, "mean", "mean", &unit, 5);
     sheet_units(of, sheet, "mean_error", "+-", &unit, 2);
