@@ -88,7 +88,7 @@ static int sentence_digits(const char *number, size_t length) {
 }
 
 void whirl_shown_sentence(const whirl_shown_units *units, const char *sentence, char *text, size_t size) {
-    static const int least_digits = 4;
+    static const int least_digits = 4, most_digits = 6;
     size_t used = 0;
     for (const char *at = sentence; *at && used + 1 < size;) {
         const bool begins = at == sentence || strchr(" (=,", at[-1]);
@@ -107,7 +107,10 @@ void whirl_shown_sentence(const whirl_shown_units *units, const char *sentence, 
         const int digits = sentence_digits(at, (size_t)(end - at));
         char shown[NUMBER_SIZE];
         number_shown((number + sentence_zero(from)) * from->size / to.size - zero,
-                     digits > least_digits ? digits : least_digits, shown, sizeof shown);
+                     digits < least_digits  ? least_digits
+                     : digits < most_digits ? digits
+                                            : most_digits,
+                     shown, sizeof shown);
         const int told = snprintf(text + used, size - used, "%s %s", shown, to.name);
         used += told > 0 && (size_t)told < size - used ? (size_t)told : size - used - 1;
         at = end + 1 + length;
