@@ -1,18 +1,21 @@
 """Statements and sheets of every shipped case are the same by all renderers, number by number, in the units shown.
 
-Renderers: Python, notebooks, JSON, CSV, LaTeX, text and HTML of the command; tests/octave/test_findings.m has Octave.
+Renderers: Python, notebooks, JSON, CSV, LaTeX, text, the summary and HTML of the command, and Octave.
 """
 
 import csv
 import io
 import json
+import os
 import re
+import shutil
+import subprocess
 import textwrap
 from html.parser import HTMLParser
 
 import numpy as np
 import pytest
-from conftest import ROOT, command
+from conftest import COMMAND, ROOT, command
 
 import whirl
 
@@ -242,6 +245,66 @@ def test_pages_have_all_of_it(file, tmp_path):
         step = 1 + (len(sheet) - 1) // 80  # a page has up to 80 points
         shown = rows[:1] + (rows[1::step] if [rows[0], *rows[1::step]] in tables else rows[1:])
         assert shown in tables, key
+
+
+def test_the_summary_has_all_of_it(file):
+    """Every statement, and of every sheet the headings and the first and the last row, to the last cell; but the parts of
+    the machine, of no table, which the summary of motions alone leaves out."""
+    result = whirl.open(file)
+    told = bare(command("show", file).stdout)
+    for own in result.statements():
+        assert bare(own.text) in told or not own.table
+    for key, sheet in result.sheets().items():
+        assert sheet.title in told or not sheet.table, key
+        if sheet.title not in told:
+            continue
+        for column, texts in zip(sheet.columns, zip(*sheet.texts)):
+            # Of 24 rows or fewer the last one is shown, too, and so are the two ends of points.
+            for text in (texts[0], texts[min(len(texts), 24) - 1] if len(texts) <= 24 else texts[0]):
+                assert bare(text) in told and (not any(texts) or bare(column.title) in told), (key, column.title)
+
+
+OF_ALL = """
+statements = whirl_statements(file);
+for i = 1:numel(statements)
+  printf("statement\\037%s\\037%s\\037%s\\n", statements(i).table, statements(i).verdict, statements(i).text);
+end
+names = whirl_table(file, "list");
+for i = 1:numel(names)
+  sheet = whirl_table(file, names{i});
+  printf("sheet\\037%s\\n", names{i});
+  for row = 1:size(sheet.texts, 1)
+    printf("row\\037%s\\n", strjoin(sheet.texts(row, :), "\\037"));
+  end
+end
+"""
+
+
+@pytest.mark.skipif(not shutil.which("octave-cli"), reason="there is no Octave")
+def test_octave_has_all_of_it(file):
+    """Every statement with its verdict, and every cell of every sheet."""
+    result = whirl.open(file)
+    expected = [("statement", own.table, own.verdict, own.text) for own in result.statements()]
+    for key, sheet in result.sheets().items():
+        expected += [("sheet", key), *(("row", *texts) for texts in sheet.texts)]
+    script = f"file = '{file}'; {OF_ALL}"
+    done = subprocess.run(
+        [
+            "octave-cli",
+            "--no-init-file",
+            "--no-history",
+            "--quiet",
+            "--path",
+            str(ROOT / "bindings/octave"),
+            "--eval",
+            script,
+        ],
+        check=True,
+        capture_output=True,
+        text=True,
+        env={**os.environ, "WHIRL": str(COMMAND)},
+    )
+    assert [tuple(line.split("\x1f")) for line in done.stdout.splitlines()] == expected
 
 
 def test_no_number_is_rounding_noise():
