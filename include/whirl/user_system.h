@@ -147,6 +147,60 @@ whirl_status whirl_user_system_branch(whirl_user_system *system, const char *par
 /// "curves". WHIRL_BAD_INPUT as above, and if the value is not between the bounds.
 whirl_status whirl_user_system_curves(whirl_user_system *system, const char *parameter, double from, double to);
 
+// ---------------------------------------------------------------- motions over time
+
+/// Returns a number that passes 0 where an event happens, in a state x [dimension] at time t.
+typedef double (*whirl_user_event_fn)(double t, const double *x, const double *p, void *context);
+
+/// Writes the state after an event, which begins as a copy of the one before, x. A result other than 0 reports a
+/// failure.
+typedef int (*whirl_user_reset_fn)(double t, const double *x, const double *p, double *after, void *context);
+
+/// Adds an event of motions over time: when `value` passes 0, rising (passing 1), falling (-1) or both ways (0).
+/// Motions are followed up to that instant, found to the last digits, and continue in the state that `reset` writes
+/// (NULL: the same); or end there (ends 1). Studies accept no events. WHIRL_BAD_INPUT for a NULL value, another
+/// passing, an end with a reset, and more than 64 events; WHIRL_NO_MEMORY.
+whirl_status whirl_user_system_event(whirl_user_system *system, const char *name, whirl_user_event_fn value,
+                                     int passing, whirl_user_reset_fn reset, int ends, void *context);
+
+/// A motion over time.
+typedef struct whirl_user_motion whirl_user_motion;
+
+/// How a motion over time ended.
+typedef enum whirl_user_end {
+    WHIRL_USER_DONE,        ///< at its last instant
+    WHIRL_USER_EVENT,       ///< at an event that ends it
+    WHIRL_USER_ACCUMULATED, ///< events of one kind came faster and faster, until no time was left between them, or a
+                            ///< reset holds the motion where its event happens
+    WHIRL_USER_DIVERGED,    ///< it left the bound (option `limit`, in scales)
+    WHIRL_USER_STUCK        ///< the solver could not go on
+} whirl_user_end;
+
+/// Follows one motion from its start at times[0], at instants [count] that rise. The system needs no period; its slopes
+/// may depend on time in any way. Options: `method` (an adaptive one; dop853 in place of others), `rtol`, `atol`,
+/// `limit`. Angles are not brought back. Events are looked for twice a step of the method or oftener: two that cancel
+/// between two looks are missed. WHIRL_BAD_INPUT for instants that do not rise; WHIRL_NUMERICAL_FAILURE with a sentence
+/// if a function fails; WHIRL_NO_MEMORY. Freed by whirl_user_motion_free.
+whirl_status whirl_user_system_follow(const whirl_user_system *system, const double *times, size_t count,
+                                      whirl_user_motion **out);
+void whirl_user_motion_free(whirl_user_motion *motion); ///< Frees a motion; accepts NULL.
+
+/// Returns the states [*count][dimension] at the instants that were reached; at an instant of an event that before it.
+/// They last as long as the motion.
+const double *whirl_user_motion_states(const whirl_user_motion *motion, size_t *count);
+
+/// Returns how many events happened.
+size_t whirl_user_motion_events(const whirl_user_motion *motion);
+
+/// Gives event `index` of the motion: which event of the system it was, counted from 0, when it happened, and the
+/// states [dimension] before and after it, which last as long as the motion. Returns 0 past the last, else 1.
+int whirl_user_motion_event(const whirl_user_motion *motion, size_t index, size_t *which, double *time,
+                            const double **before, const double **after);
+
+/// Returns how the motion ended (whirl_user_end), when, and in words ("" at its last instant), which last as long as
+/// the motion.
+int whirl_user_motion_end(const whirl_user_motion *motion, double *time, const char **words);
+
 #ifdef __cplusplus
 }
 #endif

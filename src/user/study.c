@@ -30,6 +30,10 @@ static whirl_status machine_at(const void *family, const whirl_batch *batch, dou
 static whirl_status study_check(const whirl_user_system *system) {
     if (!system->rates && !system->lanes)
         return whirl_fail(WHIRL_BAD_INPUT, "the system has no function for its slopes");
+    if (system->event_count > 0)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "the system has events, which motions over time have alone, expected none in "
+                          "a study");
     for (size_t i = 0; i < system->station_count && system->displacements > 0; i++) {
         const whirl_probe *one = &system->stations[i];
         const size_t d = system->displacements;

@@ -45,6 +45,7 @@ void whirl_user_system_free(whirl_user_system *system) {
     free(system->angles);
     free(system->scales);
     free(system->parameters);
+    free(system->events);
     free(system->stations);
     free(system->failure);
     free(system);

@@ -14,8 +14,19 @@
 enum {
     USER_MAX_STATES = 4096,
     USER_MAX_PARAMETERS = 256,
-    USER_AXES = 3 ///< axes of a study
+    USER_AXES = 3,       ///< axes of a study
+    USER_MAX_EVENTS = 64 ///< events of motions over time
 };
+
+/// An event of motions over time (follow.c).
+typedef struct user_event {
+    char name[WHIRL_NAME_SIZE];
+    whirl_user_event_fn value;
+    whirl_user_reset_fn reset;
+    int passing;
+    bool ends;
+    void *context;
+} user_event;
 
 typedef struct user_axis {
     size_t parameter, count;
@@ -64,6 +75,8 @@ struct whirl_user_system {
     double period;
     size_t speed; ///< index of the parameter that is the angular frequency; parameter_count or larger: `period` is used
     bool kinked, smooth; ///< kinds of slopes; `smooth`: the given derivative covers all jumps
+    size_t event_count;
+    user_event *events; ///< [event_count]
     user_axis axes[USER_AXES];
     user_branches branches;
     whirl_carry carry;

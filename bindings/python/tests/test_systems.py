@@ -307,7 +307,7 @@ def test_what_is_wrong_is_said():
         return System(oscillator, [0.3, 0], PARAMETERS, **more)
 
     for words, build in [
-        ("give one of both", lambda: make()),
+        ("give one of both", lambda: make().response()),
         ("give one of both", lambda: make(speed="omega", period=1)),
         ("no parameter omgea, did you mean omega", lambda: make(speed="omgea")),
         ("period is -1", lambda: make(period=-1)),

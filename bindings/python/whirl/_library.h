@@ -59,6 +59,19 @@ whirl_status whirl_user_system_set(whirl_user_system *system, const char *option
 whirl_status whirl_user_system_branch(whirl_user_system *system, const char *parameter, double from, double to,
                                       const double *at, size_t count);
 whirl_status whirl_user_system_curves(whirl_user_system *system, const char *parameter, double from, double to);
+typedef double (*whirl_user_event_fn)(double t, const double *x, const double *p, void *context);
+typedef int (*whirl_user_reset_fn)(double t, const double *x, const double *p, double *after, void *context);
+whirl_status whirl_user_system_event(whirl_user_system *system, const char *name, whirl_user_event_fn value, int passing,
+                                     whirl_user_reset_fn reset, int ends, void *context);
+typedef struct whirl_user_motion whirl_user_motion;
+whirl_status whirl_user_system_follow(const whirl_user_system *system, const double *times, size_t count,
+                                      whirl_user_motion **out);
+void whirl_user_motion_free(whirl_user_motion *motion);
+const double *whirl_user_motion_states(const whirl_user_motion *motion, size_t *count);
+size_t whirl_user_motion_events(const whirl_user_motion *motion);
+int whirl_user_motion_event(const whirl_user_motion *motion, size_t index, size_t *which, double *time,
+                            const double **before, const double **after);
+int whirl_user_motion_end(const whirl_user_motion *motion, double *time, const char **words);
 whirl_status whirl_user_system_identity(whirl_user_system *system, const char *identity);
 whirl_status whirl_job_of_user_system(const whirl_user_system *system, whirl_job **job);
 whirl_status whirl_user_system_outline(const whirl_user_system *system, whirl_result **outline);

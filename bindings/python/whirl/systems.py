@@ -22,6 +22,7 @@ import tempfile
 import warnings
 from collections import namedtuple
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from difflib import get_close_matches
 from keyword import iskeyword
 from pathlib import Path
@@ -41,7 +42,7 @@ if TYPE_CHECKING:
 
     from .result import Result
 
-__all__ = ["signature", "prototype", "CFunction", "compile_c", "System"]
+__all__ = ["signature", "prototype", "CFunction", "compile_c", "Event", "Happening", "Motion", "System"]
 
 
 def _form(lanes, tangent):
@@ -264,6 +265,56 @@ def _numbers(values, name):
     return values, ffi.cast("double *", values.ctypes.data)
 
 
+@dataclass(frozen=True)
+class Event:
+    """An event of a motion over time: when ``value(t, x, p)`` passes 0, the motion goes on in another state, or ends.
+
+    >>> bounce = Event(lambda t, x, p: x[0], passing=-1, reset=lambda t, x, p: [x[0], -p.restitution * x[1]])
+    """
+
+    #: ``f(t, x, p)``, a number that passes 0 where the event happens
+    value: Callable
+    #: 1: rising, -1: falling, 0: both ways
+    passing: int = 0
+    #: ``f(t, x, p)``, the state after the event
+    reset: Callable | None = None
+    #: whether the motion ends there
+    ends: bool = False
+    #: for messages, and in what happened
+    name: str = ""
+
+
+@dataclass(frozen=True)
+class Happening:
+    """What happened at an event of a motion."""
+
+    #: of the event
+    name: str
+    #: when
+    time: float
+    #: the states before and after it
+    before: np.ndarray
+    after: np.ndarray
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A motion over time."""
+
+    #: instants that were reached [count]
+    times: np.ndarray
+    #: the states there [count][n]
+    states: np.ndarray
+    #: what happened, in its order
+    events: list[Happening]
+    #: "done", "event", "accumulated" (events came faster and faster), "diverged" or "stuck"
+    end: str
+    #: when it ended
+    time: float
+    #: ... and in words, "" where it reached its last instant
+    reason: str
+
+
 class _Study:
     """A study of a system, before it is passed to the library."""
 
@@ -308,7 +359,7 @@ class System:
     speed : str, optional
         The parameter that is the angular frequency of what forces the system: the period is 2 pi over it.
     period : float, optional
-        ... or the period itself. One of both is given.
+        ... or the period itself. One of both is given, but for motions over time (:meth:`follow`), which need none.
     lanes : bool
         Whether ``rates`` takes many machines at once: a Python callable is then given t [count], x [n][count] and
         parameters [count]; a compiled one has ``signature(lanes=True)``.
@@ -361,7 +412,7 @@ class System:
         title: str = "",
         identity: str | None = None,
     ) -> None:
-        if (speed is None) == (period is None):
+        if speed is not None and period is not None:
             raise errors.BadInput("a system has a period, or a parameter that is its speed: give one of both")
         self.start = _row(start, "start")
         self.parameters = {
@@ -506,7 +557,7 @@ class System:
             check(lib.whirl_user_system_station(handle, word_bytes(str(name)), x, y, *velocities))
         if self.speed is not None:
             check(lib.whirl_user_system_speed(handle, word_bytes(self.speed)))
-        else:
+        elif self.period is not None:
             check(lib.whirl_user_system_period(handle, float(self.period)))
         if self.kinked:
             check(lib.whirl_user_system_kinked(handle))
@@ -552,6 +603,91 @@ class System:
             With the library's sentence; what a Python callable raises comes through.
         """
         return _followed(self._run(_Study(vary or {}, analyze, options), threads, progress, journal, resume))
+
+    def follow(self, times: ArrayLike, events: Sequence[Event] = (), **options: str | float) -> Motion:
+        """Follows one motion over time, from ``start`` at the first instant, past events that may set its state anew.
+
+        Parameters
+        ----------
+        times : sequence of float
+            Instants that rise, at which the state is kept.
+        events : sequence of Event
+            Found to the last digits. Where events of one kind come ever faster (a ball that comes to rest in infinitely
+            many bounces), the motion ends as "accumulated".
+        options
+            ``method="dop853"``, ``rtol=1e-8``, ``atol``, ``limit``.
+
+        Returns
+        -------
+        Motion
+
+        Raises
+        ------
+        BadInput, OutOfMemory, NumericalFailure
+            With the library's sentence; what a Python callable raises comes through.
+        """
+        handle, functions, raised = self._build(_Study(options=options))
+        times, pointer = _numbers(times, "times")
+        events = [events] if isinstance(events, Event) else list(events)
+        kept = [self._put_event(handle, event, number, raised) for number, event in enumerate(events)]
+        out = ffi.new("whirl_user_motion **")
+        try:
+            check(lib.whirl_user_system_follow(handle, pointer, len(times), out))
+        except errors.Error:
+            if "value" in raised:
+                raise raised["value"] from None
+            raise
+        del functions, kept  # they had to live until here
+        motion, count = ffi.gc(out[0], lib.whirl_user_motion_free), ffi.new("size_t *")
+        n = len(self.start)
+        states = lib.whirl_user_motion_states(motion, count)
+        found, which = [], ffi.new("size_t *")
+        time, sides, words = ffi.new("double *"), ffi.new("const double *[2]"), ffi.new("const char **")
+        for index in range(lib.whirl_user_motion_events(motion)):
+            lib.whirl_user_motion_event(motion, index, which, time, sides, sides + 1)
+            both = (self._copied(sides[side], n) for side in (0, 1))
+            found.append(Happening(events[which[0]].name or f"event {which[0]}", time[0], *both))
+        end = lib.whirl_user_motion_end(motion, time, words)
+        return Motion(
+            times[: count[0]].copy(),
+            self._copied(states, n, count[0]).reshape(count[0], n),
+            found,
+            ("done", "event", "accumulated", "diverged", "stuck")[end],
+            time[0],
+            ffi.string(words[0]).decode(),
+        )
+
+    def _put_event(self, handle, event, number, raised):
+        """Passes an event to the library; returns what must live as long as it is called."""
+        n, names, count_p = len(self.start), namedtuple("Parameters", self.parameters), len(self.parameters)
+
+        def keep(kind, value, trace):
+            raised.setdefault("value", value)
+
+        @ffi.callback("double(double, const double *, const double *, void *)", onerror=keep, error=float("nan"))
+        def value(t, x, p, _context):
+            return float(event.value(t, self._copied(x, n), names(*self._copied(p, count_p))))
+
+        @ffi.callback("int(double, const double *, const double *, double *, void *)", onerror=keep, error=1)
+        def reset(t, x, p, after, _context):
+            state = np.asarray(event.reset(t, self._copied(x, n), names(*self._copied(p, count_p))), dtype=float)
+            if state.shape != (n,):
+                raise errors.BadInput(f"reset gave a state of shape {state.shape}, expected ({n},)")
+            self._state(after, n)[...] = state
+            return 0
+
+        check(
+            lib.whirl_user_system_event(
+                handle,
+                word_bytes(event.name or f"event {number}"),
+                value,
+                int(event.passing),
+                reset if event.reset is not None else ffi.NULL,
+                int(bool(event.ends)),
+                ffi.NULL,
+            )
+        )
+        return value, reset
 
     def branch(
         self,
@@ -614,6 +750,8 @@ class System:
         if threads is None:
             called = self._rates_at is None or (self.tangent is not None and self._tangent_at is None)
             threads = 1 if called else 0
+        if self.speed is None and self.period is None:
+            raise errors.BadInput("a study needs a period, or a parameter that is the speed: give one of both")
         handle, functions, raised = self._build(study)
         if journal is not None:
             check(lib.whirl_user_system_identity(handle, word_bytes(self._known())))
