@@ -400,13 +400,13 @@ static bool read_table(case_reader *reader, const file_node *where, whirl_balanc
         problem_at(reader->problems, where, "is too long for the path of a table");
         return false;
     }
-    const file_node *list = balance_readings(&own, path, &vibration_group);
+    const file_node *list = table_read(&own, path, &vibration_group);
     if (list && list->count > MAX_ROWS)
         problem_at(reader->problems, where, "has %zu readings, expected 1 to %d", list->count, MAX_ROWS);
     else if (list)
         read_readings(&own, list, out);
     reader->no_memory = reader->no_memory || own.no_memory;
-    balance_take_problems(reader, where, &problems);
+    table_take_problems(reader, where, &problems);
     const bool good = list && problems.count == 0;
     whirl_problems_free(&problems);
     return good;

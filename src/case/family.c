@@ -126,7 +126,7 @@ static whirl_status make_run(const case_content *content, const whirl_batch *bat
     if (status.code == WHIRL_OK) status = whirl_running_check(whirl_rotor_system(m->rotor), driven);
     if (status.code != WHIRL_OK || !parts || batch->happened_count > 0 || batch->speed != 0.0) return status;
     status = course_make(parts, &content->machine, v, whirl_rotor_length_scale(m->rotor), &m->course);
-    if (status.code == WHIRL_OK) status = course_begins(m->course, options->from);
+    if (status.code == WHIRL_OK) status = course_covers(m->course, options->from, whirl_runup_duration(options));
     for (size_t i = 0; i < parts->event_count && status.code == WHIRL_OK; i++) {
         const whirl_run_event *event = &course_shown(m->course)->events[i];
         double after = 0.0;

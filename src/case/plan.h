@@ -303,18 +303,24 @@ typedef struct course_event {
     condition_parts change; ///< parameters that change
 } course_event;
 
-/// A row of the speed table.
-typedef struct speed_row {
+/// A row of a table over the time.
+typedef struct course_row {
     const file_node *place;
-    number_formula time, speed;
-} speed_row;
+    number_formula time, value;
+} course_row;
+
+/// A table over the time: of the case, or of a file.
+typedef struct course_table {
+    size_t count;
+    course_row *rows; ///< [count]
+} course_table;
 
 typedef struct course_parts {
     size_t event_count;
     course_event events[WHIRL_MAX_EVENTS];
-    size_t speed_count;
-    speed_row *speeds;
-    const char *laws[WHIRL_FORMULA_EVENT]; ///< formulas in the order of whirl_run_formula, or NULL
+    course_table speeds;
+    const char *laws[WHIRL_FORMULA_EVENT];    ///< formulas in the order of whirl_run_formula, or NULL
+    course_table tables[WHIRL_FORMULA_EVENT]; ///< ... or tables in their place
 } course_parts;
 
 /// A course with the values of a point.
@@ -332,8 +338,9 @@ whirl_status course_make(const course_parts *parts, const machine_parts *machine
                          course_run **out);
 const whirl_run_course *course_shown(const course_run *run);
 
-/// Checks that its laws have values at the beginning, at a speed in rad/s. WHIRL_BAD_INPUT with a sentence.
-whirl_status course_begins(const course_run *run, double speed);
+/// Checks that its laws have values at the beginning, at a speed in rad/s, and their tables to the end, s.
+/// WHIRL_BAD_INPUT with a sentence.
+whirl_status course_covers(const course_run *run, double speed, double end);
 void course_free(course_run *run);
 
 /// Adds the values that an event gives to parameters behind given [*count], at most WHIRL_MAX_GIVEN.

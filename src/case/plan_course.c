@@ -1,6 +1,7 @@
 // The course of a run: its events, and its laws of speed, torque and ground, with the parameters' values at a point.
 #include <ctype.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -114,28 +115,103 @@ static const char *course_read_formula(case_reader *reader, const file_node *whe
 
 // ---------------------------------------------------------------- reading
 
-static void course_read_speeds(case_reader *reader, const file_node *where, course_parts *course) {
-    static const whirl_key time = {.name = "time", .unit = "s", .range = WHIRL_NOT_NEGATIVE},
-                           speed = {.name = "speed", .unit = "rad/s", .range = WHIRL_NOT_NEGATIVE};
+/// Columns of files with tables, of which the first is the time, and what the others are in.
+enum { COLUMN_TIME, COLUMN_SPEED, COLUMN_RATE, COLUMN_TORQUE, COLUMN_LOAD, COLUMN_GROUND_X, COLUMN_GROUND_Y, COLUMNS };
+#define COLUMN(index, word, si) [index] = {.name = (word), .unit = (si), .range = WHIRL_ANY}
+static const whirl_key columns[COLUMNS] = {
+    COLUMN(COLUMN_TIME, "time", "s"),           COLUMN(COLUMN_SPEED, "speed", "rad/s"),
+    COLUMN(COLUMN_RATE, "rate", "rad/s2"),      COLUMN(COLUMN_TORQUE, "torque", "N m"),
+    COLUMN(COLUMN_LOAD, "load", "N m"),         COLUMN(COLUMN_GROUND_X, "ground_x", "m/s2"),
+    COLUMN(COLUMN_GROUND_Y, "ground_y", "m/s2")};
+static const whirl_group columns_group = {
+    "course_table", "a table over the time of a run", "", columns, COLUMNS, NULL, NULL};
+
+/// Most rows of a table of a file.
+enum { MAX_FILE_ROWS = 200000 };
+
+/// Reads the file of a table with a reader of its own: a list of rows, each with time and the column. NULL after a
+/// problem.
+static const file_node *course_read_file(case_reader *reader, const file_node *where, case_reader *own) {
+    const char *file = reader->problems->file, *slash = strrchr(file, '/');
+    const int folder = *where->text == '/' || !slash ? 0 : (int)(slash + 1 - file);
+    char path[sizeof own->problems->file];
+    if (snprintf(path, sizeof path, "%.*s%s", folder, file, where->text) < (int)sizeof path)
+        return table_read(own, path, &columns_group);
+    problem_at(reader->problems, where, "is too long for the path of a table");
+    return NULL;
+}
+
+/// Returns the cell of a column of a row of a file; NULL if the row has none.
+static const file_node *course_cell(const file_node *row, size_t column) {
+    const file_node *cell = row->first;
+    while (cell && strcmp(cell->key, columns[column].name) != 0) cell = cell->next;
+    return cell;
+}
+
+/// Reads the rows of a table with the reader of the case or the file.
+static void course_read_rows(case_reader *reader, const file_node *list, const file_node *filed, size_t column,
+                             course_table *table) {
     char shown[SHOWN_SIZE];
-    if (where->kind != NODE_LIST || where->count < 2 || where->count > WHIRL_MAX_SPEEDS) {
-        problem_at(reader->problems, where, "is %s, expected 2 to %d pairs [time, speed]",
-                   where->kind == NODE_LIST ? "a list of another length" : node_shown(where, shown), WHIRL_MAX_SPEEDS);
-        return;
-    }
-    course->speeds = arena_take(reader->arena, where->count * sizeof *course->speeds);
-    reader->no_memory = reader->no_memory || !course->speeds;
-    for (const file_node *row = where->first; row && course->speeds; row = row->next) {
-        if (row->kind != NODE_LIST || row->count != 2) {
-            problem_at(reader->problems, row, "is %s, expected a pair [time, speed]", node_shown(row, shown));
+    table->rows = arena_take(reader->arena, list->count * sizeof *table->rows);
+    reader->no_memory = reader->no_memory || !table->rows;
+    for (const file_node *row = list->first; row && table->rows; row = row->next) {
+        const bool paired = !filed && row->kind == NODE_LIST && row->count == 2;
+        const file_node *cells[] = {filed ? course_cell(row, COLUMN_TIME) : row->first,
+                                    filed ? course_cell(row, column) : row->last};
+        if (filed ? !cells[0] || !cells[1] : !paired) {
+            if (filed)
+                problem_in_file(reader->problems, row->line, 1, "has no %s, expected the columns time and %s",
+                                cells[0] ? columns[column].name : "time", columns[column].name);
+            else
+                problem_at(reader->problems, row, "is %s, expected a pair [time, %s]", node_shown(row, shown),
+                           columns[column].name);
             return;
         }
-        speed_row *own = &course->speeds[course->speed_count++];
-        own->place = row;
-        if (!formula_read(reader, row->first, &time, &own->time) ||
-            !formula_read(reader, row->last, &speed, &own->speed))
+        course_row *own = &table->rows[table->count++];
+        own->place = filed ? filed : row;
+        if (!formula_read(reader, cells[0], &columns[COLUMN_TIME], &own->time) ||
+            !formula_read(reader, cells[1], &columns[column], &own->value))
             return;
     }
+}
+
+/// Reads a table over the time, of a list of pairs or of a file. column: what it is of.
+static void course_read_table(case_reader *reader, const file_node *where, size_t column, course_table *table) {
+    char shown[SHOWN_SIZE];
+    const bool filed = where->kind == NODE_TEXT;
+    const size_t most = column == COLUMN_SPEED || !filed ? WHIRL_MAX_SPEEDS : MAX_FILE_ROWS;
+    whirl_problems problems = {0};
+    case_reader own = {.arena = reader->arena, .problems = &problems, .parameters = reader->parameters};
+    const file_node *list = filed ? course_read_file(reader, where, &own) : where;
+    if (!list || problems.count > 0 || (filed && list->count >= 2 && list->count <= most)) {
+        if (list && problems.count == 0) course_read_rows(&own, list, where, column, table);
+        reader->no_memory = reader->no_memory || own.no_memory;
+        table_take_problems(reader, where, &problems);
+    } else if (filed) {
+        problem_at(reader->problems, where, "has %zu rows, expected 2 to %zu", list->count, most);
+    } else if (list->kind != NODE_LIST || list->count < 2 || list->count > most) {
+        problem_at(reader->problems, where, "is %s, expected 2 to %zu pairs [time, %s], or a file",
+                   where->kind == NODE_LIST ? "a list of another length" : node_shown(where, shown), most,
+                   columns[column].name);
+    } else {
+        course_read_rows(reader, list, NULL, column, table);
+    }
+    whirl_problems_free(&problems);
+}
+
+/// Writes what results and journals keep of a table: its rows, and a sum by which a changed one is noticed (Fowler,
+/// Noll, Vo 1991).
+static void course_say_table(const file_node *where, const course_table *table, char *text, size_t size) {
+    uint64_t sum = 0xcbf29ce484222325u;
+    for (size_t i = 0; i < table->count; i++)
+        for (size_t k = 0; k < 2; k++) {
+            const number_formula *own = k == 0 ? &table->rows[i].time : &table->rows[i].value;
+            unsigned char bytes[sizeof own->number];
+            memcpy(bytes, &own->number, sizeof bytes);
+            for (size_t b = 0; b < sizeof bytes; b++) sum = (sum ^ bytes[b]) * 0x100000001b3u;
+        }
+    snprintf(text, size, "%zu rows%s%.24s, %08x", table->count, where->kind == NODE_TEXT ? " of " : "",
+             where->kind == NODE_TEXT ? where->text : "", (unsigned)(sum ^ sum >> 32));
 }
 
 /// Returns the index of the event of a name among the first `count`; `count` if there is none.
@@ -232,33 +308,69 @@ const course_parts *course_read(case_reader *reader, const machine_parts *machin
         plan_read_change(reader, keys, &own->change);
     }
     if (events) course_read_events(reader, events->place, machine, course);
-    if (speeds) course_read_speeds(reader, speeds->place, course);
+    if (speeds) course_read_table(reader, speeds->place, COLUMN_SPEED, &course->speeds);
     for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
         const setting *given = settings_find(keys, laws[i]);
-        if (given) course->laws[i] = course_read_formula(reader, given->place, NULL);
+        if (!given) continue;
+        if (given->place->kind == NODE_TEXT && *given->place->text == '=') {
+            course->laws[i] = course_read_formula(reader, given->place, NULL);
+            continue;
+        }
+        course_read_table(reader, given->place, COLUMN_RATE + i, &course->tables[i]);
+        course_say_table(given->place, &course->tables[i], text, sizeof text);
+        course_say(reader, keys, laws[i], text);
     }
     snprintf(text, sizeof text, "%zu", course->event_count - (change != NULL));
     course_say(reader, keys, "events", text);
-    snprintf(text, sizeof text, "%zu speeds", course->speed_count);
+    if (speeds && speeds->place->kind == NODE_TEXT)
+        course_say_table(speeds->place, &course->speeds, text, sizeof text);
+    else
+        snprintf(text, sizeof text, "%zu speeds", course->speeds.count);
     course_say(reader, keys, "speeds", text);
     return course;
 }
 
 // ---------------------------------------------------------------- values
 
-/// What evaluates the formulas of a run at a point.
+/// A table at a point, straight between its rows.
+typedef struct course_values {
+    size_t count, last;   ///< rows; the one before the last look
+    double *time, *value; ///< [count] in one block, which `time` begins
+} course_values;
+
+/// What evaluates the formulas and tables of a run at a point.
 struct course_run {
     whirl_run_course shown;
     expression_evaluator *formulas[WHIRL_FORMULAS]; ///< NULL for those that are not given
-    double values[];                                ///< of parameters, then of variables
+    course_values tables[WHIRL_FORMULA_EVENT];
+    double values[]; ///< of parameters, then of variables
 };
 
+/// Returns the value of a table at a time; 0 before and after it, where the ground is at rest.
+static double course_look_up(course_values *of, double time) {
+    size_t low = 0, high = of->count - 1;
+    if (!(time >= of->time[0] && time <= of->time[high])) return 0.0;
+    // The rows of the last look, or the next ones, serve most often.
+    if (time >= of->time[of->last] && of->last + 2 < of->count && time <= of->time[of->last + 2])
+        low = of->last, high = of->last + 2;
+    while (high - low > 1) {
+        const size_t middle = (low + high) / 2;
+        *(time >= of->time[middle] ? &low : &high) = middle;
+    }
+    of->last = low;
+    const double share = (time - of->time[low]) / (of->time[high] - of->time[low]);
+    return of->value[low] + share * (of->value[high] - of->value[low]);
+}
+
 static double course_value(void *owner, whirl_run_formula formula) {
-    return evaluator_again(((course_run *)owner)->formulas[formula]);
+    course_run *run = owner;
+    if (run->formulas[formula]) return evaluator_again(run->formulas[formula]);
+    return course_look_up(&run->tables[formula], run->shown.variables[WHIRL_VARIABLE_TIME]);
 }
 
 void course_free(course_run *run) {
     for (size_t i = 0; run && i < WHIRL_FORMULAS; i++) evaluator_free(run->formulas[i]);
+    for (size_t i = 0; run && i < WHIRL_FORMULA_EVENT; i++) free(run->tables[i].time);
     free(run);
 }
 
@@ -295,13 +407,22 @@ static whirl_status course_add_formula(course_run *run, whirl_run_formula formul
     return whirl_ok();
 }
 
-whirl_status course_begins(const course_run *run, double speed) {
+whirl_status course_covers(const course_run *run, double speed, double end) {
     run->shown.variables[WHIRL_VARIABLE_TIME] = 0.0;
     run->shown.variables[WHIRL_VARIABLE_SPEED] = speed;
     for (size_t i = 0; i < sizeof laws / sizeof *laws; i++)
         if (run->formulas[i] && !isfinite(evaluator_again(run->formulas[i])))
             return whirl_fail(WHIRL_BAD_INPUT, "%s has no value at 0 s and %.6g rad/s, expected a finite one", laws[i],
                               speed);
+    for (size_t i = 0; i < WHIRL_FORMULA_GROUND_X; i++) {
+        const course_values *own = &run->tables[i];
+        if (own->count > 0 && !(own->time[0] <= 0.0 && own->time[own->count - 1] >= end))
+            return whirl_fail(
+                WHIRL_BAD_INPUT,
+                "%s is known from %.6g to %.6g s and the run goes from 0 to %.6g s, expected a table of all "
+                "of it",
+                laws[i], own->time[0], own->time[own->count - 1], end);
+    }
     return whirl_ok();
 }
 
@@ -334,11 +455,32 @@ static void course_make_event(valuation *v, const course_event *own, size_t stat
     out->lost = (whirl_placed){own->station, course_number(v, own, "loss_moment"), isnan(angle) ? 0.0 : angle};
 }
 
+/// Evaluates a law's table.
+static whirl_status course_make_table(const course_table *from, const char *key, valuation *v, course_run *run,
+                                      size_t law) {
+    course_values *out = &run->tables[law];
+    whirl_status status = whirl_ok();
+    if (from->count == 0) return status;
+    out->time = malloc(2 * from->count * sizeof *out->time);
+    if (!out->time) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a table of %zu rows", from->count);
+    out->value = out->time + from->count;
+    for (size_t i = 0; i < from->count && status.code == WHIRL_OK; i++) {
+        status = valuation_number(v, &from->rows[i].time, &out->time[i]);
+        if (status.code == WHIRL_OK) status = valuation_number(v, &from->rows[i].value, &out->value[i]);
+        if (status.code == WHIRL_OK && i > 0 && !(out->time[i] > out->time[i - 1]))
+            status = whirl_fail(WHIRL_BAD_INPUT, "%s has %.6g s after a later time, expected times that rise", key,
+                                out->time[i]);
+    }
+    out->count = from->count;
+    run->shown.has[law] = true;
+    return status;
+}
+
 static whirl_status course_make_speeds(const course_parts *parts, valuation *v, whirl_run_course *out) {
     whirl_status status = whirl_ok();
-    for (size_t i = 0; i < parts->speed_count && status.code == WHIRL_OK; i++) {
-        status = valuation_number(v, &parts->speeds[i].time, &out->speed_times[i]);
-        if (status.code == WHIRL_OK) status = valuation_number(v, &parts->speeds[i].speed, &out->speeds[i]);
+    for (size_t i = 0; i < parts->speeds.count && status.code == WHIRL_OK; i++) {
+        status = valuation_number(v, &parts->speeds.rows[i].time, &out->speed_times[i]);
+        if (status.code == WHIRL_OK) status = valuation_number(v, &parts->speeds.rows[i].value, &out->speeds[i]);
         if (status.code != WHIRL_OK) break;
         if (i == 0 ? out->speed_times[i] != 0.0 : !(out->speed_times[i] > out->speed_times[i - 1]))
             return whirl_fail(WHIRL_BAD_INPUT,
@@ -350,7 +492,7 @@ static whirl_status course_make_speeds(const course_parts *parts, valuation *v, 
             return whirl_fail(WHIRL_BAD_INPUT, "the speed of the run is %.6g rad/s at %.6g s, expected one above 0",
                               out->speeds[i], out->speed_times[i]);
     }
-    out->speed_count = parts->speed_count;
+    out->speed_count = parts->speeds.count;
     return status;
 }
 
@@ -378,6 +520,8 @@ whirl_status course_make(const course_parts *parts, const machine_parts *machine
     for (size_t i = 0; i < sizeof laws / sizeof *laws && status.code == WHIRL_OK; i++)
         if (parts->laws[i])
             status = course_add_formula(run, (whirl_run_formula)i, laws[i], parts->laws[i], names, count);
+        else
+            status = course_make_table(&parts->tables[i], laws[i], v, run, i);
     for (size_t i = 0; i < parts->event_count && status.code == WHIRL_OK; i++) {
         const course_event *own = &parts->events[i];
         course_make_event(v, own, machine->stations.count, &run->shown.events[i]);
@@ -412,10 +556,13 @@ bool course_check(case_reader *reader, valuation *v, const course_parts *parts) 
             good = plan_formula_value(reader, v, own->change.places[k], &own->change.values[k], &value) && good;
         }
     }
-    for (size_t i = 0; i < parts->speed_count; i++) {
-        double value;
-        good = plan_formula_value(reader, v, parts->speeds[i].place, &parts->speeds[i].time, &value) && good;
-        good = plan_formula_value(reader, v, parts->speeds[i].place, &parts->speeds[i].speed, &value) && good;
+    for (size_t i = 0; i <= WHIRL_FORMULA_EVENT; i++) {
+        const course_table *own = i < WHIRL_FORMULA_EVENT ? &parts->tables[i] : &parts->speeds;
+        for (size_t k = 0; k < own->count && good; k++) {
+            double value;
+            good = plan_formula_value(reader, v, own->rows[k].place, &own->rows[k].time, &value);
+            good = good && plan_formula_value(reader, v, own->rows[k].place, &own->rows[k].value, &value);
+        }
     }
     return good;
 }

@@ -100,16 +100,16 @@ void describe_names(const char *word, const char *const *names, size_t count, ch
 /// Reads the oil; reports incomplete and contradictory keys.
 void bearing_oil_read(case_reader *reader, const setting_list *file, whirl_bearing *out);
 
-// ---------------------------------------------------------------- balance_readings
-// Readings of a file on balancing in a table of its own.
+// ---------------------------------------------------------------- table_file
+// Tables in files of their own: readings of a file on balancing, laws over the time of a run.
 
 /// Reads comma-separated values (or values separated by semicolons or tabs) under headings that are keys of the group,
 /// with units after them ("amplitude [um]"). Returns the equivalent list of mappings; NULL after a problem. The reader
 /// has no problems before; afterwards it has those of the table.
-const file_node *balance_readings(case_reader *reader, const char *path, const whirl_group *group);
+const file_node *table_read(case_reader *reader, const char *path, const whirl_group *group);
 
 /// Reports problems of a table where the file names it, each with its line and column in the table.
-void balance_take_problems(case_reader *reader, const file_node *where, const whirl_problems *of);
+void table_take_problems(case_reader *reader, const file_node *where, const whirl_problems *of);
 
 // ---------------------------------------------------------------- file
 // Files that are read by tables of keys: the steps that all of them go through.

@@ -127,6 +127,37 @@ static void warn_of_rate(warner *w, const whirl_batch *batch) {
     warn(w, path, text);
 }
 
+/// Returns what is not known of the drag of an element; NULL where it is known, or there is none.
+static const char *unknown_drag(const setting_list *element) {
+    static const char *const kinds[][3] = {{"film", "load", "film by its load"},
+                                           {"seal", "ratio", "seal of law muszynska"},
+                                           {"bearing", NULL, "bearing"},
+                                           {"ball_bearing", NULL, "ball_bearing"},
+                                           {"roller_bearing", NULL, "roller_bearing"}};
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
+        if (strcmp(element->name, kinds[k][0]) == 0 && (!kinds[k][1] || settings_find(element, kinds[k][1])))
+            return kinds[k][2];
+    return NULL;
+}
+
+/// Warns of films, seals and bearings that brake no shaft, as their drag does not follow from their keys.
+static void warn_of_drag(warner *w, const whirl_batch *batch) {
+    const machine_parts *machine = &w->content->machine;
+    char path[2 * WHIRL_NAME_SIZE], text[WHIRL_MESSAGE_SIZE] = "";
+    const whirl_runup_options *o = &batch->record.runup;
+    if (!whirl_analysis_has(batch->analyses, "runup") || !whirl_runup_driven(o) || !o->drag) return;
+    for (size_t i = 0; i < machine->element_count; i++) {
+        const char *own = unknown_drag(&machine->elements[i]);
+        if (own && !strstr(text, own))
+            snprintf(text + strlen(text), sizeof text - strlen(text), "%s%s", *text ? ", " : "", own);
+    }
+    if (!*text) return;
+    snprintf(text + strlen(text), sizeof text - strlen(text), ": %s",
+             "their drag does not follow from their keys and does not brake the shaft, expected it in the load");
+    snprintf(path, sizeof path, "study.%s.drag", batch->name);
+    warn(w, path, text);
+}
+
 /// Warns of unbalances on stations that twist in a run by torques.
 static void warn_of_twisted_unbalances(warner *w, const whirl_batch *batch, const whirl_given *given, size_t count) {
     char path[2 * WHIRL_NAME_SIZE];
@@ -158,6 +189,7 @@ static void warn_of_point(warner *w, const whirl_batch *batch, size_t point) {
     warn_of_machine(w, given, count);
     warn_of_weight(w, batch, given, count);
     warn_of_rate(w, batch);
+    warn_of_drag(w, batch);
     warn_of_twisted_unbalances(w, batch, given, count);
     if (w->status.code != WHIRL_OK || !plan_moves(batch)) return;
     w->status = case_tell_fits(w->content, given, count, w->result, doubt);

@@ -45,6 +45,15 @@ enum { MAX_PORTS = 8, MAX_KEYS = 64, MAX_ELEMENT_STATES = 32 };
 /// Placeholder until `build` sets the number of an element's states.
 #define STATES_OF_TYPE ((size_t)-1)
 
+/// Constants of the drag of an element's fluid on shafts whose speed is a state (drag.c).
+typedef struct fluid_drag {
+    double shear; ///< N m s: torque of the shear between centred surfaces over the difference of their speeds; 0: none
+    double reynolds; ///< s: Reynolds number of the film over that difference
+    int turbulence;  ///< whirl_turbulence
+    double turns[2]; ///< speeds of journal and housing over the shaft's
+    size_t housing;  ///< station of the housing; GROUND
+} fluid_drag;
+
 /// An element as its kernels see it. The structure (ports, law) is shared by all machines of a block, the numbers are
 /// not.
 typedef struct element {
@@ -61,6 +70,7 @@ typedef struct element {
     size_t first_switch;     ///< index of its first switch, in those of the machine
     size_t station;          ///< index of its station
     size_t ends[2];          ///< stations of an element between two places (GROUND: the ground); else 0
+    fluid_drag fluid;        ///< of films and seals
     double *number;          ///< [type->number_count]
 } element;
 
@@ -95,6 +105,17 @@ typedef struct element_range {
 typedef struct element_place {
     double q[MAX_PORTS], v[MAX_PORTS], s[MAX_ELEMENT_STATES];
 } element_place;
+
+/// A film or seal in motion, as its drag sees it: SI, of the mirror image where the shaft turns clockwise.
+typedef struct drag_view {
+    const element_place *at;   ///< the state itself, with derivatives by the shaft's angle
+    double length;             ///< m of one unit of displacement
+    double force_scale;        ///< N of one unit of acceleration of the first port
+    double speed;              ///< rad/s of the shaft
+    double spin[2];            ///< rad/s of journal and housing
+    double place[2], distance; ///< m, of the journal from its housing
+    double force[2];           ///< N on the journal
+} drag_view;
 
 /// What an element between two twists carries. It is pressed together by a closing, a sum of its ports' places.
 typedef struct element_carried {
@@ -177,6 +198,10 @@ typedef struct whirl_element_type {
     whirl_status (*hold)(const element *own, const whirl_stop *stop);
     void (*release)(const element *own);
 
+    /// Optional, of states that stand for derivatives by the shaft's angle: writes, of every state [own->states], what
+    /// it stands for times the power of the speed by which it falls; 0 for others.
+    void (*paced)(const element *own, const double *states, double *out);
+
     /// With states that turn at a constant rate: rounds per revolution after which a state's effects repeat. NULL:
     /// never in whole revolutions.
     double (*rounds)(const element *own, size_t state);
@@ -186,6 +211,9 @@ typedef struct whirl_element_type {
 
     /// With switches, optional: returns true if its force may jump at one.
     bool (*jumps)(const element *own);
+
+    /// Optional, for films and seals: computes the torques, N m, of its fluid on journal and housing.
+    void (*drag)(const element *own, const drag_view *in, double torque[2]);
 
     /// For unilateral contacts: returns the gap in length scales around its station; 0 if the stator moves.
     double (*contact_gap)(const element *own);
@@ -268,6 +296,10 @@ whirl_status element_in_housing(const key_value *at, const key_value *from, cons
 static inline bool element_housing_stands(const element *own) {
     return own->port[2] == NO_COORDINATE && own->port[3] == NO_COORDINATE;
 }
+
+/// Implements element_type.drag for an oil film of a clearance in m: shear over the mean of 1/h, as if the film were
+/// full, and half of the couple of its force on either side.
+void drag_of_film(const element *own, const drag_view *in, double clearance, double torque[2]);
 
 /// The library's elements in the order in which they act (the order fixes the last bits of a sum); terminated by NULL.
 extern const element_type *const element_types[];

@@ -92,8 +92,13 @@ struct whirl_rotor {
     const char **contact_names;
 };
 
-/// The most first-order states that the elements of a rotor have together.
-enum { MAX_OWN_STATES = 2 * WHIRL_MAX_ELEMENTS };
+/// The most first-order states that the elements of a rotor have together, its coordinates, and rows of its
+/// accelerations.
+enum {
+    MAX_OWN_STATES = 2 * WHIRL_MAX_ELEMENTS,
+    MAX_DEGREES = AXES * WHIRL_MAX_STATIONS,
+    MAX_ROWS = MAX_DEGREES + MAX_OWN_STATES
+};
 
 enum { INSTANCE_STATIONS = 2 }; ///< most of one
 
@@ -172,6 +177,13 @@ void rotor_flow_with(const whirl_rotor *rotor, const double *numbers, const doub
 void rotor_switches_with(const whirl_rotor *rotor, const double *numbers, const double *x, double *values);
 void rotor_contacts_with(const whirl_rotor *rotor, const double *numbers, const double *x, double *normal_force,
                          double *friction);
+/// Computes the torques, N m, of the fluid of an element (element_type.drag) on the shafts of its journal and housing,
+/// in the sense of the rotation of the rotor's shaft, at a speed of that in rad/s. numbers, x: of that speed, by the
+/// angle; spin: rad/s of journal and housing in the same sense (drag.c).
+void rotor_drag_with(const whirl_rotor *rotor, const element *own, double *numbers, const double *x, double speed,
+                     const double spin[2], double torque[2]);
+/// Computes the accelerations by one element alone: rows of its ports and states in view->a (kernels/machine.c).
+void machine_element_flow(const lanes_view *view, const element *own);
 /// Writes the derivatives of switch `index` by x, gradient [dimension].
 void rotor_gradient_with(const whirl_rotor *rotor, double *numbers, const double *x, size_t index, double *gradient);
 

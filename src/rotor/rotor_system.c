@@ -5,8 +5,6 @@
 
 #include "machine.h"
 
-enum { MAX_DEGREES = AXES * WHIRL_MAX_STATIONS, MAX_ROWS = MAX_DEGREES + MAX_OWN_STATES };
-
 static lanes_view view_of(const whirl_rotor *rotor, const double *forcing, const double *sides) {
     return (lanes_view){
         .model = rotor, .stride = 1, .vectors = 1, .numbers = rotor->numbers, .forcing = forcing, .sides = sides};

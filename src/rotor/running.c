@@ -491,6 +491,34 @@ static double running_add_friction(const running_rotor *r, const double *x, cons
     return whole;
 }
 
+/// Adds the drag of films and seals, with the numbers of the present speed. Returns the part that turns the shaft as a
+/// whole.
+static double running_add_drag(const running_rotor *r, const running_state *s, double *sum) {
+    const whirl_rotor *rotor = r->rotor;
+    double whole = 0.0;
+    *sum = 0.0;
+    for (size_t i = 0; i < rotor->element_count && !r->how.dragless; i++) {
+        const element *own = &rotor->elements[i];
+        const size_t station[2] = {own->station, own->fluid.housing};
+        double spin[2], torque[2];
+        if (!own->type->drag) continue;
+        for (size_t k = 0; k < 2; k++) {
+            spin[k] = own->fluid.turns[k] * s->exact * r->unit;
+            if (running_twists(r, station[k]))
+                spin[k] = copysign(1.0, running_turns_of(r, station[k])) * running_place_of(r, station[k], s).speed;
+        }
+        rotor_drag_with(rotor, own, r->numbers, s->x, s->w * r->unit, spin, torque);
+        for (size_t k = 0; k < 2; k++) {
+            const bool twists = running_twists(r, station[k]);
+            const double turns = twists ? running_turns_of(r, station[k]) : own->fluid.turns[k];
+            *sum += turns * torque[k];
+            whole +=
+                twists ? running_add_torque(r, station[k], copysign(torque[k], torque[k] * turns)) : turns * torque[k];
+        }
+    }
+    return whole;
+}
+
 /// Finds all torques with the numbers of the speed w: those on twists in workspace. Writes the slopes of their states
 /// by time unless NULL. Returns the part that turns the shaft as a whole.
 static double running_find_torques(const running_rotor *r, const double *numbers, const running_state *s,
@@ -510,7 +538,8 @@ static double running_find_torques(const running_rotor *r, const double *numbers
         state += law->states;
         if (slopes) slopes += law->states;
     }
-    return whole + running_add_friction(r, s->x, numbers, &out->friction);
+    whole += running_add_friction(r, s->x, numbers, &out->friction);
+    return whole + running_add_drag(r, s, &out->drag);
 }
 
 /// Computes the levers: force and acceleration of every coordinate by a unit of theta'', at the values of time C and S.
@@ -582,6 +611,19 @@ static void running_add_faster(const running_rotor *r, faster by, double w, cons
         a[i] -= twisted * rotor->rigid[i] / rotor->unit[i];
 }
 
+/// Adds theta'' `share` times to the slopes, a [rows], of states of elements that stand for derivatives by the angle, v
+/// [rows].
+static void running_add_pace(const running_rotor *r, double share, const double *v, double *a) {
+    double paced[MAX_ELEMENT_STATES];
+    for (size_t i = 0; i < r->rotor->element_count; i++) {
+        element own = r->rotor->elements[i];
+        if (!own.type->paced || own.states == 0) continue;
+        own.number = r->numbers + own.first_number;
+        own.type->paced(&own, v + own.state, paced);
+        for (size_t k = 0; k < own.states; k++) a[own.state + k] -= share * paced[k];
+    }
+}
+
 /// Adds the inertia of all masses on a ground that moves to the accelerations by the angle a [degrees].
 static void running_add_shake(const running_rotor *r, double w, const double *x, double *a) {
     const size_t n = r->rotor->lanes.degrees;
@@ -623,6 +665,7 @@ static void running_rhs_by_angle(const void *model, double t, const double *give
     const double *numbers = running_flow(r, w, forcing, sides, x, dxdt);
     const faster by = running_faster(r, numbers, &(running_state){w, w, angle, x}, dxdt + n, dxdt + d, &torques);
     running_add_faster(r, by, w, x + n, dxdt + n);
+    running_add_pace(r, by.all / (w * w), x + n, dxdt + n);
     for (size_t i = d; i < at; i++) dxdt[i] /= w * r->unit;
     dxdt[at] = by.all / w;
     dxdt[at + 1] = 1.0 / w;
@@ -664,6 +707,7 @@ static void running_rhs_by_time(const void *model, double t, const double *given
     for (size_t i = rotor->first_twist; i < rotor->first_twist + rotor->twist_count; i++)
         dxdt[n + i] -= by.twisted * rotor->rigid[i] / rotor->unit[i];
     for (size_t i = 2 * n; i < d; i++) dxdt[i] *= w;
+    running_add_pace(r, by.all / w, place + n, dxdt + n);
     for (size_t i = d; i < at; i++) dxdt[i] /= r->unit;
     dxdt[at] = by.all;
     dxdt[at + 1] = 1.0;
@@ -799,7 +843,7 @@ static void running_torques(const whirl_running *running, const double *x, doubl
     const running_rotor *r = (const running_rotor *)running;
     const double exact = x[r->at_speed], w = fmax(exact, slowest);
     double forcing[FORCING_COUNT];
-    *out = (whirl_torques){.motor = NAN, .load = NAN, .friction = NAN, .rotor = NAN};
+    *out = (whirl_torques){.motor = NAN, .load = NAN, .friction = NAN, .rotor = NAN, .drag = NAN};
     r->rotor->system.forcing(r->rotor, angle, forcing);
     const double *numbers = running_flow(r, w, forcing, NULL, x, r->slope);
     const faster by =

@@ -222,6 +222,55 @@ static void samples_change_nothing(void **state) {
     whirl_result_free(few);
 }
 
+// ---------------------------------------------------------------- sensitivity
+
+/// Ueda's oscillator, x'' + 0.05 x' + x^3 = 7.5 cos t, as a disc at a constant speed, with a tolerance.
+static whirl_result *run_ueda(double duration, const char *tolerance) {
+    char text[SIZE];
+    snprintf(text, sizeof text,
+             "whirl: 1\nrotor:\n  speed: 1 rad/s\n  length_scale: 1 m\n"
+             "  stations: {disc: {mass: 1 kg, moves: x, damping: 0.05 N.s/m, eccentricity: 7.5 m}}\n  elements:\n"
+             "    - cubic_spring: {between: [disc, ground], along: x, cubic: 1 N/m3}\n"
+             "study:\n  runup: {speeds: [[0 s, 1 rad/s], [400 s, 1 rad/s]], duration: %g s, rtol: %s, rows: 10, "
+             "sensitivity: yes}\n",
+             duration, tolerance);
+    return result_of_text(text);
+}
+
+/// Share of the largest radius by which the last places of two tolerances differ.
+static double apart_by_tolerance(double duration) {
+    whirl_result *const both[] = {run_ueda(duration, "1e-10"), run_ueda(duration, "1e-11")};
+    double place[2][2], radius = 0.0;
+    for (size_t i = 0; i < 2; i++) {
+        for (size_t k = 0; k < 2; k++) place[i][k] = first_number(both[i], WHIRL_FIELD_RUNUP_PLACE, 0, k);
+        radius = fmax(radius, first_number(both[i], WHIRL_FIELD_RUNUP_PEAK, 0, 0));
+        whirl_result_free(both[i]);
+    }
+    return hypot(place[0][0] - place[1][0], place[0][1] - place[1][1]) / radius;
+}
+
+/// Where the copy says that a run has lost its digits, two tolerances differ; before half of that time they agree. A
+/// rub that lets go keeps its digits, and so does a damped linear rotor.
+static void sensitive_runs(void **state) {
+    static const char rub[] = "rub: {at: disc, gap: 4 m, stiffness: 1 N/m, friction: 0.05, law: paper}";
+    (void)state;
+    whirl_result *result = run_ueda(400.0, "1e-10");
+    const double at = first_number(result, WHIRL_FIELD_RUNUP_SENSITIVITY, 0, 3);
+    check_holds("Run-up", "Ueda's oscillator is sensitive", at > 50.0 && at < 390.0);
+    whirl_result_free(result);
+    check_holds("Run-up", "two tolerances differ by a hundredth at its end", apart_by_tolerance(400.0) > 0.01);
+    check_within("Run-up", "two tolerances agree before half of the time", 0.0, apart_by_tolerance(0.5 * at), 1e-3);
+    result = run_disc("1 m", 0.1, 1.0, rub, "rate: 0.003 rad/s2, duration: 700 s");
+    check_holds("Run-up", "a rub of one contact is not sensitive",
+                isnan(first_number(result, WHIRL_FIELD_RUNUP_SENSITIVITY, 0, 3)) &&
+                    first_number(result, WHIRL_FIELD_RUNUP_SENSITIVITY, 0, 0) < log(1e3));
+    whirl_result_free(result);
+    result = run_disc("1 m", 0.1, 1.0, "gravity: 0", "rate: 0.003 rad/s2, duration: 700 s, sensitivity: yes");
+    check_holds("Run-up", "small changes of a damped linear rotor decay",
+                first_number(result, WHIRL_FIELD_RUNUP_SENSITIVITY, 0, 0) < log(10.0));
+    whirl_result_free(result);
+}
+
 // ---------------------------------------------------------------- a rate
 
 /// Lewis 1932, up from rest and down from a steady motion.
@@ -390,7 +439,8 @@ static void slow_runs_meet_the_response(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(two_discs_on_one_shaft),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(sensitive_runs),
+                                       cmocka_unit_test(two_discs_on_one_shaft),
                                        cmocka_unit_test(two_discs_otherwise),
                                        cmocka_unit_test(sommerfeld),
                                        cmocka_unit_test(stationary_speeds),

@@ -243,6 +243,7 @@ names.runup_end_turns = 'runup/end_turns';
 names.runup_events = 'runup/events';
 names.runup_happened = 'runup/happened';
 names.runup_error = 'runup/error';
+names.runup_sensitivity = 'runup/sensitivity';
 names.runup_time = 'runup/time';
 names.runup_speed = 'runup/speed';
 names.runup_turns = 'runup/turns';

@@ -245,6 +245,7 @@ class FIELD:
     RUNUP_EVENTS = "runup/events"
     RUNUP_HAPPENED = "runup/happened"
     RUNUP_ERROR = "runup/error"
+    RUNUP_SENSITIVITY = "runup/sensitivity"
     RUNUP_TIME = "runup/time"
     RUNUP_SPEED = "runup/speed"
     RUNUP_TURNS = "runup/turns"

@@ -327,7 +327,7 @@ function contactsTable({ run, row }: RunSubject): HTMLElement[] {
 /// Turns so far, and the torques where the run has them: with a rate it has none.
 function turnTable({ run, row, units }: RunSubject): HTMLElement {
   const torque = parameterMeasure('N m', units);
-  const torques = ['motor', 'load', 'friction', 'unbalance and weight'].flatMap((name, i) => {
+  const torques = ['motor', 'load', 'friction', 'unbalance and weight', 'films and seals'].flatMap((name, i) => {
     const value = run.column(FIELD.RUNUP_TORQUE, 0, i)[row] ?? NaN;
     return Number.isFinite(value) ? [{ heading: `${name} (${torque.unit})`, text: shown(value * torque.factor) }] : [];
   });

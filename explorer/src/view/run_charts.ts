@@ -67,7 +67,7 @@ interface Below {
 function belowOf({ run, units }: RunSubject): readonly Below[] {
   const speed = parameterMeasure('rad/s', units);
   const torque = parameterMeasure('N m', units);
-  const torques = ['motor', 'load', 'friction', 'unbalance and weight'];
+  const torques = ['motor', 'load', 'friction', 'unbalance and weight', 'films and seals'];
   const each = (field: string) => (subject: RunSubject) =>
     run.contacts.map((name, i) => curve(name, subject.run.column(field, i), i));
   const contacts: readonly Below[] =

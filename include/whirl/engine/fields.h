@@ -264,6 +264,7 @@
 #define WHIRL_FIELD_RUNUP_EVENTS "runup/events"
 #define WHIRL_FIELD_RUNUP_HAPPENED "runup/happened"
 #define WHIRL_FIELD_RUNUP_ERROR "runup/error"
+#define WHIRL_FIELD_RUNUP_SENSITIVITY "runup/sensitivity"
 #define WHIRL_FIELD_RUNUP_TIME "runup/time"
 #define WHIRL_FIELD_RUNUP_SPEED "runup/speed"
 #define WHIRL_FIELD_RUNUP_TURNS "runup/turns"

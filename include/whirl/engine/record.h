@@ -84,17 +84,19 @@ typedef struct whirl_runup_options {
     char torque_law[WHIRL_NAME_SIZE]; ///< formula of the motor's torque, or ""
     char load_law[WHIRL_NAME_SIZE];   ///< formula of the load, or ""
     char ground_x[WHIRL_NAME_SIZE], ground_y[WHIRL_NAME_SIZE]; ///< formulas of the ground's acceleration, or ""
-    int stationary;               ///< speeds at which the torques of a drive are balanced; 0: none
-    int rows;                     ///< number of rows of the result over the time
-    int samples;                  ///< samples of a turn
-    double rtol;                  ///< relative tolerance
-    char method[WHIRL_NAME_SIZE]; ///< name of whirl_method_at
-    int spectra;                  ///< number of spectra over the time; 0: none
-    int spectrum_turns;           ///< turns of the shaft in a spectrum
-    double highest_order;         ///< spectra reach up to this order of the speed
-    double slow_roll;             ///< rad/s, speed of the slow roll; 0: none
-    int orbits;                   ///< number of orbits over the time; 0: none
-    int waveform;                 ///< turns of a waveform; 0: none
+    char sensitivity[WHIRL_NAME_SIZE]; ///< "contacts", "yes" or "no": in which machines a copy is followed
+    bool drag;                         ///< films and seals brake a shaft that a drive turns
+    int stationary;                    ///< speeds at which the torques of a drive are balanced; 0: none
+    int rows;                          ///< number of rows of the result over the time
+    int samples;                       ///< samples of a turn
+    double rtol;                       ///< relative tolerance
+    char method[WHIRL_NAME_SIZE];      ///< name of whirl_method_at
+    int spectra;                       ///< number of spectra over the time; 0: none
+    int spectrum_turns;                ///< turns of the shaft in a spectrum
+    double highest_order;              ///< spectra reach up to this order of the speed
+    double slow_roll;                  ///< rad/s, speed of the slow roll; 0: none
+    int orbits;                        ///< number of orbits over the time; 0: none
+    int waveform;                      ///< turns of a waveform; 0: none
 } whirl_runup_options;
 
 /// Returns the members of these options for cases (part "runup") and results; static, ended by a member without a part.

@@ -4,10 +4,10 @@
 ///
 ///     J theta'' = T - sum U_i g cos(theta + a_i) + sum u_i . q'',   u_i = U_i (sin(theta + a_i), -cos(theta + a_i)),
 ///
-/// with T the torque of the drive less its load and the friction of contacts, and unbalances U_i at angles a_i. Their
-/// force is U_i theta'^2 (cos, sin)(theta + a_i) + u_i theta''. Where a torque turns a disc through its shaft it
-/// follows the disc's axis, and polar inertia adds no moment with theta'' (docs/theory.md). Coefficients of films,
-/// bearings and seals are those of the speed of the moment.
+/// with T the torque of the drive less its load, the friction of contacts and the drag of films and seals, and
+/// unbalances U_i at angles a_i. Their force is U_i theta'^2 (cos, sin)(theta + a_i) + u_i theta''. Where a torque
+/// turns a disc through its shaft it follows the disc's axis, and polar inertia adds no moment with theta''
+/// (docs/theory.md). Coefficients of films, bearings and seals are those of the speed of the moment.
 ///
 /// The independent variable of the equations is the angle, d/dtheta in place of d/dt, 2 pi for one revolution. For a
 /// machine that begins at rest, or hardly turns, it is the time.
@@ -86,13 +86,15 @@ typedef struct whirl_turning {
     double rate;                    ///< rad/s2; the formula of the course is added
     bool tripped;                   ///< the motor of the drive is lost, its load is not
     bool lost;                      ///< unbalances that were set by `lose` have appeared
+    bool dragless;                  ///< films and seals do not brake the shaft: its load has their drag
     const whirl_run_course *course; ///< laws of time and speed, or NULL
 } whirl_turning;
 
 /// Torques on the shaft, N m, in the sense of the rotation.
 typedef struct whirl_torques {
-    double motor;          ///< of all motors; NaN at a given rate, as the next two
+    double motor;          ///< of all motors; NaN at a given rate, as the next three
     double load, friction; ///< of the load and all other torques, and of friction in contacts; below 0 where they brake
+    double drag;           ///< of films and seals
     double rotor;          ///< torque of unbalances, by the rotor's motion and by their weight
     double acceleration;   ///< rad/s2
 } whirl_torques;

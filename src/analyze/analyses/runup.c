@@ -10,6 +10,9 @@
 /// Columns of fields of x and y, or of both ways to go round, at every order.
 enum { ORDER_COLUMNS = 2 * RUNUP_ORDERS };
 
+/// Columns of torques on the shaft.
+enum { TORQUE_COLUMNS = 5 };
+
 static size_t runup_every_row(const block_shape *shape) {
     return (size_t)shape->options->runup.rows;
 }
@@ -89,6 +92,10 @@ static size_t runup_every_event(const block_shape *shape) {
     return runup_events_of(o, &none, own) + (size_t)o->event_count;
 }
 
+static size_t runup_with_copy(const block_shape *shape) {
+    return runup_wants_copy(&shape->options->runup, shape->contact_count) ? 1 : 0;
+}
+
 static const field_plan fields[FIELD_COUNT] = {
     [END] =
         {WHIRL_FIELD_RUNUP_END, "1",
@@ -111,15 +118,20 @@ static const field_plan fields[FIELD_COUNT] = {
     [NUMBERS_ERROR] = {WHIRL_FIELD_RUNUP_ERROR, "1",
                        "of coefficients between the speeds that they were taken at, over the largest; 0: exact",
                        WHIRL_PER_POINT, 1, NULL},
+    [SENSITIVITY] =
+        {WHIRL_FIELD_RUNUP_SENSITIVITY, "1",
+         "growth, from, to, at (natural logarithm of the largest growth of a small change of the motion, and s between "
+         "which it grew; s from which on a change as small as rtol counts for 0.001 of the motion, missing: never)",
+         WHIRL_PER_POINT, 4, runup_with_copy},
     [TIME] = {WHIRL_FIELD_RUNUP_TIME, "s", "of the row: the middle of its turn (missing where no turn ended)",
               WHIRL_PER_POINT, 1, runup_every_row},
     [SPEED] = {WHIRL_FIELD_RUNUP_SPEED, "rad/s", "of the shaft, over that turn", WHIRL_PER_POINT, 1, runup_every_row},
     [TURNS] = {WHIRL_FIELD_RUNUP_TURNS, "1", "of the shaft since the beginning, at its end", WHIRL_PER_POINT, 1,
                runup_every_row},
     [TORQUE] = {WHIRL_FIELD_RUNUP_TORQUE, "N m",
-                "motor, load, friction, rotor (on the shaft at its end, in the sense of the rotation; the last by "
-                "unbalances that the motion and the weight turn)",
-                WHIRL_PER_POINT, 4, runup_every_row},
+                "motor, load, friction, rotor, drag (on the shaft at its end, in the sense of the rotation; rotor: by "
+                "unbalances that the motion and the weight turn; drag: of films and seals)",
+                WHIRL_PER_POINT, TORQUE_COLUMNS, runup_every_row},
     [RADIUS] = {WHIRL_FIELD_RUNUP_RADIUS, "length", "largest distance from the centre since the row before",
                 WHIRL_PER_STATION, 1, runup_every_row},
     [CENTRE] = {WHIRL_FIELD_RUNUP_CENTRE, "length", "x, y (mean over the turn, from the centre)", WHIRL_PER_STATION, 2,
@@ -304,11 +316,12 @@ static void runup_fill_row(void *context, const runup_turn *turn) {
     *runup_at_row(f, TIME, 0, 1) = turn->time;
     *runup_at_row(f, SPEED, 0, 1) = turn->speed;
     *runup_at_row(f, TURNS, 0, 1) = turn->turns;
-    double *torque = runup_at_row(f, TORQUE, 0, 4);
+    double *torque = runup_at_row(f, TORQUE, 0, TORQUE_COLUMNS);
     torque[0] = turn->torques.motor;
     torque[1] = turn->torques.load;
     torque[2] = turn->torques.friction;
     torque[3] = turn->torques.rotor;
+    torque[4] = turn->torques.drag;
     if (f->point->passed) f->point->passed(f->point->watcher, turn->end);
 }
 
@@ -406,6 +419,8 @@ static void runup_fill_end(const filling *f, const runup_run *run) {
     *view_numbers(view, END_SPEED, 0) = run->speed;
     *view_numbers(view, END_TURNS, 0) = run->turns;
     *view_numbers(view, NUMBERS_ERROR, 0) = run->error;
+    double *sensitivity = view_numbers(view, SENSITIVITY, 0);
+    if (sensitivity) memcpy(sensitivity, run->sensitivity, sizeof run->sensitivity);
     runup_fill_events(view, run);
     for (size_t p = 0; p < f->system->probe_count; p++) {
         for (size_t axis = 0; axis < 2; axis++)
@@ -580,7 +595,7 @@ static whirl_status runup_fill_measured(const whirl_resting *point, const whirl_
                                  .end = end,
                                  .turns = (double)(n + 1),
                                  .whole = true,
-                                 .torques = {NAN, NAN, NAN, NAN, NAN},
+                                 .torques = {NAN, NAN, NAN, NAN, NAN, NAN},
                                  .stations = stations,
                                  .samples = f.views.samples.numbers};
         runup_fill_row(&f, &turn);
@@ -609,7 +624,7 @@ static whirl_status runup_compute(const whirl_resting *point, const whirl_record
     whirl_status status = runup_make_machine(&c, 0, NULL, &running);
     if (status.code == WHIRL_OK) status = runup_run_machine(running, &c, &o, view);
     if (status.code == WHIRL_OK && view_numbers(view, STATIONARY, 0))
-        status = runup_find_stationary(point, running, (size_t)o.stationary, c.highest,
+        status = runup_find_stationary(point, running, o.drag, (size_t)o.stationary, c.highest,
                                        view_numbers(view, STATIONARY, 0), view_numbers(view, FOLD, 0));
     if (running) running->release(running);
     return status;

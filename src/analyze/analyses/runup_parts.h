@@ -14,6 +14,7 @@ enum {
     EVENTS,
     HAPPENED,
     NUMBERS_ERROR,
+    SENSITIVITY,
     TIME,
     SPEED,
     TURNS,
@@ -86,8 +87,8 @@ enum { RUNUP_STATIONARY = 8 };
 /// Finds where the drive's torque holds what brakes the shaft in small motions, up to a speed, rad/s, at `count` speeds
 /// and between them: stationary [RUNUP_STATIONARY][3] as in the field runup/stationary, folds likewise.
 /// WHIRL_NO_MEMORY.
-whirl_status runup_find_stationary(const whirl_resting *point, whirl_running *running, size_t count, double highest,
-                                   double *stationary, double *folds);
+whirl_status runup_find_stationary(const whirl_resting *point, whirl_running *running, bool drag, size_t count,
+                                   double highest, double *stationary, double *folds);
 
 /// Classes of the ranges of torques.
 enum { RUNUP_CLASSES = 32 };

@@ -43,7 +43,7 @@ static void balance_at(const balancing *b, double speed, double *motor, double *
         b->x[b->dimension + 1] = 0.0;
         b->running->torques(b->running, b->x, angle, &torques);
         *motor = torques.motor;
-        sum += torques.load + torques.friction + torques.rotor;
+        sum += torques.load + torques.friction + torques.drag + torques.rotor;
     }
     *brake = -sum / INSTANTS;
 }
@@ -151,15 +151,15 @@ static void balance_go(const balancing *b, size_t count, double highest, balance
     }
 }
 
-whirl_status runup_find_stationary(const whirl_resting *point, whirl_running *running, size_t count, double highest,
-                                   double *stationary, double *folds) {
+whirl_status runup_find_stationary(const whirl_resting *point, whirl_running *running, bool drag, size_t count,
+                                   double highest, double *stationary, double *folds) {
     const size_t own = running->by_angle->dimension;
     balancing b = {.point = point, .running = running, .dimension = own - 2};
     balance_rows found[] = {{stationary, 0}, {folds, 0}};
     b.rest = calloc(3 * b.dimension + own, sizeof *b.rest);
     if (!b.rest) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the stationary speeds of a drive");
     b.x = b.rest + 3 * b.dimension;
-    running->turn(running, &(whirl_turning){.driven = true});
+    running->turn(running, &(whirl_turning){.driven = true, .dragless = !drag});
     balance_go(&b, count, highest, &found[0], &found[1]);
     free(b.rest);
     return whirl_ok();

@@ -227,17 +227,30 @@ const whirl_member *whirl_runup_members(void) {
                WHIRL_KEY_WHOLE, false, "0", WHIRL_FROM_TO(0, WHIRL_MAX_EVENTS), NULL,
                "number of these events, and of a change of parameters", ""),
         RUNUP(WORD, speeds, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
-              "in place of a rate: the speed over the time as a list of [time, speed], straight between"),
+              "in place of a rate: the speed over the time as a list of [time, speed], straight between, or a file of "
+              "comma-separated values with the columns time and speed"),
         RUNUP(WORD, rate_law, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
-              "in place of a rate: a formula of time and speed for the rate, rad/s2; speed_to is the highest speed"),
-        RUNUP(WORD, torque_law, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
-              "a formula of time and speed for the torque of the drive's motor, N m"),
+              "in place of a rate: the rate, rad/s2, as a formula of time and speed, a list of [time, rate], or a file "
+              "with "
+              "these columns; speed_to is the highest speed"),
+        RUNUP(
+            WORD, torque_law, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
+            "the torque of the drive's motor, N m, as a formula of time and speed, a list of [time, torque], or a file "
+            "with these columns"),
         RUNUP(WORD, load_law, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
-              "a formula of time and speed for the torque of the drive's load, N m"),
-        RUNUP(WORD, ground_x, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
-              "a formula of the time for the acceleration of the ground along x, m/s2"),
+              "the torque of the drive's load, N m, likewise: [time, load]"),
+        RUNUP(
+            WORD, ground_x, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
+            "the acceleration of the ground along x, m/s2, likewise: [time, ground_x], straight between; 0 before and "
+            "after a table"),
         RUNUP(WORD, ground_y, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
-              "a formula of the time for the acceleration of the ground along y, m/s2"),
+              "the acceleration of the ground along y, m/s2, likewise: [time, ground_y]"),
+        RUNUP(
+            WORD, sensitivity, "", WHIRL_KEY_CHOICE, "contacts", WHIRL_ANY, "contacts|yes|no",
+            "a copy of the motion that begins nearby is followed, to see how fast small changes grow: in machines with "
+            "contacts, in all, or in none"),
+        RUNUP(FLAG, drag, "", WHIRL_KEY_CHOICE, "yes", WHIRL_ANY, "yes|no|true|false",
+              "films and seals brake a shaft that its drive turns; no: the load has their drag"),
         RUNUP(
             WHOLE, stationary, "1", WHIRL_KEY_WHOLE, "120", WHIRL_FROM_TO(0, 100000), NULL,
             "speeds at which the torque of a drive is compared with what brakes the shaft, to find stationary speeds; "

@@ -63,6 +63,9 @@ typedef struct runner {
     double *torque_length;           ///< [torques][2] how far the samples after them are
     runup_where *torque_where;       ///< [torques][2] to what these belong
     bool parted;                     ///< an event happened in the turn
+    double *copy;                    ///< [most] a motion that began nearby; NULL: none, or it was lost
+    double size;                     ///< largest radius so far
+    double growth, least, least_at;  ///< logarithm of the growth of its distance, the least so far, and when, s
     runup_run *run;
 } runner;
 
@@ -243,6 +246,68 @@ static double runup_weight(size_t k, size_t count) {
     static const double ends[] = {95.0 / 288.0, 317.0 / 240.0, 23.0 / 30.0, 793.0 / 720.0, 157.0 / 160.0};
     const size_t from_end = k < count - k ? k : count - k;
     return from_end < sizeof ends / sizeof *ends ? ends[from_end] : 1.0;
+}
+
+// ---------------------------------------------------------------- a copy that began nearby
+
+bool runup_wants_copy(const whirl_runup_options *o, size_t contacts) {
+    return strcmp(o->sensitivity, "yes") == 0 || (contacts > 0 && strcmp(o->sensitivity, "contacts") == 0);
+}
+
+/// Distance of the copy: a hundred times the tolerance, so that its own errors do not count, and small beside the
+/// motion.
+static double runup_copy_distance(const runner *r) {
+    return fmin(1e-3, 100.0 * r->plan->options->rtol) * fmax(r->size, 1e-6);
+}
+
+/// Measures the distance of the copy: places and velocities of all stations, and the speed.
+static double runup_measure_copy(const runner *r) {
+    const double speed = r->size * (r->copy[r->rotor] - r->x[r->rotor]);
+    double sum = speed * speed;
+    for (size_t p = 0; p < r->probes; p++)
+        for (size_t nth = 0; nth < 4; nth++) {
+            const whirl_probe *probe = &r->system->probes[p];
+            const double apart = whirl_probe_value(probe, r->copy, nth) - whirl_probe_value(probe, r->x, nth);
+            sum += apart * apart;
+        }
+    return sqrt(sum);
+}
+
+/// Places the copy anew: its distance is multiplied by a factor; 0: all coordinates of the rotor differ.
+static void runup_place_copy(runner *r, double factor) {
+    const double apart = runup_copy_distance(r);
+    for (size_t i = 0; i < r->dimension; i++)
+        if (factor > 0.0)
+            r->copy[i] = r->x[i] + factor * (r->copy[i] - r->x[i]);
+        else
+            r->copy[i] = r->x[i] + (i < r->rotor ? apart / (double)(1 + 7 * i % 5) : 0.0);
+    if (!r->how.driven) r->copy[r->rotor] = r->x[r->rotor];
+    r->copy[r->rotor + 1] = r->x[r->rotor + 1];
+}
+
+/// Carries the copy over a part of a turn that the run has behind it.
+static void runup_carry_copy(runner *r, double from, double length) {
+    if (r->copy && runup_carry_part(r, from, length, r->copy) != WHIRL_BOUNDED) r->copy = NULL;
+}
+
+/// Notes by how much the distance of the copy, over the motion, has grown since the last time, and brings it back.
+static void runup_compare_copy(runner *r) {
+    if (!r->copy) return;
+    double *found = r->run->sensitivity;
+    const double apart = runup_measure_copy(r), time = runup_time_of(r, r->x);
+    for (size_t p = 0; p < r->probes; p++) r->size = fmax(r->size, r->stations[p].radius);
+    const double wanted = runup_copy_distance(r);
+    if (!isfinite(apart)) {
+        r->copy = NULL;
+        return;
+    }
+    r->growth += log(fmax(apart, 1e-9 * wanted) / wanted);
+    if (r->growth < r->least) r->least = r->growth, r->least_at = time;
+    if (r->growth - r->least > found[0]) {
+        found[0] = r->growth - r->least, found[1] = r->least_at, found[2] = time;
+        if (isnan(found[3]) && found[0] > log(1e-3 / r->plan->options->rtol)) found[3] = time;
+    }
+    runup_place_copy(r, apart > 0.0 ? wanted / apart : 0.0);
 }
 
 /// Adds a part of a turn, of samples that are `step` apart, to the means and orders; `passed`: the angle of its first
@@ -523,6 +588,7 @@ static void runup_follow_table(runner *r) {
     const size_t next = runup_next_corner(r), last = next - 1; // a table begins at time 0
     const double time = runup_time_of(r, r->x);
     if (time - course->speed_times[last] <= 2e-12 * time) r->x[r->rotor] = course->speeds[last] / r->unit;
+    if (r->copy) r->copy[r->rotor] = r->x[r->rotor];
     r->how.rate = next == course->speed_count ? 0.0
                                               : (course->speeds[next] - course->speeds[last]) /
                                                     (course->speed_times[next] - course->speed_times[last]);
@@ -555,6 +621,7 @@ static void runup_change(runner *r, size_t of) {
     r->run->error = fmax(r->run->error, r->machine->error);
     r->machine->lose(r->machine, r->lost_count, r->lost);
     r->turns += r->machine->adopt(r->machine, before, r->by_time, r->x) / two_pi;
+    if (r->copy) r->machine->adopt(r->machine, before, r->by_time, r->copy);
 }
 
 /// Lets an event of the run happen. Returns whether the run ends.
@@ -580,6 +647,7 @@ static bool runup_happen(runner *r, int what) {
     if (what == EVENT_DWELL) {
         r->how.rate = 0.0;
         r->x[r->rotor] = r->plan->options->to / r->unit;
+        if (r->copy) r->copy[r->rotor] = r->x[r->rotor];
     } else if (what >= EVENT_FIRST) {
         ends = runup_let_happen(r, (size_t)(what - EVENT_FIRST));
     }
@@ -710,6 +778,7 @@ static bool runup_turn_on(runner *r) {
             memcpy(end, there, r->dimension * sizeof *end);
         }
         if (at > 0.0) runup_see_part(r, from, angle, at);
+        runup_carry_copy(r, from, at);
         const double passed = r->by_time ? end[r->rotor + 2] - r->x[r->rotor + 2] : at;
         memcpy(r->x, end, r->dimension * sizeof *end);
         if (!r->by_time && what == EVENT_NONE) what = EVENT_TURN;
@@ -726,6 +795,7 @@ static bool runup_turn_on(runner *r) {
         }
         if (runup_stopped(r)) return false;
     }
+    runup_compare_copy(r);
     runup_show_turn(r, true);
     return true;
 }
@@ -745,6 +815,7 @@ static bool runup_start_turning(runner *r) {
 /// Goes on by the angle after the first turn from standstill.
 static void runup_go_by_angle(runner *r) {
     r->machine->to_angle(r->machine, r->x);
+    if (r->copy) r->machine->to_angle(r->machine, r->copy);
     runup_go_by(r, r->side, false);
 }
 
@@ -824,6 +895,7 @@ static void runup_run_all(runner *r) {
     const bool steady = strcmp(o->begin, "steady") == 0;
     bool going = !steady || runup_settle(r);
     if (going) going = !runup_happen_now(r) && r->status.code == WHIRL_OK;
+    if (r->copy) runup_place_copy(r, 0.0);
     if (going && o->from == 0.0) going = runup_start_turning(r);
     if (going && o->from == 0.0 && !r->machine->in_time) runup_go_by_angle(r);
     while (going) going = !runup_stopped(r) && runup_turn_on(r);
@@ -840,7 +912,7 @@ static void runup_run_all(runner *r) {
 
 static whirl_status runup_open(runner *r) {
     const size_t d = r->most, samples = (size_t)r->plan->options->samples;
-    const size_t numbers = d * (2 + samples + 1 + 3 + 1 + 2 + r->probes + 2 * r->torques) +
+    const size_t numbers = d * (2 + samples + 1 + 3 + 1 + 2 + 1 + r->probes + 2 * r->torques) +
                            r->contacts * (samples + 3) + 3 * r->probes + 3 * r->torques;
     r->x = calloc(numbers + 1, sizeof *r->x);
     r->stations = calloc(r->probes + 1, sizeof *r->stations);
@@ -854,6 +926,8 @@ static whirl_status runup_open(runner *r) {
     r->scratch = next, next += 3 * d;
     r->placed = next, next += d;
     r->change = next, next += 2 * d;
+    if (runup_wants_copy(r->plan->options, r->contacts)) r->copy = next;
+    next += d;
     r->peak_state = next, next += r->probes * d;
     r->torque_state = next, next += 2 * r->torques * d;
     r->force = next, next += (samples + 1) * r->contacts;
@@ -920,8 +994,10 @@ whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_r
                 .run = run};
     r.how = (whirl_turning){.driven = whirl_runup_driven(o),
                             .rate = o->to > 0.0 && o->to < o->from ? -o->rate : o->rate,
+                            .dragless = !o->drag,
                             .course = plan->course};
     run->error = running->error;
+    for (size_t i = 0; i < 4; i++) run->sensitivity[i] = i == 0 ? 0.0 : (double)NAN;
     run->event_count = runup_events_of(o, running->by_angle, run->events);
     for (size_t i = 0; plan->course && i < plan->course->event_count; i++)
         run->events[run->event_count++] = (runup_happening){plan->course->events[i], NAN, NAN};

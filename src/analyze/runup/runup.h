@@ -81,6 +81,7 @@ typedef struct runup_run {
     runup_end end;
     double time, speed, turns; ///< when it ended
     double error;              ///< largest interpolation error of the numbers of its machines
+    double sensitivity[4];     ///< as in the field runup/sensitivity
     size_t event_count;        ///< number of events that may happen
     runup_happening *events;   ///< [event_count] those of the options, then those of the course
     runup_peak *peaks;         ///< [probe_count] located
@@ -111,6 +112,9 @@ typedef struct runup_plan {
     void *context;
     turn_samples *samples; ///< filled in before a turn is shown; NULL: none are wanted
 } runup_plan;
+
+/// Returns whether a run is followed by a copy that began nearby, which tells how fast small changes grow.
+bool runup_wants_copy(const whirl_runup_options *options, size_t contacts);
 
 /// Runs it. peaks, contacts, torques, events [RUNUP_EVENTS] and last are the caller's. WHIRL_NO_MEMORY, and errors of
 /// integrators and machines.

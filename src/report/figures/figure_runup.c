@@ -142,9 +142,18 @@ static void runup_describe_orders(const drawing *of, const figure_place *place, 
              of->result->stations[place->station].name);
 }
 
+/// Returns whether films or seals brake the shaft of a run.
+static bool runup_is_dragged(const whirl_table *table, size_t run) {
+    const whirl_field *torques = whirl_layout_field(&table->layout, WHIRL_FIELD_RUNUP_TORQUE);
+    const double *rows = whirl_table_field(table, run, WHIRL_FIELD_RUNUP_TORQUE, 0);
+    for (size_t i = 0; rows && torques->columns == 5 && i < torques->rows; i++)
+        if (fabs(rows[5 * i + 4]) > 0.0) return true;
+    return false;
+}
+
 /// Draws the speed of each run; for a single run the torques on the shaft too.
 static void runup_describe_shaft(const drawing *of, const figure_place *place, whirl_figure *figure) {
-    static const char *const names[] = {"motor", "load", "friction", "rotor"};
+    static const char *const names[] = {"motor", "load", "friction", "rotor", "drag"};
     size_t runs[MAX_RUNS];
     const whirl_table *table = place->table;
     const size_t count = runup_list_runs(table, runs);
@@ -169,13 +178,13 @@ static void runup_describe_shaft(const drawing *of, const figure_place *place, w
         const course c = runup_course_of(of, table, runs[0], false);
         runup_label_over(of, &torques->x, false);
         snprintf(torques->y.label, sizeof torques->y.label, "torque (%s)", torque->name);
-        for (size_t i = 0; i < 4; i++)
+        for (size_t i = 0; i < (runup_is_dragged(table, runs[0]) ? 5 : 4); i++)
             runup_add_line(figure, panel_named(figure, torques, WHIRL_LINE, names[i], line_colour(i + 1), 0.8), &c,
                            WHIRL_FIELD_RUNUP_TORQUE, 0, i, 1.0 / torque->size);
     }
     snprintf(figure->caption, sizeof figure->caption, "Speed of the shaft over the time%s.",
-             torques ? ", and torques on it at the end of each turn: of the motor, its load, friction in contacts, and "
-                       "of unbalances that the motion of the rotor and the weight turn"
+             torques ? ", and torques on it at the end of each turn: of the motor, its load, friction in contacts, of "
+                       "unbalances that the motion of the rotor and the weight turn, and drag of films and seals"
                      : "");
 }
 

@@ -49,6 +49,24 @@ static void runup_find_error(const finder *of) {
                     "err by up to %.2g of the largest between the speeds at which they were taken", error);
 }
 
+/// Adds a statement for every run whose motion depends on the last digit from some time on.
+static void runup_find_sensitivity(const finder *of) {
+    if (!whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_SENSITIVITY)) return;
+    for (size_t point = 0; point < of->table->count; point++) {
+        const double *own = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_SENSITIVITY, 0);
+        if (!own || isnan(own[3])) continue;
+        whirl_statement *statement = find_statement(of, "sensitive");
+        if (*of->table->parameter) phrase_value(of, &statement->at, 6, of->table->values[point]);
+        phrase_text(of, &statement->found, "small changes grow by 1e%.0f from ", own[0] / log(10.0));
+        phrase_number(of, &statement->found, WHIRL_QUANTITY_TIME, 6, own[1]);
+        phrase_text(of, &statement->found, " to ");
+        phrase_number(of, &statement->found, WHIRL_QUANTITY_TIME, 6, own[2]);
+        phrase_text(of, &statement->found, ": from ");
+        phrase_number(of, &statement->found, WHIRL_QUANTITY_TIME, 6, own[3]);
+        phrase_text(of, &statement->found, " on numbers of contacts and places hold for this tolerance alone");
+    }
+}
+
 /// Adds a statement for stations and runs whose slow roll was not taken from the motion.
 static void runup_find_slow_roll(const finder *of) {
     const double speed = of->table->record.runup.slow_roll;
@@ -398,6 +416,7 @@ static void runup_find_capture(const finder *of) {
 static void runup_find(const finder *of) {
     runup_find_failures(of);
     runup_find_error(of);
+    runup_find_sensitivity(of);
     runup_find_capture(of);
     runup_find_slow_roll(of);
     runup_find_runs(of);

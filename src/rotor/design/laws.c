@@ -34,12 +34,16 @@ black_coefficients black_find(const black_seal *seal, double speed) {
     const double damper = 2.0 * s / a * (0.5 * inlet * ((1.0 + s) / a - s / (a * a)) + s / 6.0);
     const double mass = 2.0 * s / a * (0.5 * inlet * (0.5 / a - (1.0 + s) / (a * a) + s / (a * a * a)) + 1.0 / 12.0);
     const double scale = 3.14159265358979323846 * seal->radius * seal->pressure / lambda;
+    // The shear along the axis is lambda rho V^2/2; around the shaft it is to that as the slip is to V.
+    const double ratio = 0.5 - (seal->swirl - 0.5) * expm1(-s) / s, slip = surface * (1.0 - ratio);
+    const double area = 6.28318530717958647692 * seal->radius * seal->length;
     return (black_coefficients){.stiffness = scale * spring,
                                 .damping = scale * damper * passing,
                                 .mass = scale * mass * passing * passing,
-                                .ratio = 0.5 - (seal->swirl - 0.5) * expm1(-s) / s,
+                                .ratio = ratio,
                                 .velocity = velocity,
-                                .reynolds = 2.0 * thin * hypot(velocity, 0.5 * surface)};
+                                .reynolds = 2.0 * thin * hypot(velocity, 0.5 * surface),
+                                .shear = seal->radius * area * 0.5 * lambda * seal->density * velocity * slip};
 }
 
 // ---------------------------------------------------------------- doubts

@@ -13,10 +13,10 @@ typedef struct black_seal {
     double radius, length, clearance, density, viscosity, pressure, loss, swirl;
 } black_seal;
 
-/// Coefficients in a frame that turns with the fluid, at `ratio` of the shaft's speed; mean axial velocity; and
-/// Reynolds number 2 rho c |velocity|/mu of that and half the surface's speed.
+/// Coefficients in a frame that turns with the fluid, at `ratio` of the shaft's speed; mean axial velocity; Reynolds
+/// number 2 rho c |velocity|/mu of that and half the surface's speed; torque of the walls' shear on the shaft.
 typedef struct black_coefficients {
-    double stiffness, damping, mass, ratio, velocity, reynolds;
+    double stiffness, damping, mass, ratio, velocity, reynolds, shear;
 } black_coefficients;
 
 /// Computes the coefficients at a speed of the shaft, rad/s, >= 0.

@@ -175,6 +175,13 @@ void ISA(machine_flow)(const lanes_view *view) {
     for (size_t k = 0; rotor->phase && k < b.vectors; k += BY_PHASE) pass_by_phase(rotor, &b, k);
 }
 
+#if VECTOR_ISA == VECTOR_SCALAR
+void machine_element_flow(const lanes_view *view, const element *own) {
+    const block b = block_of(view);
+    kernels_of(own)->flow(own, 1, &b);
+}
+#endif
+
 void ISA(machine_switches)(const lanes_view *view, void *values, void *rates) {
     const whirl_rotor *rotor = view->model;
     const block b = block_of(view);

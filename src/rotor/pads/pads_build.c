@@ -193,6 +193,13 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
     out->number[PADS_CLEARANCE_UNIT] = values[PADS_CLEARANCE].number / to->length;
     out->number[PADS_TWICE] = 2.0 / fabs(turn);
     out->number[PADS_SIGN] = sign;
+    const double radius = values[PADS_RADIUS].number, size = radius * radius * radius * values[PADS_LENGTH].number;
+    out->fluid = (fluid_drag){.shear = values[PADS_COUNT].number * 6.28318530717958647692 * viscosity * size /
+                                       values[PADS_CLEARANCE].number,
+                              .reynolds = reynolds_of(values, 1.0),
+                              .turbulence = values[PADS_TURBULENCE].choice,
+                              .turns = {ratio, 0.0},
+                              .housing = GROUND};
     // Numbers of the pads, their tilts and yields.
     for (size_t i = 0; i < bearing.count && status.code == WHIRL_OK; i++) {
         whirl_pad pad = bearing.pads[i];

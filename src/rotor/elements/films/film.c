@@ -137,6 +137,20 @@ static whirl_status load_scale(const key_value *values, const assembly *to, doub
     return status;
 }
 
+/// Sets the constants of its drag. With a scale F0 in place of its oil its couple is known alone.
+static void set_drag(const key_value *values, const turning *turns, element *out) {
+    const oil own = oil_of(values);
+    const double radius = values[RADIUS].number, clearance = values[CLEARANCE].number;
+    double viscosity = 0.0;
+    out->fluid = (fluid_drag){.turbulence = values[TURBULENCE].choice,
+                              .turns = {0.5 * (turns->wedge + turns->shear), 0.5 * (turns->wedge - turns->shear)},
+                              .housing = values[FROM].given ? values[FROM].station[0] : GROUND};
+    if (values[LOAD].given || oil_viscosity(&own, &viscosity).code != WHIRL_OK) return;
+    out->fluid.shear = values[COUNT].number * 6.28318530717958647692 * viscosity * radius * radius * radius *
+                       values[LENGTH].number / clearance;
+    out->fluid.reynolds = reynolds_of(values, 1.0);
+}
+
 /// Sets the additional numbers of films of finite length, and of those in moving housings.
 static void build_finite(const key_value *values, const assembly *to, const turbulent_factors *by, element *out) {
     double *number = out->number;
@@ -169,6 +183,7 @@ static whirl_status film_build(const key_value *values, assembly *to, element *o
     const double clearance = values[CLEARANCE].number / to->length, square = clearance * clearance;
     const turbulent_factors by = factors_of(values, fabs(to->speed * turns.shear));
     const double speed = turns.wedge, strength = fabs(speed) * values[COUNT].number * load * by.along;
+    set_drag(values, &turns, out);
     out->number[FILM_CLEARANCE] = clearance;
     out->number[FILM_CLEARANCE_SQUARE] = square;
     out->number[FILM_STRENGTH] = FILM_STRENGTH_OF_1 * square * strength / assembly_force_scale(to, out->port[0]);
@@ -218,6 +233,10 @@ static double film_clearance(const element *own) {
     return own->number[FILM_CLEARANCE];
 }
 
+void film_drag(const element *own, const drag_view *in, double torque[2]) {
+    drag_of_film(own, in, own->number[FILM_CLEARANCE] * in->length, torque);
+}
+
 void whirl_film_force(double x, double y, double vx, double vy, double force[2]) {
     film_work work;
     force[0] = force[1] = 0.0;
@@ -236,6 +255,7 @@ const element_type film_element = {
     .kernels = kernels,
     .build = film_build,
     .carries = true,
+    .drag = film_drag,
     .bearing_clearance = film_clearance,
     .doubt = film_doubt,
 };

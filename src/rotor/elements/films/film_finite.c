@@ -203,6 +203,7 @@ const element_type film_finite_type = {
               NULL, NULL},
     .number_count = FILM_ALL_NUMBERS,
     .kernels = kernels,
+    .drag = film_drag,
     .bearing_clearance = film_finite_clearance,
     .range = film_finite_range,
     .note = film_finite_note,

@@ -126,6 +126,7 @@ static whirl_status floating_ring_build(const key_value *values, assembly *to, e
     out->number[RING_TURN] = own * to->turn;
     out->number[RING_STATE_UNIT] = inner.clearance / to->length;
     out->number[RING_SPEED] = own * to->turn * driven / (driven + out->number[RING_OUTER_DRAG]);
+    out->fluid = (fluid_drag){.shear = drag_of(&inner), .turns = {own, 0.0}, .housing = GROUND};
     generic_scale(out, to, 1.0);
     return whirl_ok();
 }
@@ -142,6 +143,26 @@ static void floating_ring_doubt(const key_value *values, double speed, const dou
         doubt_clearance(to, keys[outer ? OUTER_CLEARANCE : CLEARANCE].name, of->clearance, of->radius);
         doubt_flow(to, density * shear * of->radius * of->clearance / of->viscosity, of->radius, of->clearance, false);
     }
+}
+
+/// The speed of the ring over the shaft's.
+static void floating_ring_paced(const element *own, const double *states, double *out) {
+    out[0] = states[0] + own->number[RING_STATE_UNIT] * own->number[RING_SPEED];
+}
+
+/// Implements element_type.drag by the inner film alone: the ring, whose speed is a state, takes the rest.
+static void floating_ring_drag(const element *own, const drag_view *in, double torque[2]) {
+    const double *number = own->number, sense = copysign(1.0, number[RING_TURN]),
+                 over = number[RING_INNER_OVER_CLEARANCE];
+    const double ring = over * in->at->s[0] + number[RING_SPEED];
+    const double d[2] = {in->at->q[0] - in->at->q[4], in->at->q[1] - in->at->q[5]};
+    const double w[2] = {in->at->v[0] - in->at->v[4], in->at->v[1] - in->at->v[5]};
+    double force[2], root;
+    ring_film_plain(over, number[RING_INNER_STRENGTH], d, w, number[RING_TURN] + ring, force, &root);
+    const double slip = in->spin[0] - sense * ring * in->speed;
+    const double couple = 0.5 * sense * in->length * (d[0] * force[1] - d[1] * force[0]);
+    torque[0] = -own->fluid.shear * slip / root - couple;
+    torque[1] = 0.0;
 }
 
 static double floating_ring_clearance(const element *own) {
@@ -162,6 +183,8 @@ const element_type floating_ring_element = {
     .kernels = kernels,
     .build = floating_ring_build,
     .carries = true,
+    .drag = floating_ring_drag,
+    .paced = floating_ring_paced,
     .bearing_clearance = floating_ring_clearance,
     .ring_clearance = floating_ring_outer_clearance,
     .doubt = floating_ring_doubt,

@@ -13,6 +13,7 @@
 const element_kernels ISA(pad_bearing_kernels) = GENERIC_KERNELS;
 
 #if VECTOR_ISA == VECTOR_SCALAR
+#include "elements/films/pads_drag.h"
 #include "elements/films/pads_gap.h"
 
 /// Returns the least thickness over all pads with the journal at a place, in the pads' clearance.
@@ -58,6 +59,7 @@ const element_type pad_bearing_element = {
     .kernels = kernels,
     .build = pad_bearing_build,
     .carries = true,
+    .drag = pads_drag,
     .bearing_clearance = pads_clearance,
     .film = pad_bearing_film,
     .hold = pads_hold,

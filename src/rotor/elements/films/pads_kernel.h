@@ -174,14 +174,13 @@ static inline void KERNEL(pads_yielding)(const kernel_view *view, const vec *pad
 #endif
 #endif
 
-static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,
-                                 num *force, num *slope) {
+/// Computes the forces of all pads, f [count] in their frames, and the slopes of the states.
+static inline void KERNEL(pads_forces)(const element *own, const kernel_view *view, const num *d, const num *w,
+                                       const num *s, KERNEL(pads_view) * seen, num f[][2], num *slope) {
     const size_t stride = view->stride, count = (size_t)own->law;
     const vec over = view->number[PADS_OVER_CLEARANCE * stride], sign = view->number[PADS_SIGN * stride];
     const num journal[] = {n_scale(over, d[0]), n_scale(v_mul(sign, over), d[1]), n_scale(over, w[0]),
                            n_scale(v_mul(sign, over), w[1])};
-    num FX = n_set(0.0), FY = n_set(0.0), f[MAX_PADS][2];
-    KERNEL(pads_view) seen[MAX_PADS];
     const vec *pads[MAX_PADS];
     for (size_t p = 0; p < count; p++) pads[p] = view->number + (PADS_FIRST + p * PAD_NUMBERS) * stride;
 #ifdef KERNEL_FEWER_STATES
@@ -226,12 +225,21 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     }
     for (size_t p = 0; p < count; p++) KERNEL(pads_film_end)(&seen[p], f[p]);
 #endif
-    for (size_t p = 0; p < count; p++) {
-        const vec c = pads[p][PAD_COSINE * stride], sn = pads[p][PAD_SINE * stride];
+    (void)s, (void)slope;
+}
+
+static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,
+                                 num *force, num *slope) {
+    const size_t stride = view->stride;
+    num FX = n_set(0.0), FY = n_set(0.0), f[MAX_PADS][2];
+    KERNEL(pads_view) seen[MAX_PADS];
+    KERNEL(pads_forces)(own, view, d, w, s, seen, f, slope);
+    for (size_t p = 0; p < (size_t)own->law; p++) {
+        const vec *pad = view->number + (PADS_FIRST + p * PAD_NUMBERS) * stride;
+        const vec c = pad[PAD_COSINE * stride], sn = pad[PAD_SINE * stride];
         FX = n_add(FX, n_sub(n_scale(c, f[p][0]), n_scale(sn, f[p][1])));
         FY = n_add(FY, n_add(n_scale(sn, f[p][0]), n_scale(c, f[p][1])));
     }
     force[0] = FX;
-    force[1] = n_scale(sign, FY);
-    (void)s, (void)slope;
+    force[1] = n_scale(view->number[PADS_SIGN * stride], FY);
 }

@@ -14,6 +14,15 @@
 #include "bracket.h"
 #include "elements/films/pads_gap.h"
 
+/// Rates of tilts and of yielding pivots.
+static void pads_paced(const element *own, const double *states, double *out) {
+    const size_t pads = (size_t)own->law, tilts = pads_are_light(own) ? pads : 2 * pads;
+    for (size_t i = 0; i < own->states; i++) {
+        const bool rate = i < tilts ? tilts > pads && i % 2 == 1 : (i - tilts) % 2 == 1;
+        out[i] = rate ? states[i] : 0.0;
+    }
+}
+
 /// Films whose force is below this share of mu omega R L (R/c)^2 carry no pad: tables have larger errors.
 static const double pads_no_film = 1e-3;
 

@@ -14,6 +14,7 @@
 const element_kernels ISA(tilting_pad_kernels) = GENERIC_KERNELS;
 
 #if VECTOR_ISA == VECTOR_SCALAR
+#include "elements/films/pads_drag.h"
 #include "elements/films/pads_settle.h"
 
 static const whirl_key keys[PADS_TILTING_KEYS] = {
@@ -47,9 +48,11 @@ const element_type tilting_pad_element = {
     .build = tilting_pad_build,
     .begin = pads_begin,
     .settle = pads_settle,
+    .paced = pads_paced,
     .film = pads_film,
     .variant = &tilting_pad_yielding_type,
     .carries = true,
+    .drag = pads_drag,
     .bearing_clearance = pads_clearance,
     .hold = pads_hold,
     .release = pads_release,

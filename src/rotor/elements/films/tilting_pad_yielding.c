@@ -15,6 +15,7 @@
 const element_kernels ISA(tilting_pad_yielding_kernels) = GENERIC_KERNELS;
 
 #if VECTOR_ISA == VECTOR_SCALAR
+#include "elements/films/pads_drag.h"
 #include "elements/films/pads_settle.h"
 KERNELS_OF_EVERY_ISA(tilting_pad_yielding_kernels);
 
@@ -25,7 +26,9 @@ const element_type tilting_pad_yielding_type = {
     .kernels = kernels,
     .begin = pads_begin,
     .settle = pads_settle,
+    .paced = pads_paced,
     .film = pads_film,
+    .drag = pads_drag,
     .bearing_clearance = pads_clearance,
     .yields = true,
     .hold = pads_hold,

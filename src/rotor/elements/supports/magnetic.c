@@ -404,6 +404,15 @@ static void magnetic_doubt(const key_value *values, double speed, const doubt_te
 
 /// Returns the state that counts the time until the bearing fails, the last one; the number of states without a
 /// failure.
+/// State j of a block is a derivative of order j.
+static void magnetic_paced(const element *own, const double *states, double *out) {
+    size_t next = 0;
+    for (size_t i = 0; i < own->states; i++) out[i] = 0.0;
+    for (int line = 0; line < 2; line++)
+        for (int part = 0; part < LOOP_BLOCKS; part++)
+            for (int j = 0; j < block_order(own, part); j++, next++) out[next] = j * states[next];
+}
+
 static size_t magnetic_clock(const element *own) {
     return own->law & MAGNETIC_FAILS ? own->states - 1 : own->states;
 }
@@ -418,6 +427,7 @@ const element_type magnetic_element = {
     .kernels = kernels,
     .build = magnetic_build,
     .clock = magnetic_clock,
+    .paced = magnetic_paced,
     GENERIC_SWITCHES,
     .touches = magnetic_touches,
     .jumps = magnetic_jumps,

@@ -5,7 +5,8 @@
 #define KERNEL_NUMBERS SEAL_NUMBERS
 #define KERNEL_SWITCHES 0
 
-/// Numbers: K_0, D_0, m_f in newtons per length scale and radian; 1/c^2 in length scales; lambda_0 by tau, n and b.
+/// Numbers: K_0, D_0, m_f in newtons per length scale and radian; 1/c^2 in length scales; lambda_0 by tau, n and b; the
+/// torque of the shear on the shaft, N m (0: not known), which no kernel reads.
 enum {
     SEAL_STIFFNESS,
     SEAL_DAMPING,
@@ -14,6 +15,7 @@ enum {
     SEAL_RATIO,
     SEAL_GROWTH,
     SEAL_SLOWING,
+    SEAL_SHEAR,
     SEAL_NUMBERS
 };
 
@@ -151,6 +153,9 @@ static whirl_status seal_build(const key_value *values, assembly *to, element *o
     out->number[SEAL_RATIO] = middle.ratio * to->turn;
     out->number[SEAL_GROWTH] = values[GROWTH].number;
     out->number[SEAL_SLOWING] = values[SLOWING].number;
+    out->number[SEAL_SHEAR] = middle.shear;
+    out->fluid = (fluid_drag){
+        .shear = middle.shear, .turns = {1.0, 0.0}, .housing = values[FROM].given ? values[FROM].station[0] : GROUND};
     generic_scale(out, to, 1.0);
     return whirl_ok();
 }
@@ -196,6 +201,17 @@ static void seal_note(const element *own, double length, double clock, char *tex
         K, C, M, fabs(number[SEAL_RATIO]), K - M * turn * turn, C * turn, C, 2.0 * M * turn);
 }
 
+/// Implements element_type.drag: the shear, and the couple that turns the fluid at lambda of the shaft's speed.
+static void seal_drag(const element *own, const drag_view *in, double torque[2]) {
+    const double *number = own->number;
+    const double share = in->distance / in->length * sqrt(number[SEAL_OVER_CLEARANCE_SQUARE]);
+    const double slower = number[SEAL_SLOWING] > 0.0 ? pow(1.0 - share, number[SEAL_SLOWING]) : 1.0;
+    const double ratio = fabs(number[SEAL_RATIO]) * slower;
+    const double couple = in->place[0] * in->force[1] - in->place[1] * in->force[0];
+    torque[0] = -number[SEAL_SHEAR] - ratio * couple;
+    torque[1] = number[SEAL_SHEAR] - (1.0 - ratio) * couple;
+}
+
 static double seal_clearance(const element *own) {
     return 1.0 / sqrt(own->number[SEAL_OVER_CLEARANCE_SQUARE]);
 }
@@ -221,6 +237,7 @@ const element_type seal_element = {
     .inertia = seal_inertia,
     .build = seal_build,
     .drags = true,
+    .drag = seal_drag,
     .bearing_clearance = seal_clearance,
     .range = seal_range,
     .note = seal_note,

@@ -1,4 +1,4 @@
-// Readings as a table: converts comma-separated values to the list that a balancing file would have instead.
+// Tables of files: converts comma-separated values to the list that a case or a balancing file would have instead.
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -160,11 +160,10 @@ static void read_lines(readings_table *table, const char *text, size_t length) {
         from = next;
     }
     if (table->list->count == 0 && table->reader->problems->count == 0)
-        problem_in_file(table->reader->problems, 0, 0,
-                        "has no readings, expected a line of headings and lines of numbers");
+        problem_in_file(table->reader->problems, 0, 0, "has no rows, expected a line of headings and lines of numbers");
 }
 
-const file_node *balance_readings(case_reader *reader, const char *path, const whirl_group *group) {
+const file_node *table_read(case_reader *reader, const char *path, const whirl_group *group) {
     char *text = NULL;
     size_t length = 0;
     const whirl_status status = source_load(path, reader->problems, &text, &length);
@@ -182,7 +181,7 @@ const file_node *balance_readings(case_reader *reader, const char *path, const w
     return table.list;
 }
 
-void balance_take_problems(case_reader *reader, const file_node *where, const whirl_problems *of) {
+void table_take_problems(case_reader *reader, const file_node *where, const whirl_problems *of) {
     for (size_t i = 0; i < of->count; i++) {
         const whirl_problem *one = &of->items[i];
         const char *key = strrchr(one->key, '.');
