@@ -16,7 +16,8 @@ rotor:
     - spring: {between: [disc, ground], stiffness: 18 N/m}
     - drive: {inertia: 4 kg.m2, torque: 1 N.m, no_load_speed: 100 rad/s}
 study:
-  runup: {speed_from: 10 rad/s, speed_to: 90 rad/s, duration: 3 s, rtol: 1e-11, rows: 2, samples: 64, begin: centre, MORE}
+  runup: {speed_from: 10 rad/s, speed_to: 90 rad/s,
+          duration: 3 s, rtol: 1e-11, rows: 2, samples: 64, begin: centre, MORE}
 """
 
 
@@ -62,7 +63,7 @@ def test_a_file_has_the_bits_of_the_list(tmp_path):
 
 def test_speeds_of_a_file(tmp_path):
     (tmp_path / "ramp.csv").write_text("time [s],speed [rpm]\n0,100\n2,300\n3,200\n")
-    text = CASE.replace("speed_from: 10 rad/s, speed_to: 90 rad/s, ", "").replace("MORE", "speeds: ramp.csv")
+    text = CASE.replace("speed_from: 10 rad/s, speed_to: 90 rad/s,", "").replace("MORE", "speeds: ramp.csv")
     (tmp_path / "case.yaml").write_text(text)
     table = whirl.run(whirl.Case(tmp_path / "case.yaml"), progress=False)["runup"]
     assert abs(table["runup/end_speed"][0] - 200 * np.pi / 30) < 1e-12

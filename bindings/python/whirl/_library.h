@@ -61,8 +61,8 @@ whirl_status whirl_user_system_branch(whirl_user_system *system, const char *par
 whirl_status whirl_user_system_curves(whirl_user_system *system, const char *parameter, double from, double to);
 typedef double (*whirl_user_event_fn)(double t, const double *x, const double *p, void *context);
 typedef int (*whirl_user_reset_fn)(double t, const double *x, const double *p, double *after, void *context);
-whirl_status whirl_user_system_event(whirl_user_system *system, const char *name, whirl_user_event_fn value, int passing,
-                                     whirl_user_reset_fn reset, int ends, void *context);
+whirl_status whirl_user_system_event(whirl_user_system *system, const char *name, whirl_user_event_fn value,
+                                     int passing, whirl_user_reset_fn reset, int ends, void *context);
 typedef struct whirl_user_motion whirl_user_motion;
 whirl_status whirl_user_system_follow(const whirl_user_system *system, const double *times, size_t count,
                                       whirl_user_motion **out);
