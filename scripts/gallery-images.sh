@@ -44,3 +44,14 @@ picture spindle campbell
 picture bearing-fault response-rotor
 "$whirl" run "$cases/pump.yaml" --quiet
 picture pump unbalance-stage_3-first_worn
+# The runs over time, each with one figure.
+while read -r case figure; do
+    "$whirl" run "$cases/$case.yaml" --quiet -o "$case.h5"
+    "$whirl" figure "$case.h5" "$figure" -o "$images/$case.png"
+done <<'END'
+rub-run-up runup-shaft
+sommerfeld runup-shaft
+run-up runup-fan
+motor-start runup-torques
+gear-rattle bifurcation-wheel
+END

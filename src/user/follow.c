@@ -152,7 +152,7 @@ static double follow_find(follower *f, size_t event, double from, const double *
         if (follow_carry(f, from, at, f->there, false) != WHIRL_BOUNDED) break;
         const double value = follow_value(f, event, from + at, f->there);
         if (value == 0.0) return at;
-        bracket_tell(&between, at, value);
+        bracket_update(&between, at, value);
     }
     at = between.b;
     memcpy(f->there, state, n * sizeof *state);
