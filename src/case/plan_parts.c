@@ -572,7 +572,6 @@ void plan_read_parts(case_reader *reader, const file_node *where, const machine_
     read_kinds(reader, parts);
     read_branch(reader, parts);
     read_starts(reader, machine, parts, result);
-    tolerances_read(reader, parts);
     plan_read_part(reader, &parts->study, "integrate", &schema_integrate, &parts->integrate);
     plan_read_part(reader, &parts->study, "keep", &schema_keep, &parts->keep);
     read_analyses(reader, parts);

@@ -233,10 +233,6 @@ static double film_clearance(const element *own) {
     return own->number[FILM_CLEARANCE];
 }
 
-void film_drag(const element *own, const drag_view *in, double torque[2]) {
-    drag_of_film(own, in, own->number[FILM_CLEARANCE] * in->length, torque);
-}
-
 void whirl_film_force(double x, double y, double vx, double vy, double force[2]) {
     film_work work;
     force[0] = force[1] = 0.0;

@@ -39,7 +39,9 @@ enum { FILM_OF_FINITE_LENGTH = 1 };
 /// The variant of film.c for films that its own kernel does not cover; and the coefficients for a ratio L/D.
 extern const element_type film_finite_type;
 void film_coefficients(double length, double *number);
-void film_drag(const element *own, const drag_view *in, double torque[2]);
+static inline void film_drag(const element *own, const drag_view *in, double torque[2]) {
+    drag_of_film(own, in, own->number[FILM_CLEARANCE] * in->length, torque);
+}
 
 /// Source of coefficients: of the lanes, `stride` apart; or one set if all lanes have the same, which is faster.
 typedef struct film_series {
