@@ -248,8 +248,8 @@ def test_pages_have_all_of_it(file, tmp_path):
 
 
 def test_the_summary_has_all_of_it(file):
-    """Every statement, and of every sheet the headings and the first and the last row, to the last cell; but the parts of
-    the machine, of no table, which the summary of motions alone leaves out."""
+    """Every statement, and of every sheet the headings and the first and the last row, to the last cell; but the parts
+    of the machine, of no table, which the summary of motions alone leaves out."""
     result = whirl.open(file)
     told = bare(command("show", file).stdout)
     for own in result.statements():

@@ -120,7 +120,8 @@ void whirl_cell_text(const whirl_column *column, const whirl_cell *cell, char *t
 void whirl_phrase_text(const whirl_phrase *phrase, char *text, size_t size);
 
 /// Writes a sentence of a result, such as whirl_result_warning, with its numbers in the shown units: "5 MPa" is
-/// "725.2 psi". A number keeps its digits, from four to six; a unit without a choice stays, but K follows the documents.
+/// "725.2 psi". A number keeps its digits, from four to six; a unit without a choice stays, but K follows the
+/// documents.
 void whirl_shown_sentence(const whirl_shown_units *units, const char *sentence, char *text, size_t size);
 
 /// Writes the name of a sheet for whirl_findings_sheet: "peaks", or "TABLE/peaks" if several tables have one.
