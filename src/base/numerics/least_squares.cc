@@ -21,105 +21,103 @@ constexpr double least_damping = 1e-12, first_damping = 1e-3, most_damping = 1e1
 
 /// The method between two evaluations.
 struct State {
-    const least_squares &problem;
+    const least_squares *problem;
     Index n, m;
     VectorXd p, r, longest; ///< longest: largest norms of the columns so far
     RowMajor jacobian;
-    double sum = 0.0, damping = first_damping, growth = 2.0;
-
-    explicit State(const least_squares &of)
-        : problem(of), n(static_cast<Index>(of.unknowns)), m(static_cast<Index>(of.count)), p(n), r(m),
-          longest(VectorXd::Zero(n)), jacobian(m, n) {}
-
-    bool evaluate(const VectorXd &at, VectorXd &residuals, RowMajor &derivatives) const {
-        return problem.evaluate(problem.context, at.data(), residuals.data(), derivatives.data()) &&
-               residuals.allFinite() && derivatives.allFinite();
-    }
-
-    /// Returns true if the sum falls only beyond a bound at which p_i is.
-    bool held(Index i, const VectorXd &gradient) const {
-        return (p(i) <= problem.low[i] && gradient(i) > 0.0) || (p(i) >= problem.high[i] && gradient(i) < 0.0);
-    }
-
-    /// Returns the next p by the present damping.
-    VectorXd next() const {
-        const VectorXd gradient = jacobian.transpose() * r;
-        std::vector<Index> free;
-        for (Index i = 0; i < n; i++)
-            if (!held(i, gradient)) free.push_back(i);
-        const auto count = static_cast<Index>(free.size());
-        VectorXd out = p;
-        if (count == 0) return out;
-        MatrixXd a = MatrixXd::Zero(m + count, count);
-        VectorXd b = VectorXd::Zero(m + count);
-        b.head(m) = -r;
-        for (Index k = 0; k < count; k++) {
-            const Index i = free[static_cast<size_t>(k)];
-            a.col(k).head(m) = jacobian.col(i);
-            a(m + k, k) = std::sqrt(damping) * longest(i);
-        }
-        const VectorXd step = a.colPivHouseholderQr().solve(b);
-        for (Index k = 0; k < count; k++) {
-            const Index i = free[static_cast<size_t>(k)];
-            out(i) = std::min(std::max(p(i) + step(k), problem.low[i]), problem.high[i]);
-        }
-        return out;
-    }
-
-    /// Returns true if the step is too short to matter.
-    bool is_short(const VectorXd &step) const {
-        for (Index i = 0; i < n; i++)
-            if (std::abs(step(i)) > problem.tolerance * std::max(std::abs(p(i)), problem.scale[i] * problem.tolerance))
-                return false;
-        return true;
-    }
-
-    void go(const VectorXd &to, const VectorXd &residuals, const RowMajor &derivatives) {
-        p = to;
-        r = residuals;
-        jacobian = derivatives;
-        sum = r.squaredNorm();
-        for (Index i = 0; i < n; i++) {
-            longest(i) = std::max(longest(i), jacobian.col(i).norm());
-            if (!(longest(i) > 0.0)) longest(i) = 1.0 / problem.scale[i];
-        }
-        if (problem.accept != nullptr) problem.accept(problem.context);
-    }
-
-    void damp() {
-        damping = std::max(damping, least_damping) * growth;
-        growth *= 2.0;
-    }
+    double sum, damping, growth;
 };
+
+State state_of(const least_squares &of) {
+    const auto n = static_cast<Index>(of.unknowns), m = static_cast<Index>(of.count);
+    return {&of, n, m, VectorXd(n), VectorXd(m), VectorXd::Zero(n), RowMajor(m, n), 0.0, first_damping, 2.0};
+}
+
+bool evaluate(const State &s, const VectorXd &at, VectorXd &residuals, RowMajor &derivatives) {
+    return s.problem->evaluate(s.problem->context, at.data(), residuals.data(), derivatives.data()) &&
+           residuals.allFinite() && derivatives.allFinite();
+}
+
+/// Returns true if the sum falls only beyond a bound at which p_i is.
+bool held(const State &s, Index i, const VectorXd &gradient) {
+    return (s.p(i) <= s.problem->low[i] && gradient(i) > 0.0) || (s.p(i) >= s.problem->high[i] && gradient(i) < 0.0);
+}
+
+/// Returns the next p by the present damping.
+VectorXd next_of(const State &s) {
+    const VectorXd gradient = s.jacobian.transpose() * s.r;
+    std::vector<Index> free;
+    for (Index i = 0; i < s.n; i++)
+        if (!held(s, i, gradient)) free.push_back(i);
+    const auto count = static_cast<Index>(free.size());
+    VectorXd out = s.p;
+    if (count == 0) return out;
+    MatrixXd a = MatrixXd::Zero(s.m + count, count);
+    VectorXd b = VectorXd::Zero(s.m + count);
+    b.head(s.m) = -s.r;
+    for (Index k = 0; k < count; k++) {
+        const Index i = free[static_cast<size_t>(k)];
+        a.col(k).head(s.m) = s.jacobian.col(i);
+        a(s.m + k, k) = std::sqrt(s.damping) * s.longest(i);
+    }
+    const VectorXd step = a.colPivHouseholderQr().solve(b);
+    for (Index k = 0; k < count; k++) {
+        const Index i = free[static_cast<size_t>(k)];
+        out(i) = std::min(std::max(s.p(i) + step(k), s.problem->low[i]), s.problem->high[i]);
+    }
+    return out;
+}
+
+/// Returns true if the step is too short to matter.
+bool is_short(const State &s, const VectorXd &step) {
+    const double part = s.problem->tolerance;
+    for (Index i = 0; i < s.n; i++)
+        if (std::abs(step(i)) > part * std::max(std::abs(s.p(i)), s.problem->scale[i] * part)) return false;
+    return true;
+}
+
+void go(State &s, const VectorXd &to, const VectorXd &residuals, const RowMajor &derivatives) {
+    s.p = to;
+    s.r = residuals;
+    s.jacobian = derivatives;
+    s.sum = residuals.squaredNorm();
+    for (Index i = 0; i < s.n; i++) {
+        s.longest(i) = std::max(s.longest(i), derivatives.col(i).norm());
+        if (!(s.longest(i) > 0.0)) s.longest(i) = 1.0 / s.problem->scale[i];
+    }
+    if (s.problem->accept != nullptr) s.problem->accept(s.problem->context);
+}
 
 least_squares_result solve(State &s) {
     least_squares_result out = {LEAST_SQUARES_NOWHERE, 1, std::numeric_limits<double>::infinity()};
     VectorXd residuals(s.m);
     RowMajor derivatives(s.m, s.n);
-    if (!s.evaluate(s.p, residuals, derivatives)) return out;
-    s.go(s.p, residuals, derivatives);
-    for (out.end = LEAST_SQUARES_STEPS; out.steps < s.problem.most_steps;) {
-        const VectorXd to = s.next(), step = to - s.p;
+    const VectorXd start = s.p;
+    if (!evaluate(s, start, residuals, derivatives)) return out;
+    go(s, start, residuals, derivatives);
+    for (out.end = LEAST_SQUARES_STEPS; out.steps < s.problem->most_steps;) {
+        const VectorXd to = next_of(s), step = to - s.p;
         const double promised = s.sum - (s.r + s.jacobian * step).squaredNorm();
-        if (s.is_short(step)) {
+        if (is_short(s, step)) {
             out.end = LEAST_SQUARES_FOUND;
             break;
         }
         out.steps++;
-        const bool computed = s.evaluate(to, residuals, derivatives);
+        const bool computed = evaluate(s, to, residuals, derivatives);
         const double gain = computed ? s.sum - residuals.squaredNorm() : -1.0;
         // Rounding of the sum hides smaller promises.
         const bool rounds = computed && promised <= 1e-13 * s.sum && gain > -1e-12 * s.sum;
         if (computed && (gain > 1e-4 * promised || rounds)) {
             const double ratio = promised > 0.0 ? gain / promised : 1.0;
-            s.go(to, residuals, derivatives);
+            go(s, to, residuals, derivatives);
             s.damping = std::max(s.damping * std::max(0.1, 1.0 - std::pow(2.0 * ratio - 1.0, 3)), least_damping);
             s.growth = 2.0;
             if (!rounds) continue;
             out.end = LEAST_SQUARES_FOUND;
             break;
         }
-        s.damp();
+        s.damping = std::max(s.damping, least_damping) * s.growth;
+        s.growth *= 2.0;
         if (s.damping < most_damping) continue;
         out.end = LEAST_SQUARES_STUCK;
         break;
@@ -133,7 +131,7 @@ least_squares_result solve(State &s) {
 least_squares_result least_squares_solve(const least_squares *problem, double *p, double *residuals,
                                          double *derivatives) {
     try {
-        State s(*problem);
+        State s = state_of(*problem);
         for (Index i = 0; i < s.n; i++) s.p(i) = std::min(std::max(p[i], problem->low[i]), problem->high[i]);
         const least_squares_result out = solve(s);
         Eigen::Map<VectorXd>(p, s.n) = s.p;

@@ -155,8 +155,8 @@ static whirl_status fit_point(study_run *run, const pass *p, size_t slot) {
     const whirl_fit *fit = batch->fit;
     whirl_table *table = &run->result->tables[p->batch];
     fit_work w = {.run = run, .pass = p, .batch = batch, .table = table};
-    double *block =
-        table->blocks ? table->blocks + slot * table->layout.size : calloc(table->layout.size + 1, sizeof *block);
+    double *own = table->blocks ? NULL : calloc(table->layout.size + 1, sizeof *own);
+    double *block = table->blocks ? table->blocks + slot * table->layout.size : own;
     w.residuals = calloc(fit->number_count * (1 + fit->unknown_count) + 1, sizeof *w.residuals);
     w.derivatives = w.residuals + fit->number_count;
     w.motions = (fit_motions){
@@ -179,7 +179,7 @@ static whirl_status fit_point(study_run *run, const pass *p, size_t slot) {
     }
     fit_motions_free(&w.motions);
     free(w.residuals);
-    if (!table->blocks) free(block);
+    free(own);
     return status;
 }
 

@@ -211,8 +211,9 @@ static void place_numbers(const fit_place *p, const whirl_system *system, const 
 static whirl_status place_note(const fit_place *p, const whirl_machine *machine, const whirl_orbit *orbit,
                                const whirl_orbit_sensitivity *derived, fit_orbit *out) {
     const size_t n = orbit->dimension, count = p->of->fit->unknown_count;
-    double *numbers = realloc(out->node, (1 + count) * n * sizeof *numbers);
+    double *numbers = calloc((1 + count) * n + 1, sizeof *numbers);
     if (!numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of a fit");
+    free(out->node);
     *out = (fit_orbit){.dimension = n,
                        .node = numbers,
                        .slopes = numbers + n,

@@ -73,7 +73,7 @@ static whirl_status check_turning(const orbit_work *w, const double *turns) {
 /// that do not turn: begins [revolutions][count][own].
 static whirl_status orbit_close(const orbit_work *w, const double *turns, double *begins) {
     const size_t m = w->out->revolutions, own = w->own, count = w->out->count, n = m * own;
-    double *matrix = calloc(n * n + n * count, sizeof *matrix), *right = matrix ? matrix + n * n : NULL;
+    double *matrix = calloc(n * n + n * count + 1, sizeof *matrix), *right = matrix ? matrix + n * n : NULL;
     if (!matrix) return whirl_fail(WHIRL_NO_MEMORY, "no memory for derivatives of %zu revolutions", m);
     for (size_t j = 0; j < m; j++) {
         const double *ends = carried_at(w, j, w->out->instants);
@@ -115,7 +115,7 @@ static void orbit_spread(const orbit_work *w, const double *begins, const double
 static whirl_status orbit_derive(orbit_work *w, const whirl_system *system, const whirl_orbit *orbit,
                                  const double *units) {
     const size_t apart = orbit->segment_count / orbit->revolutions;
-    double *begins = calloc(w->out->revolutions * w->out->count * w->own, sizeof *begins);
+    double *begins = calloc(w->out->revolutions * w->out->count * w->own + 1, sizeof *begins);
     whirl_status status = begins ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for derivatives of an orbit");
     for (w->revolution = 0; w->revolution < orbit->revolutions && status.code == WHIRL_OK; w->revolution++)
         status = orbit_work_revolve(w, orbit->nodes + w->revolution * apart * w->own);
