@@ -82,7 +82,7 @@ size_t whirl_tolerance_machines(const whirl_tolerance_options *options) {
 
 /// Returns direction number k of a dimension, from 0, as a binary fraction: by the recurrence of its polynomial.
 static uint32_t direction_number(const direction *of, unsigned k) {
-    uint32_t numbers[DIGITS];
+    uint32_t numbers[DIGITS] = {0};
     const unsigned s = of->degree;
     for (unsigned i = 0; i <= k; i++) {
         if (i < s) {
