@@ -99,7 +99,9 @@ least_squares_result solve(State &s) {
         const VectorXd to = next_of(s), step = to - s.p;
         const double promised = s.sum - (s.r + s.jacobian * step).squaredNorm();
         if (is_short(s, step)) {
-            out.end = LEAST_SQUARES_FOUND;
+            // A step that much damping makes short is no sign of a minimum.
+            s.damping = std::min(s.damping, first_damping);
+            out.end = is_short(s, next_of(s) - s.p) ? LEAST_SQUARES_FOUND : LEAST_SQUARES_STUCK;
             break;
         }
         out.steps++;
