@@ -52,18 +52,19 @@ VectorXd next_of(const State &s) {
     const auto count = static_cast<Index>(free.size());
     VectorXd out = s.p;
     if (count == 0) return out;
+    // Columns have length 1 at most, so that no unit makes one of them count as rounding.
     MatrixXd a = MatrixXd::Zero(s.m + count, count);
     VectorXd b = VectorXd::Zero(s.m + count);
     b.head(s.m) = -s.r;
     for (Index k = 0; k < count; k++) {
         const Index i = free[static_cast<size_t>(k)];
-        a.col(k).head(s.m) = s.jacobian.col(i);
-        a(s.m + k, k) = std::sqrt(s.damping) * s.longest(i);
+        a.col(k).head(s.m) = s.jacobian.col(i) / s.longest(i);
+        a(s.m + k, k) = std::sqrt(s.damping);
     }
     const VectorXd step = a.colPivHouseholderQr().solve(b);
     for (Index k = 0; k < count; k++) {
         const Index i = free[static_cast<size_t>(k)];
-        out(i) = std::min(std::max(s.p(i) + step(k), s.problem->low[i]), s.problem->high[i]);
+        out(i) = std::min(std::max(s.p(i) + step(k) / s.longest(i), s.problem->low[i]), s.problem->high[i]);
     }
     return out;
 }
@@ -74,6 +75,21 @@ bool is_short(const State &s, const VectorXd &step) {
     for (Index i = 0; i < s.n; i++)
         if (std::abs(step(i)) > part * std::max(std::abs(s.p(i)), s.problem->scale[i] * part)) return false;
     return true;
+}
+
+/// Returns by how much a step makes the linearized sum smaller.
+double promise_of(const State &s, const VectorXd &step) {
+    return s.sum - (s.r + s.jacobian * step).squaredNorm();
+}
+
+/// Returns the end at a p that no step leaves: at a minimum if a step with little damping is short, too, or promises so
+/// little that p is within a thousandth of a standard error of the minimum.
+least_squares_end end_of(State &s) {
+    constexpr double little = 1e-6;
+    s.damping = std::min(s.damping, first_damping);
+    const VectorXd step = next_of(s) - s.p;
+    const bool flat = promise_of(s, step) <= little * s.sum / static_cast<double>(s.m);
+    return flat || is_short(s, step) ? LEAST_SQUARES_FOUND : LEAST_SQUARES_STUCK;
 }
 
 void go(State &s, const VectorXd &to, const VectorXd &residuals, const RowMajor &derivatives) {
@@ -97,11 +113,9 @@ least_squares_result solve(State &s) {
     go(s, start, residuals, derivatives);
     for (out.end = LEAST_SQUARES_STEPS; out.steps < s.problem->most_steps;) {
         const VectorXd to = next_of(s), step = to - s.p;
-        const double promised = s.sum - (s.r + s.jacobian * step).squaredNorm();
+        const double promised = promise_of(s, step);
         if (is_short(s, step)) {
-            // A step that much damping makes short is no sign of a minimum.
-            s.damping = std::min(s.damping, first_damping);
-            out.end = is_short(s, next_of(s) - s.p) ? LEAST_SQUARES_FOUND : LEAST_SQUARES_STUCK;
+            out.end = end_of(s);
             break;
         }
         out.steps++;
@@ -121,7 +135,7 @@ least_squares_result solve(State &s) {
         s.damping = std::max(s.damping, least_damping) * s.growth;
         s.growth *= 2.0;
         if (s.damping < most_damping) continue;
-        out.end = LEAST_SQUARES_STUCK;
+        out.end = end_of(s);
         break;
     }
     out.sum = s.sum;

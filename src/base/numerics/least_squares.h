@@ -25,7 +25,8 @@ typedef struct least_squares {
 
 /// Ends of the method.
 typedef enum least_squares_end {
-    LEAST_SQUARES_FOUND,   ///< steps have become shorter than the tolerance
+    LEAST_SQUARES_FOUND,   ///< at a minimum: steps are shorter than the tolerance, or the sum cannot fall by more than
+                           ///< a millionth of the variance
     LEAST_SQUARES_STEPS,   ///< most_steps were taken
     LEAST_SQUARES_STUCK,   ///< no shorter step makes the sum smaller
     LEAST_SQUARES_NOWHERE, ///< r cannot be computed at the start
