@@ -154,6 +154,7 @@ static void phrase_reason(const balance_view *v, size_t n, whirl_phrase *phrase)
         phrase_text(to, phrase, "nothing that was read near its speed vibrates");
         return;
     }
+    // Say what set the size: a force, the least clear change, the largest change, or a limit.
     const whirl_balance_row *row = &v->found->rows[own->row];
     if (own->reason == WHIRL_TRIAL_BY_FORCE) {
         phrase_text(to, phrase, "its force at ");
@@ -171,6 +172,7 @@ static void phrase_reason(const balance_view *v, size_t n, whirl_phrase *phrase)
                     : own->reason == WHIRL_TRIAL_BY_MOST ? " by more than it is"
                                                          : " beyond its limit");
     }
+    // Add the expected change at that row.
     if (!isfinite(own->change)) return;
     phrase_text(to, phrase, "; it changes ");
     phrase_row(v, phrase, row->probe, row->speed);
@@ -195,10 +197,12 @@ static void phrase_needless(const balance_view *v, whirl_phrase *phrase) {
 static bool phrase_warning(const balance_view *v, size_t index, whirl_phrase *phrase) {
     const whirl_correction *found = v->found;
     char name[WHIRL_NAME_SIZE];
+    // The first warning says that a plane or set could be left out.
     if (found->reduced.there && index-- == 0) {
         phrase_needless(v, phrase);
         return true;
     }
+    // Each trial weight may have a warning of its limit, and one of an unclear effect.
     for (size_t n = 0; n < found->proposal_count; n++) {
         const whirl_balance_proposal *own = &found->proposals[n];
         balance_name(v->of, n, name, sizeof name);
@@ -274,6 +278,7 @@ static void find_correction_statements(const balance_view *v) {
     const whirl_balance *of = v->of;
     double sum[2], half[2];
     if (!v->found->found) return;
+    // Name the criterion, and for two planes the static part and the couple.
     if (of->least_max)
         phrase_text(&v->to, &find_statement(&v->to, "correction")->found,
                     "that by which the largest vibration is the least");
@@ -285,6 +290,7 @@ static void find_correction_statements(const balance_view *v) {
         phrase_moment(v, phrase, half);
         phrase_text(&v->to, phrase, " in %s, against it in %s", of->planes[0].name, of->planes[1].name);
     }
+    // Say how far the vibration may be off, and what a simpler correction would leave.
     if (v->found->row_count > 0 && isfinite(v->found->rows[0].worst))
         phrase_text(&v->to, &find_statement(&v->to, "vibration after, at most")->found,
                     "where critical speeds are %.3g %% off the model's", 100.0 * of->model_error);
@@ -367,12 +373,14 @@ static void find_influence(const balance_view *v) {
     const finder *to = &v->to;
     const whirl_correction *found = v->found;
     const size_t count = found->by_set ? v->of->mode_count : v->of->plane_count;
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(to, "influence", "Influence coefficients");
     sheet_texts(to, sheet, "probe", "probe");
     sheet_column(to, sheet, "speed", "speed", WHIRL_QUANTITY_SPEED, 6);
     sheet_texts(to, sheet, "of", "of");
     sheet_units(to, sheet, "amplitude", "amplitude", &v->influence, 5);
     sheet_column(to, sheet, "phase", phase_word(v), WHIRL_QUANTITY_DEGREES, 4);
+    // Add a row for each reading and each plane, or each used set.
     for (size_t r = 0; r < found->row_count && found->found; r++)
         for (size_t n = 0; n < count; n++) {
             const whirl_balance_row *row = &found->rows[r];
@@ -392,6 +400,7 @@ static void find_influence(const balance_view *v) {
 static void find_sets(const balance_view *v) {
     const finder *to = &v->to;
     const whirl_correction *found = v->found;
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(to, "sets",
                                     v->of->keep_rigid ? "Sets of weights, each of one mode, of none of "
                                                         "the others and not of the rigid rotor"
@@ -405,6 +414,7 @@ static void find_sets(const balance_view *v) {
     sheet_column(to, sheet, "angle", "angle", WHIRL_QUANTITY_DEGREES, 4);
     sheet_column(to, sheet, "amount", "times", WHIRL_QUANTITY_RESIDUAL, 6);
     sheet_column(to, sheet, "amount_angle", "turned by", WHIRL_QUANTITY_DEGREES, 4);
+    // Add a row for each set and plane: its weight at unit amount, then how much of the set is used.
     for (size_t n = 0; n < found->set_count; n++)
         for (size_t p = 0; p < v->of->plane_count; p++) {
             const double *own = found->sets[n][p];
@@ -481,6 +491,7 @@ static void find_proposals(const balance_view *v) {
     const finder *to = &v->to;
     const whirl_correction *found = v->found;
     const bool sets = v->of->mode_count > 0;
+    // Set up the columns.
     whirl_sheet *sheet =
         find_sheet(to, "proposals", "Trial weights that the model proposes, each for a run of its own");
     sheet->about = "Each stands where it reduces the vibration.";
@@ -490,6 +501,7 @@ static void find_proposals(const balance_view *v) {
         sheet_column(to, sheet, "amount_angle", "turned by", WHIRL_QUANTITY_DEGREES, 4);
     }
     sheet_weights(v, sheet);
+    // Add a row for each proposal; for a set, one for each plane with a weight.
     for (size_t n = 0; n < found->proposal_count; n++) {
         const whirl_balance_proposal *own = &found->proposals[n];
         double moment[2];
@@ -511,6 +523,7 @@ static void find_proposals(const balance_view *v) {
 static void find_vibration(const balance_view *v) {
     const finder *to = &v->to;
     const whirl_correction *found = v->found;
+    // Set up the columns.
     whirl_sheet *sheet =
         find_sheet(to, "vibration", found->found ? "Vibration before and, by the coefficients, after" : "Vibration");
     sheet_texts(to, sheet, "probe", "probe");
@@ -519,6 +532,7 @@ static void find_vibration(const balance_view *v) {
     sheet_column(to, sheet, "phase", phase_word(v), WHIRL_QUANTITY_DEGREES, 4);
     sheet_units(to, sheet, "after", "after", &v->amplitude, 4);
     sheet_units(to, sheet, "worst", "after, at most", &v->amplitude, 4);
+    // Add a row for each reading.
     for (size_t r = 0; r < found->row_count; r++) {
         const whirl_balance_row *row = &found->rows[r];
         sheet_row(to, sheet);

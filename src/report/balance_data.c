@@ -154,6 +154,7 @@ whirl_status whirl_balance_write_json(const whirl_balance *of, const whirl_balan
     if (status.code != WHIRL_OK) return status;
     json_t *all = json_object(), *rows = json_array(), *sets = json_array(), *trials = json_array(),
            *warnings = json_array();
+    // Begin with the conventions of the readings.
     document_put(&well, all, "title", document_text(of->title));
     document_put(&well, all, "angles", document_text(of->against ? "against" : "with"));
     document_put(&well, all, "amplitudes", *of->counted ? document_text(of->counted) : json_null());
@@ -167,6 +168,7 @@ whirl_status whirl_balance_write_json(const whirl_balance *of, const whirl_balan
         }
         document_put(&well, all, "slow_roll", rolls);
     }
+    // Collect the correction, rows, sets, proposals and warnings.
     if (found->found) put_correction(&well, all, of, found);
     for (size_t r = 0; r < found->row_count; r++)
         document_append(&well, rows, row_of(&well, of, found, &found->rows[r]));
@@ -174,6 +176,7 @@ whirl_status whirl_balance_write_json(const whirl_balance *of, const whirl_balan
     for (size_t n = 0; n < found->proposal_count; n++)
         document_append(&well, trials, proposal_of(&well, of, model, found, units, n));
     put_warnings(&well, warnings, of, found, units);
+    // Put the collected parts in, then statements and sheets as data.
     document_put(&well, all, "vibration", rows);
     document_put(&well, all, "sets", sets);
     document_put(&well, all, "proposals", trials);

@@ -85,6 +85,7 @@ static void phrase_idle(const finder *of, const whirl_bearing *bearing, const wh
 /// Words a warning of a point, or of the bearing as a whole (point NULL).
 static void phrase_remark(const finder *of, const whirl_bearing *bearing, const whirl_bearing_point *point,
                           whirl_bearing_remark remark, whirl_phrase *phrase) {
+    // Remarks on one point: film, oil, mesh, pads.
     switch (remark) {
     case WHIRL_FILM_THIN:
         phrase_text(of, phrase, "the film is ");
@@ -107,6 +108,7 @@ static void phrase_remark(const finder *of, const whirl_bearing *bearing, const 
     case WHIRL_PADS_IDLE:
         phrase_idle(of, bearing, point, phrase);
         return;
+    // Remarks on the bearing as a whole.
     case WHIRL_LENGTH_UNUSUAL:
         phrase_text(of, phrase, "length over diameter is %.3g, and bearings have 0.1 to 2 of it", bearing->pads.ratio);
         return;
@@ -143,11 +145,13 @@ static void find_warnings(const finder *of, const whirl_bearing_table *table) {
 // ---------------------------------------------------------------- the bearing
 
 static void find_shape(const finder *of, const whirl_bearing *bearing) {
+    // Find the range of preloads.
     double least = INFINITY, most = -INFINITY;
     for (size_t i = 0; i < bearing->pads.count; i++) {
         least = fmin(least, bearing->pads.pads[i].preload);
         most = fmax(most, bearing->pads.pads[i].preload);
     }
+    // Describe pads, diameter, length and clearances.
     whirl_phrase *phrase = &find_statement(of, "bearing")->found;
     phrase_text(of, phrase, "%s: %zu %s pad%s, D ", bearing->kind, bearing->pads.count,
                 bearing->pads.tilting ? "tilting" : "fixed", bearing->pads.count > 1 ? "s" : "");
@@ -157,6 +161,7 @@ static void find_shape(const finder *of, const whirl_bearing *bearing) {
     phrase_text(of, phrase, " (L/D %.4g), radial clearance ", bearing->pads.ratio);
     phrase_number(of, phrase, WHIRL_QUANTITY_LENGTH, 6, bearing->pad_clearance);
     phrase_text(of, phrase, " of the pads");
+    // With preload, the bearing has a clearance of its own.
     if (most != 0.0) {
         phrase_text(of, phrase, ", ");
         phrase_number(of, phrase, WHIRL_QUANTITY_LENGTH, 6, bearing->clearance);
@@ -169,6 +174,7 @@ static void find_shape(const finder *of, const whirl_bearing *bearing) {
 
 static void find_oil(const finder *of, const whirl_bearing *bearing) {
     static const char *const laws[] = {"", "Ng and Pan", "Constantinescu"};
+    // State the viscosity, and the temperature for which it is known.
     whirl_phrase *phrase = &find_statement(of, "oil")->found;
     phrase_text(of, phrase, "viscosity ");
     phrase_number(of, phrase, WHIRL_QUANTITY_VISCOSITY, 5, bearing->viscosity);
@@ -177,12 +183,14 @@ static void find_oil(const finder *of, const whirl_bearing *bearing) {
         phrase_number(of, phrase, WHIRL_QUANTITY_TEMPERATURE, 4, bearing->temperature);
         if (bearing->heated) phrase_text(of, phrase, ", where oil comes in");
     }
+    // State pressure and size of supply grooves.
     if (bearing->supply_pressure > 0.0) {
         phrase = &find_statement(of, "grooves")->found;
         phrase_text(of, phrase, "oil at ");
         phrase_number(of, phrase, WHIRL_QUANTITY_PRESSURE, 4, bearing->supply_pressure);
         phrase_text(of, phrase, " over %.3g of the length", bearing->pads.groove);
     }
+    // State how the film breaks, its turbulence and its heat balance.
     phrase = &find_statement(of, "film")->found;
     phrase_text(of, phrase,
                 bearing->pads.gumbel ? "pressures below 0 left out (Guembel)" : "breaks without a slope (Reynolds)");
@@ -192,6 +200,7 @@ static void find_oil(const finder *of, const whirl_bearing *bearing) {
         phrase_text(of, phrase,
                     "; at the mean temperature of entering and leaving oil, which carries %.3g %% of the power",
                     100.0 * bearing->heat_share);
+    // State the stiffness of the pads' pivots.
     if (bearing->pivot_stiffness > 0.0) {
         phrase = &find_statement(of, "pivots")->found;
         phrase_number(of, phrase, WHIRL_QUANTITY_STIFFNESS, 4, bearing->pivot_stiffness);
@@ -233,6 +242,7 @@ static void cells_place(const finder *of, whirl_sheet *sheet, const whirl_bearin
 
 static void find_rest(const finder *of, const whirl_bearing_table *table) {
     const whirl_bearing *bearing = table->bearing;
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "rest", "Where the journal rests");
     sheet->about = "S = mu N D L (R/c)^2/W and e/c with the clearance of the pads; attitude from the load to the "
                    "journal, with the rotation; above the critical mass a rigid rotor whirls by itself.";
@@ -248,6 +258,7 @@ static void find_rest(const finder *of, const whirl_bearing_table *table) {
     sheet_column(of, sheet, "critical_whirl_ratio", "whirl ratio", WHIRL_QUANTITY_NUMBER, 4);
     sheet_column(of, sheet, "temperature", "film at", WHIRL_QUANTITY_TEMPERATURE, 4);
     sheet_texts(of, sheet, "failure", "not found");
+    // Add a row for each pair of speed and load.
     char failure[SENTENCE_SIZE];
     for (size_t i = 0; i < table->count; i++) {
         const whirl_bearing_point *point = &table->points[i];

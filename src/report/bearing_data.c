@@ -51,6 +51,7 @@ static json_t *pads_of(bool *well, const whirl_bearing *of) {
 static void put_bearing(bool *well, json_t *all, const whirl_bearing *of) {
     static const char *const laws[] = {"none", "ng-pan", "constantinescu"};
     json_t *ratios = json_array();
+    // Put geometry and pads.
     document_put(well, all, "title", document_text(of->title));
     document_put(well, all, "kind", document_text(of->kind));
     document_put(well, all, "tilting", json_boolean(of->pads.tilting));
@@ -60,6 +61,7 @@ static void put_bearing(bool *well, json_t *all, const whirl_bearing *of) {
     document_put(well, all, "length", document_number(of->length));
     document_put(well, all, "pad_clearance", document_number(of->pad_clearance));
     document_put(well, all, "clearance", document_number(of->clearance));
+    // Put oil, film model and supply.
     document_put(well, all, "viscosity", document_number(of->viscosity));
     document_put(well, all, "density", document_number(of->density));
     document_put(well, all, "temperature", document_number(of->temperature));
@@ -68,12 +70,14 @@ static void put_bearing(bool *well, json_t *all, const whirl_bearing *of) {
     document_put(well, all, "turbulence", document_text(laws[of->pads.turbulence]));
     document_put(well, all, "supply_pressure", document_number(of->supply_pressure));
     document_put(well, all, "groove", document_number(of->pads.groove));
+    // Put inertia and pivots of tilting pads.
     document_put(well, all, "pad_inertia", document_number(of->inertia));
     document_put(well, all, "pivot_stiffness", document_number(of->pivot_stiffness > 0.0 ? of->pivot_stiffness : NAN));
     document_put(well, all, "pivot_damping", document_number(of->pivot_damping));
     document_put(well, all, "pad_mass", document_number(of->pad_mass));
     document_put(well, all, "load_angle", document_number(of->load_angle));
     document_put(well, all, "fineness", json_integer(of->pads.fineness));
+    // Put the whirl frequency ratios for reduced coefficients.
     for (size_t i = 0; i < of->ratio_count; i++) document_append(well, ratios, document_number(of->ratios[i]));
     document_put(well, all, "whirl_ratios", ratios);
 }
@@ -108,22 +112,26 @@ static void fill_full(const whirl_bearing *of, const whirl_bearing_point *point,
 }
 
 static void put_tilting(bool *well, json_t *made, const whirl_bearing *of, const whirl_bearing_point *point) {
+    // Scale of forces: mu N L R (R/c)^2 with the speed in rad/s.
     const double force = point->viscosity * point->speed * of->radius * of->length * (of->radius / of->pad_clearance) *
                          (of->radius / of->pad_clearance);
     json_t *reduced = json_array(), *pads = json_array(), *full = json_object();
     double matrices[2][FULL * FULL];
+    // Put coefficients of the journal alone, with pads that follow at each whirl ratio.
     for (size_t i = 0; i < of->ratio_count; i++) {
         json_t *one = both(well, point->reduced[i]);
         document_put(well, one, "whirl_ratio", document_number(of->ratios[i]));
         document_append(well, reduced, one);
     }
     document_put(well, made, "reduced", reduced);
+    // Put the full matrices, with coordinates of the pads.
     const size_t size = 2 + (of->pivot_stiffness > 0.0 ? 2 : 1) * of->pads.count;
     fill_full(of, point, 0, force / of->pad_clearance, of->pivot_stiffness, matrices[0]);
     fill_full(of, point, 1, force / (of->pad_clearance * point->speed), of->pivot_damping, matrices[1]);
     document_put(well, full, "stiffness", matrix(well, size, FULL, matrices[0]));
     document_put(well, full, "damping", matrix(well, size, FULL, matrices[1]));
     document_put(well, made, "full", full);
+    // Put load and position of each pad.
     for (size_t i = 0; i < of->pads.count; i++) {
         json_t *one = json_object();
         document_put(well, one, "load", document_number(force * point->state.load[i]));
@@ -137,11 +145,13 @@ static void put_tilting(bool *well, json_t *made, const whirl_bearing *of, const
 
 static json_t *point_of(bool *well, const whirl_bearing *of, const char *units, const whirl_bearing_point *point) {
     json_t *made = json_object(), *error = json_object(), *place = json_array();
+    // Put the speed, the load and whether an equilibrium was found.
     document_put(well, made, "speed", document_number(point->speed));
     document_put(well, made, "load", document_number(point->load));
     document_put(well, made, "sommerfeld", document_number(point->sommerfeld));
     document_put(well, made, "found", json_boolean(point->found));
     document_put(well, made, "failure", document_text(point->failure));
+    // Put the journal's place, and film, flow and power there.
     for (int k = 0; k < 2; k++)
         document_append(well, place, document_number(point->found ? of->pad_clearance * point->state.at[k] : NAN));
     document_put(well, made, "place", place);
@@ -157,11 +167,13 @@ static json_t *point_of(bool *well, const whirl_bearing *of, const char *units, 
     document_put(well, made, "temperature", document_number(point->temperature));
     document_put(well, made, "outlet", document_number(point->outlet));
     document_put(well, made, "reynolds", document_number(point->reynolds));
+    // Put coefficients and the limit of stability.
     document_put(well, made, "stiffness", matrix(well, 2, 2, point->reduced[0][0][0]));
     document_put(well, made, "damping", matrix(well, 2, 2, point->reduced[0][1][0]));
     if (of->pads.tilting && point->found) put_tilting(well, made, of, point);
     document_put(well, made, "critical_mass", document_number(point->critical_mass));
     document_put(well, made, "critical_whirl_ratio", document_number(point->whirl));
+    // Put estimated errors and warnings.
     document_put(well, error, "place", document_number(point->error_place));
     document_put(well, error, "stiffness", document_number(point->error_stiffness));
     document_put(well, error, "damping", document_number(point->error_damping));
@@ -198,17 +210,20 @@ static void put_number(FILE *out, double value, const char *end) {
 }
 
 whirl_status whirl_bearing_write_csv(const whirl_bearing_table *table, const char *units, FILE *out) {
+    // Remarks are written in the units in which results are shown, numbers in SI.
     whirl_shown_units shown;
     const whirl_status status = whirl_shown_units_alone(units ? units : table->bearing->units, &shown);
     if (status.code != WHIRL_OK) return status;
     const whirl_bearing *of = table->bearing;
     char text[STATEMENT_SIZE];
+    // Write the names of the columns.
     fputs("speed (rad/s),load (N),sommerfeld,eccentricity ratio,attitude (rad),x (m),y (m),film (m),pressure (Pa),"
           "flow (m3/s),power (W),kxx (N/m),kxy (N/m),kyx (N/m),kyy (N/m),cxx (N s/m),cxy (N s/m),cyx (N s/m),"
           "cyy (N s/m),critical mass (kg),error of place (m),error of stiffness,error of damping,"
           "viscosity (Pa s),temperature (K),warnings\n",
           out);
     for (size_t i = 0; i < table->count; i++) {
+        // Write the numbers of each point.
         const whirl_bearing_point *point = &table->points[i];
         const double c = point->found ? of->pad_clearance : NAN;
         const double row[] = {point->speed,
@@ -230,6 +245,7 @@ whirl_status whirl_bearing_write_csv(const whirl_bearing_table *table, const cha
         put_number(out, point->error_damping, ",");
         put_number(out, point->viscosity, ",");
         put_number(out, point->temperature, ",");
+        // Write failure and remarks in the last column.
         fprintf(out, "\"%s", point->failure);
         for (size_t k = 0; k < point->remark_count; k++) {
             if (!bearing_remark_text(of, units, point, point->remarks[k], text))

@@ -131,6 +131,7 @@ static bool put_figures(const contents *of) {
     bool well = true;
     json_t *left = json_array();
     fputs(",\"figures\":[", of->stream);
+    // Write figures until their limit of size is reached.
     for (size_t i = 0; i < of->figures.count && well; i++) {
         const figure_place *place = &of->figures.items[i];
         size_t size = 0;
@@ -147,6 +148,7 @@ static bool put_figures(const contents *of) {
             document_append(&well, left, document_text(place->name.title));
         free(json);
     }
+    // Write the titles of those that are left out.
     fputc(']', of->stream);
     return put_value(of->stream, "left_out", well, left);
 }

@@ -60,6 +60,7 @@ static void put_refinement(bool *well, json_t *object, const whirl_table *table,
 
 static void put_verdict(bool *well, json_t *object, const whirl_table *table, size_t point) {
     if (!whirl_layout_has_verdict(&table->layout)) return;
+    // Put the regime, and where a motion that left its bounds did so.
     const whirl_verdict verdict = whirl_table_verdict(table, point);
     char name[WHIRL_NAME_SIZE], reason[WHIRL_MESSAGE_SIZE];
     whirl_verdict_name(&verdict, name, sizeof name);
@@ -73,9 +74,11 @@ static void put_verdict(bool *well, json_t *object, const whirl_table *table, si
         document_put(well, object, "limit", document_number(verdict.limit));
         document_put(well, object, "limit_coordinate", json_integer(verdict.limit_coordinate));
     }
+    // Put the verdict in words, and how far it can be trusted.
     document_put(well, object, "verdict", document_text(name));
     document_put(well, object, "reason", document_text(reason));
     put_confidence(well, object, &verdict);
+    // Put the numbers from which it follows.
     json_t *evidence = json_object();
     document_put(well, evidence, "exponent", document_number(verdict.exponent.value));
     document_put(well, evidence, "exponent_error", document_number(verdict.exponent.error));
@@ -292,11 +295,13 @@ static json_t *touches_of(bool *well, const whirl_orbit *orbit) {
 // Writes a point of a branch: its orbit, its special point, and its multipliers.
 static void put_trace(bool *well, json_t *object, const whirl_table *table, size_t point) {
     whirl_trace at;
+    // Read the point of the branch.
     char name[WHIRL_NAME_SIZE], text[WHIRL_MESSAGE_SIZE];
     if (whirl_table_trace(table, point, &at).code != WHIRL_OK) return;
     const whirl_orbit *orbit = at.point.orbit;
     whirl_orbit_name(orbit, name, sizeof name);
     whirl_special_text(&at.point, text, sizeof text);
+    // Put its place among branches, and what happens there.
     document_put(well, object, "of_branch", json_integer((json_int_t)at.branch));
     document_put(well, object, "parent", json_integer((json_int_t)at.parent));
     document_put(well, object, "motion", document_text(name));
@@ -306,6 +311,7 @@ static void put_trace(bool *well, json_t *object, const whirl_table *table, size
     document_put(well, object, "second", document_number(at.point.second));
     document_put(well, object, "end",
                  isnan(at.end) ? json_null() : document_text(whirl_branch_end_text((whirl_branch_end)at.end)));
+    // Put the orbit with its multipliers and contacts.
     document_put(well, object, "revolutions", json_integer((json_int_t)orbit->revolutions));
     document_put(well, object, "period", document_number(orbit->period));
     document_put(well, object, "unstable", json_integer((json_int_t)orbit->unstable));
@@ -411,10 +417,12 @@ static void put_rest(bool *well, json_t *object, const whirl_result *result, con
 }
 
 static json_t *point_object(bool *well, const whirl_result *result, const whirl_table *table, size_t point) {
+    // Put what all kinds of points have.
     json_t *object = json_object();
     document_put(well, object, "parameters", point_parameters(well, result, table, point));
     if (table->length_scales) document_put(well, object, "length_scale", document_number(table->length_scales[point]));
     if (table->branch[point] != 0) document_put(well, object, "branch", json_integer(table->branch[point]));
+    // Points of tori, of branches and of machines at rest have data of their own.
     if (whirl_layout_field(&table->layout, WHIRL_FIELD_TORUS_NUMBER)) {
         put_torus(well, object, table, point);
         put_stations(well, object, "stations", station_torus, result, table, point);
@@ -430,6 +438,7 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
         put_ranges(well, object, result, table, point);
         return object;
     }
+    // Put what is known of a motion: its verdict, its stability, its contacts.
     if (table->refine > 0)
         document_put(well, object, "width",
                      document_number(whirl_table_number(table, point, WHIRL_FIELD_MAP_WIDTH, 0)));
@@ -440,6 +449,7 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
     put_exponents(well, object, table, point);
     put_floquet(well, object, table, point);
     put_rub(well, object, result, table, point);
+    // Put the analyses of each station.
     put_stations(well, object, "stations", station_orbit, result, table, point);
     if (whirl_layout_field(&table->layout, WHIRL_FIELD_WINDING_WINDING))
         put_stations(well, object, "winding", station_winding, result, table, point);

@@ -153,6 +153,7 @@ static void add_contact(const paragraph *p, size_t contact) {
 // ---------------------------------------------------------------- coexisting motions
 
 static void add_beside(const paragraph *p) {
+    // Without starts nothing is known of other motions.
     const whirl_table *table = p->table;
     double several = 0.0;
     size_t first = table->count;
@@ -160,11 +161,13 @@ static void add_beside(const paragraph *p) {
         paragraph_add(p, ". Coexisting motions were not searched for (starts).");
         return;
     }
+    // Count the places with several attractors, and find the first of them.
     for (size_t i = 0; i < table->count; i++) {
         if (table->attractors[i].beside < 2) continue;
         several += 1.0 / (double)table->attractors[i].beside;
         if (first == table->count || table->attractors[i].place < table->attractors[first].place) first = i;
     }
+    // Say how many there are, and name the attractors of the first.
     if (first == table->count) {
         paragraph_add(p, ". From %zu starts a place no other motion was found", table->source->starts);
     } else {
@@ -182,6 +185,7 @@ static void add_beside(const paragraph *p) {
             before = " and ";
         }
     }
+    // Say what the search can miss.
     paragraph_add(p, "; one that fewer than %.2g %% of starts lead to may be missed.",
                   100.0 * whirl_missed_share(table->source->starts));
 }

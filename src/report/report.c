@@ -165,12 +165,14 @@ static void report_compare(report *made, const whirl_result *const *results, siz
 static whirl_status write_page(const report *made, const whirl_result *const *results, const char *const *names,
                                size_t count, const char *directory, const whirl_report_options *options,
                                analysis_kind kind) {
+    // Open the file: the report, or a document named after its kind.
     report_file file = {0};
     char name[64] = "report.html";
     if (kind != ANALYSES) snprintf(name, sizeof name, "%s.html", analysis_names[kind]);
     const whirl_status status = report_file_open(&file, directory, name);
     if (status.code != WHIRL_OK) return status;
     bool failed = false;
+    // Gather everything that the pages read.
     const page to = {
         .stream = file.stream,
         .results = results,
@@ -187,6 +189,7 @@ static whirl_status write_page(const report *made, const whirl_result *const *re
         .explorer = options->explorer != NULL,
         .printed = kind != ANALYSES,
     };
+    // Write it, and keep it unless memory ran out.
     if (kind != ANALYSES)
         analysis_write(&to, kind);
     else

@@ -14,8 +14,10 @@ static double rub_at(const claim_view *view, size_t point) {
 void claim_census_add(claim_census *census, const claim_view *view, size_t point) {
     const whirl_verdict verdict = whirl_table_verdict(view->table, point);
     const double value = view->table->values[point];
+    // Count the point by its regime.
     census->points++;
     census->in_class[regime_class_of(&verdict)]++;
+    // Note the range of parameter values at which it rubs, and how often all the time.
     const double share = rub_at(view, point);
     census->rub_known += !isnan(share);
     if (share > 0.0) {
@@ -24,15 +26,18 @@ void claim_census_add(claim_census *census, const claim_view *view, size_t point
         census->rubbing++;
         census->always += share >= ALWAYS;
     }
+    // Note dry whip.
     const double whip = whirl_table_number(view->table, point, WHIRL_FIELD_WINDING_DRY_WHIP, view->station);
     census->whip_known += !isnan(whip);
     census->whipping += whip > 0.0;
+    // Note the range of the largest line of the spectrum.
     const numbers lines = claim_lines(view, point);
     if (lines.rows > 0) {
         census->largest_low = census->largest_known ? fmin(census->largest_low, lines.at[0]) : lines.at[0];
         census->largest_high = census->largest_known ? fmax(census->largest_high, lines.at[0]) : lines.at[0];
         census->largest_known++;
     }
+    // Note the range of the backward share.
     const double backward = backward_share(view->table, point, view->station);
     if (isnan(backward)) return;
     census->backward_low = census->backward_known ? fmin(census->backward_low, backward) : backward;

@@ -47,6 +47,7 @@ static void where_missed(const claim_view *view, const claim_selection *of, cons
     size_t ranges = 0, missed = 0, compared = 0, first = SIZE_MAX;
     const size_t count = of->table->count;
     snprintf(text, size, "does not hold at %s = ", parameter);
+    // Collect ranges of neighbouring points that miss; one past the last closes the last range.
     for (size_t i = 0; i <= count; i++) {
         const bool here = i < count && claim_selected(of, i) && whirl_table_done(of->table, i);
         const double score = here ? score_all(view, i) : (double)NAN;
@@ -58,6 +59,7 @@ static void where_missed(const claim_view *view, const claim_selection *of, cons
         if (ranges++ < MAX_RANGES) append_range(text, size, of->table, first, i - 1, ranges > 1);
         first = SIZE_MAX;
     }
+    // Add the number of points, or replace the text if the ranges say less than a sentence.
     char rest[96];
     if (ranges > MAX_RANGES)
         snprintf(rest, sizeof rest, " and in %zu more ranges (%zu of %zu points)", ranges - MAX_RANGES, missed,

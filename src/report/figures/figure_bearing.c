@@ -133,6 +133,7 @@ static void label_of(const curves *drawn, const quantity *what, char *label, siz
 }
 
 static void draw_curves(whirl_figure *figure, const curves *drawn) {
+    // Quantities with their panels; a quantity with a label begins a panel.
     const whirl_bearing_table *table = drawn->table;
     const along axis = drawn->axis;
     static const quantity with_units[] = {
@@ -149,12 +150,14 @@ static void draw_curves(whirl_figure *figure, const curves *drawn) {
         {"damping", "", "$C_{yx}$", 6},
         {"damping", "", "$C_{yy}$", 7},
     };
+    // Name the axis that all panels share.
     whirl_panel *panel = NULL;
     char along_label[2 * WHIRL_NAME_SIZE] = "Sommerfeld number $S$";
     if (axis == ALONG_SPEED)
         snprintf(along_label, sizeof along_label, "speed (%.60s)", drawn->units->of[WHIRL_QUANTITY_SPEED].name);
     if (axis == ALONG_LOAD)
         snprintf(along_label, sizeof along_label, "load (%.60s)", drawn->units->of[WHIRL_QUANTITY_FORCE].name);
+    // Add the quantities; without dimensions there is no power.
     for (size_t i = 0; i < sizeof with_units / sizeof *with_units; i++) {
         const quantity *what = &with_units[i];
         const bool bare = axis == ALONG_SOMMERFELD;
@@ -170,6 +173,7 @@ static void draw_curves(whirl_figure *figure, const curves *drawn) {
         }
         add_values(figure, panel, drawn, what, what->index < 0 ? "#0072B2" : line_colour((size_t)what->index % 4));
     }
+    // Describe the panels.
     snprintf(figure->caption, sizeof figure->caption,
              "%s over %s: eccentricity ratio (clearance of the pads), attitude from the load with the rotation, least "
              "film%s, stiffness and damping%s.%s",
@@ -227,6 +231,7 @@ static void draw_locus(whirl_figure *figure, const whirl_bearing_table *table) {
 
 whirl_status whirl_bearing_figure(const whirl_bearing_table *table, const char *name, const char *units,
                                   whirl_figure **out) {
+    // Find the kind of figure by its name.
     static const char *const names[] = {"curves", "sommerfeld", "locus"};
     size_t which = 0;
     *out = NULL;
@@ -234,6 +239,7 @@ whirl_status whirl_bearing_figure(const whirl_bearing_table *table, const char *
     if (which == sizeof names / sizeof *names)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "there is no figure '%.100s' of a bearing, expected curves, sommerfeld or locus", name);
+    // Make a figure in the units of the bearing, or the requested ones.
     whirl_shown_units drawn_in;
     const whirl_status status = whirl_shown_units_alone(units ? units : table->bearing->units, &drawn_in);
     if (status.code != WHIRL_OK) return status;
@@ -241,6 +247,7 @@ whirl_status whirl_bearing_figure(const whirl_bearing_table *table, const char *
     if (!figure) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the figure of a bearing");
     figure->width = 12.0;
     figure->font = 7.0;
+    // Name and draw it.
     snprintf(figure->name, sizeof figure->name, "bearing-%s", names[which]);
     snprintf(figure->title, sizeof figure->title, "%.200s: %s",
              *table->bearing->title ? table->bearing->title : table->bearing->kind,
@@ -254,6 +261,7 @@ whirl_status whirl_bearing_figure(const whirl_bearing_table *table, const char *
                                       which == 1         ? ALONG_SOMMERFELD
                                       : one_speed(table) ? ALONG_LOAD
                                                          : ALONG_SPEED});
+    // Hand it over, unless memory ran out.
     if (figure->failed) {
         whirl_figure_free(figure);
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for the figure of a bearing");

@@ -165,6 +165,7 @@ static span strip_of(const bifurcation *of, const regime_interval *interval) {
 
 /// Adds the regime of every point as a strip, the branch from the first value above the branch from the last.
 static void add_regimes(whirl_figure *figure, const bifurcation *of) {
+    // Find intervals of points with the same regime.
     const size_t most = of->table->count;
     const double height = of->attractors > 1 ? 0.26 * (double)of->attractors : of->both ? 0.57 : 0.39;
     whirl_panel *panel = bifurcation_add_panel(figure, of, "regime", height, (span){0.0, 1.0});
@@ -172,6 +173,7 @@ static void add_regimes(whirl_figure *figure, const bifurcation *of) {
     figure->failed = figure->failed || !intervals;
     const size_t count = intervals ? regime_intervals(of->table, of->result->contact_count, intervals, most) : 0;
     if (panel) snprintf(panel->y.label, sizeof panel->y.label, "regime");
+    // Add the boxes of one regime after another, so that the legend has each once.
     for (int kind = 0; kind < CLASS_COUNT && panel; kind++) {
         whirl_series *strip = NULL;
         for (size_t i = 0; i < count; i++) {
@@ -195,6 +197,7 @@ static void add_confidence(whirl_figure *figure, const bifurcation *of) {
     static const char *const names[] = {"low", "", "high"};
     whirl_panel *panel = bifurcation_add_panel(figure, of, "confidence", 0.8, (span){0.0, 3.4});
     if (!panel) return;
+    // Add bars of points from the first value on.
     snprintf(panel->y.label, sizeof panel->y.label, "trust");
     for (int level = 0; level < 3; level++) {
         whirl_series *bars = panel_series(figure, panel, WHIRL_BOXES, colours[level], 1.0);
@@ -208,6 +211,7 @@ static void add_confidence(whirl_figure *figure, const bifurcation *of) {
             series_add_box(figure, bars, band, (span){0.0, level + 1.0});
         }
     }
+    // Add the branch from the last value on as lines.
     whirl_series *down = of->both ? panel_series(figure, panel, WHIRL_LINE, dark, 0.9) : NULL;
     for (size_t i = 0; i < of->table->count && down; i++) {
         span band;
@@ -221,12 +225,14 @@ static void add_confidence(whirl_figure *figure, const bifurcation *of) {
 }
 
 static void add_exponents(whirl_figure *figure, const bifurcation *of) {
+    // Set up the panel, with bands where the motion rubs and a line at 0.
     whirl_panel *panel = bifurcation_add_panel(figure, of, "exponent", 2.45, of->exponent);
     if (!panel) return;
     snprintf(panel->y.label, sizeof panel->y.label, "largest exponent (1/revolution)");
     add_rub_bands(figure, panel, of);
     whirl_series *zero = panel_level(figure, panel, 0.0, grey, 0.4);
     if (zero) zero->dashed = true;
+    // Draw error bars.
     whirl_series *errors = panel_series(figure, panel, WHIRL_BARS, grey, 0.4);
     for (size_t i = 0; i < of->table->count; i++) {
         const whirl_estimate exponent = point_exponent(of->table, i);
@@ -234,6 +240,7 @@ static void add_exponents(whirl_figure *figure, const bifurcation *of) {
             series_add_to(figure, errors, shown_value(of, i), exponent.value - exponent.error,
                           exponent.value + exponent.error);
     }
+    // Draw dots in the colour of their regime, crosses on the branch from the last value on.
     for (int kind = 0; kind < CLASS_COUNT; kind++)
         for (int branch = 1; branch >= (of->both ? -1 : 1); branch -= 2) {
             whirl_series *dots = NULL;

@@ -223,6 +223,7 @@ static bool is_named(const char *names, const char *name) {
 whirl_status figure_choose(whirl_figure *figure, const char *names) {
     size_t kept = 0;
     char all[WHIRL_MESSAGE_SIZE / 2] = "";
+    // Refuse names that no panel has, with those that there are.
     for (const char *at = names; *at;) {
         const size_t length = strcspn(at, ",");
         bool found = false;
@@ -236,6 +237,7 @@ whirl_status figure_choose(whirl_figure *figure, const char *names) {
                               (int)(length < 64 ? length : 64), at, all);
         at += length + (at[length] == ',');
     }
+    // Keep the named panels; the last one shows the axis that panels share.
     for (size_t i = 0; i < figure->count; i++) {
         whirl_panel *panel = figure->panels[i];
         if (is_named(names, panel->name))

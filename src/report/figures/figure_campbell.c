@@ -219,10 +219,12 @@ static void add_synchronous(whirl_figure *figure, whirl_panel *panel, const view
 /// Adds what excites torsion, but for 1X, each excitation with its name where it ends.
 static void add_excitations(whirl_figure *figure, whirl_panel *panel, const view *v) {
     for (int k = 0; k < torsion_excitation_count(v->table); k++) {
+        // Leave out 1X of the shaft, which has its own line.
         const torsion_excitation by = torsion_excitation_at(v->table, k);
         if (!by.line && by.order == 1) continue;
         whirl_series *line = panel_series(figure, panel, WHIRL_LINE, "#9A9A9A", 0.3);
         whirl_series *name = panel_series(figure, panel, WHIRL_TEXTS, "#606060", 1.0);
+        // Draw its frequency over the speed, as far as the axis goes.
         double x = NAN, y = NAN;
         for (size_t point = 0; point < v->table->count; point++) {
             if (!whirl_table_done(v->table, point)) continue;
@@ -233,6 +235,7 @@ static void add_excitations(whirl_figure *figure, whirl_panel *panel, const view
             y = height;
             series_add(figure, line, x, y);
         }
+        // Write its name at the last drawn point.
         char text[24];
         if (by.line)
             snprintf(text, sizeof text, "%sline", by.order == 1 ? "" : "2 x ");
@@ -281,6 +284,7 @@ static whirl_side side_of(const whirl_table *table, const double *const *rows, s
 static void add_critical(whirl_figure *figure, whirl_panel *panel, const view *v, bool damping) {
     const double *rows[MAX_CRITICAL];
     const size_t count = gather_critical(v->table, MAX_CRITICAL, rows);
+    // Critical speeds are marked in the diagram of frequencies alone, thresholds of stability in both.
     whirl_series *rings = damping ? NULL : panel_named(figure, panel, WHIRL_DOTS, "critical speed", "#000000", 3.6);
     whirl_series *crosses = panel_named(figure, panel, WHIRL_DOTS, "threshold", "#CC0000", 3.6);
     whirl_series *right = damping ? NULL : panel_series(figure, panel, WHIRL_TEXTS, "#000000", 1.0);
@@ -291,6 +295,7 @@ static void add_critical(whirl_figure *figure, whirl_panel *panel, const view *v
     if (left) left->side = WHIRL_LEFT;
     if (right) right->movable = true;
     if (left) left->movable = true;
+    // Draw each of them, with its value.
     for (size_t i = 0; i < count; i++) {
         const double x = rows[i][1] / v->size, frequency = rows[i][3] / v->unit.size;
         char text[32];
@@ -330,6 +335,7 @@ static view view_of(const drawing *of, const whirl_table *table) {
 }
 
 static void campbell_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    // Set up both panels with a common axis of speeds.
     whirl_panel *frequency = figure_panel(figure, "frequency", 1.0, 5.3);
     whirl_panel *damping = figure_panel(figure, "damping", 1.0, 3.4);
     if (!frequency || !damping) return;
@@ -343,6 +349,7 @@ static void campbell_describe(const drawing *of, const figure_place *place, whir
     axis_show(&damping->y, damping_of(&v, WHIRL_FIELD_MODES_DAMPING_RATIO, 0.25));
     snprintf(frequency->y.label, sizeof frequency->y.label, "damped frequency (%.40s)", v.unit.name);
     snprintf(damping->y.label, sizeof damping->y.label, "damping ratio");
+    // Draw frequencies: the running speed, excitations, modes and critical speeds.
     const bool torsion = table_has(v.table, WHIRL_FIELD_MODES_TORSION);
     add_running(figure, frequency, &v);
     add_synchronous(figure, frequency, &v);
@@ -350,11 +357,13 @@ static void campbell_describe(const drawing *of, const figure_place *place, whir
     add_lines(figure, frequency, &v, WHIRL_FIELD_MODES_FREQUENCY, false, true);
     add_modes(figure, frequency, &v, WHIRL_FIELD_MODES_FREQUENCY);
     add_critical(figure, frequency, &v, false);
+    // Draw damping ratios of the same modes.
     whirl_series *zero = panel_level(figure, damping, 0.0, "#9A9A9A", 0.4);
     if (zero) zero->dashed = true;
     add_lines(figure, damping, &v, WHIRL_FIELD_MODES_DAMPING_RATIO, false, false);
     add_modes(figure, damping, &v, WHIRL_FIELD_MODES_DAMPING_RATIO);
     add_critical(figure, damping, &v, true);
+    // Describe both panels.
     snprintf(
         figure->caption, sizeof figure->caption,
         "Campbell diagram: damped natural frequencies over %s; blue, pointing up: the whirl goes with the rotation, "

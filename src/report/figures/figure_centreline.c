@@ -61,10 +61,12 @@ static void add_end(whirl_figure *figure, whirl_panel *panel, const drawing *of,
 
 static void add_bearing(whirl_figure *figure, const drawing *of, const whirl_table *table, size_t station) {
     const char *const name = of->result->stations[station].name;
+    // Find the points at which the speed turns, and the clearance.
     size_t ends[2] = {0, 0};
     const size_t count = centreline_ends(of, table, station, ends);
     const machine_walls walls = machine_walls_at(of->machine, of->result, table, ends[0], station);
     const double scale = whirl_shown_length(of->units, table, ends[0]);
+    // Set up a panel with the wall of the bearing.
     whirl_panel *panel = figure_panel(figure, name, 1.0 / 3.0, 2.4);
     if (!panel) return;
     snprintf(panel->title, sizeof panel->title, "%.60s", name);
@@ -76,6 +78,7 @@ static void add_bearing(whirl_figure *figure, const drawing *of, const whirl_tab
     axis_show(&panel->y, (span){-size, size});
     symbol_length(of->units, WHIRL_FROM_CENTRE, "$x$", panel->x.label, sizeof panel->x.label);
     symbol_length(of->units, WHIRL_FROM_CENTRE, "$y$", panel->y.label, sizeof panel->y.label);
+    // Draw the path of the journal, and mark its ends.
     whirl_series *line = panel_series(figure, panel, WHIRL_LINE, line_colour(0), 0.8);
     whirl_series *dots = panel_series(figure, panel, WHIRL_DOTS, line_colour(0), 1.6);
     double place[2];

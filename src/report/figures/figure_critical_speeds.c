@@ -32,6 +32,7 @@ static void add_direction(whirl_figure *figure, whirl_panel *panel, const drawin
                           int direction, double unit) {
     static const char *const names[] = {"backward", "to and fro", "forward"};
     static const char *const colours[] = {"#D55E00", "#606060", "#0072B2"};
+    // Add lines until no point has a critical speed of that number.
     const double size = whirl_shown_parameter(of->units, table->parameter).size;
     bool any = true;
     for (size_t which = 0; any; which++) {
@@ -134,10 +135,12 @@ static void add_names(whirl_figure *figure, whirl_panel *panel, const drawing *o
     char text[WHIRL_NAME_SIZE] = "";
     double before = 0.0;
     span all = span_empty();
+    // Find the range of all speeds, by which close names are recognized.
     if (names) names->side = WHIRL_LEFT;
     for (size_t point = 0; point < table->count; point++)
         for (size_t i = 0; whirl_table_done(table, point) && i < field->rows; i++)
             span_widen(&all, whirl_table_field(table, point, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, 0)[i]);
+    // Write each name; those of close lines are joined into one text.
     for (size_t i = 0; whirl_table_done(table, last) && i < field->rows && isfinite(speeds[i]); i++) {
         const int way = units_way(directions[i]);
         const size_t used = strlen(text);
@@ -156,11 +159,13 @@ static void add_names(whirl_figure *figure, whirl_panel *panel, const drawing *o
 static void critical_speeds_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     const whirl_table *table = place->table;
     const whirl_unit speed = of->units->speed.size > 0.0 ? of->units->speed : (whirl_unit){"rpm", 0.104719755119659774};
+    // Set up the panel.
     whirl_panel *panel = figure_panel(figure, "speeds", 1.0, 8.5);
     if (!panel) return;
     symbol_parameter(of->units, table->parameter, panel->x.label, sizeof panel->x.label);
     snprintf(panel->y.label, sizeof panel->y.label, "critical speed (%s)", speed.name);
     panel->x.logarithmic = panel->y.logarithmic = has_ratios(table);
+    // Draw the running speed, critical speeds by direction, and stiffnesses of the bearings.
     add_running(figure, panel, of, table, speed.size);
     for (int direction = 1; direction >= -1; direction--)
         add_direction(figure, panel, of, table, direction, speed.size);

@@ -27,10 +27,12 @@ static void describe_sag(const drawing *of, const figure_place *place, whirl_fig
     double values[WHIRL_MAX_PROBES];
     whirl_panel *panel = figure_panel(figure, "sag", 1.0, 4.5);
     if (!panel) return;
+    // Compute the bent line between stations, where the shaft is known.
     shaft_bends *bends = bends_new(of, table, point);
     const whirl_shaft_line *line = bends ? bends_line(bends) : NULL;
     double *moved = line ? calloc(line->count, sizeof *moved) : NULL;
     along_place(of, &along);
+    // Find the range of the sag, at stations and between them.
     for (size_t s = 0; s < of->result->station_count; s++) {
         values[s] = length * *whirl_table_field(table, point, WHIRL_FIELD_STATICS_DEFLECTION, s);
         span_widen(&range, values[s]);
@@ -39,6 +41,7 @@ static void describe_sag(const drawing *of, const figure_place *place, whirl_fig
         moved[i] = line->sag[i] / bends_length(bends) * length;
         span_widen(&range, moved[i]);
     }
+    // Set up the panel, with the machine behind the line.
     symbol_length(of->units, WHIRL_FROM_CENTRE, "sag, upwards", panel->y.label, sizeof panel->y.label);
     const double high = fmax(1.12 * fmax(-range.low, range.high), 1e-9 * length);
     axis_show(&panel->y, (span){-high, high});
@@ -141,19 +144,23 @@ static double station_number(const whirl_table *table, size_t point, size_t stat
 
 static void add_deflected(whirl_figure *figure, const drawing *of, const whirl_table *table, size_t point, bool lowest,
                           const machine_along *along) {
+    // Make a panel named after the point.
     const double length = whirl_shown_length(of->units, table, point);
     const speed_unit unit = speed_unit_of(of, table, WHIRL_FIELD_UNBALANCE_SPEED);
     char name[WHIRL_NAME_SIZE];
     double values[4][WHIRL_MAX_PROBES], most = 0.0;
     snprintf(name, sizeof name, "point-%zu", point + 1);
     whirl_panel *panel = figure_panel(figure, name, 0.5, 2.4);
+    // Compute the bent line between stations, where the shaft is known.
     shaft_bends *bends = bends_new(of, table, point);
     const size_t places = bends ? bends_line(bends)->count : 0;
     double *moved = places > 0 ? calloc(4 * places, sizeof *moved) : NULL;
     const bool bent = moved && bends_response(bends, moved);
+    // Find the largest displacement, at stations and between them.
     for (size_t i = 0; bent && i < 4 * places; i++) most = fmax(most, fabs(moved[i] *= length));
     for (size_t i = 0; i < 4 * of->result->station_count; i++)
         most = fmax(most, fabs(values[i % 4][i / 4] = station_number(table, point, i / 4, i % 4, length)));
+    // Draw real and imaginary parts along x and y, behind them the machine.
     if (panel) {
         const double high = most > 0.0 ? 1.1 * most : 1.0;
         snprintf(panel->title, sizeof panel->title, "%.5g %.40s",

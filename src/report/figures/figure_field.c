@@ -58,22 +58,27 @@ static whirl_status no_field(const whirl_result *result, const char *name) {
 static whirl_status field_find(figure_list *list, const drawing *of, const char *name) {
     char text[200], title[280], label[WHIRL_NAME_SIZE];
     figure_place place = {.kind = &field_figure, .point = NO_POINT};
+    // Names with a slash are fields: FIELD[:OWNER][:COLUMN].
     if (*name == '@' || !strchr(name, '/') || of->result->table_count == 0) return whirl_ok();
+    // Split the name into field, owner and column.
     snprintf(text, sizeof text, "%s", name);
     char *owner = strchr(text, ':');
     if (owner) *owner++ = '\0';
     if (!find_field(of->result, text, &place)) return no_field(of->result, text);
     char *column = place.field->extent == WHIRL_PER_POINT ? owner : owner ? strchr(owner, ':') : NULL;
+    // Find owner and column among those of the field.
     whirl_status status = whirl_ok();
     if (place.field->extent != WHIRL_PER_POINT) {
         if (column) *column++ = '\0';
         if (owner) status = choose_owner(of, &place, owner, &place.which);
     }
     if (status.code == WHIRL_OK && column) status = choose_column(&place, column, &place.column);
+    // A map has one number a point.
     if (status.code == WHIRL_OK && place.table->row > 0 && place.field->rows != 1)
         status = whirl_fail(WHIRL_BAD_INPUT, "%.60s has %zu rows at every point, expected a field with one for a map",
                             place.field->name, place.field->rows);
     if (status.code != WHIRL_OK) return status;
+    // Title the figure by the quantity, its owner and the parameters.
     shown_quantity(&place, label, sizeof label);
     const char *whose = shown_owner(of, &place);
     snprintf(title, sizeof title, "%s%s%s over %.60s%s%.60s", label, *whose ? " of " : "", whose,

@@ -80,19 +80,23 @@ static double fit_along(const fit_panel *p, const double *row) {
 
 static void fit_draw(const fit_panel *p, int kind, double y_unit, whirl_figure *figure, whirl_panel *panel) {
     size_t colour = 0;
+    // Draw each line (a probe of a motion) once, at its first row.
     for (size_t i = 0; i < p->count; i++) {
         const double *first = fit_row(p, i);
         bool drawn = false;
         for (size_t k = 0; k < i && !drawn; k++) drawn = fit_is_line(fit_row(p, k), first);
         double seen[2];
         if (drawn || !fit_seen(first, kind, seen)) continue;
+        // Name and colour the line.
         char name[2 * WHIRL_NAME_SIZE], both[2 * WHIRL_NAME_SIZE + 16];
         fit_name_probe(p->of->result, first, name, sizeof name);
         const char *shown = line_colour(colour++);
+        // Draw what was measured as dots, what was fitted as a line.
         for (int which = 0; which < (kind == FIT_RESIDUAL ? 1 : 2); which++) {
             snprintf(both, sizeof both, "%.100s, %s", name, which ? "fitted" : "measured");
             whirl_series *series = panel_named(figure, panel, which ? WHIRL_LINE : WHIRL_DOTS,
                                                kind == FIT_DISPLACEMENT ? both : "", shown, which ? 0.8 : 2.0);
+            // Collect the points of the line; lags continue across 360 degrees.
             double before = 0.0;
             for (size_t k = i; k < p->count; k++) {
                 if (!fit_is_line(first, fit_row(p, k)) || !fit_seen(fit_row(p, k), kind, seen)) continue;

@@ -37,6 +37,7 @@ static const char *name_beside(const whirl_table *table) {
 }
 
 void list_figure(figure_list *list, const figure_place *place, const char *name, const char *title, ...) {
+    // Double the capacity when it is used up.
     if (list->count == list->room) {
         const size_t room = list->room ? 2 * list->room : 32;
         figure_place *items = realloc(list->items, room * sizeof *items);
@@ -45,18 +46,22 @@ void list_figure(figure_list *list, const figure_place *place, const char *name,
         list->items = items;
         list->room = room;
     }
+    // Copy the place.
     figure_place *const added = &list->items[list->count];
     whirl_figure_name *const own = &added->name;
     *added = *place;
     *own = (whirl_figure_name){.point = place->point, .station = place->station};
+    // Make a name for files from the given one and, of several tables, that of the table.
     char safe[sizeof added->within], whole[sizeof safe];
     const char *const beside = place->kind->whole ? "" : name_beside(place->table);
     safe_name(name, added->within, sizeof added->within);
     snprintf(whole, sizeof whole, "%.80s%s%.60s", name, *beside ? "-" : "", beside);
     safe_name(whole, safe, sizeof safe);
     snprintf(own->name, sizeof own->name, "%s", safe);
+    // Number figures of equal names.
     for (unsigned again = 2; is_taken(list, own->name); again++)
         snprintf(own->name, sizeof own->name, "%s-%u", safe, again);
+    // Write the title, with the table's name.
     va_list arguments;
     va_start(arguments, title);
     vsnprintf(own->title, sizeof own->title, title, arguments);

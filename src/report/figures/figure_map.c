@@ -280,15 +280,18 @@ static void set_axes(const map_drawing *map, whirl_panel *panel, const map_cells
 }
 
 static void add_plane(const map_drawing *map, const map_quantity *what, const double *of, size_t k, size_t count) {
+    // Several planes are spread evenly over all.
     const size_t all = whirl_table_planes(map->table), plane = count > 1 ? k * (all - 1) / (count - 1) : 0;
     char name[WHIRL_NAME_SIZE];
     snprintf(name, sizeof name, count > 1 ? "plane-%zu" : "map", k + 1);
+    // Make the panel, its cells and their values.
     const double across = (double)panels_across(count);
     whirl_panel *panel = figure_panel(map->figure, name, 1.0 / across, count > 1 ? 13.5 / across : 8.4);
     map_cells cells = {.columns = 0};
     const bool made = map_cells_make(map->of->units, map->table, plane, &cells);
     double *values = made ? malloc((cells.columns * cells.rows + 1) * sizeof *values) : NULL;
     map->figure->failed = map->figure->failed || !values;
+    // Draw cells as numbers on a scale of colours, or as kinds with a legend.
     if (panel && values) {
         set_axes(map, panel, &cells, k, count);
         fill_cells(map, &cells, what->scale != NULL, of, values);
@@ -311,6 +314,7 @@ static size_t plane_count(const whirl_table *table) {
 }
 
 static void write_caption(const map_drawing *map, const map_quantity *what, size_t station) {
+    // Say how many planes are shown.
     const whirl_table *table = map->table;
     const size_t planes = whirl_table_planes(table), shown = plane_count(table);
     char text[500], note[160] = "";
@@ -318,6 +322,7 @@ static void write_caption(const map_drawing *map, const map_quantity *what, size
         snprintf(note, sizeof note, " Of %zu planes %zu are shown.", planes, shown);
     else if (planes > 1)
         snprintf(note, sizeof note, " A panel for every %.63s.", table->third);
+    // Describe the quantity: regimes, basins, a field, or another number.
     if (what == &quantities[REGIMES]) {
         snprintf(text, sizeof text,
                  "Regimes over %s and %s, a cell a point (%zu by %zu). The paler a cell, the less its verdict can be "
@@ -378,6 +383,7 @@ static void map_list(figure_list *to, const drawing *of, const whirl_table *tabl
 }
 
 void map_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    // Choose the quantity, and make memory for its values.
     const whirl_table *table = place->table;
     const map_quantity *what = place->field ? &of_field : &quantities[place->which];
     const size_t planes = plane_count(table);
@@ -386,14 +392,17 @@ void map_describe(const drawing *of, const figure_place *place, whirl_figure *fi
     span range = span_empty();
     map.labels = is_basin(table) ? calloc(table->count + 1, sizeof *map.labels) : NULL;
     figure->failed = !of_points || (is_basin(table) && !map.labels);
+    // Find the attractors to which starts lead.
     if (map.labels &&
         whirl_table_attractors(table, map.labels, map.attractors, ATTRACTOR_COLOURS, &map.attractor_count).code !=
             WHIRL_OK)
         figure->failed = true;
+    // Compute the values of all points, and their range.
     for (size_t i = 0; i < table->count && !figure->failed; i++) {
         of_points[i] = whirl_table_done(table, i) ? what->of(&map, i, place->station) : (double)NAN;
         span_widen(&range, of_points[i]);
     }
+    // Set up the scale of colours.
     if (planes > 1) figure->width = 17.5;
     if (what->scale) {
         what->scale(&figure->scale, span_has_any(range) ? range : (span){0.0, 1.0});
@@ -403,6 +412,7 @@ void map_describe(const drawing *of, const figure_place *place, whirl_figure *fi
                           sizeof figure->scale.label);
         if (place->field) shown_label(of, place, figure->scale.label, sizeof figure->scale.label);
     }
+    // Draw the planes, and describe them.
     for (size_t k = 0; k < planes && !figure->failed; k++) add_plane(&map, what, of_points, k, planes);
     if (!figure->failed) write_caption(&map, what, place->station);
     free(map.labels);

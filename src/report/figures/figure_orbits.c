@@ -25,6 +25,7 @@ static size_t stations_of(const drawing *of, const whirl_table *table, const siz
                           size_t stations[MAX_STATIONS]) {
     double shares[MAX_STATIONS];
     size_t used = 0;
+    // Compute each station's largest radius over its walls, in all motions.
     for (size_t s = 0; s < of->result->station_count; s++) {
         double share = 0.0;
         for (size_t k = 0; k < count; k++) {
@@ -34,6 +35,7 @@ static size_t stations_of(const drawing *of, const whirl_table *table, const siz
                 if (all[i] > 0.0) share = fmax(share, radius / all[i]);
         }
         if (!(share > 0.0)) continue;
+        // Keep the station if there is room, or if a kept one comes less near; the least is then dropped.
         size_t least = 0;
         for (size_t i = 1; i < used; i++)
             if (shares[i] < shares[least]) least = i;
@@ -113,6 +115,7 @@ static double add_walls(whirl_figure *figure, whirl_panel *panel, const drawing 
 static void add_station(whirl_figure *figure, const drawing *of, const whirl_table *table, size_t station,
                         const size_t *motions, size_t count) {
     const char *name = of->result->stations[station].name;
+    // Set up a panel with bearing and stator.
     whirl_panel *panel = figure_panel(figure, name, 1.0 / 3.0, 2.2);
     if (!panel) return;
     snprintf(panel->title, sizeof panel->title, "%.60s", name);
@@ -122,6 +125,7 @@ static void add_station(whirl_figure *figure, const drawing *of, const whirl_tab
     axis_show(&panel->y, (span){-size, size});
     symbol_length(of->units, WHIRL_FROM_CENTRE, "$x$", panel->x.label, sizeof panel->x.label);
     symbol_length(of->units, WHIRL_FROM_CENTRE, "$y$", panel->y.label, sizeof panel->y.label);
+    // Draw the kept samples of each motion, with marks once a revolution.
     const int all = whirl_record_samples(&table->record, table->integrate.steps_per_revolution);
     const size_t turn = all > 0 ? (size_t)all : 1;
     for (size_t k = 0; k < count; k++) {

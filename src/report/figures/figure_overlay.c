@@ -62,27 +62,33 @@ static void overlay_series(whirl_figure *figure, whirl_panel *panel, const whirl
 }
 
 whirl_status figure_overlay(whirl_figure *figure, const whirl_figure *other, const char *own, const char *its) {
+    // Refuse maps: colours of one would hide the other.
     if (overlay_is_coloured(figure) || overlay_is_coloured(other))
         return whirl_fail(WHIRL_BAD_INPUT,
                           "the figure %.80s has areas of colours, two of them cannot lie in one picture", figure->name);
+    // Join panels of the same name.
     for (size_t i = 0; i < figure->count; i++) {
         whirl_panel *panel = figure->panels[i];
         const whirl_panel *from = overlay_panel(other, panel->name);
         const whirl_series *main = overlay_main_line(panel);
+        // The figure's own series are named after it in the legend.
         for (size_t k = 0; k < panel->count; k++) overlay_name(panel->series[k], panel->series[k] == main, own);
         if (!from) continue;
         main = overlay_main_line(from);
+        // Axes have to show the same quantities in the same units.
         const bool x = strcmp(panel->x.label, from->x.label) != 0;
         if (x || strcmp(panel->y.label, from->y.label) != 0)
             return whirl_fail(WHIRL_BAD_INPUT,
                               "one result has the axis '%.80s' and the other '%.80s', expected the same: give both the "
                               "same units",
                               x ? panel->x.label : panel->y.label, x ? from->x.label : from->y.label);
+        // Widen axes, and add the other figure's series.
         overlay_widen(&panel->x, &from->x);
         overlay_widen(&panel->y, &from->y);
         for (size_t k = 0; k < from->count; k++)
             overlay_series(figure, panel, from->series[k], from->series[k] == main, its);
     }
+    // Describe the two kinds of lines.
     const size_t used = strlen(figure->caption);
     snprintf(figure->caption + used, sizeof figure->caption - used, " Full lines are %s, dashed ones %s.", own, its);
     return figure->failed ? whirl_fail(WHIRL_NO_MEMORY, "no memory for the figure %.80s", figure->name) : whirl_ok();

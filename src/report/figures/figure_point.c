@@ -21,6 +21,7 @@ enum { SHOWN_TURNS = 10 }; ///< revolutions of the waveform panel
 static const char dark[] = "#303030";
 
 static subject subject_of(const drawing *to, const whirl_table *table, size_t point, size_t station) {
+    // Note what is drawn, and its units.
     const whirl_shown_units *units = to->units;
     subject of = {.result = to->result,
                   .machine = to->machine,
@@ -31,6 +32,7 @@ static subject subject_of(const drawing *to, const whirl_table *table, size_t po
     of.length = whirl_shown_length(units, table, point);
     of.amplitude = of.length * units->amplitude;
     of.order = units_order(units, machine_clock(to->machine, to->result, table, point));
+    // Gather walls and recorded data of the station.
     of.walls = machine_walls_at(to->machine, to->result, table, point, station);
     machine_wall_at(to->machine, table, point, station, of.walls.clearance, &of.wall);
     of.waveform = point_waveform(table, point, station);
@@ -39,6 +41,7 @@ static subject subject_of(const drawing *to, const whirl_table *table, size_t po
     of.lines = point_lines(table, point, station);
     of.turn = (size_t)whirl_record_samples(&table->record, table->integrate.steps_per_revolution);
     if (of.turn == 0) of.turn = 1;
+    // Find the range of the motion.
     of.x = of.y = span_empty();
     for (size_t k = 0; k < of.waveform.rows; k++) {
         span_widen(&of.x, of.length * of.waveform.at[2 * k]);
@@ -267,6 +270,7 @@ static void (*const adders[])(whirl_figure *, whirl_panel *, const subject *) = 
 
 /// Caption of the letters: " (a) Waveform, (b) orbit (grey: bearing), ...".
 static void name_panels(const subject *of, char *text, size_t size) {
+    // Name what each panel shows; circles of the orbit are explained.
     const unsigned circles = of->waveform.at ? shown_circles(of) : 0;
     const char *orbit = circles == 3u   ? "orbit (grey: bearing, dashed: stator)"
                         : circles == 1u ? "orbit (grey: bearing)"
@@ -278,6 +282,7 @@ static void name_panels(const subject *of, char *text, size_t size) {
                                  "Poincar\u00e9 map (once a revolution)",
                                  "full spectrum of x + iy",
                                  "lines of the full spectrum"};
+    // Join the names of the panels that are there.
     bool there[PANEL_COUNT];
     size_t used = 0;
     char letter = 'a';
@@ -407,6 +412,7 @@ static whirl_status point_find(figure_list *to, const drawing *of, const char *n
 static void point_describe(const drawing *to, const figure_place *place, whirl_figure *figure) {
     static const char *const panel_names[] = {"waveform", "orbit",         "spectrum",
                                               "section",  "full-spectrum", "full-spectrum"};
+    // Gather the data, and find the panels that they fill.
     const subject of = subject_of(to, place->table, (size_t)place->point, place->station);
     char point[UNIT_LABEL_SIZE], verdict_text[LABEL_SIZE + 2], panels[280];
     bool there[PANEL_COUNT];
@@ -414,6 +420,7 @@ static void point_describe(const drawing *to, const figure_place *place, whirl_f
     panels_there(&of, there);
     figure->width = 17.5;
     figure->font = 8.0;
+    // Add the panels, with letters.
     for (int i = 0; i < PANEL_COUNT; i++) {
         if (!there[i]) continue;
         const bool wide = i >= FULL_PANEL;
@@ -422,6 +429,7 @@ static void point_describe(const drawing *to, const figure_place *place, whirl_f
         panel->letter = letter++;
         adders[i](figure, panel, &of);
     }
+    // Describe the point, its verdict and the panels.
     units_point_label(of.units, of.table, of.point, point, sizeof point);
     name_verdict(of.table, of.point, verdict_text);
     name_panels(&of, panels, sizeof panels);

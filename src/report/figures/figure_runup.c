@@ -12,6 +12,7 @@ enum { OVER_SPEED, OVER_TIME, ORDERS, SHAFT, CONTACTS, TORQUES };
 enum { MAX_ORDERS = 4, MAX_TORQUE_PANELS = 6 };
 
 static void runup_list(figure_list *to, const drawing *of, const whirl_table *table) {
+    // Figures that each station has.
     static const struct {
         size_t which;
         const char *name, *title;
@@ -20,9 +21,11 @@ static void runup_list(figure_list *to, const drawing *of, const whirl_table *ta
                  {ORDERS, "runup-orders", "%.60s at multiples of the speed"}};
     char name[2 * WHIRL_NAME_SIZE];
     size_t runs[MAX_RUNS];
+    // List figures only for tables with runs.
     if (!table_has(table, WHIRL_FIELD_RUNUP_END) || runup_list_runs(table, runs) == 0) return;
     figure_place place = {.kind = &runup_figure, .table = table, .point = NO_POINT, .which = SHAFT};
     list_figure(to, &place, "runup-shaft", "Speed of the shaft over the time");
+    // List the figures of stations, except those that twist.
     for (size_t s = 0; s < of->result->station_count; s++)
         for (size_t i = 0; i < sizeof alike / sizeof *alike && !of->result->stations[s].twists; i++) {
             place.which = alike[i].which;
@@ -30,6 +33,7 @@ static void runup_list(figure_list *to, const drawing *of, const whirl_table *ta
             snprintf(name, sizeof name, "%s-%.63s", alike[i].name, of->result->stations[s].name);
             list_figure(to, &place, name, alike[i].title, of->result->stations[s].name);
         }
+    // List those of contacts and torques.
     place.which = CONTACTS;
     if (of->result->contact_count > 0) list_figure(to, &place, "runup-contacts", "Contacts over the time");
     place.which = TORQUES;
@@ -82,9 +86,11 @@ static whirl_panel *runup_length_panel(const drawing *of, whirl_figure *figure, 
 /// radius of each.
 static void runup_describe_motion(const drawing *of, const figure_place *place, whirl_figure *figure, bool by_speed) {
     static const char *const names[] = {"$x$ at 1X", "$y$ at 1X"};
+    // Find the runs of the table.
     size_t runs[MAX_RUNS];
     const whirl_table *table = place->table;
     const size_t count = runup_list_runs(table, runs), s = place->station;
+    // Draw the largest radius of every run.
     whirl_panel *panel = runup_length_panel(of, figure, "radius", WHIRL_ZERO_TO_PEAK, "largest radius", by_speed, 4.0);
     for (size_t i = 0; i < count; i++) {
         const course c = runup_course_of(of, table, runs[i], by_speed);
@@ -93,6 +99,7 @@ static void runup_describe_motion(const drawing *of, const figure_place *place, 
         runup_add_line(figure, panel_named(figure, panel, WHIRL_LINE, label, line_colour(i), 1.0), &c,
                        WHIRL_FIELD_RUNUP_RADIUS, s, 0, units_length(of->units, table, runs[i], WHIRL_ZERO_TO_PEAK));
     }
+    // For one run, draw amplitudes along x and y.
     whirl_panel *amplitude =
         count == 1 ? runup_length_panel(of, figure, "amplitude", WHIRL_AMPLITUDE, "amplitude", by_speed, 4.0) : NULL;
     for (size_t axis = 0; axis < 2 && amplitude; axis++) {
@@ -100,6 +107,7 @@ static void runup_describe_motion(const drawing *of, const figure_place *place, 
         runup_add_line(figure, panel_named(figure, amplitude, WHIRL_LINE, names[axis], line_colour(axis + 1), 0.8), &c,
                        WHIRL_FIELD_RUNUP_AMPLITUDE, s, axis, units_length(of->units, table, runs[0], WHIRL_AMPLITUDE));
     }
+    // Draw the lag along x and y, for several runs along x.
     whirl_panel *lag = figure_panel(figure, "lag", 1.0, 3.5);
     if (!lag) return;
     runup_label_over(of, &lag->x, by_speed);
@@ -110,6 +118,7 @@ static void runup_describe_motion(const drawing *of, const figure_place *place, 
             runup_add_line(figure, panel_series(figure, lag, WHIRL_LINE, line_colour(count == 1 ? axis + 1 : i), 0.8),
                            &c, WHIRL_FIELD_RUNUP_LAG, s, axis, 1.0);
     }
+    // Describe the panels.
     snprintf(figure->caption, sizeof figure->caption,
              "%.60s while the speed changes: the largest distance from the centre since the row before%s, and the "
              "lag of %s behind the mark on the shaft.",
@@ -119,11 +128,13 @@ static void runup_describe_motion(const drawing *of, const figure_place *place, 
 }
 
 static void runup_describe_orders(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    // Find the first run.
     size_t runs[MAX_RUNS];
     const whirl_table *table = place->table;
     runup_list_runs(table, runs);
     static const char *const ways[] = {"forward", "backward"};
     static const char *const amplitudes[] = {"forward amplitude", "backward amplitude"};
+    // Draw forward and backward amplitudes at multiples of the speed, a panel each.
     for (size_t way = 0; way < 2; way++) {
         whirl_panel *panel = runup_length_panel(of, figure, ways[way], WHIRL_AMPLITUDE, amplitudes[way], true, 4.5);
         const course c = runup_course_of(of, table, runs[0], true);
@@ -136,6 +147,7 @@ static void runup_describe_orders(const drawing *of, const figure_place *place, 
             runup_add_line(figure, line, &c, WHIRL_FIELD_RUNUP_WHIRL_AMPLITUDE, place->station, 2 * order + way, size);
         }
     }
+    // Describe both panels.
     snprintf(figure->caption, sizeof figure->caption,
              "Circular parts of the motion of %.60s with and against the rotation, at 1 to 4 times the speed of the "
              "shaft: exact integrals over single turns.",
@@ -189,9 +201,11 @@ static void runup_describe_shaft(const drawing *of, const figure_place *place, w
 }
 
 static void runup_describe_contacts(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    // Find the first run.
     size_t runs[MAX_RUNS];
     const whirl_table *table = place->table;
     runup_list_runs(table, runs);
+    // Set up panels of forces and of the share of a turn in contact.
     const whirl_unit *force = &of->units->of[WHIRL_QUANTITY_FORCE];
     whirl_panel *panel = figure_panel(figure, "force", 1.0, 4.5), *share = figure_panel(figure, "share", 1.0, 3.0);
     if (!panel || !share) return;
@@ -199,6 +213,7 @@ static void runup_describe_contacts(const drawing *of, const figure_place *place
     runup_label_over(of, &share->x, false);
     snprintf(panel->y.label, sizeof panel->y.label, "normal force (%s)", force->name);
     snprintf(share->y.label, sizeof share->y.label, "share of a turn");
+    // Draw both for each contact.
     for (size_t contact = 0; contact < of->result->contact_count; contact++) {
         const course c = runup_course_of(of, table, runs[0], false);
         runup_add_line(figure,
@@ -207,6 +222,7 @@ static void runup_describe_contacts(const drawing *of, const figure_place *place
         runup_add_line(figure, panel_series(figure, share, WHIRL_LINE, line_colour(contact), 0.9), &c,
                        WHIRL_FIELD_RUNUP_SHARE, contact, 0, 1.0);
     }
+    // Describe the panels.
     snprintf(figure->caption, sizeof figure->caption,
              "Largest normal force of contacts since the row before, and the share of the last turn in which they "
              "were closed.");

@@ -147,8 +147,10 @@ static void waveforms_describe(const drawing *of, const figure_place *place, whi
     static const char *const names[] = {"$x$", "$y$"};
     const whirl_table *table = place->table;
     size_t runs[MAX_RUNS];
+    // Waveforms are those of the first run.
     if (runup_list_runs(table, runs) == 0) return;
     figure->width = 17.5;
+    // Draw a panel for each window that was recorded.
     for (size_t window = 0; window < WHIRL_RUNUP_WAVEFORMS; window++) {
         waveform own = waveform_of(of, table, runs[0], WHIRL_FIELD_RUNUP_WAVEFORM_TIME, WHIRL_FIELD_RUNUP_WAVEFORM,
                                    place->station, window);
@@ -161,6 +163,7 @@ static void waveforms_describe(const drawing *of, const figure_place *place, whi
             waveform_add_line(
                 figure, panel_named(figure, panel, WHIRL_LINE, names[own.column], line_colour(own.column), 0.6), &own);
     }
+    // Describe the windows.
     snprintf(figure->caption, sizeof figure->caption,
              "Motion of %.60s over %d turns of the shaft around its largest and around the first events of the run.",
              of->result->stations[place->station].name, table->record.runup.waveform);
@@ -171,14 +174,17 @@ static void contact_describe(const drawing *of, const figure_place *place, whirl
     const whirl_table *table = place->table;
     const whirl_unit *unit = &of->units->of[WHIRL_QUANTITY_FORCE];
     size_t runs[MAX_RUNS];
+    // Waveforms are those of the first run.
     if (runup_list_runs(table, runs) == 0) return;
     figure->width = 17.5;
     for (size_t window = 0; window < WHIRL_RUNUP_WAVEFORMS; window++) {
+        // Find the recorded force and gap of the window.
         waveform force = waveform_of(of, table, runs[0], WHIRL_FIELD_RUNUP_CONTACT_TIME,
                                      WHIRL_FIELD_RUNUP_CONTACT_FORCE, place->station, window);
         waveform gap = waveform_of(of, table, runs[0], WHIRL_FIELD_RUNUP_CONTACT_TIME, WHIRL_FIELD_RUNUP_CONTACT_GAP,
                                    place->station, window);
         if (!waveform_is_there(&force) || !waveform_is_there(&gap)) continue;
+        // Set up two panels, the gap below the force.
         whirl_panel *panel = waveform_panel(of, "force", "force", window, 2.8, figure);
         whirl_panel *below = waveform_panel(of, "gap", "force", window, 2.8, figure);
         if (!panel || !below) return;
@@ -187,6 +193,7 @@ static void contact_describe(const drawing *of, const figure_place *place, whirl
         gap.factor = whirl_shown_length(of->units, table, runs[0]);
         snprintf(panel->y.label, sizeof panel->y.label, "normal force (%s)", unit->name);
         symbol_length(of->units, WHIRL_FROM_CENTRE, "gap", below->y.label, sizeof below->y.label);
+        // Draw both, and the line of gap 0.
         waveform_add_line(figure, panel_series(figure, panel, WHIRL_LINE, line_colour(0), 0.6), &force);
         whirl_series *line = panel_series(figure, below, WHIRL_LINE, line_colour(1), 0.6);
         waveform_add_line(figure, line, &gap);
@@ -195,6 +202,7 @@ static void contact_describe(const drawing *of, const figure_place *place, whirl
         series_add(figure, closed, line->x[0], 0.0);
         series_add(figure, closed, line->x[line->count - 1], 0.0);
     }
+    // Describe the windows.
     snprintf(figure->caption, sizeof figure->caption,
              "Normal force and gap of %.60s over %d turns of the shaft, around its largest force and around the first "
              "events of the run. A gap below 0 is pressed in.",

@@ -83,6 +83,7 @@ static double polar_add_lines(const drawing *of, const figure_place *place, size
     size_t runs[MAX_RUNS];
     const size_t count = runup_list_runs(table, runs);
     double reach = 0.0;
+    // Draw each run; for a single run with slow roll, the vector as measured as well.
     for (size_t i = 0; i < count; i++) {
         const bool compensated = polar_is_compensated(table, runs[i], place->station);
         for (int raw = compensated && count == 1; raw >= 0; raw--) {
@@ -105,6 +106,7 @@ static double polar_add_lines(const drawing *of, const figure_place *place, size
 
 static void polar_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     static const char *const names[] = {"x", "y"}, *const titles[] = {"$x$ at 1X", "$y$ at 1X"};
+    // Set up a panel for x and one for y, and draw their vectors.
     const whirl_table *table = place->table;
     const whirl_unit *speed = &of->units->of[WHIRL_QUANTITY_SPEED];
     double reach = 0.0;
@@ -119,7 +121,9 @@ static void polar_describe(const drawing *of, const figure_place *place, whirl_f
         symbol_length(of->units, WHIRL_AMPLITUDE, "amplitude along $y$", panel->y.label, sizeof panel->y.label);
         reach = fmax(reach, polar_add_lines(of, place, axis, panel, figure));
     }
+    // Give both panels the same frame.
     for (size_t axis = 0; axis < 2; axis++) path_frame(figure, panels[axis], reach);
+    // Describe the compensation and the panels.
     const bool compensated = runup_list_runs(table, runs) > 0 && polar_is_compensated(table, runs[0], place->station);
     char without[160] = "";
     if (compensated)
@@ -138,6 +142,7 @@ static void centreline_describe(const drawing *of, const figure_place *place, wh
     const whirl_table *table = place->table;
     const size_t station = place->station;
     size_t runs[MAX_RUNS];
+    // The path is that of the first run.
     if (runup_list_runs(table, runs) == 0) return;
     const double scale = whirl_shown_length(of->units, table, runs[0]);
     const double *centre = whirl_table_field(table, runs[0], WHIRL_FIELD_RUNUP_CENTRE, station);
@@ -145,6 +150,7 @@ static void centreline_describe(const drawing *of, const figure_place *place, wh
     whirl_panel *panel = figure_panel(figure, "centre", 0.6, 7.0);
     path own = path_of(table, runs[0]);
     figure->failed = figure->failed || !panel || !own.kept;
+    // Set up the panel, with the wall of the bearing.
     if (panel && own.kept && centre) {
         double reach = 0.0;
         panel->equal = true;
@@ -155,6 +161,7 @@ static void centreline_describe(const drawing *of, const figure_place *place, wh
             machine_wall_at(of->machine, table, runs[0], station, walls.clearance, &wall);
             reach = wall_line(figure, panel, &wall, scale);
         }
+        // Draw the path with marks of the speed.
         whirl_series *line = panel_series(figure, panel, WHIRL_LINE, line_colour(0), 0.8);
         for (size_t row = 0; row < own.rows && line; row++)
             path_add(figure, line, &own, row, scale * centre[2 * row], scale * centre[2 * row + 1]);
@@ -162,6 +169,7 @@ static void centreline_describe(const drawing *of, const figure_place *place, wh
         path_frame(figure, panel, fmax(reach, own.reach));
     }
     free(own.kept);
+    // Describe the panel.
     snprintf(figure->caption, sizeof figure->caption,
              "Mean position of %.60s over single turns of the shaft%s. Dots have the speed in %s.",
              of->result->stations[station].name,

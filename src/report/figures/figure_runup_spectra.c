@@ -62,9 +62,11 @@ static void spectra_add_lines(const drawing *of, const run_spectra *s, bool by_s
                               const char *name, double width, whirl_figure *figure) {
     whirl_panel *panel = figure_panel(figure, name, width, 9.5);
     if (!panel) return;
+    // Choose the axis along which spectra are raised, and draw at most MAX_LINES of them.
     const double unit = runup_label_over(of, &panel->y, by_speed);
     const double *const over = by_speed ? s->speeds : s->times;
     const size_t step = (end - first + MAX_LINES - 1) / MAX_LINES;
+    // Find the ranges of both axes.
     span range = span_empty();
     double reach = 0.0;
     for (size_t k = first; k < end; k++) {
@@ -72,6 +74,7 @@ static void spectra_add_lines(const drawing *of, const run_spectra *s, bool by_s
         span_widen(&range, over[k] / unit);
         if (isfinite(over[k])) reach = fmax(reach, by_speed ? spectra_frequency(of, last, s->speeds[k]) : last);
     }
+    // Label and show the axes.
     if (by_speed)
         spectra_label_frequency(of, &panel->x);
     else
@@ -79,6 +82,7 @@ static void spectra_add_lines(const drawing *of, const run_spectra *s, bool by_s
     const double high = range.high > range.low ? range.high - range.low : fmax(fabs(range.high), 1.0);
     axis_show(&panel->x, (span){-reach, reach});
     axis_show(&panel->y, (span){range.low - 0.02 * high, range.high + 1.1 * TALL * high});
+    // Draw each spectrum from the highest backward order to the highest forward one.
     const long bins = (long)s->bins;
     for (size_t k = first; k < end; k += step) {
         if (!isfinite(over[k])) continue;
@@ -172,6 +176,7 @@ static whirl_status spectra_find(figure_list *list, const drawing *of, const cha
 static void spectra_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     const whirl_table *table = place->table;
     run_spectra s;
+    // Draw areas of colour, or lines; a run that turns back gets a panel for each direction.
     if (!spectra_of(of, table, place->station, &s)) return;
     const size_t turning = place->which == CASCADE ? spectra_turning(&s) : s.count;
     if (place->which == SPECTROGRAM) {
@@ -185,6 +190,7 @@ static void spectra_describe(const drawing *of, const figure_place *place, whirl
         for (size_t i = 0; i < figure->count; i++)
             snprintf(figure->panels[i]->title, sizeof figure->panels[i]->title, i == 0 ? "up" : "down");
     }
+    // Describe the spectra, and their largest amplitude.
     char largest[4 * WHIRL_NAME_SIZE];
     units_length_label(of->units, WHIRL_AMPLITUDE, "amplitude", largest, sizeof largest);
     snprintf(figure->caption, sizeof figure->caption,

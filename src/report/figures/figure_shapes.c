@@ -12,6 +12,7 @@ enum { SHAPES = 6 };
 static void add_mode(whirl_figure *figure, const drawing *of, const whirl_table *table, size_t mode, bool lowest,
                      const machine_along *places, shaft_bends *bends, double *moved) {
     const size_t point = table->count - 1;
+    // Name and title the panel by frequency and direction of the mode.
     const speed_unit unit = speed_unit_of(of, table, WHIRL_FIELD_MODES_SPEED);
     const double frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0)[mode];
     const double direction = whirl_table_field(table, point, WHIRL_FIELD_MODES_DIRECTION, 0)[mode];
@@ -23,6 +24,7 @@ static void add_mode(whirl_figure *figure, const drawing *of, const whirl_table 
     const bool torsional = mode_is_torsional(table, point, mode);
     snprintf(panel->title, sizeof panel->title, "%zu: %.5g %.40s%s", mode + 1, frequency / unit.size, unit.name,
              torsional ? ", torsional" : ways[units_way(direction) + 1]);
+    // Compute the shape between stations, where the shaft is known, and draw the machine behind it.
     const bool bent = moved && !torsional && bends_mode(bends, mode, moved);
     double most = 1.0;
     for (size_t i = 0; bent && i < 4 * bends_line(bends)->count; i++) most = fmax(most, fabs(moved[i]));
@@ -30,6 +32,7 @@ static void add_mode(whirl_figure *figure, const drawing *of, const whirl_table 
     along_machine(figure, panel, places, most);
     along_axis(figure, panel, of, places);
     if (!lowest) *panel->x.label = '\0';
+    // Draw real and imaginary parts along x and y; of a torsional mode those of the twist.
     for (size_t column = 0; column < (torsional ? 2 : 4); column++) {
         double values[WHIRL_MAX_PROBES];
         for (size_t s = 0; s < of->result->station_count; s++)
@@ -58,6 +61,7 @@ static void shapes_list(figure_list *to, const drawing *of, const whirl_table *t
 
 static void shapes_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     const whirl_table *table = place->table;
+    // Compute places along the shafts once for all modes.
     const size_t count = count_modes(table);
     char label[UNIT_LABEL_SIZE];
     machine_along places;
@@ -65,10 +69,12 @@ static void shapes_describe(const drawing *of, const figure_place *place, whirl_
     double *moved = bends ? calloc(4 * bends_line(bends)->count, sizeof *moved) : NULL;
     figure->font = 6.5;
     along_place(of, &places);
+    // Add a panel for each mode.
     for (size_t mode = 0; mode < count; mode++)
         add_mode(figure, of, table, mode, mode + 2 >= count, &places, bends, moved);
     free(moved);
     bends_free(bends);
+    // Describe the panels.
     units_point_label(of->units, table, table->count - 1, label, sizeof label);
     snprintf(
         figure->caption, sizeof figure->caption,

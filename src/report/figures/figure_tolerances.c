@@ -73,6 +73,7 @@ static void spread_axis(const spread_view *v, whirl_axis *axis) {
 // ---------------------------------------------------------------- bands
 
 static void add_bands(whirl_figure *figure, const spread_view *v) {
+    // Set up the panel and its series.
     whirl_panel *panel = figure_panel(figure, "bands", 1.0, 6.0);
     if (!panel) return;
     symbol_parameter(v->of->units, v->table->parameter, panel->x.label, sizeof panel->x.label);
@@ -82,6 +83,7 @@ static void add_bands(whirl_figure *figure, const spread_view *v) {
     whirl_series *median = panel_named(figure, panel, WHIRL_LINE, "median", dark, 0.8);
     whirl_series *own = panel_named(figure, panel, WHIRL_LINE, "as the case has it", "#303030", 0.6);
     if (own) own->dashed = true;
+    // Add the quantiles at each value of the parameter.
     span shown = span_empty();
     for (size_t place = 0; place < v->places; place++) {
         const whirl_spread s = spread_at(v, figure, place);
@@ -94,6 +96,7 @@ static void add_bands(whirl_figure *figure, const spread_view *v) {
         span_widen(&shown, s.quantiles[4].value / size);
         span_widen(&shown, nominal);
     }
+    // Widen the axis to the limits, and draw them.
     const double limits[] = {v->number.above, v->number.below};
     for (int i = 0; i < 2; i++) span_widen(&shown, limits[i] / v->unit.size);
     if (!span_has_any(shown)) return;
@@ -124,12 +127,15 @@ static void add_probability(whirl_figure *figure, const spread_view *v) {
 // ---------------------------------------------------------------- histogram
 
 static void add_histogram(whirl_figure *figure, const spread_view *v) {
+    // Find the samples and their range.
     whirl_panel *panel = figure_panel(figure, "histogram", 1.0, 6.0);
     const whirl_spread s = spread_at(v, figure, 0);
     double counts[CLASSES] = {0.0}, all = 0.0, most = 0.0;
     if (!panel || !(s.most > s.least)) return;
+    // Set up the panel.
     spread_axis(v, &panel->x);
     snprintf(panel->y.label, sizeof panel->y.label, "samples (%%)");
+    // Count the samples of each class; machines of sensitivity indices are no samples.
     whirl_spread_at at;
     if (!whirl_spread_place(v->of->result, v->table, &v->number, &at)) return;
     for (size_t point = 0; point < v->table->count; point++) {
@@ -140,6 +146,7 @@ static void add_histogram(whirl_figure *figure, const spread_view *v) {
         counts[share >= CLASSES ? CLASSES - 1 : share > 0.0 ? (size_t)share : 0] += 1.0;
         all += 1.0;
     }
+    // Draw the classes.
     whirl_series *boxes = panel_series(figure, panel, WHIRL_BOXES, inner_colour, 1.0);
     const double low = s.least / v->unit.size, step = (s.most - s.least) / v->unit.size / CLASSES;
     for (size_t i = 0; i < CLASSES; i++) {
@@ -147,6 +154,7 @@ static void add_histogram(whirl_figure *figure, const spread_view *v) {
         most = fmax(most, height);
         series_add_box(figure, boxes, (span){left, left + step}, (span){0.0, height});
     }
+    // Draw the limits and the case's own value.
     span shown = {low, low + CLASSES * step};
     const double limits[] = {v->number.above, v->number.below}, nominal = spread_nominal(v, 0);
     for (int i = 0; i < 2; i++) span_widen(&shown, limits[i] / v->unit.size);
@@ -171,9 +179,11 @@ static void order_by_total(const whirl_spread *s, size_t order[WHIRL_MAX_TOLERAN
 }
 
 static void add_tornado(whirl_figure *figure, const spread_view *v) {
+    // Find the indices of sensitivity; of several values, those of the worst.
     const whirl_spread s = spread_at(v, figure, v->places > 1 ? WHIRL_ANYWHERE : 0);
     size_t order[WHIRL_MAX_TOLERANCES];
     if (s.index_count == 0 || !isfinite(s.indices[0].total.value)) return;
+    // Set up the panel and its series.
     whirl_panel *panel = figure_panel(figure, "indices", 1.0, 1.2 + 0.6 * (double)s.index_count);
     if (!panel) return;
     snprintf(panel->x.label, sizeof panel->x.label, "part of the variance%s",
@@ -181,6 +191,7 @@ static void add_tornado(whirl_figure *figure, const spread_view *v) {
     whirl_series *total = panel_named(figure, panel, WHIRL_BOXES, "with others", inner_colour, 1.0);
     whirl_series *first = panel_named(figure, panel, WHIRL_BOXES, "alone", dark, 1.0);
     whirl_series *errors = panel_series(figure, panel, WHIRL_LINE, "#303030", 0.5);
+    // Draw bars of both indices of each parameter with standard errors, the largest first.
     double most = 1.0;
     order_by_total(&s, order);
     for (size_t k = 0; k < s.index_count; k++) {
@@ -205,19 +216,23 @@ static void add_tornado(whirl_figure *figure, const spread_view *v) {
 }
 
 static void tolerances_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    // Find the quantity and its values.
     spread_view v = {.of = of,
                      .table = place->table,
                      .places = whirl_table_places(place->table),
                      .value = whirl_shown_parameter(of->units, place->table->parameter).size};
     if (!whirl_table_asked(of->result, place->table, place->which, &v.number)) return;
     v.unit = spread_unit(of->units, place->table, &v.number);
+    // Draw quantiles along the parameter, or a histogram if nothing varies.
     const bool along = v.places > 1 && place->table->count >= v.places;
     if (along)
         add_bands(figure, &v);
     else
         add_histogram(figure, &v);
+    // Draw the probability to exceed a limit, and the causes.
     if (along && spread_is_limited(&v)) add_probability(figure, &v);
     add_tornado(figure, &v);
+    // Describe the panels.
     snprintf(
         figure->caption, sizeof figure->caption,
         "%s of %d samples of the parameters with tolerances%s%s. The dashed line is the machine as the case has it.",

@@ -245,20 +245,24 @@ static void torus_list(figure_list *to, const drawing *of, const whirl_table *ta
 }
 
 static void torus_figure_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    // Find the branch of tori, and the range of its parameter.
     torus_view v = {.of = of, .table = place->table, .own = whirl_table_tori(place->table, place->which)};
     char label[SYMBOL_SIZE];
     v.size = whirl_shown_parameter(of->units, v.table->parameter).size;
     v.range = axis_of(&v);
+    // Draw the rotation number, with simple fractions near which motions may lock.
     whirl_panel *rotation = torus_add_panel(figure, &v, "rotation", "rotation number");
     const span rotations = rotations_of(&v);
     if (rotation) axis_show(&rotation->y, rotations);
     if (rotation) add_resonances(figure, rotation, rotations);
     add_numbers(figure, rotation, &v, 0, "", rotation_of);
+    // Draw amplitudes at the stations.
     symbol_length(of->units, WHIRL_AMPLITUDE, "amplitude", label, sizeof label);
     whirl_panel *amplitude = torus_add_panel(figure, &v, "amplitude", label);
     if (amplitude) amplitude->keyed = true;
     for (size_t s = 0; s < of->result->station_count; s++)
         add_numbers(figure, amplitude, &v, s, of->result->stations[s].name, amplitude_of);
+    // Draw the largest exponent across the torus.
     whirl_panel *exponent = torus_add_panel(figure, &v, "exponent", "normal exponent / rev.");
     if (exponent) {
         exponent->x.shown = true;
@@ -266,6 +270,7 @@ static void torus_figure_describe(const drawing *of, const figure_place *place, 
         if (zero) zero->dashed = true;
     }
     add_numbers(figure, exponent, &v, 0, "", exponent_of);
+    // Describe the panels.
     snprintf(figure->caption, sizeof figure->caption,
              "Quasi-periodic motions over %s, solid where they are stable, dashed where not. Above: the rotation "
              "number, turns round the closed curve of the section from one to the next, with simple fractions, near "

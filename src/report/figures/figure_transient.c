@@ -50,9 +50,11 @@ static void add_samples(whirl_figure *figure, whirl_series *line, const numbers 
 
 static void transient_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     static const char *const names[] = {"x", "y"}, *const symbols[] = {"$x$", "$y$"};
+    // Instants of a waveform are counted in revolutions.
     const whirl_table *table = place->table;
     const double turn = fmax(1.0, whirl_record_samples(&table->record, table->integrate.steps_per_revolution));
     size_t left = 0;
+    // Set up a panel for x and one for y.
     for (size_t column = 0; column < 2; column++) {
         whirl_panel *panel = figure_panel(figure, names[column], 1.0, 4.0);
         size_t count = 0;
@@ -60,6 +62,7 @@ static void transient_describe(const drawing *of, const figure_place *place, whi
         left = 0;
         snprintf(panel->x.label, sizeof panel->x.label, "revolution%s", table->record.transient ? " recorded" : "");
         symbol_length(of->units, WHIRL_FROM_CENTRE, symbols[column], panel->y.label, sizeof panel->y.label);
+        // Draw the first motions with a waveform; count the others.
         for (size_t i = 0; i < table->count; i++) {
             char label[UNIT_LABEL_SIZE] = "";
             if (!has_waveform(table, i, place->station)) continue;
@@ -73,6 +76,7 @@ static void transient_describe(const drawing *of, const figure_place *place, whi
             add_samples(figure, line, &samples, column, turn, whirl_shown_length(of->units, table, i));
         }
     }
+    // Describe the panels.
     snprintf(figure->caption, sizeof figure->caption, "%.60s of the %.60s over the revolutions",
              of->result->stations[place->station].name, table->name);
     const size_t used = strlen(figure->caption);

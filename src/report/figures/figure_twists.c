@@ -82,6 +82,7 @@ static size_t twists_choose_stations(const drawing *of, const whirl_table *table
 }
 
 static void twists_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    // Choose the shafts, or stations, with the largest of them.
     const whirl_table *table = place->table;
     const bool torques = place->which == TORQUES;
     const whirl_unit *unit = &of->units->of[torques ? WHIRL_QUANTITY_MOMENT : WHIRL_QUANTITY_SLOPE];
@@ -90,18 +91,21 @@ static void twists_describe(const drawing *of, const figure_place *place, whirl_
     const size_t count = torques ? twists_choose(table, MAX_PANELS, chosen) : twists_choose_stations(of, table, chosen);
     while (first < table->count && !whirl_table_done(table, first)) first++;
     figure->width = 14.0;
+    // Set up a panel for each.
     for (size_t i = 0; i < count && first < table->count; i++) {
         char name[2 * WHIRL_NAME_SIZE + 40];
         whirl_panel *panel = figure_panel(figure, torques ? "torque" : "angle", 1.0, count > 3 ? 2.8 : 3.8);
         if (!panel) return;
         symbol_parameter(of->units, table->parameter, panel->x.label, sizeof panel->x.label);
         snprintf(panel->y.label, sizeof panel->y.label, "%s (%s)", torques ? "torque" : "twist", unit->name);
+        // Title it by the shaft or the station.
         if (torques)
             torque_name(of->result, whirl_table_field(table, first, WHIRL_FIELD_TORSION_TORQUE_OF, 0) + 3 * chosen[i],
                         name, sizeof name);
         else
             snprintf(name, sizeof name, "%s", of->result->stations[chosen[i]].name);
         snprintf(panel->title, sizeof panel->title, "%.80s", name);
+        // Draw the part of each excitation, and their sum.
         const twists_source from = {.field = torques ? WHIRL_FIELD_TORSION_TORQUE : WHIRL_FIELD_TORSION_ANGLE,
                                     .sum = torques ? WHIRL_FIELD_TORSION_TORQUE_SUM : WHIRL_FIELD_TORSION_ANGLE_SUM,
                                     .which = torques ? 0 : chosen[i],
@@ -110,6 +114,7 @@ static void twists_describe(const drawing *of, const figure_place *place, whirl_
                                     .size = unit->size};
         twists_add_lines(of, table, &from, i == 0, figure, panel);
     }
+    // Describe the panels.
     snprintf(figure->caption, sizeof figure->caption,
              "%s over %s, zero to peak: by each excitation, and summed over all (dashed), the worst case.%s",
              torques ? "Vibratory torques of shafts, couplings and gears" : "Twists of the stations", table->parameter,

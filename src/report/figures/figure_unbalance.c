@@ -70,6 +70,7 @@ static const char *source_of(size_t which) {
 }
 
 static void add_amplitudes(whirl_figure *figure, whirl_panel *panel, const view *v) {
+    // Find the largest amplitude.
     double most = 0.0;
     symbol_length(v->of->units, WHIRL_AMPLITUDE, "amplitude", panel->y.label, sizeof panel->y.label);
     for (size_t point = 0; point < v->table->count; point++)
@@ -77,9 +78,11 @@ static void add_amplitudes(whirl_figure *figure, whirl_panel *panel, const view 
             const double *at = field_of(v, point, source_of(which));
             if (at) most = fmax(most, amplitude_at(v, point) * at[which % 2]);
         }
+    // Show the axis, and the speeds at which the machine runs.
     const double high = most > 0.0 ? 1.06 * most : 1.0;
     axis_show(&panel->y, (span){0.0, high});
     add_running(figure, panel, v, high);
+    // Draw both probes and the major axis.
     for (size_t which = 0; which < 3; which++) {
         char name[WHIRL_NAME_SIZE] = "major axis";
         if (which < 2)
@@ -135,12 +138,14 @@ static bool polar_place(const view *v, size_t point, size_t probe, double place[
 /// Marks round values of the parameter on a probe's line.
 static void add_speeds(whirl_figure *figure, whirl_panel *panel, const view *v, size_t probe) {
     span range = span_empty();
+    // Choose the distance of marks, and their looks.
     for (size_t point = 0; point < v->table->count; point++) span_widen(&range, value_at(v, point));
     const double step = tick_step(range.high - range.low, 6);
     whirl_series *marks = panel_series(figure, panel, WHIRL_DOTS, line_colour(probe), 1.8);
     whirl_series *names = panel_series(figure, panel, WHIRL_TEXTS, line_colour(probe), 1.0);
     if (names) names->side = WHIRL_BESIDE;
     if (names) names->movable = true;
+    // Mark each round value between the two points around it.
     for (double value = step * ceil(range.low / step); step > 0.0 && value <= range.high; value += step) {
         double one[2], other[2];
         size_t point = 0;
@@ -218,6 +223,7 @@ static void unbalance_describe(const drawing *of, const figure_place *place, whi
     const view v = {of, table, place->station, whirl_shown_parameter(of->units, table->parameter).size};
     span range = span_empty(), running;
     figure->width = 17.5;
+    // Set up four panels, two of them over the parameter.
     for (size_t i = 0; i < table->count; i++) span_widen(&range, table->values[i] / v.size);
     whirl_panel *lag = figure_panel(figure, "lag", 0.6, 4.6), *polar = figure_panel(figure, "polar", 0.4, 4.6);
     whirl_panel *amplitude = figure_panel(figure, "amplitude", 0.6, 4.6);
@@ -228,10 +234,12 @@ static void unbalance_describe(const drawing *of, const figure_place *place, whi
     axis_show(&lag->x, span_with_margin(range, 0.0, 1e-300));
     axis_show(&amplitude->x, span_with_margin(range, 0.0, 1e-300));
     polar->equal = centreline->equal = true;
+    // Draw them.
     add_lags(figure, lag, &v);
     add_polar(figure, polar, &v);
     add_amplitudes(figure, amplitude, &v);
     add_centreline(figure, centreline, &v);
+    // Describe the panels.
     snprintf(
         figure->caption, sizeof figure->caption,
         "Synchronous response of %s over %s. Left: by how much the peak comes after the mark, and amplitude, of two "

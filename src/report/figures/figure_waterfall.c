@@ -95,9 +95,11 @@ static void waterfall_add_panel(whirl_figure *figure, const waterfall *of, int b
                                                    : "up",
                                       axis->both ? 0.5 : 1.0, 8.4);
     if (!panel) return;
+    // The axis of orders reaches as far as the farthest line.
     double farthest = 0.0;
     for (size_t k = 0; k < of->count; k++) farthest = fmax(farthest, fabs(of->marks[k].at));
     const double reach = farthest > 0.0 ? 1.04 * farthest : 1.0;
+    // Set up the panel.
     if (axis->both) snprintf(panel->title, sizeof panel->title, "from the %s value on", branch < 0 ? "last" : "first");
     axis_show(&panel->x, (span){-reach, reach});
     axis_show(&panel->y, axis->parameter);
@@ -106,6 +108,7 @@ static void waterfall_add_panel(whirl_figure *figure, const waterfall *of, int b
     units_order_label(axis->units, of->orders, true, panel->x.label, sizeof panel->x.label);
     symbol_parameter(axis->units, axis->table->parameter, panel->y.label, sizeof panel->y.label);
     panel_upright(figure, panel, 0.0, "#9A9A9A", 0.4);
+    // Draw the lines of the branch as narrow boxes, coloured by amplitude.
     whirl_series *boxes = panel_series(figure, panel, WHIRL_BOXES, "#000000", 1.0);
     for (size_t k = 0; k < of->count; k++) {
         const mark *one = &of->marks[k];
@@ -136,6 +139,7 @@ static void waterfall_list(figure_list *to, const drawing *of, const whirl_table
 
 static void waterfall_describe(const drawing *to, const figure_place *place, whirl_figure *figure) {
     const whirl_table *table = place->table;
+    // Make memory for the lines of all points.
     waterfall of = {.axis = {.result = to->result,
                              .table = table,
                              .machine = to->machine,
@@ -147,6 +151,7 @@ static void waterfall_describe(const drawing *to, const figure_place *place, whi
     of.marks = calloc(2 * whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_LINES)->rows * table->count + 1,
                       sizeof *of.marks);
     figure->failed = !of.sizes || !of.marks;
+    // Gather the lines, and set up the scale of colours.
     if (!figure->failed) {
         bifurcation_survey(&of.axis);
         find_sizes(to, &of);
@@ -157,6 +162,7 @@ static void waterfall_describe(const drawing *to, const figure_place *place, whi
                                              .colours = waterfall_colours,
                                              .count = WATERFALL_COLOURS};
         symbol_length(to->units, WHIRL_AMPLITUDE, "amplitude", figure->scale.label, sizeof figure->scale.label);
+        // Draw a panel for each branch, and describe them.
         if (of.axis.both) figure->width = 17.5;
         waterfall_add_panel(figure, &of, 1);
         if (of.axis.both) waterfall_add_panel(figure, &of, -1);

@@ -38,16 +38,19 @@ static span along_place_shafts(const machine_layout *l, machine_along *out) {
 }
 
 void along_place(const drawing *of, machine_along *out) {
+    // Without known shafts, stations are numbered and spaced by 1.
     const whirl_result *result = of->result;
     span places = span_empty();
     *out = (machine_along){.unit = layout_unit(of->units), .range = {0.5, (double)result->station_count + 0.5}};
     out->layout = layout_new(of);
+    // Find how far shafts and stations on them reach.
     if (out->layout && out->layout->to_scale) places = along_place_shafts(out->layout, out);
     for (size_t s = 0; s < result->station_count; s++) {
         const whirl_probe *station = &result->stations[s];
         out->at[s] = (double)s + 1.0;
         if (station->shaft > 0) span_widen(&places, out->start[station->shaft - 1] + station->position / out->unit);
     }
+    // Place the stations on shafts by their position, all others one after another behind the shafts' end.
     if (!span_has_any(places)) return;
     const double step = places.high > places.low ? 0.16 * (places.high - places.low) : 1.0;
     out->shafts = true;
@@ -145,11 +148,14 @@ static void add_pair(whirl_figure *figure, whirl_series *boxes, span x, double i
 void along_machine(whirl_figure *figure, whirl_panel *panel, const machine_along *along, double high) {
     const machine_layout *l = along->layout;
     if (!l || !l->to_scale) return;
+    // Set up the series: shafts, discs, bearings.
     const double scale = across_scale(figure, panel, along, high);
     whirl_series *shafts = panel_series(figure, panel, WHIRL_AREA, "#E2E6EA", 1.0);
     whirl_series *discs = panel_series(figure, panel, WHIRL_BOXES, "#CDD4DB", 1.0);
     whirl_series *bearings = panel_series(figure, panel, WHIRL_BOXES, "#A9B4BF", 1.0);
+    // Draw sections of shafts.
     for (size_t i = 0; i < l->model.section_count; i++) add_wall(figure, shafts, along, &l->model.sections[i], scale);
+    // Draw the discs of stations with mass.
     for (size_t s = 0; s < l->model.station_count && s < WHIRL_MAX_PROBES; s++) {
         const whirl_model_mass *own = &l->model.stations[s];
         if (own->shaft >= l->model.shaft_count || !(own->mass > 0.0)) continue;
@@ -157,6 +163,7 @@ void along_machine(whirl_figure *figure, whirl_panel *panel, const machine_along
         const double half = disc.half / along->unit;
         add_pair(figure, discs, (span){along->at[s] - half, along->at[s] + half}, l->radius[s], disc.radius, scale);
     }
+    // Draw the bearings that hold stations on shafts.
     for (size_t i = 0; i < l->model.element_count; i++) {
         const whirl_model_element *e = &l->model.elements[i];
         const double half = 0.7 * l->symbol / along->unit;

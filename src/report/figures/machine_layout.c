@@ -160,6 +160,7 @@ static bool layout_is_housing(const machine_layout *l, size_t station) {
 static void layout_place_stations(machine_layout *l) {
     const size_t count = l->model.station_count < WHIRL_MAX_PROBES ? l->model.station_count : WHIRL_MAX_PROBES;
     double beside = l->to_scale ? l->along.high + 4.0 * l->symbol : 0.0;
+    // Place the stations on shafts.
     for (size_t s = 0; s < count; s++) {
         const whirl_model_mass *own = &l->model.stations[s];
         if (own->shaft >= l->model.shaft_count) continue;
@@ -167,17 +168,20 @@ static void layout_place_stations(machine_layout *l) {
         l->y[s] = l->axis[own->shaft];
         l->placed[s] = true;
     }
+    // Without shafts to scale, place all but housings side by side.
     for (size_t s = 0; s < count && !l->to_scale; s++) {
         if (layout_is_housing(l, s)) continue;
         l->x[s] = beside;
         beside += 1.0;
         l->placed[s] = true;
     }
+    // Place the stations that hang on placed ones, until none is left of them.
     for (bool any = true; any;) {
         any = false;
         for (size_t s = 0; s < count; s++)
             if (!l->placed[s] && layout_hang_station(l, s)) any = true;
     }
+    // Place all others beside the shafts.
     for (size_t s = 0; s < count; s++) {
         if (l->placed[s]) continue;
         l->x[s] = beside;

@@ -105,11 +105,13 @@ void whirl_sheet_name(const whirl_findings *findings, const whirl_sheet *sheet, 
 }
 
 whirl_status whirl_findings_sheet(const whirl_findings *findings, const char *name, const whirl_sheet **sheet) {
+    // The name may begin with that of a table: TABLE/SHEET.
     const char *const slash = strchr(name, '/');
     const size_t length = slash ? (size_t)(slash - name) : 0;
     const char *const own = slash ? slash + 1 : name;
     const char **names = calloc(findings->sheet_count + 1, sizeof *names);
     if (!names) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the names of sheets");
+    // Find the sheets of that name.
     size_t found = 0;
     *sheet = NULL;
     for (size_t i = 0; i < findings->sheet_count; i++) {
@@ -119,6 +121,7 @@ whirl_status whirl_findings_sheet(const whirl_findings *findings, const char *na
         if (slash && (strlen(one->table) != length || strncmp(one->table, name, length) != 0)) continue;
         if (found++ == 0) *sheet = one;
     }
+    // Explain why there is not exactly one.
     whirl_status status = whirl_ok();
     if (found > 1) {
         status = whirl_fail(WHIRL_BAD_INPUT, "%zu tables have a sheet '%.80s', expected one of them: %.80s/%.80s",

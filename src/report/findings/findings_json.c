@@ -45,10 +45,12 @@ static json_t *cell_json(bool *well, const whirl_column *column, const whirl_cel
 static json_t *sheet_json(bool *well, const whirl_sheet *sheet) {
     char text[STATEMENT_SIZE];
     json_t *one = json_object(), *columns = json_array(), *rows = json_array(), *shown = json_array();
+    // Put name and title.
     document_put(well, one, "table", document_text(sheet->table));
     document_put(well, one, "name", document_text(sheet->name));
     document_put(well, one, "title", document_text(sheet->title));
     if (*sheet->about) document_put(well, one, "about", document_text(sheet->about));
+    // Put the headings of columns.
     for (const whirl_column *column = sheet->column; column < sheet->column + sheet->columns; column++) {
         json_t *heading = json_object();
         document_put(well, heading, "key", document_text(column->key));
@@ -60,6 +62,7 @@ static json_t *sheet_json(bool *well, const whirl_sheet *sheet) {
         if (column->between) document_put(well, heading, "between", document_text(column->between));
         document_append(well, columns, heading);
     }
+    // Put each row twice: as numbers in SI, and as texts in the units of display.
     for (size_t r = 0; r < sheet->rows; r++) {
         json_t *row = json_array(), *texts = json_array();
         for (size_t c = 0; c < sheet->columns; c++) {

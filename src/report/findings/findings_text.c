@@ -119,11 +119,13 @@ static bool grid_measure(text_grid *grid) {
 /// Makes the grid of rows [count] of a sheet. Returns false without memory.
 static bool grid_make(const whirl_sheet *sheet, const size_t *rows, size_t count, text_grid *grid) {
     char text[CELL_SIZE];
+    // Count the columns that have any text, and make memory for them.
     *grid = (text_grid){.lines = count + 1};
     for (size_t c = 0; c < sheet->columns; c++) grid->columns += !sheet_column_empty(sheet, c);
     grid->texts = calloc(grid->lines * grid->columns + 1, sizeof *grid->texts);
     grid->right = calloc(grid->columns + 1, sizeof *grid->right);
     bool well = grid->texts && grid->right;
+    // Fill in headings and texts; numbers are aligned to the right.
     for (size_t c = 0, to = 0; c < sheet->columns && well; c++) {
         const whirl_column *column = &sheet->column[c];
         if (sheet_column_empty(sheet, c)) continue;

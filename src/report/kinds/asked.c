@@ -38,6 +38,7 @@ asked_stability asked_stability_at(const whirl_table *table, size_t point) {
 }
 
 void asked_stability_text(const asked_stability *at, char text[ASKED_TEXT]) {
+    // Word the answer with seals and impellers (Level II).
     const char *const with = at->level_one == WHIRL_HOLDS ? "seals and impellers" : "them";
     char whole[ASKED_TEXT / 2];
     if (at->level_two == WHIRL_NOT_KNOWN)
@@ -45,6 +46,7 @@ void asked_stability_text(const asked_stability *at, char text[ASKED_TEXT]) {
     else
         snprintf(whole, sizeof whole, "decrement %.3g with %s, above %g asked for: %s", at->complete, with,
                  asked_decrement, whirl_judgement_name(at->level_two));
+    // Word the answer without them (Level I), and what follows from it.
     if (isnan(at->decrement))
         snprintf(text, ASKED_TEXT, "%s: not known", no_mode);
     else if (!at->stages)

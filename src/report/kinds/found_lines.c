@@ -110,11 +110,13 @@ static void side_add(const finder *of, line_side *side, const line_track *track)
 
 /// Follows the lines of a side into tracks. Returns false without memory.
 static bool side_find(const finder *of, bool below, line_side *side) {
+    // Make memory: the strongest line of each point, and at most as many tracks as points.
     const size_t count = of->table->count;
     line_track track = {.largest = {.size = 0.0}};
     bool open = false;
     *side = (line_side){calloc(count, sizeof *side->seen), calloc(count, sizeof *side->tracks), 0};
     if (!side->seen || !side->tracks) return false;
+    // Extend the open track by the point's line, or close it and begin another one.
     for (size_t point = 0; point < count; point++) {
         if (whirl_table_done(of->table, point)) side->seen[point] = strongest_line(of, point, below);
         const line_seen line = side->seen[point];
@@ -220,12 +222,14 @@ static void cells_edge(const finder *of, const line_side *side, whirl_sheet *she
 /// hysteresis of 400 rpm", if it jumps or the ways differ by more than a step.
 static void tell_edge(const finder *of, double order, bool low, const line_edge *up, const line_edge *down) {
     const double *values = of->table->values;
+    // Compare where the line begins on the way up with where it ends on the way down.
     const double apart = up->there && down->there ? fabs(values[up->point] - values[down->point]) : 0.0;
     const double step = up->there ? fabs(values[up->beyond] - values[up->point]) : 0.0;
     const bool hysteresis = apart > 1.01 * step;
     if (!hysteresis && !up->sudden && !down->sudden) return;
     bool ways = false;
     for (size_t i = 0; i < of->table->count; i++) ways = ways || of->table->branch[i] < 0;
+    // State both places, whichever are known.
     whirl_phrase *found = &find_statement(of, find_text(of->findings, "line of order %.4g", order))->found;
     if (up->there) {
         phrase_text(of, found, "%s%s at ", low ? "begins" : "ends", up->sudden ? " at once" : "");
@@ -238,6 +242,7 @@ static void tell_edge(const finder *of, double order, bool low, const line_edge 
         phrase_value(of, found, 6, values[down->point]);
         if (ways) phrase_text(of, found, " on the way down");
     }
+    // State the hysteresis.
     if (!hysteresis) return;
     phrase_text(of, found, ": hysteresis of ");
     phrase_value(of, found, 6, apart);

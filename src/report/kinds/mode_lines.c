@@ -33,6 +33,7 @@ static bool follows(const whirl_table *table, size_t point) {
 /// frequencies are known only modulo the speed, since they fold.
 static void mode_lines_follow(const whirl_table *table, mode_lines *out, line_end *ends) {
     const size_t modes = out->modes;
+    // Look up the modes of the point, and the modes of the preceding point that they continue.
     for (size_t point = 0; point < table->count; point++) {
         size_t *const own = out->line + point * modes;
         const double *frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0);
@@ -40,6 +41,7 @@ static void mode_lines_follow(const whirl_table *table, mode_lines *out, line_en
         const double *before = whirl_table_field(table, point, WHIRL_FIELD_MODES_BEFORE, 0);
         const bool folds = isfinite(whirl_table_number(table, point, WHIRL_FIELD_MODES_MODULO, 0));
         const bool joined = follows(table, point);
+        // Give each mode the line of the mode that it continues, or a new one, and move the line's end there.
         for (size_t i = 0; i < modes; i++) {
             own[i] = SIZE_MAX;
             if (!whirl_table_done(table, point) || !isfinite(frequency[i]) || folds) continue;

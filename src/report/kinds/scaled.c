@@ -81,6 +81,7 @@ size_t scaled_rows(const whirl_result *result, const whirl_table *table, const s
     static const double share = 0.75;
     const double last = last_speed(table);
     size_t count = 0;
+    // Find the speed at which each station comes nearest to its clearance.
     for (size_t s = 0; s < result->station_count; s++) {
         scaled_row row = {.station = s, .axis = -1.0};
         for (size_t point = 0; point < table->count; point++) {
@@ -95,6 +96,7 @@ size_t scaled_rows(const whirl_result *result, const whirl_table *table, const s
             row.clearance = clearance;
             row.speed = speed;
         }
+        // A station holds with at most that share of its clearance.
         row.holds = row.axis <= share * row.clearance;
         if (row.axis >= 0.0) rows[count++] = row;
     }

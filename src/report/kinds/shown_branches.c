@@ -40,6 +40,7 @@ static const char *orbit_name(const finder *of, const whirl_trace *at) {
 }
 
 static void find_changes(const finder *of) {
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "changes", "Where and why motions change");
     size_t before, after;
     sheet_values(of, sheet, "", 9);
@@ -48,6 +49,7 @@ static void find_changes(const finder *of) {
     sheet_column(of, sheet, "branch", "branch", WHIRL_QUANTITY_NUMBER, 6);
     sheet_texts(of, sheet, "unstable", "unstable multipliers");
     sheet_texts(of, sheet, "why", "what begins or ends");
+    // Add a row for each special point: what it is, and multipliers on both sides.
     for (size_t point = 0; point < of->table->count; point++) {
         whirl_trace at;
         if (!(point_number(of->table, point, WHIRL_FIELD_TRACE_SPECIAL) > 0.0)) continue;
@@ -67,12 +69,14 @@ static void find_changes(const finder *of) {
         cell_text(of, sheet, special_cause(of, &at, before, after));
         whirl_orbit_free(at.point.orbit);
     }
+    // Say so if there is none.
     if (sheet->rows == 0)
         phrase_text(of, &find_statement(of, "changes of motion")->found, "none along the branches that were followed");
     find_sheet_end(of);
 }
 
 static void find_ends_of_branches(const finder *of) {
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "branches", "Branches");
     sheet_column(of, sheet, "branch", "branch", WHIRL_QUANTITY_NUMBER, 6);
     sheet_texts(of, sheet, "motion", "motion");
@@ -81,6 +85,7 @@ static void find_ends_of_branches(const finder *of) {
     sheet_values(of, sheet, "to", 9);
     sheet_texts(of, sheet, "ends", "ends");
     sheet_column(of, sheet, "points", "points", WHIRL_QUANTITY_NUMBER, 9);
+    // A branch ends at a point with a reason for its end; find its first point.
     for (size_t point = 0; point < of->table->count; point++) {
         whirl_trace at;
         if (isnan(point_number(of->table, point, WHIRL_FIELD_TRACE_END))) continue;
@@ -90,6 +95,7 @@ static void find_ends_of_branches(const finder *of) {
         }
         size_t first = point;
         while (first > 0 && point_number(of->table, first - 1, WHIRL_FIELD_TRACE_NUMBER) == (double)at.branch) first--;
+        // Add the row of the branch.
         sheet_row(of, sheet);
         cell_number(of, sheet, (double)at.branch);
         cell_text(of, sheet, orbit_name(of, &at));

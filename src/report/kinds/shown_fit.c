@@ -88,6 +88,7 @@ static void fit_find_unknown(const shown_fit_of *f, size_t u) {
         "", "at its bound: wider bounds, or another cause of what was measured",
         "hardly determined by the measured numbers: its interval is as wide as its bounds or its value",
         "not determined: the measured numbers do not depend on it, or only together with others"};
+    // Choose a statement, or a judgement if the parameter is not determined.
     const finder *of = f->of;
     const double *row = f->unknown + FIT_COLUMNS * u;
     const whirl_unit unit = fit_unit(f, u);
@@ -95,6 +96,7 @@ static void fit_find_unknown(const shown_fit_of *f, size_t u) {
     const char *what = find_text(of->findings, "parameter %s", fit_name(f, u));
     whirl_statement *own =
         known == WHIRL_FIT_DETERMINED ? find_statement(of, what) : find_judgement(of, what, "", WHIRL_NOT_KNOWN);
+    // State the value with its interval.
     phrase_unit(of, &own->found, &unit, 8, row[FIT_VALUE]);
     if (isfinite(row[FIT_ERROR])) {
         phrase_text(of, &own->found, ", standard error ");
@@ -104,6 +106,7 @@ static void fit_find_unknown(const shown_fit_of *f, size_t u) {
         phrase_text(of, &own->found, " to ");
         phrase_unit(of, &own->found, &unit, 6, row[FIT_VALUE] + row[FIT_HALF]);
     }
+    // Say why it is not determined.
     if (known == WHIRL_FIT_DETERMINED) return;
     phrase_text(of, &own->asked, "determined by what was measured");
     phrase_text(of, &own->told, "%s", not_known[known]);
@@ -112,6 +115,7 @@ static void fit_find_unknown(const shown_fit_of *f, size_t u) {
 static void fit_find_sheet(const shown_fit_of *f) {
     static const char *const known[] = {"yes", "at its bound", "hardly", "no"};
     const finder *of = f->of;
+    // Set up the columns; numbers are in the parameter's own unit, which is a column.
     whirl_sheet *sheet = find_sheet(of, "unknowns", "Fitted parameters");
     sheet_texts(of, sheet, "parameter", "parameter");
     sheet_column(of, sheet, "start", "start", WHIRL_QUANTITY_NUMBER, 8);
@@ -121,6 +125,7 @@ static void fit_find_sheet(const shown_fit_of *f) {
     sheet_column(of, sheet, "high", "to", WHIRL_QUANTITY_NUMBER, 6);
     sheet_texts(of, sheet, "unit", "unit");
     sheet_texts(of, sheet, "determined", "determined");
+    // Add a row for each parameter.
     for (size_t u = 0; u < f->unknowns; u++) {
         const double *row = f->unknown + FIT_COLUMNS * u;
         const whirl_unit unit = fit_unit(f, u);
@@ -139,6 +144,7 @@ static void fit_find_sheet(const shown_fit_of *f) {
 
 static void fit_find_correlations(const shown_fit_of *f) {
     const finder *of = f->of;
+    // Show the correlation of every pair.
     whirl_sheet *sheet = find_sheet(of, "correlations", "Correlations of the parameters' errors");
     sheet_texts(of, sheet, "parameter", "parameter");
     sheet_texts(of, sheet, "other", "with");
@@ -151,6 +157,7 @@ static void fit_find_correlations(const shown_fit_of *f) {
             cell_number(of, sheet, f->correlation[WHIRL_MAX_UNKNOWNS * u + k]);
         }
     find_sheet_end(of);
+    // State the pairs whose errors are nearly one.
     for (size_t u = 0; u < f->unknowns; u++)
         for (size_t k = u + 1; k < f->unknowns; k++) {
             const double correlation = f->correlation[WHIRL_MAX_UNKNOWNS * u + k];
@@ -194,6 +201,7 @@ static void fit_find_channels(const shown_fit_of *f) {
     const finder *of = f->of;
     fit_channel channels[MOST];
     size_t count = 0;
+    // Sum up squares over the numbers of each channel: a probe in one file.
     for (size_t i = 0; i < f->numbers; i++) {
         const double *row = f->number + FIT_NUMBERS * i;
         size_t c = 0;
@@ -206,6 +214,7 @@ static void fit_find_channels(const shown_fit_of *f) {
         channels[c].measured += row[FIT_MEASURED] * row[FIT_MEASURED];
         channels[c].largest = fmax(channels[c].largest, fabs(off));
     }
+    // Show each channel with its root mean squares.
     whirl_sheet *sheet = find_sheet(of, "residuals", "Measured numbers and the fitted machine");
     sheet_column(of, sheet, "file", "file", WHIRL_QUANTITY_NUMBER, 4);
     sheet_texts(of, sheet, "probe", "probe");
@@ -233,6 +242,7 @@ static void fit_find_agreement(const shown_fit_of *f) {
     const finder *of = f->of;
     const double *outcome = f->outcome;
     const bool noise = of->table->record.fit.noise > 0.0, poor = noise && outcome[FIT_DEVIATION] > much_more_noise;
+    // Judge the residuals if the noise is given; otherwise only state them.
     whirl_statement *own =
         noise ? find_judgement(of, "agreement", "", poor ? WHIRL_FAILS : WHIRL_HOLDS) : find_statement(of, "agreement");
     if (noise) phrase_text(of, &own->asked, "residuals as large as the given noise");
@@ -243,6 +253,7 @@ static void fit_find_agreement(const shown_fit_of *f) {
         phrase_number(of, &own->found, WHIRL_QUANTITY_LENGTH, 4, outcome[FIT_DEVIATION]);
     phrase_text(of, &own->found, " (%.0f degrees of freedom, %.0f steps)", outcome[FIT_DEGREES], outcome[FIT_STEPS]);
     if (poor) phrase_text(of, &own->told, "the machine does not do what was measured, or there was more noise");
+    // Judge whether the motions are stable, since nobody measures an unstable one.
     const whirl_field *motions = whirl_layout_field(&of->table->layout, WHIRL_FIELD_FIT_MOTION);
     const double *motion = whirl_table_field(of->table, f->point, WHIRL_FIELD_FIT_MOTION, 0);
     size_t unstable = 0, first = 0;

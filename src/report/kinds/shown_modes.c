@@ -175,14 +175,17 @@ static void find_critical(const finder *of) {
 
 /// Reports the lowest modes at the first and the last value; names are those at the last one.
 static void find_lowest(const finder *of, const size_t *ends, size_t count) {
+    // Names are those of lines along the parameter.
     const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_FREQUENCY);
     mode_lines lines;
     if (!mode_lines_of(of->table, &lines)) lines = (mode_lines){.line = NULL};
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "lowest", "Lowest modes");
     sheet_values(of, sheet, "", 6);
     sheet_column(of, sheet, "mode", "mode", WHIRL_QUANTITY_NUMBER, 4);
     sheet_texts(of, sheet, "name", "name");
     mode_columns(of, sheet);
+    // Add the modes of both ends; unused places of a point have no frequency.
     for (const size_t *point = ends; point < ends + count; point++) {
         const double *frequency = whirl_table_field(of->table, *point, WHIRL_FIELD_MODES_FREQUENCY, 0);
         const double *ratios = whirl_table_field(of->table, *point, WHIRL_FIELD_MODES_DAMPING_RATIO, 0);

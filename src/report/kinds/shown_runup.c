@@ -129,11 +129,13 @@ static void runup_find_events(const finder *of) {
     enum { COLUMNS = 8 };
     const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_HAPPENED);
     if (!rows) return;
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "events", "Events of a run");
     sheet_values(of, sheet, "", 6);
     sheet_texts(of, sheet, "event", "event");
     sheet_column(of, sheet, "time", "at", WHIRL_QUANTITY_TIME, 6);
     sheet_column(of, sheet, "speed", "speed", WHIRL_QUANTITY_SPEED, 6);
+    // Add a row for each event of each run; a row without a kind is unused.
     for (size_t point = 0; point < of->table->count; point++) {
         const double *events = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_HAPPENED, 0);
         for (size_t row = 0; events && row < rows->rows; row++) {
@@ -174,6 +176,7 @@ static void runup_find_peaks(const finder *of) {
 }
 
 static void runup_find_contacts(const finder *of) {
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "contacts", "Contacts of a run");
     sheet_values(of, sheet, "", 6);
     sheet_texts(of, sheet, "contact", "contact");
@@ -182,6 +185,7 @@ static void runup_find_contacts(const finder *of) {
     sheet_column(of, sheet, "last", "opened last at", WHIRL_QUANTITY_TIME, 6);
     sheet_column(of, sheet, "time", "closed for", WHIRL_QUANTITY_TIME, 6);
     sheet_column(of, sheet, "force", "largest normal force", WHIRL_QUANTITY_FORCE, 5);
+    // Add a row for each contact of each run, with its largest force over all instants.
     const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_FORCE);
     for (size_t point = 0; point < of->table->count && rows; point++)
         for (size_t c = 0; c < of->result->contact_count; c++) {
@@ -205,6 +209,7 @@ static void runup_find_contacts(const finder *of) {
 static void runup_find_torques(const finder *of) {
     const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_TORQUE_OF);
     if (!rows) return;
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "torques", "Torques of a run");
     sheet->about =
         "Torques of motors on their stations and of shafts and meshes between stations that twist, positive where "
@@ -216,6 +221,7 @@ static void runup_find_torques(const finder *of) {
     sheet_column(of, sheet, "least", "least", WHIRL_QUANTITY_MOMENT, 6);
     sheet_column(of, sheet, "least_time", "at", WHIRL_QUANTITY_TIME, 6);
     sheet_column(of, sheet, "open", "without contact", WHIRL_QUANTITY_PERCENT, 4);
+    // Add a row for each torque of each run.
     for (size_t point = 0; point < of->table->count; point++) {
         const double *names = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_TORQUE_OF, 0);
         const double *extremes = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_TORQUE_EXTREME, 0);
@@ -240,6 +246,7 @@ static void runup_find_cycles(const finder *of) {
     const whirl_field *torques = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_TORQUE_OF);
     if (!rows || !torques || torques->rows == 0) return;
     const size_t classes = rows->rows / torques->rows;
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "cycles", "Cycles of torques between twists");
     sheet->about = "Counted by rain flow (ASTM E1049) in 32 classes of their ranges, peak to peak; the largest classes "
                    "with cycles.";
@@ -247,6 +254,7 @@ static void runup_find_cycles(const finder *of) {
     sheet_texts(of, sheet, "torque", "torque");
     sheet_column(of, sheet, "range", "range up to", WHIRL_QUANTITY_MOMENT, 6);
     sheet_column(of, sheet, "number", "cycles", WHIRL_QUANTITY_NUMBER, 6);
+    // Add the largest classes that have cycles, of torques between twists and of meshes.
     for (size_t point = 0; point < of->table->count; point++) {
         const double *names = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_TORQUE_OF, 0);
         const double *cycles = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_CYCLES, 0);
@@ -296,6 +304,7 @@ static void runup_find_uncounted(const finder *of) {
 static void runup_find_damage(const finder *of) {
     const whirl_field *torques = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_DAMAGE);
     if (!torques) return;
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "fatigue", "Fatigue by the torques of a run");
     sheet->about = "Miner's sum over the S-N curve of the case, without a correction for the mean; failure is expected "
                    "where the sum of all runs is 1.";
@@ -304,6 +313,7 @@ static void runup_find_damage(const finder *of) {
     sheet_column(of, sheet, "damage", "damage of a run", WHIRL_QUANTITY_NUMBER, 5);
     sheet_column(of, sheet, "runs", "runs to failure", WHIRL_QUANTITY_NUMBER, 5);
     sheet_texts(of, sheet, "remark", "remark");
+    // Add a row for each torque with an S-N curve; a sum is not known if a range is above the curve.
     for (size_t point = 0; point < of->table->count; point++) {
         const double *names = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_TORQUE_OF, 0);
         const double *damage = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_DAMAGE, 0);
@@ -329,6 +339,7 @@ static void runup_find_damage(const finder *of) {
 /// Reports the torque with the largest damage of a run.
 static void runup_find_worst_damage(const finder *of) {
     const whirl_field *torques = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_DAMAGE);
+    // Find the largest damage; one above its curve counts as larger than all.
     double largest = -1.0;
     size_t at = 0, which = 0;
     for (size_t point = 0; torques && point < of->table->count; point++) {
@@ -339,6 +350,7 @@ static void runup_find_worst_damage(const finder *of) {
         }
     }
     if (largest < 0.0) return;
+    // State what it means for the number of runs.
     char name[2 * WHIRL_NAME_SIZE + 40];
     torque_name(of->result, runup_numbers_of(of, at, WHIRL_FIELD_RUNUP_TORQUE_OF, 0) + 3 * which, name, sizeof name);
     whirl_statement *own = find_statement(of, "fatigue");
@@ -356,6 +368,7 @@ static void runup_find_worst_damage(const finder *of) {
 static void runup_find_stationary(const finder *of) {
     const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_STATIONARY);
     if (!rows) return;
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "stationary", "Stationary speeds of the drive");
     sheet->about = "Speeds at which the motor's torque equals what brakes the shaft while its motions are small and "
                    "settled, and folds, at which two of them meet if the motor's torque is multiplied by the factor. A "
@@ -365,6 +378,7 @@ static void runup_find_stationary(const finder *of) {
     sheet_texts(of, sheet, "kind", "what");
     sheet_column(of, sheet, "torque", "motor's torque", WHIRL_QUANTITY_MOMENT, 6);
     sheet_column(of, sheet, "factor", "factor of the motor's torque", WHIRL_QUANTITY_NUMBER, 6);
+    // Add stationary speeds, then folds, of each run.
     for (size_t point = 0; point < of->table->count; point++) {
         const double *speeds = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_STATIONARY, 0);
         const double *folds = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_FOLD, 0);

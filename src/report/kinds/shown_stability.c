@@ -5,6 +5,7 @@
 #include "shown_kinds.h"
 
 static void find_levels(const finder *of) {
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "levels", "Stability by decrements");
     sheet->of_points = true;
     sheet_values(of, sheet, "", 6);
@@ -20,6 +21,7 @@ static void find_levels(const finder *of) {
     sheet_column(of, sheet, "density", "gas", WHIRL_QUANTITY_DENSITY, 4);
     sheet_texts(of, sheet, "region", "region");
     sheet_texts(of, sheet, "follows", "what follows");
+    // Add a row for each point; without stages there is no anticipated cross coupling.
     for (size_t point = 0; point < of->table->count; point++) {
         char text[ASKED_TEXT];
         if (!whirl_table_done(of->table, point)) continue;

@@ -29,6 +29,7 @@ static double largest_slope(const finder *of, size_t point) {
 }
 
 static void find_weight(const finder *of, const size_t *ends, size_t count) {
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "weight", "Weight, loads of bearings and sag");
     sheet->about = "What the weight does to each shaft on its own bearings, which hold it without giving way, "
                    "whatever couplings, springs and mounts it has.";
@@ -41,6 +42,7 @@ static void find_weight(const finder *of, const size_t *ends, size_t count) {
     sheet_column(of, sheet, "moment", "bending moment", WHIRL_QUANTITY_MOMENT, 5);
     sheet_column(of, sheet, "mass_left", "mass to the left", WHIRL_QUANTITY_MASS, 5);
     sheet_column(of, sheet, "mass_right", "mass to the right", WHIRL_QUANTITY_MASS, 5);
+    // Add the stations on shafts, at the first and the last point.
     for (const size_t *point = ends; point < ends + count; point++)
         for (size_t station = 0; station < of->result->station_count; station++) {
             const double deflection = length(of, *point, WHIRL_FIELD_STATICS_DEFLECTION, station);
@@ -59,17 +61,20 @@ static void find_weight(const finder *of, const size_t *ends, size_t count) {
             cell_number(of, sheet, mass ? mass[0] : (double)NAN);
             cell_number(of, sheet, mass ? mass[1] : (double)NAN);
         }
+    // Show rows that are equal at both points once.
     sheet_once(of, sheet);
     find_sheet_end(of);
 }
 
 /// Reports axial forces of vertical shafts, and the parts that carry them.
 static void find_axial(const finder *of, const size_t *ends, size_t count) {
+    // Find out whether any shaft stands.
     bool stands = false;
     for (const size_t *point = ends; point < ends + count; point++)
         for (size_t station = 0; station < of->result->station_count; station++)
             stands = stands || isfinite(number(of, *point, WHIRL_FIELD_STATICS_THRUST, station));
     if (!stands) return;
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "axial", "Axial forces of shafts that stand");
     sheet->about =
         "What the thrust bearing holds, and the force in the shaft to both sides of a station, above 0 where "
@@ -80,6 +85,7 @@ static void find_axial(const finder *of, const size_t *ends, size_t count) {
     sheet_column(of, sheet, "thrust", "load held", WHIRL_QUANTITY_FORCE, 5);
     sheet_column(of, sheet, "axial_left", "axial force to the left", WHIRL_QUANTITY_FORCE, 5);
     sheet_column(of, sheet, "axial_right", "axial force to the right", WHIRL_QUANTITY_FORCE, 5);
+    // Add the stations on standing shafts, at the first and the last point.
     for (const size_t *point = ends; point < ends + count; point++)
         for (size_t station = 0; station < of->result->station_count; station++) {
             const double *axial = whirl_table_field(of->table, *point, WHIRL_FIELD_STATICS_AXIAL_FORCE, station);
@@ -92,6 +98,7 @@ static void find_axial(const finder *of, const size_t *ends, size_t count) {
             cell_number(of, sheet, axial[0]);
             cell_number(of, sheet, axial[1]);
         }
+    // Show rows that are equal at both points once.
     sheet_once(of, sheet);
     find_sheet_end(of);
 }
@@ -181,12 +188,14 @@ static void find_films(const finder *of, const size_t *ends, size_t count) {
 
 /// Reports stiffness and damping of bearings at all points.
 static void find_coefficients(const finder *of) {
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "coefficients", "Coefficients of bearings");
     sheet->about = "Stiffness and damping of bearings about where the machine rests: forces against displacements and "
                    "velocities, kxy along x by y.";
     sheet_values(of, sheet, "", 6);
     sheet_texts(of, sheet, "station", "bearing");
     sheet_coefficients(of, sheet, NULL);
+    // Add a row for each bearing; coefficients far below the largest are rounding, and shown as 0.
     for (size_t point = 0; point < of->table->count; point++)
         for (size_t station = 0; station < of->result->station_count; station++) {
             const double *const k = whirl_table_field(of->table, point, WHIRL_FIELD_STATICS_STIFFNESS, station);

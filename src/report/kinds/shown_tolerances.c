@@ -108,6 +108,7 @@ static size_t list_chances(const finder *of, const whirl_spread_of *numbers, siz
 
 static void find_chances(const finder *of, const asked_chance *chances, size_t count) {
     const size_t places = whirl_table_places(of->table);
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "probabilities", "Probabilities");
     sheet->about =
         "Standard errors are those of 16 independent scramblings of the samples. The interval is Wilson's, of "
@@ -122,6 +123,7 @@ static void find_chances(const finder *of, const asked_chance *chances, size_t c
     sheet_column(of, sheet, "to", "to", WHIRL_QUANTITY_PERCENT, 4);
     sheet_column(of, sheet, "samples", "samples", WHIRL_QUANTITY_NUMBER, 8);
     sheet_column(of, sheet, "failed", "failed", WHIRL_QUANTITY_NUMBER, 8);
+    // Add a row for each value of the parameter, and one for all of them.
     for (size_t i = 0; i < count; i++)
         for (size_t place = 0;; place = next_place(place, places)) {
             whirl_spread spread;
@@ -171,10 +173,12 @@ static void cell_estimate(const finder *of, whirl_sheet *sheet, whirl_estimate e
 }
 
 static void find_spread(const finder *of, const whirl_spread_of *number, const char *sheet_name) {
+    // Keys and headings of the quantiles.
     static const char *const keys[WHIRL_QUANTILES] = {"q05", "q25", "median", "q75", "q95"};
     static const char *const error_keys[WHIRL_QUANTILES] = {"q05_error", "q25_error", "median_error", "q75_error",
                                                             "q95_error"};
     static const char *const headings[WHIRL_QUANTILES] = {"5 %", "25 %", "median", "75 %", "95 %"};
+    // Set up the columns.
     const size_t places = whirl_table_places(of->table);
     const whirl_unit unit = spread_unit(of->units, of->table, number);
     char name[SPREAD_NAME];
@@ -195,6 +199,7 @@ static void find_spread(const finder *of, const whirl_spread_of *number, const c
     sheet_units(of, sheet, "most", "most", &unit, 5);
     sheet_column(of, sheet, "samples", "samples", WHIRL_QUANTITY_NUMBER, 8);
     sheet_column(of, sheet, "failed", "failed", WHIRL_QUANTITY_NUMBER, 8);
+    // Add a row for each value of the parameter, and one for the worst of all.
     for (size_t place = 0;; place = next_place(place, places)) {
         whirl_spread spread;
         const whirl_status status = whirl_table_spread(of->result, of->table, number, place, 0, &spread);
@@ -232,6 +237,7 @@ static void index_rows(const finder *of, whirl_sheet *sheet, const char *what, s
 
 static void find_indices(const finder *of, const whirl_spread_of *numbers, size_t number_count,
                          const asked_chance *chances, size_t chance_count) {
+    // Set up the columns.
     const size_t places = whirl_table_places(of->table);
     char name[SPREAD_NAME];
     whirl_sheet *sheet = find_sheet(of, "indices", "Parts of the variance that parameters cause");
@@ -245,6 +251,7 @@ static void find_indices(const finder *of, const whirl_spread_of *numbers, size_
     sheet_column(of, sheet, "first_error", "+-", WHIRL_QUANTITY_NUMBER, 2);
     sheet_column(of, sheet, "total", "with others", WHIRL_QUANTITY_NUMBER, 3);
     sheet_column(of, sheet, "total_error", "+-", WHIRL_QUANTITY_NUMBER, 2);
+    // Add the indices of each number, then of each probability, at each value of the parameter.
     for (size_t i = 0; i < number_count + chance_count && of->table->tolerances.indices; i++)
         for (size_t place = 0;; place = next_place(place, places)) {
             whirl_spread s;
@@ -267,9 +274,11 @@ static void find_indices(const finder *of, const whirl_spread_of *numbers, size_
 
 static void find_convergence(const finder *of, const whirl_spread_of *numbers, size_t number_count,
                              const asked_chance *chances, size_t chance_count) {
+    // Several values of the parameter are judged by the worst of them.
     const size_t all = (size_t)of->table->tolerances.samples,
                  place = whirl_table_places(of->table) > 1 ? WHIRL_ANYWHERE : 0;
     char name[SPREAD_NAME];
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "convergence", "The same estimates from fewer samples");
     sheet->about = "From the first quarter and half of the samples, which are those of a study with so many. Means and "
                    "deviations are divided by those from all samples.";
@@ -281,6 +290,7 @@ static void find_convergence(const finder *of, const whirl_spread_of *numbers, s
     sheet_column(of, sheet, "deviation_error", "+-", WHIRL_QUANTITY_NUMBER, 2);
     sheet_column(of, sheet, "probability", "probability", WHIRL_QUANTITY_PERCENT, 4);
     sheet_column(of, sheet, "probability_error", "+-", WHIRL_QUANTITY_PERCENT, 2);
+    // Estimate each number and probability from a quarter, a half and all samples.
     for (size_t i = 0; i < number_count + chance_count; i++) {
         const bool number = i < number_count;
         whirl_spread parts[3] = {{.samples = 0}};
@@ -292,6 +302,7 @@ static void find_convergence(const finder *of, const whirl_spread_of *numbers, s
                        : chance_at(of, &chances[i - number_count], place, some, &parts[k]);
             note_failure(of, &status);
         }
+        // Show them; means and deviations relative to those from all samples.
         for (size_t k = 0; k < 3; k++) {
             const double mean = parts[2].mean.value, deviation = parts[2].deviation.value;
             sheet_row(of, sheet);

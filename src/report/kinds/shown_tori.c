@@ -45,6 +45,7 @@ static const char *end_of(const finder *of, size_t point) {
 }
 
 static void find_row(const finder *of, whirl_sheet *sheet, const whirl_tori *own, const double *clock) {
+    // Write where the branch begins, and its rotation numbers.
     const double rotations[] = {point_number(of->table, own->first, WHIRL_FIELD_TORUS_ROTATION),
                                 point_number(of->table, own->last, WHIRL_FIELD_TORUS_ROTATION)};
     const bool line = own->found > 0 && own->station < of->result->station_count;
@@ -53,6 +54,7 @@ static void find_row(const finder *of, whirl_sheet *sheet, const whirl_tori *own
     cell_number(of, sheet, point_number(of->table, own->first, WHIRL_FIELD_TORUS_BEGINS));
     cell_number(of, sheet, point_number(of->table, own->first, WHIRL_FIELD_TORUS_BRANCH));
     cell_numbers(of, sheet, own->found > 0 ? 2 : 0, rotations);
+    // Write the second frequency, and the station with its largest line.
     if (line) {
         const double lines[] = {second_frequency(of, own, own->first, clock),
                                 second_frequency(of, own, own->last, clock)};
@@ -63,6 +65,7 @@ static void find_row(const finder *of, whirl_sheet *sheet, const whirl_tori *own
         cell_numbers(of, sheet, 0, NULL);
         cell_text(of, sheet, "");
     }
+    // Write stability and the end of the branch.
     cell_text(of, sheet, own->found > 0 ? stable_of(of, own) : "");
     cell_number(of, sheet, (double)own->found);
     cell_value(of, sheet, own->last);
@@ -70,8 +73,10 @@ static void find_row(const finder *of, whirl_sheet *sheet, const whirl_tori *own
 }
 
 static void tori_find(const finder *of) {
+    // Without the rate of the clock, frequencies are orders.
     double *clock = clocks_of(of);
     whirl_sheet *sheet = find_sheet(of, "tori", "Quasi-periodic motions");
+    // Set up the columns.
     sheet_column(of, sheet, "torus", "torus", WHIRL_QUANTITY_NUMBER, 6);
     sheet_values(of, sheet, "begins at", 9);
     sheet_column(of, sheet, "branch", "branch", WHIRL_QUANTITY_NUMBER, 6);
@@ -85,11 +90,13 @@ static void tori_find(const finder *of) {
     sheet_column(of, sheet, "points", "points", WHIRL_QUANTITY_NUMBER, 9);
     sheet_values(of, sheet, "to", 9);
     sheet_texts(of, sheet, "ends", "ends");
+    // Add a row for each branch, a run of points.
     for (size_t point = 0; point < of->table->count; point++) {
         const whirl_tori own = whirl_table_tori(of->table, point);
         find_row(of, sheet, &own, clock);
         point = own.last;
     }
+    // Say so if there is none.
     if (of->table->count == 0)
         phrase_text(of, &find_statement(of, "quasi-periodic motions")->found,
                     "no torus begins along the branches that were followed");

@@ -43,10 +43,12 @@ static double torsion_apart(double frequency, double low, double high) {
 /// Compares a line with an excitation at all points: where its frequency is nearest. False if the line has no point.
 static bool torsion_separate(const whirl_table *table, const mode_lines *lines, separation *own) {
     double low, high, nearest = INFINITY;
+    // With running speeds the excitation covers a range of frequencies, otherwise one at each point.
     const bool running = margin_running(table, &low, &high);
     for (size_t point = 0; point < table->count; point++) {
         const double speed = whirl_table_number(table, point, WHIRL_FIELD_MODES_SPEED, 0);
         if (!whirl_table_done(table, point)) continue;
+        // Look at the mode of the point that belongs to the line.
         for (size_t i = 0; i < lines->modes; i++) {
             if (lines->line[point * lines->modes + i] != own->line) continue;
             const double frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0)[i];
@@ -54,6 +56,7 @@ static bool torsion_separate(const whirl_table *table, const mode_lines *lines, 
             const double apart =
                 torsion_apart(frequency, running ? torsion_excitation_frequency(table, own->by, low) : at,
                               running ? torsion_excitation_frequency(table, own->by, high) : at);
+            // Note the place where it is nearest.
             if (!(fabs(apart) < nearest)) continue;
             nearest = fabs(apart);
             own->frequency = frequency;
@@ -79,6 +82,7 @@ static const char *torsion_excitation_name(const finder *of, torsion_excitation 
 
 /// The sheet of all separations, and the least of them.
 static size_t torsion_sheet(const finder *of, const mode_lines *lines, separation *least) {
+    // Set up the columns; margins need running speeds.
     double low, high;
     const bool running = margin_running(of->table, &low, &high);
     size_t count = 0;
@@ -92,6 +96,7 @@ static size_t torsion_sheet(const finder *of, const mode_lines *lines, separatio
         sheet_texts(of, sheet, "side", "of the excitation");
         sheet_texts(of, sheet, "verdict", "10 % asked for");
     }
+    // Add a row for each torsional line and each excitation, and note the least separation.
     for (size_t i = 0; i < lines->count; i++) {
         if (!torsion_of_line(of->table, lines, i)) continue;
         for (int k = 0; k < torsion_excitation_count(of->table); k++) {
@@ -132,6 +137,7 @@ static void torsion_judge(const finder *of, const mode_lines *lines, const separ
 /// Reports what a response to torques says about a separation that fails: the largest shear stress where the machine
 /// runs, of all its tables.
 static void torsion_justify(const finder *of) {
+    // Find the largest stress of all torsional responses at running speeds.
     double largest = -1.0, low, high;
     bool computed = false;
     margin_running(of->table, &low, &high);
@@ -148,6 +154,7 @@ static void torsion_justify(const finder *of) {
             }
         }
     }
+    // State it, or what is missing for it.
     whirl_phrase *found = &find_statement(of, "what may justify a separation that fails")->found;
     if (largest >= 0.0) {
         phrase_text(of, found, "the response to torques: shear stresses of at most ");

@@ -16,6 +16,7 @@ static const char *train_joint_name(const finder *of, const whirl_model_joint *o
 }
 
 static void train_find_stations(const finder *of, const whirl_model *model) {
+    // Set up the columns.
     double sum = 0.0;
     whirl_sheet *sheet = find_sheet(of, "train", "Inertias of the train");
     sheet->about =
@@ -25,6 +26,7 @@ static void train_find_stations(const finder *of, const whirl_model *model) {
     sheet_column(of, sheet, "ratio", "speed over the rotor's", WHIRL_QUANTITY_NUMBER, 6);
     sheet_column(of, sheet, "inertia", "polar inertia", WHIRL_QUANTITY_INERTIA, 6);
     sheet_column(of, sheet, "referred", "referred", WHIRL_QUANTITY_INERTIA, 6);
+    // Add the stations that twist, and sum up their inertias.
     for (size_t s = 0; s < model->station_count && s < of->result->station_count; s++) {
         const whirl_model_mass *own = &model->stations[s];
         if (isnan(own->twist)) continue;
@@ -35,6 +37,7 @@ static void train_find_stations(const finder *of, const whirl_model *model) {
         cell_number(of, sheet, own->twist);
         cell_number(of, sheet, own->twist * own->turns * own->turns);
     }
+    // State the sum if there are several.
     const bool any = sheet->rows > 1;
     find_sheet_end(of);
     if (any)

@@ -20,6 +20,7 @@ static size_t twists_rows(const whirl_table *table, const char *field) {
 }
 
 void torque_name(const whirl_result *result, const double *of, char *name, size_t size) {
+    // Words for kinds of torques.
     static const char *const kinds[WHIRL_TORQUE_KINDS] = {[WHIRL_TORQUE_BETWEEN] = "twist",
                                                           [WHIRL_TORQUE_INDUCTION_MOTOR] = "induction motor",
                                                           [WHIRL_TORQUE_SYNCHRONOUS_START] = "synchronous start",
@@ -28,11 +29,13 @@ void torque_name(const whirl_result *result, const double *of, char *name, size_
                                                           [WHIRL_TORQUE_MESH] = "mesh",
                                                           [WHIRL_TORQUE_RIGID_GEAR] = "rigid gear",
                                                           [WHIRL_TORQUE_WITH_PLAY] = "spring with play"};
+    // Name both ends, if they are stations.
     const char *station[2];
     for (size_t end = 0; end < 2; end++) {
         const bool named = of[1 + end] >= 0.0 && of[1 + end] < (double)result->station_count;
         station[end] = named ? result->stations[(size_t)of[1 + end]].name : "";
     }
+    // Join kind and ends: a shaft has two stations, a mesh may end at the ground, all others are at one station.
     const size_t kind = of[0] > 0.0 && of[0] < (double)WHIRL_TORQUE_KINDS ? (size_t)of[0] : 0;
     if (kind == WHIRL_TORQUE_BETWEEN)
         snprintf(name, size, "%s to %s", *station[0] ? station[0] : "between stations",
@@ -200,6 +203,7 @@ static void twists_row(const finder *of, whirl_sheet *sheet, size_t path, size_t
 
 /// Reports the largest vibratory torque of every shaft, coupling and gear, at all points and at running speeds.
 static void twists_find_torques(const finder *of) {
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "torques", "Largest vibratory torques");
     sheet->about =
         "Zero to peak: the sum of the amplitudes of all excitations, which is the worst case; the excitation "
@@ -214,6 +218,7 @@ static void twists_find_torques(const finder *of) {
     sheet_column(of, sheet, "steady", "steady torque", WHIRL_QUANTITY_MOMENT, 5);
     sheet_column(of, sheet, "stress", "shear stress", WHIRL_QUANTITY_PRESSURE, 4);
     sheet_column(of, sheet, "power", "power of damping", WHIRL_QUANTITY_POWER, 4);
+    // Add each torque at the point of its largest sum, of all points and of the running speeds.
     for (size_t k = 0; k < twists_rows(of->table, WHIRL_FIELD_TORSION_TORQUE_OF); k++) {
         size_t point = 0, which = 0;
         for (int running = 0; running < 2; running++)
@@ -289,12 +294,14 @@ static void twists_find_peaks_of(const finder *of, whirl_sheet *sheet, size_t pa
 
 /// Reports peaks over the speed, with the mode that is nearest.
 static void twists_find_peaks(const finder *of) {
+    // Make memory for the amplitudes along the speed.
     size_t point = 0, which = 0;
     double *speeds = malloc((3 * of->table->count + 1) * sizeof *speeds);
     if (!speeds) {
         of->findings->failed = true;
         return;
     }
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "peaks", "Peaks of vibratory torques");
     sheet_texts(of, sheet, "torque", "torque");
     sheet_texts(of, sheet, "excitation", "excitation");
@@ -305,6 +312,7 @@ static void twists_find_peaks(const finder *of) {
     sheet_column(of, sheet, "natural", "its frequency", WHIRL_QUANTITY_FREQUENCY, 5);
     sheet_column(of, sheet, "amplification", "amplification", WHIRL_QUANTITY_NUMBER, 4);
     sheet_texts(of, sheet, "found_by", "found by");
+    // Add the peaks of each torque by each excitation.
     for (size_t k = 0; k < twists_rows(of->table, WHIRL_FIELD_TORSION_TORQUE_OF); k++)
         for (size_t i = 0; i < twists_rows(of->table, WHIRL_FIELD_TORSION_ORDER); i++)
             if (twists_leads(of->table, k) && twists_largest_of(of, k, false, &point, &which))
@@ -316,6 +324,7 @@ static void twists_find_peaks(const finder *of) {
 
 /// Reports the largest twists of stations, and how much they change the speed.
 static void twists_find_angles(const finder *of) {
+    // Set up the columns.
     const size_t excitations = twists_rows(of->table, WHIRL_FIELD_TORSION_ORDER);
     whirl_sheet *sheet = find_sheet(of, "angles", "Largest twists of the stations");
     sheet->about = "Zero to peak, summed over all excitations; the angular velocity is summed likewise.";
@@ -325,6 +334,7 @@ static void twists_find_angles(const finder *of) {
     sheet_values(of, sheet, "at", 6);
     sheet_column(of, sheet, "rate", "angular velocity", WHIRL_QUANTITY_ANGULAR, 4);
     sheet_column(of, sheet, "share", "over the speed of the station", WHIRL_QUANTITY_PERCENT, 3);
+    // Add each station at the point of its largest twist.
     for (size_t s = 0; s < of->result->station_count; s++) {
         size_t point = 0;
         if (!twists_largest(of, WHIRL_FIELD_TORSION_ANGLE_SUM, s, 0, false, &point)) continue;

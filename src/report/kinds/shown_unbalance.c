@@ -47,6 +47,7 @@ static void find_largest(const finder *of) {
 
 /// Reports critical speeds: peaks of all stations, at their probes.
 static void find_peaks(const finder *of) {
+    // Set up the columns; margins need running speeds.
     const bool running = margin_asked(of->table);
     margin_row rows[2 * MARGIN_PEAKS];
     whirl_sheet *sheet = find_sheet(of, "peaks", "Peaks of the response");
@@ -62,6 +63,7 @@ static void find_peaks(const finder *of) {
         sheet_column(of, sheet, "asked", "asked for", WHIRL_QUANTITY_PERCENT, 3);
         sheet_texts(of, sheet, "verdict", "verdict");
     }
+    // Add the peaks of each station.
     for (size_t station = 0; station < of->result->station_count; station++) {
         const size_t count = margin_rows(of->result, of->table, station, rows);
         for (const margin_row *row = rows; row < rows + count; row++) {
@@ -84,6 +86,7 @@ static void find_peaks(const finder *of) {
 
 /// Reports the share of clearances that scaled responses take.
 static void find_clearances(const finder *of, const scaled *by) {
+    // Compute the shares of clearances.
     whirl_sheet *sheet = find_sheet(of, "clearances", "Scaled responses and clearances");
     scaled_row *rows = malloc((of->result->station_count + 1) * sizeof *rows);
     if (!rows) {
@@ -91,12 +94,14 @@ static void find_clearances(const finder *of, const scaled *by) {
         return;
     }
     const size_t count = scaled_rows(of->result, of->table, by, rows);
+    // Set up the columns.
     sheet_texts(of, sheet, "station", "station");
     sheet_column(of, sheet, "axis", "scaled major axis", WHIRL_QUANTITY_SPAN, 4);
     sheet_column(of, sheet, "speed", "speed", WHIRL_QUANTITY_SPEED, 5);
     sheet_column(of, sheet, "clearance", "diametral clearance", WHIRL_QUANTITY_SPAN, 4);
     sheet_column(of, sheet, "share", "share", WHIRL_QUANTITY_PERCENT, 3);
     sheet_texts(of, sheet, "verdict", "75 % allowed");
+    // Add a row for each station with a clearance.
     for (const scaled_row *row = rows; row < rows + count; row++) {
         sheet_row(of, sheet);
         cell_station(of, sheet, row->station);
@@ -112,12 +117,14 @@ static void find_clearances(const finder *of, const scaled *by) {
 
 /// Reports the factor by which responses are scaled, or why they are not scaled.
 static void find_scaled(const finder *of) {
+    // Without a limit or running speeds, say what is missing.
     scaled by;
     if (!scaled_of(of->result, of->table, &by)) {
         if (!margin_asked(of->table)) return;
         phrase_text(of, &find_statement(of, "scaled responses")->found, "none: %s", scaled_lacks);
         return;
     }
+    // State the limit, the largest response and the factor.
     whirl_statement *own = find_statement(of, "scaled responses");
     phrase_text(of, &own->found, "the vibration limit is ");
     phrase_number(of, &own->found, WHIRL_QUANTITY_SPAN, 4, by.limit);
@@ -126,6 +133,7 @@ static void find_scaled(const finder *of) {
     phrase_text(of, &own->found, " (%s): responses are scaled by ", of->result->stations[by.station].name);
     phrase_number(of, &own->found, WHIRL_QUANTITY_NUMBER, 4, by.factor);
     phrase_text(of, &own->found, " (6 at most)%s", by.beyond ? "; the limit is passed" : "");
+    // State up to which speed clearances count.
     if (by.trip > 0.0) {
         phrase_text(of, &own->found,
                     by.reaches ? "; clearances count up to the trip speed, "

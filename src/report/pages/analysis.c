@@ -146,6 +146,7 @@ static void write_figures(const page *to, size_t result, const whirl_table *tabl
 }
 
 static void write_table(const page *to, size_t result, const whirl_table *table, void *context) {
+    // Head the table with its name, and what it was computed with.
     const shown_kind *kind = shown_kind_of(table);
     chapter_state *state = context;
     char fact[2 * WHIRL_NAME_SIZE];
@@ -154,14 +155,17 @@ static void write_table(const page *to, size_t result, const whirl_table *table,
     fputs("<h3>", to->stream);
     html_printf(to->stream, "%s%s%s", table->name, *with ? ", with " : "", with);
     fputs("</h3>\n", to->stream);
+    // Write figures, and the motions of tables of points.
     write_figures(to, result, table);
     if (!kind) write_motions(to, result, table);
     if (!kind) return;
+    // Explain the kind of table once.
     if (kind != state->kind && kind->about) {
         fputs("<p>", to->stream);
         html_text(to->stream, kind->about);
         fputs("</p>\n", to->stream);
     }
+    // Write statements and sheets, unless they repeat those of the first table.
     state->kind = kind;
     char *section = page_text(to, write_findings, result, table);
     if (section) write_section(to, table, section, state);
@@ -257,6 +261,7 @@ static void write_heading(const page *to, const char *text, const whirl_unit *un
 
 /// Writes the stations of result number `r`. Masses are those without the shaft; `model` NULL: unknown.
 static void write_stations(const page *to, size_t r, const whirl_model *model) {
+    // Write the head of the table.
     const whirl_result *result = to->results[r];
     const whirl_unit *const units = to->units[r].of;
     const whirl_unit *const mass = &units[WHIRL_QUANTITY_MASS], *const inertia = &units[WHIRL_QUANTITY_INERTIA];
@@ -267,6 +272,7 @@ static void write_stations(const page *to, size_t r, const whirl_model *model) {
     write_heading(to, "polar inertia", inertia);
     write_heading(to, "diametral inertia", inertia);
     fputs("</tr></thead>\n<tbody>\n", to->stream);
+    // Write a row for each station.
     for (size_t s = 0; s < result->station_count; s++) {
         const whirl_probe *station = &result->stations[s];
         fputs("<tr><th>", to->stream);
@@ -295,6 +301,7 @@ static void write_diameter(const page *to, const whirl_unit *unit, const double 
 }
 
 static void write_sections(const page *to, size_t r, const whirl_model *model, const whirl_shaft_summary *shafts) {
+    // Write the head of the table.
     const whirl_unit *const units = to->units[r].of, *const mass = &units[WHIRL_QUANTITY_MASS];
     const whirl_unit *const along = &units[WHIRL_QUANTITY_POSITION], *const across = &units[WHIRL_QUANTITY_DIAMETER];
     html_table(to->stream, "Sections of the shafts", "");
@@ -306,6 +313,7 @@ static void write_sections(const page *to, size_t r, const whirl_model *model, c
     write_heading(to, "inner diameter", across);
     write_heading(to, "mass", mass);
     fputs("</tr></thead>\n<tbody>\n", to->stream);
+    // Write a row for each section.
     for (const whirl_model_section *own = model->sections; own < model->sections + model->section_count; own++) {
         fputs("<tr><th>", to->stream);
         html_text(to->stream, shafts[own->shaft].name);
@@ -322,12 +330,14 @@ static void write_sections(const page *to, size_t r, const whirl_model *model, c
 }
 
 static void write_shafts(const page *to, size_t r, const whirl_model *model) {
+    // Sum up the shafts of the machine.
     const whirl_case *const machine = to->machines[r];
     const whirl_unit *const mass = &to->units[r].of[WHIRL_QUANTITY_MASS];
     const whirl_unit *const along = &to->units[r].of[WHIRL_QUANTITY_POSITION];
     whirl_shaft_summary shafts[WHIRL_MAX_SHAFTS];
     size_t count = 0;
     if (!machine || whirl_case_shafts(machine, shafts, &count).code != WHIRL_OK) return;
+    // Write a sentence for each shaft: its elements, its reduction and its mass.
     for (const whirl_shaft_summary *shaft = shafts; shaft < shafts + count; shaft++) {
         fputs("<p>", to->stream);
         html_printf(to->stream, "Shaft %s: %.6g %s, %.6g %s, %zu finite elements (Timoshenko) between %zu nodes",
@@ -344,6 +354,7 @@ static void write_shafts(const page *to, size_t r, const whirl_model *model) {
                         mass->name, all->centre / along->size, along->name);
         fputs(".</p>\n", to->stream);
     }
+    // Write the sections of all shafts.
     if (count > 0 && model->section_count > 0) write_sections(to, r, model, shafts);
 }
 

@@ -158,6 +158,7 @@ static void tell_heading(const page *to, size_t index, const whirl_table *table)
 }
 
 void found_table(const page *to, size_t index, const whirl_table *table) {
+    // Head the item with the first line of the text, without its colon.
     char *heading = page_text(to, tell_heading, index, table);
     if (!heading) return;
     heading[strcspn(heading, "\n")] = '\0';
@@ -167,11 +168,13 @@ void found_table(const page *to, size_t index, const whirl_table *table) {
     html_text(to->stream, heading);
     fputs(".</strong> ", to->stream);
     free(heading);
+    // Write the verdicts of a sweep or a map, and how far they can be trusted.
     if (whirl_layout_has_verdict(&table->layout) && !is_single(table)) {
         if (table->row > 0 || !*table->parameter || !write_ranges(to, index, table)) write_verdicts(to, table);
         fputs(".", to->stream);
         write_confidence(to, index, table);
     }
+    // Write the statements, or the text about motions.
     if (shown_kind_of(table)) {
         if (page_statements(to, index, table) == 0) fputs("See its tables.", to->stream);
     } else {

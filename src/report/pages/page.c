@@ -124,21 +124,25 @@ static void write_motions(const page *to, size_t r) {
 }
 
 static void write_result_contents(const page *to, size_t r) {
+    // Link to the result.
     const whirl_result *result = to->results[r];
     const whirl_table *sweep = whirl_result_role(result, WHIRL_ROLE_SURVEY);
     fprintf(to->stream, "<li><a href=\"#result-%zu\">", r + 1);
     html_text(to->stream, to->names[r]);
     fputs("</a>\n<ul>\n", to->stream);
+    // Link to its figures and verdicts.
     if (has_figures(to, r, true)) write_entry(to->stream, "diagrams", r + 1, page_diagrams_title(result));
     if (has_figures(to, r, false)) write_entry(to->stream, "motions", r + 1, "Single points");
     if (sweep && sweep->count > 0 && whirl_layout_has_verdict(&sweep->layout))
         write_entry(to->stream, "regimes", r + 1, "Regimes");
+    // Link to the sections of its tables.
     for (size_t t = 0; t < result->table_count; t++) {
         char name[256], anchor[256];
         if (!section_of(&result->tables[t])) continue;
         name_section(result, &result->tables[t], name, anchor, sizeof name);
         write_entry(to->stream, anchor, r + 1, name);
     }
+    // Link to attractors, single points and provenance.
     if (whirl_result_role(result, WHIRL_ROLE_BASIN) || has_starts(result))
         write_entry(to->stream, "attractors", r + 1, "Attractors");
     if (detail_table(result) && detail_table(result)->count > 0)

@@ -58,6 +58,7 @@ static void write_where(const page *to, const whirl_claim *claim) {
 }
 
 static void write_table(const page *to) {
+    // Write the head: a column for each result.
     html_table(to->stream, "Claims and findings", "claims");
     fputs("<thead><tr><th>Where</th><th>The source says</th>", to->stream);
     for (size_t r = 0; r < to->count; r++) {
@@ -66,6 +67,7 @@ static void write_table(const page *to) {
         fputs("</a></th>", to->stream);
     }
     fputs("</tr></thead>\n<tbody>\n", to->stream);
+    // Write a row for each claim, with its outcome in each result.
     for (size_t c = 0; c < to->claims->count; c++) {
         fprintf(to->stream, "<tr id=\"claim-%zu\"><th scope=\"row\">", c + 1);
         write_where(to, &to->claims->items[c]);
@@ -153,6 +155,7 @@ static void write_all_missed(const page *to) {
 }
 
 void page_claims(const page *to) {
+    // Explain how claims are compared.
     fputs("<section id=\"claims\">\n<h2>What the source says, and what was found</h2>\n"
           "<p>A claim about a range is compared at every point of the sweep within it: it <em>agrees</em> when all "
           "points do, <em>partly</em> when at least half of them do, or when some of the things it states hold and "
@@ -171,6 +174,7 @@ void page_claims(const page *to) {
           "value; the order of a whirl counts within 5&nbsp;%, and is that of the first Hopf point of the range.</li>\n"
           "</ul></details>\n",
           to->stream);
+    // Count the outcomes, and show them.
     write_counts(to);
     write_table(to);
     write_all_missed(to);

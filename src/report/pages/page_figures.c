@@ -53,9 +53,11 @@ const char *page_diagrams_title(const whirl_result *result) {
 
 void page_figures(const page *to, size_t index) {
     bool points = false, diagrams = false;
+    // Figures of diagrams come before those of single points; the main figure is shown elsewhere.
     for (size_t i = 0; i < to->figures->count; i++) {
         const drawn_figure *what = &to->figures->items[i];
         if (what->result != index || what->whole || what == page_main_figure(to, index)) continue;
+        // Begin each of the two groups with a heading.
         if (what->name.point < 0) {
             if (!diagrams)
                 fprintf(to->stream, "<h3 id=\"diagrams-%zu\">%s</h3>\n<div class=\"pair\">\n", index + 1,

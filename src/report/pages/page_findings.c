@@ -84,6 +84,7 @@ static void write_phrase(const page *to, const whirl_phrase *phrase) {
 
 void page_asked(const page *to) {
     size_t count = 0;
+    // Write a row for each statement with a clause; the first begins the table.
     for (size_t r = 0; r < to->count; r++)
         for (size_t i = 0; i < to->findings[r]->statement_count; i++) {
             const whirl_statement *own = &to->findings[r]->statements[i];
@@ -104,6 +105,7 @@ void page_asked(const page *to) {
             write_phrase(to, &own->told);
             fprintf(to->stream, "<td class=\"whole\">%s</td></tr>\n", own->clause);
         }
+    // End the table with where its clauses come from.
     if (count == 0) return;
     fputs("</tbody></table></div>\n<p class=\"soft small\">Clauses are those of API RP 684, 2nd edition of 2005; "
           "API 617 has 2.6 (7th edition, 2002) or 4.8 (8th, 2014, part 1) in place of SP6.8. Which standard "

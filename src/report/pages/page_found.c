@@ -100,8 +100,10 @@ void page_jumps(const page *to, size_t index) {
     whirl_jump jumps[MAX_JUMPS];
     char label[UNIT_LABEL_SIZE];
     size_t count;
+    // Find neighbouring points between which the motion jumps.
     if (!table || whirl_table_jumps(table, jumps, MAX_JUMPS, &count).code != WHIRL_OK || count == 0) return;
     units_parameter_label(&to->units[index], table->parameter, label, sizeof label);
+    // Explain what jumps mean.
     fprintf(to->stream, "<h4 id=\"jumps-%zu\">Jumps within a regime</h4>\n", index + 1);
     fprintf(
         to->stream,
@@ -110,6 +112,7 @@ void page_jumps(const page *to, size_t index) {
         "sweep with <code>start: carry</code> and <code>direction: both</code>, or other "
         "initial states, may decide.</p>\n",
         count, count == 1 ? "" : "s", count == 1 ? "it" : "them");
+    // List the largest of them.
     html_table(to->stream, "Jumps within a regime", "");
     fputs("<thead><tr><th>", to->stream);
     html_text(to->stream, label);

@@ -84,6 +84,7 @@ void page_intervals(const page *to, size_t index) {
     const whirl_result *result = to->results[index];
     const whirl_table *table = whirl_result_role(result, WHIRL_ROLE_SURVEY);
     if (!table || table->count == 0 || !whirl_layout_has_verdict(&table->layout)) return;
+    // Divide the sweep into intervals of one regime.
     regime_interval *intervals = malloc(table->count * sizeof *intervals);
     if (!intervals) return;
     const size_t count = regime_intervals(table, result->contact_count, intervals, table->count);
@@ -95,12 +96,14 @@ void page_intervals(const page *to, size_t index) {
         free(intervals);
         return;
     }
+    // Count the narrow intervals that are merged into wide ones.
     const bool branches = intervals[0].branch != intervals[count - 1].branch;
     size_t windows = 0;
     for (size_t i = 0, group; i < count; i += group) {
         group = regime_group(&intervals[i], count - i);
         windows += group - 1;
     }
+    // Show merged intervals, and all of them in a part to unfold.
     fprintf(to->stream, "<h3 id=\"regimes-%zu\">Regimes along the sweep</h3>\n", index + 1);
     write_interval_head(to->stream, label);
     write_merged(to->stream, &shown, intervals, count, branches);
@@ -216,12 +219,14 @@ static void write_verdict(const point_page *to, size_t point) {
     const shown_estimate exponent = estimate_shown(point_exponent(to->table, point));
     char text[LABEL_SIZE];
     fputs("<tr>", to->stream);
+    // Write the regime with its colour.
     write_value(to, point, 1);
     fputs("<td class=\"whole\">", to->stream);
     write_swatch(to->stream, regime_class_of(&verdict));
     whirl_verdict_name(&verdict, text, sizeof text);
     html_text(to->stream, text);
     fputs("</td><td>", to->stream);
+    // Write its confidence, the exponent and the share of rubbing.
     write_confidence(to->stream, &verdict);
     fputs("</td><td class=\"number\">", to->stream);
     if (isnan(exponent.value))
@@ -232,6 +237,7 @@ static void write_verdict(const point_page *to, size_t point) {
     fputs("</td>", to->stream);
     if (has_rub(to->table, to->result->contact_count))
         write_number(to->stream, "%.3g %%", 100.0 * rub_share(to->table, point, to->result->contact_count));
+    // Write the reason for the verdict.
     write_reason(to, point, &verdict);
     fputs("</tr>\n", to->stream);
 }
@@ -322,6 +328,7 @@ static void write_sizes(const point_page *to) {
     if (!whirl_layout_field(&to->table->layout, WHIRL_FIELD_ORBIT_MAX_RADIUS) &&
         !whirl_layout_field(&to->table->layout, WHIRL_FIELD_SPECTRUM_LINES))
         return;
+    // Write the head; columns for bearings and gaps only where the machine has them.
     char radius[UNIT_LABEL_SIZE], amplitude[UNIT_LABEL_SIZE];
     units_length_label(to->units, WHIRL_ZERO_TO_PEAK, "radius", radius, sizeof radius);
     units_length_label(to->units, WHIRL_AMPLITUDE, "larger amplitude of x and y", amplitude, sizeof amplitude);
@@ -335,6 +342,7 @@ static void write_sizes(const point_page *to) {
     html_printf(to->stream, to->units->frequency > 0.0 ? "frequency (%s), " : "order%s, ", to->units->frequency_name);
     html_text(to->stream, amplitude);
     fputs("</th></tr></thead>\n<tbody>\n", to->stream);
+    // Write a row for each station of each point.
     for (size_t i = 0; i < to->table->count; i++)
         for (size_t s = 0; s < to->result->station_count && whirl_table_done(to->table, i); s++) write_size(to, i, s);
     end_table(to);
@@ -362,6 +370,7 @@ static void write_synchronous(const point_page *to, size_t point, size_t station
 }
 
 static void write_running_speed(const point_page *to) {
+    // Orders are those of the keyphasor, if the case names one.
     static const char *const parts[SYNCHRONOUS_PARTS] = {"x", "y", "forward", "backward"};
     char amplitude[UNIT_LABEL_SIZE];
     if (!whirl_layout_field(&to->table->layout, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS)) return;
@@ -374,15 +383,18 @@ static void write_running_speed(const point_page *to) {
     fputs(" and phase lags of x, of y, and of the circular motions with and against the rotation that make up the "
           "orbit at 1X.</p>\n",
           to->stream);
+    // Write the head.
     begin_table(to, *keyphasor ? "Amplitudes and phases at 1X" : "Amplitudes and phases at the running speed");
     fputs("<th>Station</th>", to->stream);
     for (int i = 0; i < SYNCHRONOUS_PARTS; i++)
         fprintf(to->stream, "<th class=\"number\">%s</th><th class=\"number\">lag</th>", parts[i]);
     fputs("</tr></thead>\n<tbody>\n", to->stream);
+    // Write a row for each station of each point.
     for (size_t i = 0; i < to->table->count; i++)
         for (size_t s = 0; s < to->result->station_count && whirl_table_done(to->table, i); s++)
             write_synchronous(to, i, s);
     end_table(to);
+    // Explain from where lags are counted.
     fputs(*keyphasor
               ? "<p class=\"soft small\">Lags are in degrees behind its phase, which begins with every revolution: "
               : "<p class=\"soft small\">Lags are in degrees behind a mark on the shaft that stands on the x axis "

@@ -62,6 +62,7 @@ static void describe_starts(const whirl_table *view, char *text, size_t size) {
 
 static void describe_points(const whirl_shown_units *units, const whirl_table *table, char *text, size_t size) {
     char label[UNIT_LABEL_SIZE];
+    // Count the points, with their starts and refinement.
     char count[160];
     if (table->source)
         describe_starts(table, count, sizeof count);
@@ -74,6 +75,7 @@ static void describe_points(const whirl_shown_units *units, const whirl_table *t
         snprintf(text, size, "%s", count);
         return;
     }
+    // Name the parameter; maps and tables of starts have ranges of their own.
     units_parameter_label(units, table->parameter, label, sizeof label);
     const double unit = whirl_shown_parameter(units, table->parameter).size;
     if (table->row > 0) {
@@ -86,6 +88,7 @@ static void describe_points(const whirl_shown_units *units, const whirl_table *t
                  all->values[all->count - 1] / unit, count);
         return;
     }
+    // Find the last point of the way forward, and how starts were carried.
     size_t forward = 0;
     bool reverse = false;
     for (size_t i = 0; i < table->count; i++) {
@@ -216,6 +219,7 @@ void page_computed(const page *to, size_t index) {
     size_t done, total;
     const whirl_shown_units *units = &to->units[index];
     fprintf(to->stream, "<h3 id=\"computed-%zu\">What was computed</h3>\n", index + 1);
+    // Warn of a partial result.
     const bool partial = whirl_result_partial(result, &done, &total);
     if (partial && done < total)
         fprintf(to->stream,
@@ -227,6 +231,7 @@ void page_computed(const page *to, size_t index) {
               "all verdicts were confirmed or refined.</p>\n",
               to->stream);
     if (!to->printed) page_warnings(to, index);
+    // List the case, the speed, sections and scales.
     fputs("<dl>\n", to->stream);
     if (*result->case_name) write_row(to->stream, "Case", result->case_name);
     snprintf(text, sizeof text, "%.6g rad/s (%.6g revolutions a minute)", result->speed,
@@ -242,6 +247,7 @@ void page_computed(const page *to, size_t index) {
     char weight[WEIGHT_SIZE];
     weight_text(units, weight, sizeof weight);
     if (*weight) write_row(to->stream, "Weight", weight);
+    // List the stations, with what surrounds them.
     text[0] = '\0';
     for (size_t s = 0; s < result->station_count; s++) {
         const size_t used = strlen(text);
@@ -251,6 +257,7 @@ void page_computed(const page *to, size_t index) {
         if (station->gap > 0.0) append_gap(units, station, text, sizeof text);
     }
     write_row(to->stream, "Stations", text);
+    // List fitted coefficients and contacts.
     for (size_t i = 0; *whirl_result_fit(result, i); i++) {
         whirl_shown_sentence(units, whirl_result_fit(result, i), text, sizeof text);
         write_row(to->stream, "Table over frequencies of whirl", text);
@@ -263,6 +270,7 @@ void page_computed(const page *to, size_t index) {
         }
         write_row(to->stream, "Contacts", text);
     }
+    // Describe each table.
     fputs("</dl>\n", to->stream);
     write_tables(to->stream, result, units);
     if (!to->printed) page_parameters(to, index);

@@ -38,6 +38,7 @@ static void write_motions(const shown_view *to, size_t first, size_t end) {
 static void write_attractor(const shown_view *to, size_t first, size_t end) {
     const whirl_table *table = to->table;
     const whirl_coexisting *one = &table->attractors[first];
+    // Find the range of shares, and the number of points where its own starts met the attractor.
     double low = one->share, high = one->share, error = one->error;
     size_t met = 0;
     for (size_t i = first; i < end; i++) {
@@ -46,15 +47,18 @@ static void write_attractor(const shown_view *to, size_t first, size_t end) {
         error = fmax(error, table->attractors[i].error);
         met += table->attractors[i].starts > 0;
     }
+    // Write number and motions.
     fprintf(to->stream,
             "<tr><th scope=\"row\"><span class=\"swatch\" style=\"background:%s\"></span>%zu</th><td class=\"wide\">",
             attractor_colour(one->number), one->number);
     write_motions(to, first, end);
+    // Write the range of the parameter.
     fputs("</td><td class=\"whole\">", to->stream);
     if (*table->parameter && end - first > 1)
         html_printf(to->stream, "%.5g to %.5g", table->values[first] / to->unit, table->values[end - 1] / to->unit);
     else if (*table->parameter)
         html_printf(to->stream, "%.5g", table->values[first] / to->unit);
+    // Write the number of points, the shares and the error.
     fprintf(to->stream, "</td><td class=\"number\">%zu</td><td class=\"number\">%.3g", end - first, 100.0 * low);
     if (high > low) fprintf(to->stream, " to %.3g", 100.0 * high);
     fputs("&nbsp;%", to->stream);
@@ -95,11 +99,13 @@ static void write_side_by_side(const shown_view *to, size_t places) {
     double *found = places_of(to->table, places);
     const double *values = found ? found + places : NULL;
     size_t several = 0, ranges = 0;
+    // Count the points with several attractors.
     for (size_t k = 0; found && k < places; k++) several += found[k] > 1.5;
     if (several == 0)
         fputs("At no point several were found side by side. ", to->stream);
     else
         fprintf(to->stream, "Several exist side by side at %zu of %zu point%s", several, places, plural(places));
+    // List their ranges, if they are along one parameter.
     for (size_t k = 0; found && several > 0 && *to->table->parameter && to->table->row == 0 && k < places; k++) {
         size_t last = k;
         if (!(found[k] > 1.5)) continue;
@@ -117,11 +123,13 @@ static void write_side_by_side(const shown_view *to, size_t places) {
 
 static void write_sentences(const shown_view *to) {
     const whirl_table *source = to->table->source;
+    // Count the starts without a verdict.
     size_t done = 0, untold = 0;
     for (size_t i = 0; i < source->count; i++) {
         done += whirl_table_done(source, i);
         untold += whirl_table_done(source, i) && whirl_table_verdict(source, i).regime == WHIRL_UNDETERMINED;
     }
+    // Explain the starts, and what was found side by side.
     fprintf(to->stream,
             "<p>Every point was started from %zu states: the initial state and %zu that fill their ranges. ",
             source->starts, source->starts - 1);
@@ -131,6 +139,7 @@ static void write_sentences(const shown_view *to) {
               "the end of that motion: an attractor found only so has a share of 0. ",
               to->stream);
     write_side_by_side(to, whirl_table_places(source));
+    // Explain what starts can miss, and how attractors are numbered.
     if (untold > 0) fprintf(to->stream, "%zu of %zu starts have no verdict. ", untold, done);
     fprintf(to->stream,
             "An attractor that %.2g&nbsp;%% of the states lead to is missed by %zu starts with a chance of 5&nbsp;%%. "

@@ -339,6 +339,7 @@ static void write_scale(FILE *script, const whirl_figure *figure, bool first) {
 
 static void write_panel(FILE *script, const whirl_figure *figure, size_t p, size_t *index) {
     const whirl_panel *panel = figure->panels[p];
+    // Set margins, title and axes.
     fprintf(
         script,
         "\n# ---- panel %s\nset lmargin at screen %.5f\nset rmargin at screen %.5f\nset bmargin at screen %.5f*top\n"
@@ -349,6 +350,7 @@ static void write_panel(FILE *script, const whirl_figure *figure, size_t p, size
     write_axis(script, &panel->x, 'x');
     write_axis(script, &panel->y, 'y');
     write_upright_label(script, figure, panel);
+    // Write the letter and the title of the panel.
     if (panel->letter)
         fprintf(script, "set label 97 '(%c)' at graph 0, graph 1 right offset -1.2, 0.7\n", panel->letter);
     if (*panel->title) {
@@ -356,6 +358,7 @@ static void write_panel(FILE *script, const whirl_figure *figure, size_t p, size
         put_text(script, panel->title);
         fputs(" at graph 0.5, graph 1 center offset 0, 0.6 font small_font\n", script);
     }
+    // Write its colour scale, texts and legend.
     write_scale(script, figure, p == 0);
     for (size_t s = 0; s < panel->count; s++)
         if (panel->series[s]->shape == WHIRL_TEXTS) write_texts(script, panel, panel->series[s]);
@@ -364,6 +367,7 @@ static void write_panel(FILE *script, const whirl_figure *figure, size_t p, size
     else
         fputs("unset key\n", script);
     size_t written = panel->keyed ? write_entries(script, figure, p) : 0;
+    // Write one plot command with all series that have data.
     for (size_t s = 0; s < panel->count; s++) {
         if (!has_block(panel->series[s])) continue;
         fputs(written++ ? ", \\\n  " : "plot ", script);
