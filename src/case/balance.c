@@ -425,6 +425,7 @@ static bool read_vibration(case_reader *reader, const setting_list *file, whirl_
 static void read_slow_roll(case_reader *reader, const setting_list *file, whirl_balance *out) {
     out->slow_rolls = room_for(reader, file, "slow_roll", sizeof *out->slow_rolls);
     const file_node *first = out->slow_rolls ? items_of(reader, file, "slow_roll", MAX_ROWS) : NULL;
+    // Read the slow roll of each probe; a probe has one.
     for (const file_node *at = first; at; at = at->next) {
         setting_list item;
         whirl_balance_vibration *seen = &out->slow_rolls[out->slow_roll_count++];
@@ -436,6 +437,7 @@ static void read_slow_roll(case_reader *reader, const setting_list *file, whirl_
             if (strcmp(other->probe, seen->probe) == 0 && *seen->probe)
                 problem_at(reader->problems, at, "is a second slow roll of '%s', expected one for a probe",
                            seen->probe);
+        // Subtract it from the readings of its probe, of which there has to be one.
         for (size_t i = 0; i < out->vibration_count; i++) {
             if (strcmp(out->vibrations[i].probe, seen->probe) != 0) continue;
             read = true;

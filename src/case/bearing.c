@@ -282,6 +282,7 @@ static void read_size(case_reader *reader, const setting_list *file, whirl_beari
 /// Reads the numbers of a key: one, a list, or a range; NULL with *count 0 after a problem.
 static double *numbers_of(case_reader *reader, const setting_list *file, const char *name, const whirl_group *range,
                           size_t *count) {
+    // Find the key, and how its numbers are given.
     const setting *given = settings_find(file, name);
     const whirl_key *key = &range->keys[0];
     char shown[SHOWN_SIZE];
@@ -290,17 +291,20 @@ static double *numbers_of(case_reader *reader, const setting_list *file, const c
     if (!given) return NULL;
     const file_node *place = given->place;
     const bool list = place->kind == NODE_LIST;
+    // Refuse lists that are empty or too long.
     if (list && (place->count == 0 || place->count > WHIRL_MAX_BEARING_POINTS)) {
         problem_at(reader->problems, place, "has %zu numbers, expected 1 to %d", place->count,
                    WHIRL_MAX_BEARING_POINTS);
         return NULL;
     }
+    // Make memory for the numbers.
     if (place->kind == NODE_MAPPING) settings_read(reader, place, range, &steps);
     const double points = place->kind == NODE_MAPPING ? settings_plain(reader, &steps, "points") : NAN;
     const size_t most = list ? place->count : isfinite(points) ? (size_t)points : 1;
     double *out = arena_take(reader->arena, most * sizeof *out);
     reader->no_memory = reader->no_memory || !out;
     if (!out) return NULL;
+    // Fill in a range: equal steps from one end to the other.
     if (place->kind == NODE_MAPPING) {
         const double from = settings_plain(reader, &steps, "from"), to = settings_plain(reader, &steps, "to");
         for (size_t i = 0; i < most && isfinite(points); i++)
@@ -308,6 +312,7 @@ static double *numbers_of(case_reader *reader, const setting_list *file, const c
         *count = isfinite(points) ? most : 0;
         return out;
     }
+    // Read one number, or each of a list.
     for (const file_node *at = list ? place->first : place; at; at = list ? at->next : NULL) {
         number_formula value = {.number = NAN};
         if (formula_read(reader, at, key, &value) && value.expression)
@@ -318,12 +323,14 @@ static double *numbers_of(case_reader *reader, const setting_list *file, const c
 }
 
 static void read_points(case_reader *reader, const setting_list *file, whirl_bearing *out) {
+    // Read loads and speeds.
     size_t loads, speeds;
     const double *load = numbers_of(reader, file, "load", &loads_group, &loads);
     const double *speed = numbers_of(reader, file, "speed", &speeds_group, &speeds);
     out->pairs = strcmp(settings_word(file, "combine"), "pairs") == 0;
     out->load_count = loads;
     if (loads == 0 || speeds == 0) return;
+    // Refuse pairs of unequal numbers, and too many combinations.
     if (out->pairs && loads != speeds)
         problem_at(reader->problems, bearing_place(file, "combine"),
                    "has %zu loads and %zu speeds, expected equal numbers", loads, speeds);
@@ -332,6 +339,7 @@ static void read_points(case_reader *reader, const setting_list *file, whirl_bea
                    "makes %zu points with %zu speeds, expected at most %d", loads * speeds, speeds,
                    WHIRL_MAX_BEARING_POINTS);
     if ((out->pairs && loads != speeds) || loads * speeds > WHIRL_MAX_BEARING_POINTS * (out->pairs ? loads : 1)) return;
+    // Combine them: pair by pair, or every load with every speed.
     const size_t count = out->pairs ? speeds : loads * speeds;
     out->speeds = malloc(count * sizeof *out->speeds);
     out->loads = malloc(count * sizeof *out->loads);

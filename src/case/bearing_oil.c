@@ -61,17 +61,20 @@ static void read_grade(case_reader *reader, const setting_list *file, whirl_bear
 }
 
 static void read_table(case_reader *reader, const setting_list *file, whirl_bearing *out) {
+    // Read both lists, which belong together.
     const size_t rows = settings_list_plain(reader, file, "temperatures", out->oil_temperatures, WHIRL_MAX_LIST);
     const size_t count = settings_list_plain(reader, file, "viscosities", out->oil_viscosities, WHIRL_MAX_LIST);
     const setting *viscosities = settings_find(file, "viscosities");
     if (!viscosities)
         problem_missing(reader->problems, file->place, "viscosities", "is missing, expected one for every temperature");
     if (rows == 0 || count == 0) return;
+    // Refuse lists of different lengths.
     if (rows < 2 || rows != count) {
         problem_at(reader->problems, oil_place(file, "temperatures"),
                    "has %zu numbers for %zu viscosities, expected equal numbers, two or more", rows, count);
         return;
     }
+    // Keep kinematic viscosities, which fall while temperatures rise.
     for (size_t i = 0; i < rows; i++) out->oil_viscosities[i] /= out->density;
     for (size_t i = 1; i < rows; i++) {
         if (!(out->oil_temperatures[i] > out->oil_temperatures[i - 1]))
@@ -99,6 +102,7 @@ static void read_temperature(case_reader *reader, const setting_list *file, whir
 }
 
 void bearing_oil_read(case_reader *reader, const setting_list *file, whirl_bearing *out) {
+    // Read what every kind of oil has.
     const int way = way_of(reader, file);
     out->density = settings_plain(reader, file, "density");
     out->heat_share = settings_plain(reader, file, "heat_share");
@@ -108,12 +112,14 @@ void bearing_oil_read(case_reader *reader, const setting_list *file, whirl_beari
     if (settings_find(file, "heat_share") && !settings_find(file, "supply_temperature"))
         problem_at(reader->problems, oil_place(file, "heat_share"),
                    "belongs to supply_temperature, which is not given");
+    // A viscosity alone holds at every temperature.
     if (way == WAYS) return;
     if (way < GRADE) {
         const double own = settings_plain(reader, file, ways[way]);
         out->viscosity = way == DYNAMIC ? own : own * out->density;
         return;
     }
+    // A grade or a table gives the viscosity at the temperature of the oil.
     read_temperature(reader, file, out);
     if (way == GRADE)
         read_grade(reader, file, out);

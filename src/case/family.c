@@ -117,6 +117,7 @@ static whirl_status check_change(const case_content *content, const whirl_batch 
 /// Makes the course of a run, and checks it and the options against the rotor.
 static whirl_status make_run(const case_content *content, const whirl_batch *batch, double value, valuation *v,
                              member *m) {
+    // Check the options against the drive.
     const course_parts *parts = family_course(content, batch);
     const whirl_runup_options *options = &batch->record.runup;
     const bool driven = whirl_runup_driven(options);
@@ -124,9 +125,11 @@ static whirl_status make_run(const case_content *content, const whirl_batch *bat
     const bool has_drive = whirl_rotor_drive(m->rotor, &highest);
     whirl_status status = whirl_runup_check(options, has_drive, highest);
     if (status.code == WHIRL_OK) status = whirl_running_check(whirl_rotor_system(m->rotor), driven);
+    // Machines within a run, after events or at other speeds, have no course of their own.
     if (status.code != WHIRL_OK || !parts || batch->happened_count > 0 || batch->speed != 0.0) return status;
     status = course_make(parts, &content->machine, v, whirl_rotor_length_scale(m->rotor), &m->course);
     if (status.code == WHIRL_OK) status = course_covers(m->course, options->from, whirl_runup_duration(options));
+    // Check each event; the machine may change with it.
     for (size_t i = 0; i < parts->event_count && status.code == WHIRL_OK; i++) {
         const whirl_run_event *event = &course_shown(m->course)->events[i];
         double after = 0.0;

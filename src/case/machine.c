@@ -168,6 +168,7 @@ static void report_unknown_element(case_reader *reader, const file_node *where, 
 
 /// `- gravity` alone is an element with its defaults.
 static void read_element(case_reader *reader, const file_node *item, machine_parts *result) {
+    // Find the kind: an item is one kind with its keys, or a kind alone.
     char shown[SHOWN_SIZE];
     const bool bare = item->kind == NODE_TEXT && !item->quoted && whirl_element_group(item->text);
     if (!bare && (item->kind != NODE_MAPPING || item->count != 1)) {
@@ -183,12 +184,14 @@ static void read_element(case_reader *reader, const file_node *item, machine_par
         report_unknown_element(reader, where, kind);
         return;
     }
+    // Read its keys; a kind alone has none.
     file_node nothing = *where;
     if (bare) nothing.text = "";
     const size_t problems = reader->problems->count;
     setting_list *element = &result->elements[result->element_count++];
     settings_read(reader, bare ? &nothing : where, group, element);
     element->place = where;
+    // An element is sound if nothing about it was refused.
     element->sound = check_stations(reader, result, element) && check_names(reader, result, element) &&
                      reader->problems->count == problems;
     for (size_t i = 0; i < element->count; i++) element->sound = element->sound && element->items[i].good;
@@ -519,16 +522,19 @@ static whirl_status build_alone(const machine_parts *machine, const setting_list
                                   {.key = "diametral", .number = 1.0},
                                   {.key = "polar", .number = 1.0},
                                   {.key = "moves", .text = "all"}};
+    // Segments define the shaft themselves, on which stations twist with it.
     const bool twists = strcmp(element->name, "segment") != 0;
     whirl_setting values[SETTINGS_MAX];
     whirl_design *design;
     whirl_rotor *rotor = NULL;
     whirl_status status = whirl_design_new(1.0, 1.0, &design);
+    // Copy the element's keys.
     for (size_t i = 0; i < element->count && i < SETTINGS_MAX; i++) {
         const setting *item = &element->items[i];
         const double number = item->value.expression ? 1.0 : item->value.number;
         values[i] = (whirl_setting){.key = item->key->name, .number = number, .text = item->word};
     }
+    // Build the rotor.
     for (size_t i = 0; i < machine->stations.count && status.code == WHIRL_OK; i++)
         if (is_usable(machine->stations.names[i]))
             status = whirl_design_station(design, machine->stations.names[i], unit, twists ? 4 : 2);

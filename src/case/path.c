@@ -109,6 +109,7 @@ static bool is_root(const char *head) {
 }
 
 whirl_status path_of_name(const case_content *content, const char *name, char path[PATH_SIZE]) {
+    // Split the name at its first dot.
     const machine_parts *const machine = &content->machine;
     const char *const dot = strchr(name, '.');
     char head[WHIRL_NAME_SIZE];
@@ -116,6 +117,7 @@ whirl_status path_of_name(const case_content *content, const char *name, char pa
         return whirl_fail(WHIRL_BAD_INPUT, "%.60s is no key, expected a name as in disc.mass", name);
     memcpy(head, name, (size_t)(dot - name));
     head[dot - name] = '\0';
+    // Find the part of the case that has the first word as a key or as a name.
     const element_name element = split_element(head);
     if (is_root(head))
         snprintf(path, PATH_SIZE, "%s", name);

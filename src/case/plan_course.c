@@ -151,9 +151,11 @@ static const file_node *course_cell(const file_node *row, size_t column) {
 /// Reads the rows of a table with the reader of the case or the file.
 static void course_read_rows(case_reader *reader, const file_node *list, const file_node *filed, size_t column,
                              course_table *table) {
+    // Make memory for the rows.
     char shown[SHOWN_SIZE];
     table->rows = arena_take(reader->arena, list->count * sizeof *table->rows);
     reader->no_memory = reader->no_memory || !table->rows;
+    // Find both cells of each row: a pair in the case, or two columns of the file.
     for (const file_node *row = list->first; row && table->rows; row = row->next) {
         const bool paired = !filed && row->kind == NODE_LIST && row->count == 2;
         const file_node *cells[] = {filed ? course_cell(row, COLUMN_TIME) : row->first,
@@ -167,6 +169,7 @@ static void course_read_rows(case_reader *reader, const file_node *list, const f
                            columns[column].name);
             return;
         }
+        // Read the formulas of both cells.
         course_row *own = &table->rows[table->count++];
         own->place = filed ? filed : row;
         if (!formula_read(reader, cells[0], &columns[COLUMN_TIME], &own->time) ||
@@ -241,6 +244,7 @@ static void course_read_after(case_reader *reader, course_parts *course, course_
 
 static void course_read_event(case_reader *reader, const file_node *where, const machine_parts *machine,
                               course_parts *course) {
+    // Read the keys of the event.
     course_event *own = &course->events[course->event_count];
     *own = (course_event){.place = where, .after = WHIRL_NO_EVENT, .station = machine->stations.count};
     own->keys = (setting_list){.name = "event", .group = &schema_event, .place = where};
@@ -249,17 +253,20 @@ static void course_read_event(case_reader *reader, const file_node *where, const
     plan_read_change(reader, &own->keys, &own->change);
     const setting *name = settings_find(&own->keys, "name"), *when = settings_find(&own->keys, "when");
     const setting *at = settings_find(&own->keys, "loss_at"), *moment = settings_find(&own->keys, "loss_moment");
+    // Read its name, the event that it follows, and its condition.
     own->name = name ? name->word : NULL;
     course_read_after(reader, course, own);
     course->event_count++;
     if (when) own->when = course_read_formula(reader, when->place, machine);
     if (own->when) own->when = course_without_comparison(reader, when->place, own->when);
+    // Read its effects.
     if (at && at->word) own->station = named_find(&machine->stations, at->word);
     if (!at != !moment)
         problem_at_key(reader->problems, where, "has %s, expected loss_at and loss_moment together",
                        at ? "loss_at alone" : "loss_moment alone");
     own->trip = settings_yes(&own->keys, "trip");
     own->end = settings_yes(&own->keys, "end");
+    // Refuse events without a condition or an effect.
     if (!when && !settings_find(&own->keys, "time") && !settings_find(&own->keys, "speed") &&
         !settings_find(&own->keys, "after"))
         problem_at_key(reader->problems, where, "has no time, speed, when or after, expected one of them");
@@ -288,6 +295,7 @@ static void course_say(case_reader *reader, setting_list *keys, const char *key,
 }
 
 const course_parts *course_read(case_reader *reader, const machine_parts *machine, setting_list *keys) {
+    // Find out whether the run has a course.
     const setting *change = settings_find(keys, "change"), *events = settings_find(keys, "events");
     const setting *speeds = settings_find(keys, "speeds");
     char text[WHIRL_NAME_SIZE];
@@ -298,6 +306,7 @@ const course_parts *course_read(case_reader *reader, const machine_parts *machin
     reader->no_memory = reader->no_memory || !course;
     if (!course) return NULL;
     *course = (course_parts){.event_count = 0};
+    // A change of the whole run is an event without a condition.
     if (change) {
         course_event *own = &course->events[course->event_count++];
         *own = (course_event){.place = change->place,
@@ -307,6 +316,7 @@ const course_parts *course_read(case_reader *reader, const machine_parts *machin
                               .alone = true};
         plan_read_change(reader, keys, &own->change);
     }
+    // Read events, the table of speeds, and laws as formulas or tables.
     if (events) course_read_events(reader, events->place, machine, course);
     if (speeds) course_read_table(reader, speeds->place, COLUMN_SPEED, &course->speeds);
     for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
@@ -320,6 +330,7 @@ const course_parts *course_read(case_reader *reader, const machine_parts *machin
         course_say_table(given->place, &course->tables[i], text, sizeof text);
         course_say(reader, keys, laws[i], text);
     }
+    // Note them in the keys' texts, which results store.
     snprintf(text, sizeof text, "%zu", course->event_count - (change != NULL));
     course_say(reader, keys, "events", text);
     if (speeds && speeds->place->kind == NODE_TEXT)
@@ -498,6 +509,7 @@ static whirl_status course_make_speeds(const course_parts *parts, valuation *v, 
 
 whirl_status course_make(const course_parts *parts, const machine_parts *machine, valuation *v, double length,
                          course_run **out) {
+    // Make memory: values of parameters and variables one after the other, and their names.
     const size_t parameters = v->parameters->count, variables = course_variable_count(machine);
     const size_t count = parameters + variables;
     course_run *run = calloc(1, sizeof *run + count * sizeof *run->values);
@@ -506,6 +518,7 @@ whirl_status course_make(const course_parts *parts, const machine_parts *machine
     *out = run;
     whirl_status status =
         run && names && texts ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the course of a run");
+    // Fill in what laws and events share.
     if (status.code == WHIRL_OK) {
         memcpy(run->values, v->values, parameters * sizeof *run->values);
         if (parameters > 0) memcpy(names, v->parameters->names, parameters * sizeof *names);
@@ -517,11 +530,13 @@ whirl_status course_make(const course_parts *parts, const machine_parts *machine
         run->shown.event_count = parts->event_count;
         status = course_make_speeds(parts, v, &run->shown);
     }
+    // Add the laws over time.
     for (size_t i = 0; i < sizeof laws / sizeof *laws && status.code == WHIRL_OK; i++)
         if (parts->laws[i])
             status = course_add_formula(run, (whirl_run_formula)i, laws[i], parts->laws[i], names, count);
         else
             status = course_make_table(&parts->tables[i], laws[i], v, run, i);
+    // Add the events with their conditions.
     for (size_t i = 0; i < parts->event_count && status.code == WHIRL_OK; i++) {
         const course_event *own = &parts->events[i];
         course_make_event(v, own, machine->stations.count, &run->shown.events[i]);

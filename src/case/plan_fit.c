@@ -206,6 +206,7 @@ static whirl_status fit_probe_heading(fit_maker *m, size_t column, bool vectors)
 
 /// Understands a heading.
 static whirl_status fit_heading(fit_maker *m, size_t column, bool vectors) {
+    // An angle of the shaft may be in turns, radians or degrees.
     const csv_column *heading = &m->table.columns[column];
     fit_column *own = &m->columns[column];
     *own = (fit_column){.size = 1.0};
@@ -219,14 +220,17 @@ static whirl_status fit_heading(fit_maker *m, size_t column, bool vectors) {
         own->size /= two_pi;
         return status;
     }
+    // Speed.
     if (strcmp(heading->name, "speed") == 0) {
         own->kind = FIT_SPEED;
         return csv_unit(&m->table, column, "rad/s", "rpm", &own->size);
     }
+    // A parameter, or else a probe.
     const size_t index = parameters_find(m->reader->parameters, heading->name);
     if (index == m->reader->parameters->count) return fit_probe_heading(m, column, vectors);
     own->kind = FIT_PARAMETER;
     own->parameter = &m->reader->parameters->items[index];
+    // A parameter that varies in the file cannot be an unknown.
     for (size_t u = 0; u < m->parts->unknown_count; u++)
         if (m->parts->unknowns[u].parameter == own->parameter)
             return FIT_FAIL(m, column, "is one of the unknowns, expected another parameter");
@@ -370,6 +374,7 @@ static whirl_status fit_take_vectors(fit_maker *m, size_t along) {
 
 /// Takes the numbers of a table that was read.
 static whirl_status fit_take_table(fit_maker *m) {
+    // Find the column over which the others were measured.
     const csv_table *table = &m->table;
     size_t along = table->column_count;
     bool any = false;
@@ -385,9 +390,11 @@ static whirl_status fit_take_table(fit_maker *m) {
     }
     if (along == table->column_count)
         return csv_fail(table, table->heading, 1, "there is no column 'angle [deg]', 'speed [rpm]' or of a parameter");
+    // Over angles there are samples, over speeds or parameters vectors.
     const bool vectors =
         strcmp(table->columns[along].name, "angle") != 0 && strcmp(table->columns[along].name, "turns") != 0;
     whirl_status status = whirl_ok();
+    // Understand all headings.
     for (size_t c = 0; c < table->column_count && status.code == WHIRL_OK; c++) {
         status = fit_heading(m, c, vectors);
         any = any || m->columns[c].kind == FIT_DISPLACEMENT;
@@ -396,6 +403,7 @@ static whirl_status fit_take_table(fit_maker *m) {
     if (status.code == WHIRL_OK && !any)
         return csv_fail(table, table->heading, 1, "there is no probe, expected columns such as 'disc x [um]'");
     if (status.code != WHIRL_OK) return status;
+    // Take the numbers.
     return vectors ? fit_take_vectors(m, along) : fit_take_samples(m, along);
 }
 
@@ -415,10 +423,12 @@ static whirl_status fit_take_set(fit_maker *m, const fit_set *set) {
 
 /// Evaluates the unknowns. Returns false after a problem.
 static bool fit_make_unknowns(fit_maker *m) {
+    // Make memory for the unknowns.
     whirl_fit_unknown *unknowns = arena_take(m->reader->arena, (m->parts->unknown_count + 1) * sizeof *unknowns);
     m->reader->no_memory = m->reader->no_memory || !unknowns;
     if (!unknowns) return false;
     bool good = true;
+    // Evaluate start and bounds; a start that is not given is the parameter's own value.
     for (size_t u = 0; u < m->parts->unknown_count; u++) {
         const fit_unknown *own = &m->parts->unknowns[u];
         const struct {
@@ -434,6 +444,7 @@ static bool fit_make_unknowns(fit_maker *m) {
             const setting *given = settings_find(&own->keys, ends[i].key);
             if (given) good = plan_formula_value(m->reader, m->v, given->place, ends[i].formula, ends[i].value) && good;
         }
+        // Refuse starts that are not between their bounds.
         const bool within = unknowns[u].start >= unknowns[u].low && unknowns[u].start <= unknowns[u].high;
         if (good && !(unknowns[u].low < unknowns[u].high && within)) {
             problem_at_key(m->reader->problems, own->place,

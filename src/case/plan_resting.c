@@ -53,6 +53,7 @@ static void resting_read_name(case_reader *reader, const plan_parts *parts, rest
 
 /// Reads the study at rest whose unbalances by rule these motions have.
 static void read_unbalances(case_reader *reader, const plan_parts *parts, resting_parts *resting) {
+    // Find both keys, which belong together.
     char shown[SHOWN_SIZE], advice[WHY_SIZE];
     const char *names[PLAN_MAX_RESTING];
     const setting *given = settings_find(&resting->axis.keys, "unbalance");
@@ -61,6 +62,7 @@ static void read_unbalances(case_reader *reader, const plan_parts *parts, restin
     if (factor && !given)
         problem_at_key(reader->problems, factor->place, "needs unbalance, the study whose unbalances it multiplies");
     if (!given) return;
+    // Find the study of that name among earlier studies of unbalance.
     const char *text = given->place->kind == NODE_TEXT ? given->place->text : "";
     for (const resting_parts *one = parts->resting; one < resting; one++) {
         const char *own = one->name;
@@ -69,6 +71,7 @@ static void read_unbalances(case_reader *reader, const plan_parts *parts, restin
         names[count++] = own;
         if (strcmp(own, text) == 0) resting->unbalances = one;
     }
+    // Refuse a name that none has, and a study without unbalances by rule.
     describe_names(text, names, count, advice);
     if (!resting->unbalances)
         problem_at(reader->problems, given->place, "is %s, which is no study of unbalance here, %s",
@@ -115,6 +118,7 @@ static void read_conditions(case_reader *reader, plan_parts *parts) {
 
 static void read_one(case_reader *reader, const file_node *where, const whirl_group *group,
                      const machine_parts *machine, plan_parts *parts) {
+    // Add a study, of which there may be only so many.
     static const char *const keys[] = {"from", "to", "points", "step", "scale", "values"};
     if (parts->resting_count == PLAN_MAX_RESTING) {
         problem_at(reader->problems, where,
@@ -122,6 +126,7 @@ static void read_one(case_reader *reader, const file_node *where, const whirl_gr
                    PLAN_MAX_RESTING);
         return;
     }
+    // Read its keys, its name and its axis.
     resting_parts *resting = &parts->resting[parts->resting_count++];
     axis_parts *axis = &resting->axis;
     axis->keys = (setting_list){.name = group->name, .group = group, .place = where};
@@ -129,6 +134,7 @@ static void read_one(case_reader *reader, const file_node *where, const whirl_gr
     resting_read_name(reader, parts, resting);
     const bool varies = settings_find(&axis->keys, "parameter") != NULL;
     if (varies) plan_read_axis(reader, axis);
+    // Read stations, and what some kinds of studies have.
     check_bearings(reader, axis);
     plan_read_stations(reader, machine, &axis->keys, "at", false);
     plan_read_stations(reader, machine, &axis->keys, "probes_at", true);
@@ -137,6 +143,7 @@ static void read_one(case_reader *reader, const file_node *where, const whirl_gr
     if (group == &schema_at_rest[SCHEMA_AT_REST_runup]) resting->course = course_read(reader, machine, &axis->keys);
     if (group == &schema_at_rest[SCHEMA_AT_REST_fit]) resting->fit = fit_read(reader, machine, &axis->keys);
     if (group == &schema_motions) read_unbalances(reader, parts, resting);
+    // Refuse keys of an axis without a parameter.
     for (size_t i = 0; i < sizeof keys / sizeof *keys && !varies; i++) {
         const setting *given = settings_find(&axis->keys, keys[i]);
         if (given) problem_at_key(reader->problems, given->place, "needs the parameter that it is of");
@@ -259,22 +266,26 @@ static void finish_moving(case_reader *reader, valuation *v, const plan_parts *p
 
 static void make_one(case_reader *reader, valuation *v, const plan_parts *parts, const resting_parts *resting,
                      const condition_parts *condition, const whirl_given *given, study_plan *result) {
+    // Refuse more batches than a study may have.
     const setting_list *keys = &resting->axis.keys;
     if (result->batch_count == WHIRL_MAX_BATCHES) {
         problem_at_key(reader->problems, keys->place, "at all conditions makes more than %d parts of a study",
                        WHIRL_MAX_BATCHES);
         return;
     }
+    // Name the batch after the study and its condition.
     char name[WHIRL_NAME_SIZE];
     snprintf(name, sizeof name, "%.38s%s%.21s", resting->name, condition ? "_" : "",
              condition ? condition->place->key : "");
     if (plan_batch(result, name) < result->batch_count)
         problem_at_key(reader->problems, keys->place, "makes a second %s, expected another name", name);
+    // Add the batch, with an axis or as a single point.
     const whirl_role role = keys->group == &schema_motions ? WHIRL_ROLE_MOTIONS : WHIRL_ROLE_REST;
     whirl_batch *batch = resting->axis.parameter ? plan_make_axis(reader, v, &resting->axis, role, result)
                                                  : plan_add_batch(result, role, resting->name, keys->place);
     if (!batch) return;
     memcpy(batch->name, name, sizeof batch->name);
+    // Finish it as a study of motions, or at rest.
     result->origins[result->batch_count - 1].course = resting->course;
     batch->given = given;
     batch->given_count = condition ? condition->count : 0;

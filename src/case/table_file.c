@@ -64,6 +64,7 @@ static void append(file_node *parent, file_node *node) {
 /// Reads a heading such as "amplitude [um]", "amplitude (um)" or "amplitude": a key of the group, and the unit of its
 /// column.
 static void read_heading(readings_table *table, char *text, int column) {
+    // Split the heading into name and unit.
     const char *names[MAX_COLUMNS] = {NULL}, *unit = "";
     char advice[WHY_SIZE], shown[SHOWN_SIZE];
     size_t length = strcspn(text, "[("), count = 0;
@@ -73,6 +74,7 @@ static void read_heading(readings_table *table, char *text, int column) {
         if (end > unit && (*end == ']' || *end == ')')) *end = '\0';
     }
     while (length > 0 && isspace((unsigned char)text[length - 1])) length--;
+    // Find the key of that name.
     for (size_t k = 0; k < table->group->key_count && count < MAX_COLUMNS; k++)
         names[count++] = table->group->keys[k].name;
     size_t found = 0;
@@ -84,6 +86,7 @@ static void read_heading(readings_table *table, char *text, int column) {
                         advice);
         return;
     }
+    // Refuse a second column of it, and add the column.
     for (size_t c = 0; c < table->count; c++)
         if (strcmp(table->columns[c].key, names[found]) == 0)
             problem_in_file(table->reader->problems, table->line, column, "is a second column %s", names[found]);

@@ -94,12 +94,14 @@ static whirl_status csv_grow(csv_table *table) {
 }
 
 static whirl_status csv_row(csv_reader *r, const char *from, const char *end) {
+    // Make memory for the row.
     csv_table *table = r->table;
     char text[CSV_TEXT], *rest;
     const char *at = from, *first;
     size_t cells = 0;
     const whirl_status status = csv_grow(table);
     if (status.code != WHIRL_OK) return status;
+    // Read each cell as a number.
     while (csv_cell(r, &at, end, text, &first)) {
         const int place = (int)(first - from) + 1;
         if (cells == table->column_count)
@@ -112,6 +114,7 @@ static whirl_status csv_row(csv_reader *r, const char *from, const char *end) {
             return csv_fail(table, r->line, place, "'%.30s' is no number", text);
         cells++;
     }
+    // Refuse a row with cells missing.
     if (cells < table->column_count)
         return csv_fail(table, r->line, (int)(end - from) + 1, "there are %zu cells, expected %zu as the headings",
                         cells, table->column_count);
@@ -121,17 +124,20 @@ static whirl_status csv_row(csv_reader *r, const char *from, const char *end) {
 
 /// Reads all lines: empty ones and those after # are left out, the first of these is the title.
 whirl_status csv_read(const char *path, const char *text, size_t length, size_t most_columns, csv_table *out) {
+    // Skip a byte order mark.
     *out = (csv_table){.path = path};
     csv_reader r = {.table = out, .most = most_columns};
     const size_t mark = length >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
     const char *end = text + length;
     whirl_status status = whirl_ok();
+    // Find the end of each line, without blanks around it.
     for (const char *from = text + mark; from < end && status.code == WHIRL_OK;) {
         const char *stop = memchr(from, '\n', (size_t)(end - from)), *last = stop ? stop : end, *next = last + 1;
         r.line++;
         while (last > from && isspace((unsigned char)last[-1]) && last[-1] != '\t') last--;
         const char *begin = from;
         while (begin < last && isspace((unsigned char)*begin)) begin++;
+        // Keep the first comment as a title; read headings, then rows.
         if (begin < last && *begin == '#') {
             begin += 1 + strspn(begin + 1, " ");
             if (!*out->title && begin < last)

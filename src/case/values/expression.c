@@ -101,6 +101,7 @@ static bool scan_sign(scanner *s, char why[WHY_SIZE]) {
 }
 
 bool expression_check(const char *text, expression_name_fn known, void *context, char why[WHY_SIZE]) {
+    // Refuse an empty text, and one that is too long.
     scanner s = {.text = text};
     const size_t length = strlen(text);
     if (strspn(text, " ") == length) {
@@ -112,6 +113,7 @@ bool expression_check(const char *text, expression_name_fn known, void *context,
                  EXPRESSION_MAX_LENGTH);
         return false;
     }
+    // Scan number after name after sign, each of which checks whether it may stand there.
     while (s.at < length) {
         const char c = text[s.at];
         bool good;
@@ -123,6 +125,7 @@ bool expression_check(const char *text, expression_name_fn known, void *context,
             good = scan_sign(&s, why);
         if (!good) return false;
     }
+    // Parentheses have to be closed.
     if (s.depth == 0) return true;
     snprintf(why, WHY_SIZE, "is no expression: a ')' is missing");
     return false;

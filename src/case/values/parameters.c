@@ -105,6 +105,7 @@ static bool follows_number(const char *expression, const char *name) {
 
 static bool read_expression(case_reader *reader, const parameter_table *known, const file_node *where, const char *text,
                             number_formula *result) {
+    // Check the expression and the names in it.
     lookup l = {.parameters = known};
     char why[WHY_SIZE], shown[SHOWN_SIZE];
     const char *expression = one_line(reader, text);
@@ -113,8 +114,10 @@ static bool read_expression(case_reader *reader, const parameter_table *known, c
         *result = (number_formula){.expression = expression, .uses = l.uses};
         return true;
     }
+    // An unknown name may be a unit, which expressions do not have.
     const bool unit = !why[0] && follows_number(expression, l.at);
     if (!why[0] && !unit && !reader_reports(reader, "parameter", l.name)) return false;
+    // Report the fault, with the nearest name.
     const char *near = why[0] || unit ? NULL : whirl_nearest_name(l.name, known->names, known->count);
     if (why[0])
         problem_at(reader->problems, where, "%s", why);

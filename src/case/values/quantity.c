@@ -275,17 +275,21 @@ static bool read_unit(const char *text, const char *unit_text, const char *expec
         snprintf(why, WHY_SIZE, "has a unit, but the unit database of UDUNITS-2 cannot be read");
         return false;
     }
+    // Parse the unit, and the expected one.
     ut_unit *unit = parse_unit(unit_text);
     ut_unit *wanted = unit && expected[0] ? parse_unit(expected) : NULL;
     bool done = false;
+    // Explain a unit that does not exist.
     if (!unit) {
         describe_expected(expected, expectation);
         const char *usual = usual_spelling(unit_text);
         snprintf(why, WHY_SIZE, "is %s, expected %s (no unit is called %.40s%s%s%s)", text_shown(text, shown),
                  expectation, unit_text, *usual ? ", did you mean " : "", usual, *usual ? "?" : "");
+        // Without an expected unit, convert to SI.
     } else if (!expected[0]) {
         done = to_si(unit, result);
         if (!done) snprintf(why, WHY_SIZE, "is %s, expected a unit that converts to SI", text_shown(text, shown));
+        // Convert to the expected unit, or say why that is impossible.
     } else if (wanted && same_dimension(unit, wanted) && convert(unit, wanted, &result->value)) {
         snprintf(result->unit, sizeof result->unit, "%.63s", expected);
         done = true;

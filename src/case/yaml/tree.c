@@ -34,6 +34,7 @@ static bool stop(tree_builder *b, const yaml_event_t *event, const char *message
 }
 
 static file_node *add_node(tree_builder *b, const yaml_event_t *event, node_kind kind) {
+    // Make a node that knows its place in the text.
     file_node *made = arena_take(b->arena, sizeof *made);
     if (!made) {
         b->no_memory = true;
@@ -45,10 +46,12 @@ static file_node *add_node(tree_builder *b, const yaml_event_t *event, node_kind
                         .from = event->start_mark.index,
                         .to = event->end_mark.index,
                         .parent = b->open};
+    // The first node is the root.
     if (!b->open) {
         b->root = made;
         return made;
     }
+    // Append it to the open list or mapping; in a mapping it gets the key read before.
     made->index = ++b->open->count;
     if (b->open->kind == NODE_MAPPING) {
         made->key = b->key;
@@ -73,12 +76,14 @@ static bool is_text(const char *text, size_t length) {
 }
 
 static bool take_scalar(tree_builder *b, const yaml_event_t *event) {
+    // Refuse what a case does not use.
     const char *value = (const char *)event->data.scalar.value;
     const size_t length = event->data.scalar.length;
     if (event->data.scalar.anchor)
         return stop(b, event, "has an anchor (&), expected a case without anchors and aliases");
     if (event->data.scalar.tag) return stop(b, event, "has a tag (!), expected a case without tags");
     if (!is_text(value, length)) return stop(b, event, "has a control character, expected text");
+    // In a mapping every other scalar is a key.
     char *text = arena_text(b->arena, value, length);
     b->no_memory = b->no_memory || !text;
     if (!text) return false;
@@ -90,6 +95,7 @@ static bool take_scalar(tree_builder *b, const yaml_event_t *event) {
         b->key_from = event->start_mark.index;
         return true;
     }
+    // Others are values.
     file_node *made = add_node(b, event, NODE_TEXT);
     if (!made) return false;
     made->text = text;
