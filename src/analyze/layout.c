@@ -76,12 +76,14 @@ static size_t range_count(const whirl_system *system, const whirl_record_options
 
 whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_options *integrate,
                               const whirl_record_options *options, whirl_analysis_set set, whirl_layout *layout) {
+    // Check what all analyses need.
     *layout = (whirl_layout){0};
     whirl_status status = whirl_record_options_check(options);
     if (status.code == WHIRL_OK && integrate->steps_per_revolution < 1)
         status = whirl_fail(WHIRL_BAD_INPUT, "a revolution has %d steps, expected 1 or more",
                             integrate->steps_per_revolution);
     if (status.code != WHIRL_OK) return status;
+    // Describe the machine, by which fields have their sizes.
     block_shape shape = {
         .dimension = system->dimension,
         .station_count = system->probe_count,
@@ -97,6 +99,7 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
         .options = options,
     };
     for (size_t p = 0; p < system->probe_count; p++) shape.runout_count += system->probes[p].runout_count;
+    // Add the fields of the chosen analyses, in the order of the registry.
     for (size_t a = 0; analysis_plans[a] && status.code == WHIRL_OK; a++) {
         if (!(set >> a & 1u)) continue;
         const char *name = whirl_analyses()[a].name;

@@ -119,12 +119,14 @@ static whirl_status add_twists(assembly *to) {
 }
 
 static whirl_status check_inertia(const assembly_station *station) {
+    // Nodes within a shaft need an inertia of their own.
     if (station->hidden && !(station->mass > 0.0 && station->diametral > 0.0))
         return whirl_fail(
             WHIRL_BAD_INPUT,
             "a node of shaft %zu of finite elements has a mass of %.3g kg and a diametral inertia of %.3g "
             "kg m2, expected more than 0: a segment next to it changes its diameter too steeply",
             station->shaft + 1, station->mass, station->diametral);
+    // Twists need a polar inertia, and a shaft that twists.
     if (station->shaft != NO_SHAFT && !station->hidden && station->twists && !(station->shaft_polar > 0.0))
         return whirl_fail(WHIRL_BAD_INPUT,
                           "station '%s' moves: all, and its shaft does not twist, expected the shaft's key twist: yes",
@@ -137,6 +139,7 @@ static whirl_status check_inertia(const assembly_station *station) {
                           "station '%s' twists and has no polar inertia, expected its key polar or an element that "
                           "brings one",
                           station->name);
+    // Displacements need a mass.
     if (station->moves_x + station->moves_y == 0) return whirl_ok();
     if (!(station->mass > 0.0))
         return whirl_fail(WHIRL_BAD_INPUT,

@@ -58,6 +58,7 @@ static size_t count_contacts(const building *b) {
 
 /// Lays the parts of a rotor out in a block and returns the block's size.
 static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) {
+    // Cut the parts one after the other; without a block only their sizes count.
     const size_t stations = b->design->station_count, contacts = count_contacts(b);
     const size_t coupled = coupling_count(&b->assembly);
     const body_panels *shafts = &b->panels;
@@ -99,6 +100,7 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
         cut(block, &used, stations * sizeof *rotor->polar),
         cut(block, &used, (b->assembly.harmonic_count + b->element_count) * sizeof *rotor->excitations),
         cut(block, &used, b->assembly.fatigue_count * sizeof *rotor->fatigues)};
+    // Point to them, in the same order.
     if (!rotor) return used;
     rotor->elements = parts[0];
     rotor->numbers = parts[1];

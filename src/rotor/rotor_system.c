@@ -220,10 +220,12 @@ static element_seen see_extremes(const whirl_rotor *rotor, const element *own, c
 }
 
 static bool rotor_range(const void *model, size_t index, const whirl_extremes *seen, whirl_law_range *out) {
+    // Without extremes nothing is known of what a part has reached.
     static const double none[MAX_OWN_STATES];
     const whirl_rotor *rotor = model;
     const element_seen nothing = {.radius = NAN, .state_low = none, .state_high = none};
     element_range found;
+    // Count the ranges of all parts up to the one that is asked for.
     for (size_t i = 0; i < rotor->element_count; i++) {
         const element *own = &rotor->elements[i];
         const element_seen at = seen ? see_extremes(rotor, own, seen) : nothing;

@@ -166,12 +166,14 @@ static size_t follow_first(follower *f, double length, double *at) {
     const size_t n = f->from->dimension, events = f->from->event_count;
     const double step = length / SAMPLES;
     size_t first = events;
+    // Look at each event, up to the first one known so far.
     for (size_t e = 0; e < events; e++) {
         double before = f->before[e];
         for (size_t k = 0; k < SAMPLES; k++) {
             const double begin = (double)k * step, offset = k == 0 ? f->offset[e] : 0.0;
             const double after = follow_value(f, e, f->time + begin + step, f->samples + (k + 1) * n);
             if (first < events && begin > *at) break;
+            // Locate a passage within its sample, and keep it if it is the first.
             if (follow_passes(&f->from->events[e], before, after)) {
                 const double place = begin + follow_find(f, e, f->time + begin, f->samples + k * n,
                                                          bracket_between(offset, before, step, after));

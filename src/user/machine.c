@@ -423,12 +423,14 @@ static void lane_depends(const void *model, bool *table) {
 }
 
 static void fill_lanes(member *own) {
+    // Functions by instruction set; such systems have no switches and no contacts.
     static lanes_flow *const flows[VECTOR_ISAS] = EVERY_ISA(, flow);
     static lanes_forcing *const times[VECTOR_ISAS] = EVERY_ISA(, times);
     static lanes_switches *const no_switches[VECTOR_ISAS];
     static lanes_contacts *const no_contacts[VECTOR_ISAS];
     static const size_t no_places[1];
     const size_t d = own->from->displacements;
+    // Every displacement is a group of its own.
     for (size_t i = 0; i <= d; i++) own->groups[i] = i;
     own->lanes = (struct whirl_lanes){.degrees = d,
                                       .states = own->from->dimension - 2 * d,

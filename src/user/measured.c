@@ -50,6 +50,7 @@ typedef struct record {
 
 /// Understands a heading: "time [s]", "keyphasor [V]", "speed [rpm]", "de x [um]", "de 45 [mil]".
 static whirl_status record_heading(record *r, size_t column) {
+    // Columns of time, mark and speed have fixed names.
     const csv_column *heading = &r->table.columns[column];
     record_column *own = &r->columns[column];
     char text[CSV_TEXT], *end;
@@ -67,18 +68,21 @@ static whirl_status record_heading(record *r, size_t column) {
         own->kind = COLUMN_SPEED;
         return csv_unit(&r->table, column, "rad/s", "rpm", &own->size);
     }
+    // A probe is named by its station and its direction.
     char *direction = strrchr(text, ' ');
     if (!direction)
         return RECORD_FAIL(r, own->place,
                            "'%.40s' is no column, expected time, keyphasor, speed, or a station and the direction of a "
                            "probe: 'de x', 'de 45'",
                            text);
+    // Read the direction: an axis or degrees from x.
     double degrees = strtod(direction + 1, &end);
     const bool axis = strcmp(direction + 1, "x") == 0 || strcmp(direction + 1, "y") == 0;
     if (axis) degrees = direction[1] == 'y' ? 90.0 : 0.0;
     if (!axis && (end == direction + 1 || *end || !isfinite(degrees)))
         return RECORD_FAIL(r, own->place, "'%.20s' is no direction of a probe, expected x, y or degrees from x",
                            direction + 1);
+    // What stands before it is the station.
     while (direction > text && isspace((unsigned char)direction[-1])) direction--;
     *direction = '\0';
     snprintf(own->station, sizeof own->station, "%.60s", text);
@@ -94,10 +98,12 @@ static const record_column *record_find(const record *r, int kind) {
 
 /// Finds the stations of the channels: two probes each.
 static whirl_status record_stations(record *r) {
+    // Times are needed, and a mark or the speed.
     const record_column *time = record_find(r, COLUMN_TIME), *mark = record_find(r, COLUMN_KEYPHASOR);
     if (!time) return RECORD_FAIL(r, 1, "there is no column 'time [s]'");
     if (!mark && !record_find(r, COLUMN_SPEED))
         return RECORD_FAIL(r, 1, "there is neither a column 'keyphasor' nor a column 'speed [rpm]'");
+    // Sort the channels by station; each has two.
     for (size_t c = 0; c < r->table.column_count; c++) {
         const record_column *own = &r->columns[c];
         if (own->kind != COLUMN_CHANNEL && record_find(r, (int)own->kind) != own)
@@ -117,6 +123,7 @@ static whirl_status record_stations(record *r) {
         r->channels[s][0] = c;
         r->station_count++;
     }
+    // Refuse stations with one probe.
     for (size_t s = 0; s < r->station_count; s++)
         if (r->channels[s][1] == 0)
             return RECORD_FAIL(r, r->columns[r->channels[s][0]].place,

@@ -55,6 +55,7 @@ static void fit_fill_unknown(const whirl_fit *fit, const whirl_fit_solution *s, 
 
 static whirl_status fit_compute(const whirl_resting *point, const whirl_record_options *options,
                                 const block_view *view) {
+    // Fill in the outcome; a fit whose motions were lost has no numbers.
     const whirl_fit *fit = point->fit;
     const whirl_fit_solution *s = point->solution;
     const bool found = s->end != WHIRL_FIT_NO_MOTION;
@@ -67,11 +68,13 @@ static whirl_status fit_compute(const whirl_resting *point, const whirl_record_o
                               found ? (double)s->rank : NAN,
                               found && isfinite(s->condition) ? s->condition : NAN};
     memcpy(view_numbers(view, OUTCOME, 0), outcome, sizeof outcome);
+    // Fill in unknowns and correlations.
     for (size_t u = 0; u < fit->unknown_count; u++) {
         fit_fill_unknown(fit, s, u, view_numbers(view, UNKNOWN, 0) + 8 * u);
         for (size_t k = 0; k < fit->unknown_count && found; k++)
             view_numbers(view, CORRELATION, 0)[WHIRL_MAX_UNKNOWNS * u + k] = s->correlation[u][k];
     }
+    // Fill in the motions, and the measured numbers beside those of the model.
     for (size_t i = 0; i < fit->motion_count; i++) {
         double *out = view_numbers(view, MOTION, 0) + 2 * i;
         out[0] = s->speeds[i];

@@ -294,6 +294,7 @@ static void runup_fill_torques(void *context, double time, const double *torque,
 }
 
 static void runup_fill_row(void *context, const runup_turn *turn) {
+    // Extremes of a row are those since the row before; a new row begins at 0.
     filling *f = context;
     if (f->status.code == WHIRL_OK) f->status = runup_views_add(&f->views, turn);
     const size_t probes = f->system->probe_count;
@@ -303,6 +304,7 @@ static void runup_fill_row(void *context, const runup_turn *turn) {
         for (size_t c = 0; c < f->contacts; c++) f->force[c] = 0.0;
     }
     f->row = row;
+    // Fill in stations and contacts.
     for (size_t p = 0; p < probes; p++) {
         f->radius[p] = fmax(f->radius[p], turn->stations[p].radius);
         *runup_at_row(f, RADIUS, p, 1) = f->radius[p];
@@ -313,6 +315,7 @@ static void runup_fill_row(void *context, const runup_turn *turn) {
         *runup_at_row(f, FORCE, c, 1) = f->force[c];
         *runup_at_row(f, SHARE, c, 1) = turn->share[c];
     }
+    // Fill in place and torques at the end of the turn.
     *runup_at_row(f, TIME, 0, 1) = turn->time;
     *runup_at_row(f, SPEED, 0, 1) = turn->speed;
     *runup_at_row(f, TURNS, 0, 1) = turn->turns;
@@ -413,6 +416,7 @@ static void runup_fill_events(const block_view *view, const runup_run *run) {
 }
 
 static void runup_fill_end(const filling *f, const runup_run *run) {
+    // Fill in where and why the run ended.
     const block_view *view = f->view;
     *view_numbers(view, END, 0) = (double)run->end;
     *view_numbers(view, END_TIME, 0) = run->time;
@@ -422,6 +426,7 @@ static void runup_fill_end(const filling *f, const runup_run *run) {
     double *sensitivity = view_numbers(view, SENSITIVITY, 0);
     if (sensitivity) memcpy(sensitivity, run->sensitivity, sizeof run->sensitivity);
     runup_fill_events(view, run);
+    // Fill in the end and the peak of each station, and what each contact did.
     for (size_t p = 0; p < f->system->probe_count; p++) {
         for (size_t axis = 0; axis < 2; axis++)
             view_numbers(view, PLACE, p)[axis] = whirl_probe_value(&f->system->probes[p], run->last, axis);
@@ -572,6 +577,7 @@ static void runup_read_turn(const filling *f, const whirl_measured *m, size_t n,
 /// Fills a run from a record in place of a machine.
 static whirl_status runup_fill_measured(const whirl_resting *point, const whirl_runup_options *o,
                                         const block_view *view) {
+    // Make memory for turns.
     const whirl_measured *m = point->measured;
     const size_t probes = point->system->probe_count;
     double *radius = calloc(probes + 1, sizeof *radius);
@@ -587,6 +593,7 @@ static whirl_status runup_fill_measured(const whirl_resting *point, const whirl_
     whirl_status status =
         radius && stations ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the turns of a record");
     if (status.code == WHIRL_OK) status = runup_views_new(view, o, point->system, 0, f.duration, &f.views);
+    // Show each turn of the record as one of a run; a record has no torques.
     for (size_t n = 0; n < m->turns && status.code == WHIRL_OK; n++) {
         const double begin = m->time[n * m->samples], end = m->end[n];
         runup_read_turn(&f, m, n, stations);
@@ -601,6 +608,7 @@ static whirl_status runup_fill_measured(const whirl_resting *point, const whirl_
         runup_fill_row(&f, &turn);
         status = f.status;
     }
+    // Fill in the end of the record.
     if (status.code == WHIRL_OK) status = runup_views_end(&f.views, o->duration);
     if (status.code == WHIRL_OK) {
         *view_numbers(view, END, 0) = RUNUP_DONE;

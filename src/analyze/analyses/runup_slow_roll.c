@@ -49,12 +49,14 @@ static double slow_roll_change(const block_view *view, size_t station, const dou
 }
 
 void runup_fill_slow_roll(const block_view *view, const whirl_runup_options *options, size_t probes) {
+    // Find the rows on both sides of the speed of slow roll.
     const size_t rows = (size_t)options->rows;
     const double *speeds = view_numbers(view, SPEED, 0);
     size_t at[2];
     if (options->slow_roll == 0.0 || !slow_roll_rows(speeds, rows, options->slow_roll, at)) return;
     const double apart = speeds[at[1]] - speeds[at[0]];
     const double share = apart != 0.0 ? (options->slow_roll - speeds[at[0]]) / apart : 0.0;
+    // Interpolate the slow roll of each station.
     for (size_t p = 0; p < probes; p++) {
         double complex roll[2];
         double *vector = view_numbers(view, SLOW_ROLL, p), *change = view_numbers(view, SLOW_ROLL_CHANGE, p);
@@ -64,6 +66,7 @@ void runup_fill_slow_roll(const block_view *view, const whirl_runup_options *opt
             vector[2 * axis] = creal(roll[axis]);
             vector[2 * axis + 1] = -cimag(roll[axis]);
         }
+        // Subtract it at all speeds, unless it changes too much near its own.
         *change = slow_roll_change(view, p, roll, at, options->slow_roll, rows);
         for (size_t row = 0; row < rows && *change <= WHIRL_MAX_SLOW_ROLL_CHANGE; row++) {
             const double complex x = slow_roll_vector(view, p, row, 0) - roll[0];

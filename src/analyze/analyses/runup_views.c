@@ -47,14 +47,17 @@ void runup_views_free(runup_views *views) {
 
 /// Fills a spectrum from the last turns; it stays missing where there are too few.
 static whirl_status runup_fill_spectrum(runup_views *views, size_t row) {
+    // Find the last turns, if there are enough.
     const turn_samples *of = &views->samples;
     const size_t turns = (size_t)views->options->spectrum_turns, count = turns * of->samples;
     const size_t bins = runup_bins(views->options);
     const double *numbers = turn_history_last(&views->history, turns);
     if (!numbers) return whirl_ok();
+    // The spectrum stands in the middle of them.
     view_numbers(views->view, SPECTRUM_TIME, 0)[row] = 0.5 * (numbers[0] + views->history.end);
     view_numbers(views->view, SPECTRUM_SPEED, 0)[row] = two_pi * (double)turns / (views->history.end - numbers[0]);
     double *x = views->memory, *y = x + count;
+    // Transform the motion of each station; forward is the sense of the shaft.
     for (size_t p = 0; p < of->probes; p++) {
         whirl_spectrum *made = NULL;
         for (size_t k = 0; k < count; k++) {

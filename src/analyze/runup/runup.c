@@ -140,14 +140,17 @@ static double runup_find_passage(runner *r, quantity *of, size_t which, double t
                                  double length, double low, double high, double *there) {
     double a = 0.0, b = length, fa = low - target, fb = high - target, at = fa == 0.0 ? 0.0 : length;
     int side = 0;
+    // Narrow the bracket: the secant's point, or the middle if that is outside.
     for (int i = 0; i < 80 && fa * fb < 0.0 && b - a > located * length; i++) {
         const double before = at;
         at = (a * fb - b * fa) / (fb - fa);
         if (!(at > a && at < b)) at = 0.5 * (a + b);
+        // Carry the motion there, and see on which side of the target it is.
         memcpy(there, state, r->dimension * sizeof *there);
         if (runup_carry_part(r, from, at, there) != WHIRL_BOUNDED) break;
         const double f = of(r, there, which) - target;
         if (f == 0.0 || fabs(at - before) < located * length) return at;
+        // Move the bracket's end; the value of an end that stays twice is halved.
         if ((f < 0.0) == (fb < 0.0)) {
             b = at, fb = f;
             if (side == -1) fa *= 0.5;
@@ -158,6 +161,7 @@ static double runup_find_passage(runner *r, quantity *of, size_t which, double t
             side = 1;
         }
     }
+    // Give the state at the last place.
     memcpy(there, state, r->dimension * sizeof *there);
     runup_carry_part(r, from, at, there);
     return at;
@@ -911,6 +915,7 @@ static void runup_run_all(runner *r) {
 }
 
 static whirl_status runup_open(runner *r) {
+    // Make memory for all arrays at once.
     const size_t d = r->most, samples = (size_t)r->plan->options->samples;
     const size_t numbers = d * (2 + samples + 1 + 3 + 1 + 2 + 1 + r->probes + 2 * r->torques) +
                            r->contacts * (samples + 3) + 3 * r->probes + 3 * r->torques;
@@ -920,6 +925,7 @@ static whirl_status runup_open(runner *r) {
     r->torque_where = calloc(2 * r->torques + 1, sizeof *r->torque_where);
     if (!r->x || !r->stations || !r->peak_where || !r->torque_where)
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for a run");
+    // Divide it.
     double *next = r->x + d;
     r->begin = next, next += d;
     r->samples = next, next += (samples + 1) * d;
@@ -938,6 +944,7 @@ static whirl_status runup_open(runner *r) {
     r->speed = next, next += r->probes;
     r->torque = next, next += r->torques;
     r->torque_length = next;
+    // Make the integrators of the first machine.
     return runup_add_integrators(r, &r->sides[0]);
 }
 
@@ -978,6 +985,7 @@ size_t runup_events_of(const whirl_runup_options *o, const whirl_system *system,
 
 whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_run *run) {
     const whirl_runup_options *o = plan->options;
+    // Describe the machine and the run.
     runner r = {.machine = running,
                 .sides = {{.machine = running}},
                 .side_count = 1,
@@ -996,6 +1004,7 @@ whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_r
                             .rate = o->to > 0.0 && o->to < o->from ? -o->rate : o->rate,
                             .dragless = !o->drag,
                             .course = plan->course};
+    // Begin with the machine's own error, the events that may happen, and no extremes.
     run->error = running->error;
     for (size_t i = 0; i < 4; i++) run->sensitivity[i] = i == 0 ? 0.0 : (double)NAN;
     run->event_count = runup_events_of(o, running->by_angle, run->events);
@@ -1005,6 +1014,7 @@ whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_r
     for (size_t t = 0; t < r.torques; t++)
         run->torques[t] = (runup_torque){{-(double)INFINITY, NAN}, {(double)INFINITY, NAN}};
     for (size_t c = 0; c < r.contacts; c++) run->contacts[c] = (runup_contact){NAN, NAN, 0.0, 0.0};
+    // Start: by time where the shaft stands, else by its angle.
     whirl_status status = runup_open(&r);
     if (status.code == WHIRL_OK) {
         runup_go_by(&r, 0, running->in_time || o->from == 0.0);
@@ -1015,6 +1025,7 @@ whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_r
         else
             running->to_angle(running, r.x);
         runup_follow_table(&r);
+        // Run to the end.
         running->turn(running, &r.how);
         runup_run_all(&r);
         status = r.status;

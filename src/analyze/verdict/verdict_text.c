@@ -178,6 +178,7 @@ static void line_text(const whirl_verdict *v, char *text, size_t size) {
 }
 
 static void quasi_periodic_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
+    // A main line of the spectrum that stays is the evidence by itself.
     char what[200], line[200];
     if (v->line > 0.0) {
         line_text(v, line, sizeof line);
@@ -187,6 +188,7 @@ static void quasi_periodic_reason(const whirl_verdict *v, const char *exponent, 
                  v->line, line, exponent);
         return;
     }
+    // Otherwise name what was seen of the section.
     if (v->curves > 0)
         snprintf(what, sizeof what, "draws %d closed curve%s; locks up to P-%d are excluded, longer ones are not",
                  v->curves, verdict_text_plural(v->curves), v->unlocked);

@@ -412,6 +412,7 @@ static whirl_status polish(const solver *s, const double load[2], whirl_pads_sta
 
 static whirl_status pads_check(const whirl_pads *bearing) {
     const double turn = 2.0 * acos(-1.0);
+    // Check the bearing as a whole.
     if (bearing->count == 0 || bearing->count > WHIRL_MAX_PADS)
         return whirl_fail(WHIRL_BAD_INPUT, "a bearing has %zu pads, expected 1 to %d", bearing->count, WHIRL_MAX_PADS);
     if (!(bearing->ratio > 0.0) || !isfinite(bearing->ratio))
@@ -431,6 +432,7 @@ static whirl_status pads_check(const whirl_pads *bearing) {
                           "a pivot has a stiffness of %g, a damping of %g, a mass of %g, expected 0 or "
                           "more",
                           bearing->pivot_stiffness, bearing->pivot_damping, bearing->pad_mass);
+    // Check each pad.
     for (size_t i = 0; i < bearing->count; i++) {
         const whirl_pad *pad = &bearing->pads[i];
         if (!(pad->arc > 0.0 && pad->arc <= turn * (1.0 + 1e-12)))
@@ -586,6 +588,7 @@ void whirl_pads_reduced(const whirl_pads *bearing, const whirl_pads_state *state
 // ---------------------------------------------------------------- usual bearings
 
 bool whirl_pads_named(const char *name, double preload, whirl_pads *out) {
+    // Angles in degrees from the x axis, for a load along -y.
     static const double degree = 0.017453292519943295;
     static const struct {
         const char *name;
@@ -598,6 +601,7 @@ bool whirl_pads_named(const char *name, double preload, whirl_pads *out) {
         {"four-lobe", 4, 45.0, 70.0, 0.5, true, false},   {"offset-half", 2, 90.0 + 80.0, 160.0, 1.0, true, false},
         {"tilting-4", 4, 45.0, 80.0, 0.5, true, true},    {"tilting-5", 5, 18.0, 60.0, 0.5, true, true},
     };
+    // Spread the pads evenly round the journal.
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         if (strcmp(known[i].name, name) != 0) continue;
         out->count = known[i].count;

@@ -80,6 +80,7 @@ static void find_loose(const whirl_system *system, const double *x, double *work
 /// `rest`, the search from x leads to `rest`. What an idle pad's film still carries moves the others, and no equation
 /// says how the pad stands: a place of rest is known to that.
 static whirl_status is_loosely_same(const whirl_system *system, const double *x, const double *rest, bool *same) {
+    // Only systems with coordinates that settle by themselves have loose ones.
     const size_t d = system->dimension;
     bool any = false;
     *same = false;
@@ -88,6 +89,7 @@ static whirl_status is_loosely_same(const whirl_system *system, const double *x,
     whirl_settled *kinds = calloc(d, sizeof *kinds);
     bool *loose = calloc(d, sizeof *loose);
     whirl_status status = whirl_ok();
+    // Put loose coordinates as they are at `rest`, and search from there.
     if (work && kinds && loose) {
         find_loose(system, x, work, kinds, loose);
         find_loose(system, rest, work, kinds, loose);

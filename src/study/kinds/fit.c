@@ -151,6 +151,7 @@ static whirl_status fit_write(const fit_work *w, double *block) {
 
 /// Fits from the start of one slot, unless the journal has it.
 static whirl_status fit_point(study_run *run, const pass *p, size_t slot) {
+    // Make memory for the block, residuals and motions.
     const whirl_batch *batch = &run->study->batches[p->batch];
     const whirl_fit *fit = batch->fit;
     whirl_table *table = &run->result->tables[p->batch];
@@ -163,6 +164,7 @@ static whirl_status fit_point(study_run *run, const pass *p, size_t slot) {
         .study = run->study, .batch = batch, .fit = fit, .threads = run->threads, .goes_on = fit_goes_on, .of = &w};
     whirl_status status = fit_motions_make(&w.motions);
     if (!block || !w.residuals) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a fit");
+    // Take the block from the journal, or fit and write it there.
     const journal_entry entry = {.batch = p->batch, .slot = slot, .block = block, .size = table->layout.size};
     if (status.code == WHIRL_OK && run_journal_read(run->journal, &entry)) {
         table->done[slot] = 1;

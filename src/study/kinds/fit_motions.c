@@ -257,6 +257,7 @@ static void soften(double k, size_t count, double *residual, double *derivatives
 }
 
 bool fit_motions_evaluate(void *motions, const double *values, double *residuals, double *derivatives) {
+    // Compute all motions; the first one that is lost is reported.
     fit_motions *m = motions;
     const whirl_fit *fit = m->fit;
     const size_t count = fit->unknown_count;
@@ -273,6 +274,7 @@ bool fit_motions_evaluate(void *motions, const double *values, double *residuals
     if (m->goes_on && !m->goes_on(m->of)) m->status = whirl_fail(WHIRL_STOPPED, "stopped");
     if (m->lost < fit->motion_count || m->status.code == WHIRL_STOPPED) return false;
     m->status = whirl_ok();
+    // Weigh residuals and derivatives by the noise; outliers count less with loss: huber.
     const whirl_fit_options *options = &m->batch->record.fit;
     const bool huber = strcmp(options->loss, "huber") == 0;
     for (size_t i = 0; i < fit->number_count; i++) {

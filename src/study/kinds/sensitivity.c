@@ -57,6 +57,7 @@ whirl_status whirl_sensitivity_new(const whirl_study *study, const whirl_batch *
         return whirl_fail(WHIRL_BAD_INPUT, "reach is %g at the value %g, expected a number above 0", reach, value);
     whirl_sensitivity *s = calloc(1, sizeof *s);
     if (!s) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a sensitivity");
+    // Make machines around the value, nearer to it if those farther away are impossible.
     s->value = value;
     s->reach = reach > 0.0 ? reach : 0.125 * fabs(value);
     whirl_status status = sensitivity_build(s, study, batch, value);
@@ -65,6 +66,7 @@ whirl_status whirl_sensitivity_new(const whirl_study *study, const whirl_batch *
         s->reach *= 0.5;
         status = sensitivity_build(s, study, batch, value);
     }
+    // Make memory for rows of numbers and their extrapolation.
     if (status.code == WHIRL_OK) {
         s->rows = calloc((MACHINES + LEVELS + 1) * sensitivity_width(s), sizeof *s->rows);
         s->lines = s->rows + MACHINES * sensitivity_width(s);
@@ -126,6 +128,7 @@ static void slope_of(const whirl_sensitivity *s, size_t index, double t, const d
 /// levels add nothing.
 static bool sensitivity_extrapolate(const whirl_sensitivity *s, size_t i, size_t k, double line[LEVELS],
                                     double *derivative, double *off) {
+    // The first column has differences over twice the step; rounding limits what they can show.
     const size_t n = sensitivity_width(s);
     const double above = s->rows[(2 * k + 1) * n + i], below = s->rows[(2 * k + 2) * n + i];
     const double rounding = 8.0 * DBL_EPSILON * fmax(fabs(above), fabs(below)) / sensitivity_step(s, k);
@@ -135,6 +138,7 @@ static bool sensitivity_extrapolate(const whirl_sensitivity *s, size_t i, size_t
         *derivative = entry;
         *off = INFINITY;
     }
+    // Extrapolate to a step of 0, and keep the entry that changes least.
     for (size_t j = 1; j <= k; j++) {
         const double less = ldexp(1.0, 2 * (int)j) - 1.0, next = entry + (entry - before) / less;
         const double own = fmax(fabs(next - entry), fabs(next - before)) + rounding;
@@ -145,6 +149,7 @@ static bool sensitivity_extrapolate(const whirl_sensitivity *s, size_t i, size_t
         before = line[j];
         line[j] = entry = next;
     }
+    // Without a finite estimate take the last entry.
     if (k + 1 == LEVELS && !isfinite(*off)) *derivative = entry;
     return *off <= 2.0 * rounding;
 }

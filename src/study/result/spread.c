@@ -195,10 +195,12 @@ static double jackknife(const double without[WHIRL_REPLICATES]) {
 
 /// Fills in everything that follows from sums.
 static void spread_estimate(const drawn *of, whirl_spread *s) {
+    // Estimate from all replicates.
     const size_t parameters = of->each > 2 ? of->each - 2 : 0;
     const double origin = middle_of(of);
     const replicates r = sum_up(of, origin);
     const estimates whole = estimate(&r.all, origin, parameters);
+    // Estimate without each of them.
     estimates without[WHIRL_REPLICATES];
     for (size_t i = 0; i < WHIRL_REPLICATES; i++) {
         sums rest = {.count = 0.0};
@@ -206,6 +208,7 @@ static void spread_estimate(const drawn *of, whirl_spread *s) {
             if (k != i) sums_add(&rest, &r.of[k], parameters);
         without[i] = estimate(&rest, origin, parameters);
     }
+    // The spread of these gives the error of each number (jackknife).
     double left[WHIRL_REPLICATES];
 #define ESTIMATE(to, member)                                                                                           \
     do {                                                                                                               \
@@ -476,12 +479,14 @@ bool whirl_table_asked(const whirl_result *result, const whirl_table *table, siz
     char fact[WHIRL_NAME_SIZE];
     whirl_spread_at at;
     whirl_status status = whirl_ok();
+    // Count the numbers that the case asks for.
     const bool some = *whirl_result_fact(result, "limit 1") != '\0';
     for (size_t i = 0; some; i++) {
         snprintf(fact, sizeof fact, "limit %zu", i + 1);
         if (!whirl_spread_read(whirl_result_fact(result, fact), of)) return false;
         if (!find_in_result(result, table, of, &at, &status) && index-- == 0) return true;
     }
+    // Without any, count the usual fields of each station or contact.
     for (size_t u = 0; u < sizeof usual / sizeof *usual; u++) {
         const whirl_field *field = whirl_layout_field(&table->layout, usual[u].field);
         for (size_t k = 0; field && k < field->repeat * usual[u].rows; k++) {

@@ -37,6 +37,7 @@ static whirl_status check_study(const whirl_study *study) {
     if (study->batch_count == 0 || study->batch_count > WHIRL_MAX_BATCHES || !study->machine)
         return whirl_fail(WHIRL_BAD_INPUT, "the study has %zu batches, expected 1 to %d and a machine",
                           study->batch_count, WHIRL_MAX_BATCHES);
+    // Check what each batch asks for.
     for (size_t i = 0; i < study->batch_count; i++) {
         const whirl_batch *batch = &study->batches[i];
         if (batch->count == 0)
@@ -83,6 +84,7 @@ whirl_status whirl_study_outline(const whirl_study *study, whirl_result **out) {
 static whirl_status count_states(study_run *run) {
     const whirl_study *study = run->study;
     bool moving = false;
+    // Make the outline of each batch's first machine.
     for (size_t i = 0; i < study->batch_count; i++) {
         whirl_batch first = study->batches[i];
         whirl_machine machine;
@@ -268,6 +270,7 @@ whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *
     whirl_placed *placed[WHIRL_MAX_BATCHES] = {NULL};
     study_run run = {.study = &chosen, .journal = options->keeper, .share = options->share, .dealer = options->dealer};
     *out = NULL;
+    // Check the options.
     if (options->threads < 0) return whirl_fail(WHIRL_BAD_INPUT, "threads is %d, expected 0 or more", options->threads);
     if (run.share.count > 0 && (run.share.number < 1 || run.share.number > run.share.count))
         return whirl_fail(WHIRL_BAD_INPUT, "the share is %zu of %zu, expected 1 to %zu", run.share.number,
@@ -276,6 +279,7 @@ whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *
     const int before = exhausted_watch();
     for (size_t i = 0; i < chosen.batch_count && i < WHIRL_MAX_BATCHES; i++)
         chosen.batches[i].integrate.stop = options->stop;
+    // Prepare: tables of films, unbalances by rule, methods, an empty result and its memory.
     whirl_status status = check_study(study);
     if (status.code == WHIRL_OK) status = whirl_study_prepare(&chosen, options);
     if (status.code == WHIRL_OK) status = place_all(&chosen, placed);
@@ -283,6 +287,7 @@ whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *
     if (status.code == WHIRL_OK) status = whirl_study_outline(&chosen, &run.result);
     if (status.code == WHIRL_OK) status = make_ends(&run);
     if (status.code == WHIRL_OK) status = tables_fill(&run, options->memory);
+    // Compute all stages; what was computed before a stop is kept.
     const bool begun = status.code == WHIRL_OK;
     if (begun) status = run_stages(&run, options);
     if (begun && (status.code == WHIRL_OK || status.code == WHIRL_STOPPED)) {
@@ -290,6 +295,7 @@ whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *
         if (ended.code == WHIRL_OK) ended = neighbours_end(&run);
         if (ended.code != WHIRL_OK) status = ended;
     }
+    // Free the workspace, and hand over the result.
     refined_maps_free(&run);
     neighbours_free(&run);
     for (size_t i = 0; i < WHIRL_MAX_BATCHES; i++) room_drop(&run.room, run.ends[i]), free(placed[i]);

@@ -256,10 +256,12 @@ whirl_status whirl_study_verify(const whirl_study *study, const whirl_verify_opt
                                 const whirl_run_options *run, whirl_verification **out) {
     whirl_study chosen = *study;
     *out = NULL;
+    // Check the options, and choose the method of the study.
     whirl_status status = verify_check(study, options, run);
     if (status.code == WHIRL_OK) status = whirl_study_choose_methods(&chosen);
     if (status.code != WHIRL_OK) return status;
     const whirl_batch *batch = &chosen.batches[0];
+    // Make memory for the points, and name them.
     whirl_verification *v = calloc(1, sizeof *v);
     if (v) v->points = calloc(batch->count, sizeof *v->points);
     if (!v || !v->points) {
@@ -277,9 +279,11 @@ whirl_status whirl_study_verify(const whirl_study *study, const whirl_verify_opt
         v->points[i].second = batch->second_values ? batch->second_values[i] : (double)NAN;
         v->points[i].third = batch->third_values ? batch->third_values[i] : (double)NAN;
     }
+    // Give each method its levels of accuracy.
     for (int m = 0; m < WHIRL_VERIFY_METHODS; m++) v->integrate[m][0] = batch->integrate;
     status = second_method(batch->integrate.method, options->method, v->integrate[1][0].method);
     for (int m = 0; m < WHIRL_VERIFY_METHODS; m++) set_levels(v->integrate[m]);
+    // Compute and compare all of them.
     if (status.code == WHIRL_OK) status = verify(&chosen, run, v);
     if (status.code == WHIRL_OK)
         *out = v;

@@ -165,6 +165,7 @@ static bool contact_has_friction(const key_value *values) {
 static whirl_status check_keys(const key_value *values) {
     const int law = values[LAW].choice, rubbing = values[FRICTION_LAW].choice;
     const bool falls = rubbing != COULOMB, bristles = rubbing == LUGRE;
+    // Each law needs some keys and has no use for others.
     const double turn = 6.283185307179586476925;
     const struct {
         int key;
@@ -182,6 +183,7 @@ static whirl_status check_keys(const key_value *values) {
         const whirl_status status = check_pair(values, rules[i].key, rules[i].needed, rules[i].choice);
         if (status.code != WHIRL_OK) return status;
     }
+    // Keys that are given may still contradict each other.
     if (falls && values[STATIC_FRICTION].number < values[FRICTION].number)
         return whirl_fail(WHIRL_BAD_INPUT, "has a static_friction of %g below a friction of %g, expected one above it",
                           values[STATIC_FRICTION].number, values[FRICTION].number);

@@ -50,6 +50,7 @@ static whirl_status pulsation_check(const key_value *values) {
     const key_value *rates = &values[values[FREQUENCIES].given ? FREQUENCIES : ORDERS];
     const size_t count = pulsation_count(rates), rows = speeds->given ? pulsation_count(speeds) : 1;
     const char *name = values[SHARES].given ? "shares" : "amplitudes";
+    // Sizes and rates are given in one way each, and together.
     if (values[ORDERS].given && values[FREQUENCIES].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has orders and frequencies, expected one of them: a pulsation for each");
     if (values[AMPLITUDES].given && values[SHARES].given)
@@ -65,6 +66,7 @@ static whirl_status pulsation_check(const key_value *values) {
                           "has %s alone, expected orders or frequencies together with amplitudes or "
                           "shares",
                           rates->given ? values[ORDERS].given ? "orders" : "frequencies" : name);
+    // Lists have as many numbers as there are pulsations and speeds.
     if (speeds->given && (speeds->count < 2 || speeds->rows > 1 || !table_rises(speeds->count, speeds->list)))
         return whirl_fail(WHIRL_BAD_INPUT, "has %zu speeds, expected a list of at least 2 that rise", speeds->count);
     if (sizes->given && pulsation_count(sizes) != count * rows)

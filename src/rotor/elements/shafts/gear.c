@@ -127,12 +127,14 @@ static whirl_status gear_check(const key_value *values) {
                                     ERROR,   PRESSURE_ANGLE, DIRECTION, HELIX, TEETH};
     if (values[RADII].count != 2)
         return whirl_fail(WHIRL_BAD_INPUT, "has %zu base_radii, expected those of both gears", values[RADII].count);
+    // A rigid mesh has none of the keys of one that yields.
     for (size_t i = 0; gear_is_rigid(values) && i < sizeof of_meshes / sizeof *of_meshes; i++)
         if (values[of_meshes[i]].given)
             return whirl_fail(WHIRL_BAD_INPUT,
                               "has %s and no stiffness, without which a mesh is rigid, expected both or "
                               "neither",
                               keys[of_meshes[i]].name);
+    // What varies along a tooth needs their number.
     const bool varies = values[VARIATION].number > 0.0 || values[ERROR].number > 0.0 || values[PROFILE].given;
     if (varies && !values[TEETH].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has a variation or an error and no teeth, expected their number");
@@ -142,6 +144,7 @@ static whirl_status gear_check(const key_value *values) {
         (values[PROFILE].count < 3 || values[PROFILE].count > 2 * GEAR_HARMONICS + 1 || values[PROFILE].rows > 1))
         return whirl_fail(WHIRL_BAD_INPUT, "has a profile of %zu numbers, expected 3 to %d", values[PROFILE].count,
                           2 * GEAR_HARMONICS + 1);
+    // A mesh joins two stations.
     const size_t *station = values[BETWEEN].station;
     if (gear_is_rigid(values) && (station[0] == GROUND || station[1] == GROUND))
         return whirl_fail(WHIRL_BAD_INPUT, "is rigid and joins the ground, expected two stations that twist");

@@ -227,6 +227,7 @@ static whirl_status put_loop(const key_value *values, const assembly *to, double
 
 static whirl_status check_keys(const key_value *values) {
     const bool linear = values[LAW].choice == LINEAR, given = values[CONSTANT].given;
+    // Both laws need some keys and have no use for others.
     static const struct {
         int key;
         bool linear, required;
@@ -246,6 +247,7 @@ static whirl_status check_keys(const key_value *values) {
         if (rules[i].linear != linear && has)
             return whirl_fail(WHIRL_BAD_INPUT, "has a %s, which its law has no use for, expected none", name);
     }
+    // The strength of magnets is given in one way.
     if (!linear && given == (values[TURNS].given && values[AREA].given))
         return whirl_fail(WHIRL_BAD_INPUT, "has %s, expected constant, or turns and area",
                           given ? "both constant and turns with area" : "no strength of its magnets");
@@ -254,6 +256,7 @@ static whirl_status check_keys(const key_value *values) {
     if (values[MAX_CURRENT].given && !(values[MAX_CURRENT].number > values[BIAS].number))
         return whirl_fail(WHIRL_BAD_INPUT, "has a max_current of %g A, expected one above the bias of %g A",
                           values[MAX_CURRENT].number, values[BIAS].number);
+    // A controller needs something to do, and filters that belong together.
     if (values[DERIVATIVE].number != 0.0 && !values[DERIVATIVE_FILTER].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has no derivative_filter, expected one: a derivative needs it");
     if (!values[PROPORTIONAL].given && !values[INTEGRAL].given && !values[DERIVATIVE].given && !values[NUMERATOR].given)
