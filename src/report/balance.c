@@ -1,11 +1,14 @@
 // // Findings of a balancing job: influence coefficients, weights, trial weights, vibration before and after, limits.
 #include "balance_parts.h"
+#include "findings_render.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "findings_build.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/status.h"
 #include "words.h"
 
 static const double degree = 3.14159265358979323846 / 180.0, rounding = 1e-9;

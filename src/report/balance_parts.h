@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "report_parts.h"
+#include "findings_render.h"
 #include "whirl/engine/balance.h"
 
 /// Returns the length of a vector.

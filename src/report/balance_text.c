@@ -1,8 +1,9 @@
 // Balancing as a text, for programs in other languages.
-#include "report_parts.h"
+#include "text_written.h"
 #include "whirl/engine/balance.h"
 #include "whirl/engine/case.h"
 #include "whirl/handles.h"
+#include "whirl/status.h"
 
 /// A balancing job and its result.
 typedef struct answer {

@@ -6,8 +6,12 @@
 #include <string.h>
 
 #include "findings_build.h"
+#include "findings_render.h"
 #include "numerics.h"
-#include "report_parts.h"
+#include "whirl/engine/findings.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
+#include "whirl/status.h"
 
 static const double degree = 3.14159265358979323846 / 180.0;
 

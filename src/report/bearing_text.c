@@ -1,11 +1,12 @@
 // A bearing as a text, for programs in other languages.
 #include <stdlib.h>
 
-#include "report_parts.h"
+#include "text_written.h"
 #include "whirl/engine/bearing_table.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/figure.h"
 #include "whirl/handles.h"
+#include "whirl/status.h"
 
 /// A table of bearing points, and the units in which it is shown.
 typedef struct answer {

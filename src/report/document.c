@@ -1,8 +1,9 @@
-#include "report_parts.h"
+#include "document.h"
 
 #include <math.h>
 #include <string.h>
 
+#include "whirl/engine/descriptor.h"
 #include "words.h"
 
 enum { TEXT_SIZE = 1024 };

@@ -1,4 +1,14 @@
-#include "report_parts.h"
+#include "explorer.h"
+#include "explorer_contents.h"
+#include "explorer_tables.h"
+#include "machine_at.h"
+#include "motions_text.h"
+#include "report_file.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/report.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
+#include "whirl/engine/system.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -7,6 +17,8 @@
 
 #include "figure_build.h"
 #include "input.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/status.h"
 #include "words.h"
 
 /// Placeholder for the results in the page's template.

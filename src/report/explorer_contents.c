@@ -1,5 +1,14 @@
 // Contents of a result in the explorer's page: statements, sheets and figures of every table.
-#include "report_parts.h"
+#include "explorer_contents.h"
+#include "document.h"
+#include "findings_render.h"
+#include "law_range_text.h"
+#include "motions_text.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/findings.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
+#include "whirl/status.h"
 
 #include <math.h>
 #include <stdlib.h>

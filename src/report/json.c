@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "document.h"
+#include "findings_render.h"
 #include "json_point.h"
 #include "whirl/engine/report.h"
 #include "whirl/engine/result.h"

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "document.h"
 #include "json_point.h"
 #include "quantities.h"
 #include "whirl/engine/report.h"

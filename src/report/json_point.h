@@ -2,8 +2,10 @@
 #ifndef REPORT_JSON_POINT_H
 #define REPORT_JSON_POINT_H
 
-#include "report_parts.h"
+#include <jansson.h>
+
 #include "shown_kinds.h"
+#include "whirl/engine/result.h"
 
 /// Returns the values of given parameters; a varied one has the point's own value. Parameters given by expressions
 /// belong to the case as written, not to the point, and are left out.

@@ -3,7 +3,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "report_parts.h"
+#include "machine_at.h"
+#include "named_lines.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/study.h"
+#include "whirl/engine/system.h"
+#include "whirl/status.h"
 
 static const double two_pi = 6.283185307179586476925;
 

@@ -4,10 +4,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "law_range_text.h"
+#include "machine_at.h"
+#include "motions_text.h"
 #include "quantities.h"
-#include "report_parts.h"
+#include "regimes.h"
 #include "shown_kinds.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/findings.h"
+#include "whirl/engine/result.h"
 #include "whirl/engine/shown.h"
+#include "whirl/engine/system.h"
 
 bool motions_beside(const whirl_table *table) {
     return table->role == WHIRL_ROLE_MOTIONS;

@@ -1,4 +1,5 @@
-#include "report_parts.h"
+#include "regimes.h"
+#include "whirl/engine/result.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -3,11 +3,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "explorer.h"
 #include "figure_kinds.h"
+#include "findings_render.h"
+#include "machine_at.h"
 #include "page.h"
 #include "render.h"
-#include "report_parts.h"
+#include "report_file.h"
+#include "whirl/engine/findings.h"
 #include "whirl/engine/report.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
+#include "whirl/status.h"
 
 /// State of making a report, freed by report_free.
 typedef struct report {

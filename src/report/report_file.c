@@ -6,7 +6,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "report_parts.h"
+#include "report_file.h"
+#include "text_written.h"
+#include "whirl/status.h"
 
 whirl_status report_file_open(report_file *file, const char *folder, const char *name) {
     const int length = snprintf(file->path, sizeof file->path, "%s/%s", folder, name);

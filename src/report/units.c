@@ -1,4 +1,7 @@
-#include "report_parts.h"
+#include "units.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,8 +3,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "report_parts.h"
+#include "document.h"
 #include "whirl/internal/verify.h"
+#include "whirl/status.h"
 #include "whirl/version.h"
 
 static json_t *run_object(bool *well, const whirl_integrate_options *options, const whirl_verify_run *run) {

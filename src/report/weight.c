@@ -1,8 +1,11 @@
 // Weight on the machine of a result, from its fact "weight" (case/describe.c).
 #include <string.h>
 
-#include "report_parts.h"
+#include "weight.h"
+#include "whirl/engine/analyze.h"
 #include "whirl/engine/findings.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
 
 void weight_text(const whirl_shown_units *units, char *text, size_t size) {
     whirl_shown_sentence(units, whirl_result_fact(units->result, "weight"), text, size);

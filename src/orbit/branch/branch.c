@@ -1,5 +1,12 @@
 // Branches of periodic orbits by pseudo-arclength continuation (Keller 1977; Allgower, Georg 1990).
+#include "whirl/engine/branch.h"
+#include "branch_points.h"
+#include "curve.h"
 #include "follower.h"
+#include "halved.h"
+#include "mirrored.h"
+#include "special_points.h"
+#include "whirl/engine/orbit.h"
 
 #include <math.h>
 #include <stdlib.h>

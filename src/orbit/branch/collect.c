@@ -4,8 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "follower.h"
+#include "section_distance.h"
 #include "whirl/engine/ensemble.h"
+#include "whirl/engine/orbit.h"
 #include "whirl/engine/stable_orbits.h"
 
 whirl_collect_options whirl_collect_default(const double *low, const double *high) {

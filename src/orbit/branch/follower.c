@@ -1,5 +1,10 @@
 // Steps shared by following a branch and locating its special points.
 #include "follower.h"
+#include "branch_points.h"
+#include "curve.h"
+#include "orbit_describe.h"
+#include "whirl/engine/branch.h"
+#include "whirl/engine/orbit.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,9 @@
+#include "halved.h"
+#include "branch_points.h"
+#include "curve.h"
 #include "follower.h"
+#include "whirl/engine/branch.h"
+#include "whirl/engine/orbit.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -4,7 +4,13 @@
 // the square of the distance (Golubitsky, Schaeffer 1985, chapter VI): the tangent turns back as at a fold, but that
 // product keeps its sign. The point is located on the symmetric branch, where the product passes zero and Newton's
 // method is regular.
+#include "mirrored.h"
+#include "curve.h"
 #include "follower.h"
+#include "special_points.h"
+#include "vanishing.h"
+#include "whirl/engine/branch.h"
+#include "whirl/engine/orbit.h"
 
 #include <math.h>
 #include <stdlib.h>

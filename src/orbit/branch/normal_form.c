@@ -3,7 +3,12 @@
 // B(u, v) and C(u, v, w) are the second and third derivatives of the map F, which is differenced along single
 // directions; mixed ones follow by polarisation. q and p are the right and left eigenvectors, <q, q> = 1, <p, q> = 1 (p
 // conjugated).
-#include "follower.h"
+#include "normal_form.h"
+#include "equations.h"
+#include "rest_equations.h"
+#include "shooting.h"
+#include "whirl/engine/branch.h"
+#include "whirl/engine/orbit.h"
 
 #include <complex.h>
 #include <math.h>

@@ -3,9 +3,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "branch_points.h"
 #include "curve.h"
 #include "equations.h"
-#include "follower.h"
+#include "normal_form.h"
+#include "orbit_describe.h"
+#include "vanishing.h"
+#include "whirl/engine/branch.h"
+#include "whirl/engine/orbit.h"
 
 /// State of a curve. Unknowns: those of the orbit, with the first parameter, then the second one.
 typedef struct walk {

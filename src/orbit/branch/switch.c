@@ -3,8 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "curve.h"
 #include "follower.h"
+#include "whirl/engine/branch.h"
 #include "whirl/engine/linear.h"
+#include "whirl/engine/orbit.h"
 
 /// Doubles the number of revolutions of an orbit.
 static whirl_orbit *go_round_twice(const whirl_orbit *orbit, double **nodes) {

@@ -1,5 +1,8 @@
 // Test functions of an orbit, which vanish at special points.
-#include "follower.h"
+#include "vanishing.h"
+#include "orbit_describe.h"
+#include "whirl/engine/branch.h"
+#include "whirl/engine/orbit.h"
 
 #include <math.h>
 

@@ -4,7 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "follower.h"
+#include "rest_equations.h"
+#include "shooting.h"
+#include "whirl/engine/branch.h"
+#include "whirl/engine/orbit.h"
 
 static void equations_release(whirl_machine *machine) {
     if (machine->release) machine->release(machine->owner);

@@ -4,9 +4,11 @@
 #include <string.h>
 
 #include "equations.h"
-#include "follower.h"
 #include "newton.h"
+#include "orbit_describe.h"
+#include "shooting.h"
 #include "whirl/engine/linear.h"
+#include "whirl/engine/orbit.h"
 
 whirl_orbit_options whirl_orbit_default(void) {
     whirl_orbit_options options = {

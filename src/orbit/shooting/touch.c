@@ -1,10 +1,10 @@
-#include "follower.h"
+#include "touch.h"
+#include "shooting.h"
+#include "whirl/engine/orbit.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include "numerics.h"
 
 /// The last instant of an orbit that was observed.
 typedef struct watch {

@@ -6,8 +6,10 @@
 #include <stddef.h>
 
 #include "quantities.h"
-#include "report_parts.h"
+#include "regimes.h"
+#include "whirl/engine/analyze.h"
 #include "whirl/engine/claims.h"
+#include "whirl/engine/result.h"
 
 /// A claim and the table it is compared with.
 typedef struct claim_view {

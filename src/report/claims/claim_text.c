@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "claim_parts.h"
+#include "regimes.h"
 
 enum { MAX_LINES = 6 };
 

@@ -3,8 +3,13 @@
 #include <stdlib.h>
 
 #include "figure_kinds.h"
+#include "machine_at.h"
 #include "quantities.h"
-#include "report_parts.h"
+#include "regimes.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
 
 static int by_value(const void *left, const void *right) {
     const double a = *(const double *)left, b = *(const double *)right;

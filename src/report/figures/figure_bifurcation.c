@@ -8,6 +8,7 @@
 #include "figure_build.h"
 #include "figure_kinds.h"
 #include "quantities.h"
+#include "regimes.h"
 
 enum {
     MANY_POINTS = 150, ///< points in a sweep above which small dots suffice

@@ -2,9 +2,11 @@
 #ifndef REPORT_FIGURE_BUILD_H
 #define REPORT_FIGURE_BUILD_H
 
-#include "report_parts.h"
+#include "whirl/engine/analyze.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/figure.h"
+#include "whirl/engine/shown.h"
+#include "whirl/status.h"
 
 #include <stddef.h>
 #include <stdint.h>

@@ -9,6 +9,7 @@
 #include "figure_build.h"
 #include "figure_kinds.h"
 #include "shown_kinds.h"
+#include "units.h"
 
 enum { MAX_CRITICAL = 256 };
 

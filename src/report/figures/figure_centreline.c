@@ -5,6 +5,7 @@
 
 #include "figure_build.h"
 #include "figure_kinds.h"
+#include "machine_at.h"
 #include "point_panels.h"
 
 enum { MAX_BEARINGS = 12 };

@@ -6,7 +6,13 @@
 
 #include "figure_build.h"
 #include "figure_kinds.h"
-#include "report_parts.h"
+#include "regimes.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
+#include "whirl/engine/system.h"
+#include "whirl/status.h"
 
 // ---------------------------------------------------------------- the name
 

@@ -4,7 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "report_parts.h"
+#include "machine_at.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
+#include "whirl/status.h"
 
 static const figure_kind *const kinds[] = {
     &rotor_figure,       &bifurcation_figure,     &waterfall_figure,    &map_figure,

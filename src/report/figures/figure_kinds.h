@@ -3,11 +3,16 @@
 #define REPORT_FIGURE_KINDS_H
 
 #include "figure_build.h"
-#include "report_parts.h"
+#include "regimes.h"
+#include "whirl/engine/analyze.h"
 #include "whirl/engine/case.h"
+#include "whirl/engine/descriptor.h"
 #include "whirl/engine/line.h"
 #include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
+#include "whirl/engine/system.h"
 #include "whirl/internal/model.h"
+#include "whirl/status.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -16,7 +21,7 @@
 typedef struct drawing {
     const whirl_result *result;
     const whirl_shown_units *units; ///< units of the figure's numbers
-    const whirl_case *machine;      ///< case of the result (report_parts.h), or NULL
+    const whirl_case *machine;      ///< case of the result (machine_at.h), or NULL
 } drawing;
 
 typedef struct figure_kind figure_kind;
@@ -225,7 +230,7 @@ enum { MAX_KINDS = (int)CLASS_COUNT > (int)ATTRACTOR_COLOURS ? (int)CLASS_COUNT 
 typedef struct bifurcation {
     const whirl_result *result;
     const whirl_table *table;
-    const whirl_case *machine; ///< their machine (report_parts.h), or NULL
+    const whirl_case *machine; ///< their machine (machine_at.h), or NULL
     size_t station;
     span parameter, x, y, exponent, radius;
     bool rub, confidence, both;

@@ -4,7 +4,9 @@
 #include <string.h>
 
 #include "figure_kinds.h"
-#include "report_parts.h"
+#include "report_file.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/result.h"
 
 const char *line_colour(size_t number) {
     static const char *const colours[] = {"#0072B2", "#D55E00", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};

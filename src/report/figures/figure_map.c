@@ -8,7 +8,12 @@
 #include "figure_build.h"
 #include "figure_kinds.h"
 #include "quantities.h"
-#include "report_parts.h"
+#include "regimes.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
+#include "whirl/status.h"
 
 enum { MAX_PLANES = 12, LEVELS = WHIRL_HIGH + 1 };
 

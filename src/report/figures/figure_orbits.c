@@ -6,9 +6,15 @@
 
 #include "figure_build.h"
 #include "figure_kinds.h"
+#include "machine_at.h"
+#include "motions_text.h"
 #include "point_panels.h"
 #include "quantities.h"
-#include "report_parts.h"
+#include "units.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
 
 enum { MAX_STATIONS = 12, MAX_MOTIONS = 6, STEPS = 180 };
 

@@ -7,11 +7,16 @@
 
 #include "figure_build.h"
 #include "figure_kinds.h"
+#include "machine_at.h"
 #include "point_panels.h"
 #include "quantities.h"
-#include "report_parts.h"
+#include "units.h"
+#include "whirl/engine/analyze.h"
 #include "whirl/engine/case.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
 #include "whirl/handles.h"
+#include "whirl/status.h"
 
 /// An orbit counts as near a circle if it misses or passes it by at most this share of its size.
 static const double NEAR = 0.35;

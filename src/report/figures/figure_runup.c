@@ -5,6 +5,7 @@
 
 #include "runup_panels.h"
 #include "shown_kinds.h"
+#include "units.h"
 
 /// Figures of a run, and the meaning of `which` in their places.
 enum { OVER_SPEED, OVER_TIME, ORDERS, SHAFT, CONTACTS, TORQUES };

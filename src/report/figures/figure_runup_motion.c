@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "machine_at.h"
 #include "point_panels.h"
 #include "runup_panels.h"
 

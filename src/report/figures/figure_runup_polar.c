@@ -4,8 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "machine_at.h"
 #include "point_panels.h"
 #include "runup_panels.h"
+#include "units.h"
 
 /// Figures of paths, and the meaning of `which` in their places.
 enum { POLAR, CENTRELINE, KINDS };

@@ -1,10 +1,12 @@
 // Spectra of run-ups: waterfalls over the time, cascades over the speed, and spectrograms.
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "quantities.h"
 #include "runup_panels.h"
+#include "units.h"
 
 /// Figures of spectra, and the meaning of `which` in their places.
 enum { WATERFALL, CASCADE, SPECTROGRAM, KINDS };

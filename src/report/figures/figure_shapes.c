@@ -5,6 +5,7 @@
 
 #include "figure_kinds.h"
 #include "shown_kinds.h"
+#include "units.h"
 
 enum { SHAPES = 6 };
 

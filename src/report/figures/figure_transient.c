@@ -6,8 +6,12 @@
 #include "figure_build.h"
 #include "figure_kinds.h"
 #include "quantities.h"
-#include "report_parts.h"
 #include "shown_kinds.h"
+#include "units.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
 
 enum { MAX_MOTIONS = 6, MAX_STEPS = 1500 };
 

@@ -4,6 +4,7 @@
 
 #include "figure_kinds.h"
 #include "shown_kinds.h"
+#include "units.h"
 
 /// Figures, and the meaning of `which` in their places.
 enum { TORQUES, ANGLES };

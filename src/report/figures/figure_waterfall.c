@@ -6,8 +6,13 @@
 
 #include "figure_build.h"
 #include "figure_kinds.h"
+#include "machine_at.h"
 #include "quantities.h"
-#include "report_parts.h"
+#include "units.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
 
 const char *const waterfall_colours[WATERFALL_COLOURS] = {"#fde725", "#a0da39", "#4ac16d", "#1fa187",
                                                           "#277f8e", "#365c8d", "#46327e", "#440154"};

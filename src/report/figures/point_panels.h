@@ -3,8 +3,11 @@
 #define REPORT_POINT_PANELS_H
 
 #include "figure_build.h"
+#include "machine_at.h"
 #include "quantities.h"
-#include "report_parts.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
 
 /// A point at a station, and its available data.
 typedef struct subject {

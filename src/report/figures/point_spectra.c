@@ -1,5 +1,8 @@
 // Spectra of one point at a station, with the orders of their largest lines.
+#include "machine_at.h"
+#include "named_lines.h"
 #include "point_panels.h"
+#include "units.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,6 @@
 // What figures of run-ups share.
 #include "runup_panels.h"
+#include "units.h"
 
 #include <math.h>
 #include <stdio.h>

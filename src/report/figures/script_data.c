@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "whirl/engine/descriptor.h"
 #include "words.h"
 
 /// Characters to be escaped have at most four digits.

@@ -5,6 +5,7 @@
 
 #include "figure_build.h"
 #include "figure_kinds.h"
+#include "units.h"
 
 const char *shown_owner(const drawing *of, const figure_place *place) {
     if (place->field->extent == WHIRL_PER_STATION) return of->result->stations[place->which].name;

@@ -1,4 +1,5 @@
 #include "figure_build.h"
+#include "units.h"
 
 #include <ctype.h>
 #include <stdio.h>

@@ -5,9 +5,15 @@
 #include <string.h>
 
 #include "findings_build.h"
+#include "findings_render.h"
+#include "machine_at.h"
 #include "memory.h"
-#include "report_parts.h"
 #include "shown_kinds.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
+#include "whirl/status.h"
 
 // ---------------------------------------------------------------- all of a result
 

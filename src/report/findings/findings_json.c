@@ -2,8 +2,10 @@
 #include <errno.h>
 #include <string.h>
 
-#include "report_parts.h"
+#include "document.h"
+#include "findings_render.h"
 #include "whirl/engine/findings.h"
+#include "whirl/status.h"
 
 static json_t *phrase_json(bool *well, const whirl_phrase *phrase) {
     char text[STATEMENT_SIZE];

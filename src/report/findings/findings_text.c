@@ -3,7 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "report_parts.h"
+#include "findings_render.h"
+#include "number_shown.h"
 #include "whirl/engine/findings.h"
 #include "words.h"
 

@@ -3,9 +3,14 @@
 #include <string.h>
 
 #include "findings_build.h"
-#include "report_parts.h"
+#include "findings_render.h"
+#include "text_written.h"
+#include "whirl/engine/descriptor.h"
 #include "whirl/engine/findings.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
 #include "whirl/handles.h"
+#include "whirl/status.h"
 
 whirl_status whirl_sheet_form_of(const char *name, whirl_sheet_form *form) {
     static const char *const names[] = {"text", "csv", "latex", "json"};

@@ -6,8 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "report_parts.h"
+#include "number_shown.h"
 #include "whirl/engine/findings.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
 #include "words.h"
 
 /// Units that no word of `units` names.

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "whirl/engine/analyze.h"
+#include "whirl/engine/descriptor.h"
 #include "whirl/engine/response_peaks.h"
 #include "words.h"
 

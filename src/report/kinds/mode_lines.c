@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "shown_kinds.h"
+#include "units.h"
 #include "whirl/engine/analyze.h"
 
 /// Last point of a line so far; it determines the line's name.

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "shown_kinds.h"
+#include "units.h"
 
 enum { LISTED = 6 };
 

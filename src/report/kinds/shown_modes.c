@@ -3,6 +3,7 @@
 
 #include "quantities.h"
 #include "shown_kinds.h"
+#include "units.h"
 
 static const double two_pi = 6.283185307179586476925;
 

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "shown_kinds.h"
+#include "weight.h"
 
 /// Returns a number of a station at a point, in SI if it is a length.
 static double number(const finder *of, size_t point, const char *field, size_t station) {

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "machine_at.h"
 #include "quantities.h"
 #include "shown_kinds.h"
 

@@ -6,11 +6,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "motions_text.h"
 #include "page.h"
-#include "report_parts.h"
 #include "shown_kinds.h"
+#include "whirl/engine/analyze.h"
 #include "whirl/engine/case.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
+#include "whirl/engine/system.h"
 #include "whirl/internal/model.h"
+#include "whirl/status.h"
 #include "whirl/version.h"
 
 /// A chapter: all tables that have a certain field or, with NULL, all motions.

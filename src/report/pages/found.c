@@ -4,11 +4,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "findings_render.h"
 #include "page.h"
 #include "quantities.h"
-#include "report_parts.h"
+#include "regimes.h"
 #include "shown_kinds.h"
 #include "summary.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/findings.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
 
 size_t found_each(const page *to, const char *field, each_table *act, void *context) {
     size_t count = 0;

@@ -1,4 +1,6 @@
+#include "number_shown.h"
 #include "page.h"
+#include "weight.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -3,10 +3,11 @@
 #define REPORT_PAGE_H
 
 #include "claim_parts.h"
-#include "report_parts.h"
 #include "whirl/engine/claims.h"
 #include "whirl/engine/figure.h"
+#include "whirl/engine/findings.h"
 #include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "findings_render.h"
 #include "page.h"
 
 enum { CELL_SIZE = 1024, MAX_ROWS = 80 };

@@ -4,8 +4,14 @@
 
 #include "page.h"
 #include "quantities.h"
-#include "report_parts.h"
+#include "regimes.h"
 #include "shown_kinds.h"
+#include "units.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
+#include "whirl/status.h"
 
 /// Returns true if sentences cover a table; detail points are covered by the sweep. Branches and tori of which none was
 /// found have a statement that says so.

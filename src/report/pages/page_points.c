@@ -4,9 +4,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "machine_at.h"
+#include "number_shown.h"
 #include "page.h"
 #include "quantities.h"
-#include "report_parts.h"
+#include "regimes.h"
+#include "units.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
 #include "words.h"
 
 enum { SHOWN_LINES = 5, NAMES_SIZE = 512 };

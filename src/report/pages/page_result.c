@@ -2,9 +2,17 @@
 #include <math.h>
 #include <string.h>
 
+#include "findings_render.h"
+#include "law_range_text.h"
 #include "page.h"
 #include "quantities.h"
-#include "report_parts.h"
+#include "units.h"
+#include "weight.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/findings.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
+#include "whirl/engine/system.h"
 
 static void write_row(FILE *stream, const char *term, const char *text) {
     fputs("<dt>", stream);

@@ -4,7 +4,11 @@
 #include <string.h>
 
 #include "page.h"
-#include "report_parts.h"
+#include "regimes.h"
+#include "units.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
 
 enum { SHOWN = 32, MAX_RANGES = 8, MAX_NAMES = 6 };
 

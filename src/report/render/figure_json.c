@@ -2,8 +2,9 @@
 #include <jansson.h>
 #include <string.h>
 
-#include "report_parts.h"
+#include "document.h"
 #include "whirl/engine/figure.h"
+#include "whirl/status.h"
 
 static const char *const shapes[] = {"dots", "line", "area", "bars", "boxes", "texts"};
 static const char *const marks[] = {"disc", "ring", "square", "frame", "up", "down", "diamond", "cross"};

@@ -1,9 +1,11 @@
 // Figures as texts, for programs in other languages.
 #include <stdlib.h>
 
-#include "report_parts.h"
+#include "text_written.h"
 #include "whirl/engine/figure.h"
+#include "whirl/engine/result.h"
 #include "whirl/handles.h"
+#include "whirl/status.h"
 
 static whirl_status write_figure(const void *of, FILE *stream) {
     return whirl_figure_write_json(of, stream);

@@ -4,8 +4,9 @@
 #include <string.h>
 
 #include "render.h"
-#include "report_parts.h"
+#include "report_file.h"
 #include "whirl/engine/figure.h"
+#include "whirl/status.h"
 
 static whirl_status write_json(const whirl_figure *figure, const char *folder, const char *name) {
     report_file file;

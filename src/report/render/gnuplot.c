@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "whirl/status.h"
 #include "words.h"
 
 extern char **environ; // no POSIX header declares it

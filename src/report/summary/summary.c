@@ -4,9 +4,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "report_parts.h"
+#include "findings_render.h"
+#include "law_range_text.h"
+#include "machine_at.h"
+#include "motions_text.h"
 #include "shown_kinds.h"
+#include "weight.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/engine/findings.h"
 #include "whirl/engine/report.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
+#include "whirl/status.h"
 
 /// Returns the number of starts in a table that continue neighbours' motions.
 static size_t count_from_neighbours(const whirl_table *table) {

@@ -2,10 +2,17 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "machine_at.h"
+#include "named_lines.h"
 #include "quantities.h"
-#include "report_parts.h"
+#include "regimes.h"
 #include "summary.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
 #include "whirl/engine/spectrum.h"
+#include "whirl/engine/system.h"
+#include "whirl/status.h"
 
 static void print_rubs(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point) {
     const whirl_result *result = units->result;

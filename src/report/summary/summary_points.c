@@ -4,9 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "report_parts.h"
+#include "regimes.h"
 #include "summary.h"
+#include "whirl/engine/analyze.h"
 #include "whirl/engine/report.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
+#include "whirl/status.h"
 
 enum { LONGEST_LIST = 12 };
 

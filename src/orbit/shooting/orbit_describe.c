@@ -1,5 +1,8 @@
 // Describes an orbit that was found.
-#include "follower.h"
+#include "orbit_describe.h"
+#include "shooting.h"
+#include "touch.h"
+#include "whirl/engine/orbit.h"
 
 #include <math.h>
 #include <stdint.h>

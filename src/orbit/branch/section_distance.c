@@ -1,4 +1,5 @@
-#include "follower.h"
+#include "section_distance.h"
+#include "whirl/engine/orbit.h"
 
 #include <math.h>
 

@@ -1,4 +1,5 @@
-#include "follower.h"
+#include "rest_equations.h"
+#include "shooting.h"
 
 #include <math.h>
 #include <stdlib.h>

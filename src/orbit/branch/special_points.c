@@ -1,5 +1,12 @@
 // Locates changes of stability, or of contact, along a branch.
+#include "special_points.h"
+#include "branch_points.h"
+#include "curve.h"
 #include "follower.h"
+#include "normal_form.h"
+#include "vanishing.h"
+#include "whirl/engine/branch.h"
+#include "whirl/engine/orbit.h"
 
 #include <math.h>
 #include <stdlib.h>
