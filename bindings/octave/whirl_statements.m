@@ -10,9 +10,9 @@ function statements = whirl_statements(file, varargin)
 %     clause   of the standard with the requirement, or ''
 %     asked    the requirement, or ''
 %     found    the value found
-%     told     the verdict with its reason, or ''
+%     judged   the verdict with its reason, or ''
 %     text     the statement as one sentence
-%   and values, a struct with the numbers of at, asked, found and told in SI, a column each.
+%   and values, a struct with the numbers of at, asked, found and judged in SI, a column each.
 %   WHIRL_STATEMENTS(FILE, 'units', 'um, rpm, p-p') writes numbers in these units, not those of the case.
 %
 %   Errors: whirl:badInput for a file that is no result, or units that are none; whirl:noCommand.
@@ -22,9 +22,9 @@ if nargin < 1
     error('whirl:badInput', 'whirl_statements takes the name of a result file, or what whirl_read gives');
 end
 found = findings_of('whirl_statements', file, '', varargin);
-texts = {'table', 'what', 'station', 'at', 'verdict', 'clause', 'asked', 'found', 'told', 'text'};
+texts = {'table', 'what', 'station', 'at', 'verdict', 'clause', 'asked', 'found', 'judged', 'text'};
 blank = [texts; repmat({''}, size(texts))];
-blank = struct(blank{:}, 'values', struct('at', [], 'asked', [], 'found', [], 'told', []));
+blank = struct(blank{:}, 'values', struct('at', [], 'asked', [], 'found', [], 'judged', []));
 list = list_of(found.statements);
 statements = repmat(blank, numel(list), 1);
 for i = 1:numel(list)

@@ -323,7 +323,7 @@ static void find_grade(const balance_view *v) {
     phrase_text(&v->to, &own->found, "G %.4g, ", of->grade * sum / allowed);
     phrase_number(&v->to, &own->found, WHIRL_QUANTITY_RESIDUAL, 6, sum);
     phrase_text(&v->to, &own->found, " in all, as these weights have it");
-    phrase_text(&v->to, &own->told, ", %s the grade", within ? "within" : "beyond");
+    phrase_text(&v->to, &own->judged, ", %s the grade", within ? "within" : "beyond");
 }
 
 static void find_reasons(const balance_view *v) {

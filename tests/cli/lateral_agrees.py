@@ -53,7 +53,7 @@ def main(result, page):
     faults, held, judged = [], 0, 0
     whole = sentences.get("What is asked for", "")
     for row in document.get("statements", []):
-        texts = [row[key]["text"] for key in ("asked", "found", "told") if row[key]["text"]]
+        texts = [row[key]["text"] for key in ("asked", "found", "judged") if row[key]["text"]]
         for text in texts:
             if text not in summary:
                 faults.append(f"the summary lacks {text!r} of JSON")

@@ -199,7 +199,7 @@ def margin(result, own):
     reaches = (np.diff(speed) > 0).all() and speed[0] <= low * (1 + 1e-9) and speed[-1] >= high * (1 - 1e-9)
     verdict = "fails" if len(held) < len(peaks) else "not known" if not reaches else "holds" if peaks else "none asked for"
     assert own["verdict"] == verdict, f"{len(held)} of {len(peaks)} peaks"
-    match = re.match(r"holds: (\d+) of (\d+) peaks|fails: (\d+) of (\d+) peaks", own["told"]["text"])
+    match = re.match(r"holds: (\d+) of (\d+) peaks|fails: (\d+) of (\d+) peaks", own["judged"]["text"])
     if match:
         told = (int(match[1]), int(match[2])) if match[1] else (int(match[4]) - int(match[3]), int(match[4]))
         assert told == (len(held), len(peaks)), f"{len(held)} of {len(peaks)} hold"
@@ -362,7 +362,7 @@ STATEMENTS = {
 
 def shown_agrees(own):
     """Numbers of a statement's texts are its numbers in the units that stand behind them."""
-    for part in ("asked", "found", "told"):
+    for part in ("asked", "found", "judged"):
         values = list(own[part]["values"])
         for shown, unit in re.findall(r"(?<![\w.])(-?\d[\d.]*(?:e[+-]?\d+)?)(?: (µm p-p|µm|mm|rpm|Hz|rad/s|1/s|%|N/m))?", own[part]["text"]):
             if values and rounds_to(values[0] / UNITS[unit], shown):
@@ -510,7 +510,7 @@ def main(path, page):
         except AssertionError as error:
             faults.append(f"{own['table']}: {own['what']}: {own['found']['text']!r}, {own['verdict']}: {error}")
         counts["statements"] += 1
-        texts.append([own[part]["text"] for part in ("asked", "found", "told") if own[part]["text"]])
+        texts.append([own[part]["text"] for part in ("asked", "found", "judged") if own[part]["text"]])
     for title, text in sentences(markup):
         if any(all(part in text for part in parts) for parts in texts if parts) or any(
             parts and parts[0] in text and text.split(". ")[0] in result.tables() for parts in texts):

@@ -83,10 +83,10 @@ def test_statements_and_sheets_are_those_of_the_command(file):
         for name in ("table", "what", "verdict", "text"):
             assert getattr(own, name) == told[name]
         assert (own.station, own.clause) == (told.get("station", ""), told.get("clause", ""))
-        for name in ("at", "asked", "found", "told"):
+        for name in ("at", "asked", "found", "judged"):
             if name in told:
                 np.testing.assert_equal((getattr(own, name), own.values[name]), phrase(told[name]))
-        assert own.found in str(own) and own.told in str(own)
+        assert own.found in str(own) and own.judged in str(own)
     sheets = result.sheets()
     assert len(sheets) == len(document.get("sheets", [])) and statements + list(sheets)
     for (key, own), told in zip(sheets.items(), document.get("sheets", [])):
@@ -201,7 +201,7 @@ def test_notebooks_show_what_texts_do(file):
         shown = [column for column in zip(*sheet.texts) if any(column)]
         assert Cells(sheet._repr_html_()).found == [text for row in zip(*shown) for text in row]
     cells = Cells(result.statements()._repr_html_()).found
-    assert all(own.found in cells and own.told in cells for own in result.statements())
+    assert all(own.found in cells and own.judged in cells for own in result.statements())
 
 
 def bare(text):

@@ -33,9 +33,9 @@ class Statement:
     clause: str  #: clause of the standard, or ""
     asked: str  #: the requirement, or ""
     found: str  #: the value found
-    told: str  #: the verdict with its reason, or ""
+    judged: str  #: the verdict with its reason, or ""
     text: str = field(repr=False)  #: the statement as one sentence
-    values: dict[str, tuple[float, ...]]  #: numbers of ``at``, ``asked``, ``found``, ``told``, in SI
+    values: dict[str, tuple[float, ...]]  #: numbers of ``at``, ``asked``, ``found``, ``judged``, in SI
 
     def __str__(self) -> str:
         return self.text
@@ -46,11 +46,11 @@ class Statements(list):
 
     def to_pandas(self) -> pandas.DataFrame:
         """Returns a DataFrame with a line for each statement."""
-        names = ("table", "at", "what", "station", "asked", "found", "verdict", "told", "clause")
+        names = ("table", "at", "what", "station", "asked", "found", "verdict", "judged", "clause")
         return _pandas().DataFrame([[getattr(own, name) for name in names] for own in self], columns=list(names))
 
     def _repr_html_(self) -> str:
-        rows = ([own.table, own.at, own.what, own.station, own.asked, own.found, own.told, own.clause] for own in self)
+        rows = ([own.table, own.at, own.what, own.station, own.asked, own.found, own.judged, own.clause] for own in self)
         return _html_table(["table", "at", "what", "station", "asked for", "found", "verdict", "clause"], rows)
 
 
@@ -169,7 +169,7 @@ def _finite(numbers):
 
 
 def _statement(of: dict[str, Any]) -> Statement:
-    phrases = {name: of.get(name, {"text": "", "values": []}) for name in ("at", "asked", "found", "told")}
+    phrases = {name: of.get(name, {"text": "", "values": []}) for name in ("at", "asked", "found", "judged")}
     return Statement(
         **{name: of[name] for name in ("table", "what", "verdict", "text")},
         **{name: of.get(name, "") for name in ("station", "clause")},

@@ -389,7 +389,7 @@ def _point(table, point, at):
     if isinstance(point, str) and at is None:
         point, at = None, point
     if (point is None) == (at is None):
-        raise BadInput("a point is told by its index, or by a value of the parameter, at='6000 rpm': one of both")
+        raise BadInput("a point is chosen by its index, or by a value of the parameter, at='6000 rpm': one of both")
     if at is not None:
         return value_text(at)
     count = int(np.prod(table.shape))

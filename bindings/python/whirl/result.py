@@ -110,11 +110,11 @@ class _About:
     def parameter_unit(self, name: str) -> str:
         return self.parameters[name].unit if name in self.parameters else "1"
 
-    def nearest(self, parameter: str, values: np.ndarray, told: float | str) -> int:
+    def nearest(self, parameter: str, values: np.ndarray, value: float | str) -> int:
         from ._library import check, ffi, lib, word_bytes
 
         if not parameter:
-            raise errors.BadInput("nothing varies in the table: its points are told by their index")
+            raise errors.BadInput("nothing varies in the table: its points are chosen by their index")
         index, values = ffi.new("size_t *"), np.ascontiguousarray(values, dtype=float)
         check(
             lib.whirl_nearest_value(
@@ -122,7 +122,7 @@ class _About:
                 word_bytes(parameter),
                 ffi.cast("double *", values.ctypes.data),
                 len(values),
-                word_bytes(value_text(told)),
+                word_bytes(value_text(value)),
                 index,
             )
         )
@@ -195,55 +195,55 @@ class Result:
     def beyond(self) -> list[str]:
         """The ranges of laws that points of tables have left: which, and how far they went. Field "ranges/left" of a
         table tells how many a point has left, "ranges/reached" what each came to and where its range ends."""
-        told = []
+        lines = []
         for name, every in self._rows_of(FIELD.RANGES_REACHED):
             for i in range(every.shape[1] // 2):
                 reached, most = every[:, 2 * i : 2 * i + 2].T
                 left = reached > most * (1 + 1e-9)
                 if left.any():
                     worst = np.nanmax(reached[left])
-                    told.append(
+                    lines.append(
                         f"{name}: {self.facts[f'range {i + 1}']}; reached {worst:.4g} "
                         f"({left.sum()} of {len(left)} points)"
                     )
-        return told
+        return lines
 
     @property
     def held(self) -> list[str]:
         """The contacts against which machines at rest rest, and which small motions leave closed. Field "ranges/held"
         of a table is the normal force of every contact at every point, 0 where it is open."""
-        told = []
+        lines = []
         for name, every in self._rows_of(FIELD.RANGES_HELD):
             for contact, force in zip(self.contacts, self.force_scale * every.T):
                 count = (force > 0).sum()
                 if count:
                     most = np.nanmax(force)
-                    told.append(f"{name}: {contact} with {most:.4g} N ({count} of {len(force)} points)")
-        return told
+                    lines.append(f"{name}: {contact} with {most:.4g} N ({count} of {len(force)} points)")
+        return lines
 
     @property
     def unfound(self) -> list[str]:
         """The tables of machines at rest with points where no place of rest was found; their numbers are NaN. Field
         "ranges/rest" of a table is the share of the static load up to which one could be followed, 1 where there is
         one."""
-        told = []
+        lines = []
         for name, share in self._rows_of(FIELD.RANGES_REST):
             missing = ~(share >= 1)
             if missing.any():
-                told.append(f"{name}: no place of rest was found ({missing.sum()} of {share.size} points)")
-        return told
+                lines.append(f"{name}: no place of rest was found ({missing.sum()} of {share.size} points)")
+        return lines
 
     @property
     def elsewhere(self) -> list[str]:
         """The tables of machines at rest with points that have another place of rest, to which that of the value before
         or after leads. Field "ranges/elsewhere" of a table has the distance of each station from its place of rest,
         and "ranges/elsewhere_growth" the largest real part of the eigenvalues there, 1/s: stable below 0."""
-        told = []
+        lines = []
         for name, apart in self._rows_of(FIELD.RANGES_ELSEWHERE):
             found = np.isfinite(apart).any(axis=tuple(range(1, apart.ndim)))
             if found.any():
-                told.append(f"{name}: there is another place of rest ({found.sum()} of {found.size} points)")
-        return told
+                lines.append(f"{name}: there is another place of rest ({found.sum()} of {found.size} points)")
+        return lines
 
     @property
     def parameters(self) -> dict[str, Parameter]:
@@ -589,8 +589,8 @@ class Result:
     def __repr__(self) -> str:
         tables = ", ".join(f"{t.name} ({' x '.join(map(str, t.shape))})" for t in self.tables.values())
         count = len(self.warnings)
-        told = f", {count} warning{'s' if count > 1 else ''}" if count else ""
-        return f"<whirl.Result {self.title!r}: {tables}{', partial' if self.partial else ''}{told}>"
+        warned = f", {count} warning{'s' if count > 1 else ''}" if count else ""
+        return f"<whirl.Result {self.title!r}: {tables}{', partial' if self.partial else ''}{warned}>"
 
 
 _NO_EXPLORER = (

@@ -225,11 +225,11 @@ def _teller(tell, job, outcome):
         lib.whirl_job_stop(job)
 
     @ffi.callback("void(void *, const char *, double, double, double, double, double)", onerror=keep)
-    def told(_context, stage, done, total, revolutions, all_revolutions, _seconds):
+    def report(_context, stage, done, total, revolutions, all_revolutions, _seconds):
         if "raised" not in outcome:
             tell(text(stage), done, total, revolutions, all_revolutions)
 
-    return told
+    return report
 
 
 def run(
@@ -304,8 +304,8 @@ def compute(
     bar = _Bar() if (progress and not callable(progress)) or (progress is None and sys.stderr.isatty()) else None
     tell = progress if callable(progress) else bar.show if bar else None
     work = _Work(job, borrowed, describe, journal, resume, started, threads)
-    work.told = _teller(tell, job, work.outcome) if tell else ffi.NULL
-    lib.whirl_job_progress(job, work.told, ffi.NULL)
+    work.report = _teller(tell, job, work.outcome) if tell else ffi.NULL
+    lib.whirl_job_progress(job, work.report, ffi.NULL)
     try:
         result = work.wait()
     finally:

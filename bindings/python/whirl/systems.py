@@ -135,19 +135,19 @@ def compile_c(source: str, name: str = "rates", flags: Sequence[str] = ("-O3", "
         return subprocess.run([*compiler, "-std=c17", *flags, *words], capture_output=True, text=True)
 
     def compiled(*words):
-        told = run(*words)
-        if told.returncode != 0:
-            raise errors.BadInput(f"the C text does not compile:\n{told.stderr.strip()}")
-        return told.stdout
+        done = run(*words)
+        if done.returncode != 0:
+            raise errors.BadInput(f"the C text does not compile:\n{done.stderr.strip()}")
+        return done.stdout
 
     # The function has the form of the first prototype that the compiler takes before the text.
     said = {}
     for form in FORMS:
         words = "-shared", "-fPIC", str(text), "-o", str(library), "-lm"
-        told = run(*words, declared=prototype_of(form, name) + ";")
-        if told.returncode == 0:
+        done = run(*words, declared=prototype_of(form, name) + ";")
+        if done.returncode == 0:
             break
-        said[form] = told.stderr.strip()
+        said[form] = done.stderr.strip()
     else:
         compiled("-fsyntax-only", str(text))
         nearest = "lanes" if re.search(rf"\b{name}\s*\(\s*size_t", source) else "rates"

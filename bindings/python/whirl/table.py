@@ -128,7 +128,7 @@ class Table(Mapping):
     @cached_property
     def clock(self) -> np.ndarray:
         """rad/s at every point of the phase by which sections are taken, a turn of which is a revolution. That is the
-        speed of the shaft, unless the case has another keyphasor. NaN where that is not told."""
+        speed of the shaft, unless the case has another keyphasor. NaN where that is unknown."""
         return _fixed(self._source.clock(self, self._about.clock))
 
     @cached_property

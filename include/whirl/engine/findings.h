@@ -55,7 +55,7 @@ typedef struct whirl_statement {
     whirl_phrase at;           ///< its value of the table's parameter; empty: the whole table
     whirl_phrase asked;        ///< the requirement; empty for none
     whirl_phrase found;        ///< the finding
-    whirl_phrase told;         ///< the judgement in words, with its reason; empty without a requirement
+    whirl_phrase judged;       ///< the judgement in words, with its reason; empty without a requirement
 } whirl_statement;
 
 /// A column of a sheet.

@@ -36,8 +36,8 @@ static bool are_one(const whirl_table *table, size_t a, size_t b) {
 /// Returns true if orbits between two neighbouring points are stable. A special point is marginal, so the other one
 /// decides.
 static bool is_stable(const whirl_table *table, size_t a, size_t b) {
-    const size_t told = branch_kind(table, a) ? b : a;
-    return point_number(table, told, WHIRL_FIELD_TRACE_UNSTABLE) == 0.0;
+    const size_t solid = branch_kind(table, a) ? b : a;
+    return point_number(table, solid, WHIRL_FIELD_TRACE_UNSTABLE) == 0.0;
 }
 
 /// Returns the largest modulus of a multiplier; for an equilibrium, over one revolution.

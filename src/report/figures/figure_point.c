@@ -346,7 +346,7 @@ static bool is_along(const whirl_table *table, const char *parameter) {
 
 /// Finds the point with something to show whose value is nearest to the given one, in all tables along a parameter:
 /// a detail has a few of the points of its sweep. Later tables win, since a detail has more to show.
-static whirl_status nearest_point(const drawing *of, const char *parameter, const char *told, size_t station,
+static whirl_status nearest_point(const drawing *of, const char *parameter, const char *text, size_t station,
                                   const whirl_table **table, size_t *point) {
     const whirl_result *result = of->result;
     size_t total = 0, count = 0, nearest = 0;
@@ -357,7 +357,7 @@ static whirl_status nearest_point(const drawing *of, const char *parameter, cons
     for (size_t t = result->table_count; t-- > 0;)
         for (size_t i = 0; is_along(&result->tables[t], parameter) && i < result->tables[t].count; i++)
             values[count++] = is_there(&result->tables[t], i, station) ? result->tables[t].values[i] : (double)NAN;
-    const whirl_status status = whirl_nearest_value(result, parameter, values, total, told, &nearest);
+    const whirl_status status = whirl_nearest_value(result, parameter, values, total, text, &nearest);
     free(values);
     *point = nearest;
     for (size_t t = result->table_count; t-- > 0 && status.code == WHIRL_OK;) {
@@ -370,13 +370,13 @@ static whirl_status nearest_point(const drawing *of, const char *parameter, cons
 }
 
 /// Adds the nearest point along the first parameter that has one.
-static whirl_status add_nearest(figure_list *to, const drawing *of, const char *told, size_t station) {
+static whirl_status add_nearest(figure_list *to, const drawing *of, const char *text, size_t station) {
     whirl_status first = whirl_ok();
     for (size_t t = 0; t < of->result->table_count; t++) {
         const whirl_table *table = &of->result->tables[t];
         size_t point = 0;
         if (!is_along(table, table->parameter) || table->count == 0) continue;
-        const whirl_status status = nearest_point(of, table->parameter, told, station, &table, &point);
+        const whirl_status status = nearest_point(of, table->parameter, text, station, &table, &point);
         if (status.code == WHIRL_OK) add_to_list(to, of, table, point, station);
         if (status.code == WHIRL_OK || status.code == WHIRL_NO_MEMORY) return status;
         if (first.code == WHIRL_OK) first = status;

@@ -24,12 +24,12 @@ void shown_quantity(const figure_place *place, char *text, size_t size) {
     char column[WHIRL_NAME_SIZE];
     column_of(place, column);
     // A meaning that lists codes ("0: ...") cannot serve as a name.
-    const bool told = !*column && *meaning && !strchr("0123456789", *meaning);
-    if (told)
+    const bool named = !*column && *meaning && !strchr("0123456789", *meaning);
+    if (named)
         snprintf(text, size, "%.*s", (int)strcspn(meaning, ",;(:"), meaning);
     else
         snprintf(text, size, "%s%s%s", last ? last + 1 : place->field->name, *column ? " " : "", column);
-    for (char *at = text; *at && !told; at++)
+    for (char *at = text; *at && !named; at++)
         if (*at == '_') *at = ' ';
     for (size_t end = strlen(text); end > 0 && text[end - 1] == ' '; end--) text[end - 1] = '\0';
 }

@@ -89,7 +89,7 @@ whirl_statement *find_judgement(const finder *of, const char *what, const char *
     whirl_statement *own = find_statement(of, what);
     own->clause = clause;
     own->judgement = judgement;
-    phrase_text(of, &own->told, "%s", whirl_judgement_name(judgement));
+    phrase_text(of, &own->judged, "%s", whirl_judgement_name(judgement));
     return own;
 }
 

@@ -38,7 +38,7 @@ const char *find_text(whirl_findings *findings, const char *format, ...) __attri
 /// Begins a statement; never NULL. The texts are static, or from find_text. It lives until the next one is begun.
 whirl_statement *find_statement(const finder *of, const char *what);
 
-/// Begins a statement with a verdict, the first word of its phrase `told`.
+/// Begins a statement with a verdict, the first word of its phrase `judged`.
 whirl_statement *find_judgement(const finder *of, const char *what, const char *clause, whirl_judgement judgement);
 
 /// Append to a phrase: a text, a number with the unit of its quantity, a number with a given unit, a value of the

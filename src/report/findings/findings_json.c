@@ -29,7 +29,7 @@ static json_t *statement_json(bool *well, const whirl_statement *statement) {
     document_put(well, one, "verdict", document_text(whirl_judgement_name(statement->judgement)));
     document_put(well, one, "asked", phrase_json(well, &statement->asked));
     document_put(well, one, "found", phrase_json(well, &statement->found));
-    document_put(well, one, "told", phrase_json(well, &statement->told));
+    document_put(well, one, "judged", phrase_json(well, &statement->judged));
     statement_text(statement, text, sizeof text);
     document_put(well, one, "text", document_text(text));
     return one;

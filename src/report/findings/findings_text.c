@@ -62,7 +62,7 @@ void statement_text(const whirl_statement *statement, char *text, size_t size) {
         APPEND(text, size, "at %s: ", part);
     }
     APPEND(text, size, "%s%s%s", statement->what, *statement->station ? " at " : "", statement->station);
-    const whirl_phrase *const phrases[] = {&statement->asked, &statement->found, &statement->told};
+    const whirl_phrase *const phrases[] = {&statement->asked, &statement->found, &statement->judged};
     static const char *const before[] = {", asked for ", ": ", ": "};
     for (size_t i = 0; i < 3; i++) {
         if (phrases[i]->count == 0) continue;

@@ -113,8 +113,8 @@ void whirl_shown_sentence(const whirl_shown_units *units, const char *sentence, 
                      : digits < most_digits ? digits
                                             : most_digits,
                      shown, sizeof shown);
-        const int told = snprintf(text + used, size - used, "%s %s", shown, to.name);
-        used += told > 0 && (size_t)told < size - used ? (size_t)told : size - used - 1;
+        const int written = snprintf(text + used, size - used, "%s %s", shown, to.name);
+        used += written > 0 && (size_t)written < size - used ? (size_t)written : size - used - 1;
         at = end + 1 + length;
     }
     text[used] = '\0';

@@ -117,13 +117,13 @@ static void ask_margin(const finder *of) {
     }
     // Reason of the verdict.
     if (all.verdict == WHIRL_FAILS)
-        phrase_text(of, &own->told, ": %zu of %zu peaks%s", all.told - all.held, all.told,
+        phrase_text(of, &own->judged, ": %zu of %zu peaks%s", all.told - all.held, all.told,
                     all.lacks ? " that were found" : "");
     else if (all.verdict == WHIRL_HOLDS)
-        phrase_text(of, &own->told, ": %zu of %zu peaks", all.held, all.told);
-    if (all.lacks) phrase_text(of, &own->told, "%s %s", all.verdict == WHIRL_FAILS ? ";" : ":", all.lacks);
+        phrase_text(of, &own->judged, ": %zu of %zu peaks", all.held, all.told);
+    if (all.lacks) phrase_text(of, &own->judged, "%s %s", all.verdict == WHIRL_FAILS ? ";" : ":", all.lacks);
     if (all.unjudged > 0)
-        phrase_text(of, &own->told, "; %zu peak%s of that amplification at stations without a probe not judged",
+        phrase_text(of, &own->judged, "; %zu peak%s of that amplification at stations without a probe not judged",
                     all.unjudged, all.unjudged == 1 ? "" : "s");
 }
 
@@ -148,7 +148,7 @@ static void ask_clearance(const finder *of, const scaled *by) {
     phrase_number(of, &own->found, WHIRL_QUANTITY_SPEED, 5, close.speed);
     phrase_text(of, &own->found, ", scaled by %.4g", by->factor);
     if (close.holds && by->trip > 0.0 && !by->reaches)
-        phrase_text(of, &own->told, ", but points do not reach the trip speed");
+        phrase_text(of, &own->judged, ", but points do not reach the trip speed");
 }
 
 void ask_response(const finder *of) {
@@ -160,7 +160,7 @@ void ask_response(const finder *of) {
         ask_clearance(of, &by);
     } else {
         whirl_statement *own = find_judgement(of, "vibration at probes, clearances", "SP6.8.2.11", WHIRL_NOT_KNOWN);
-        phrase_text(of, &own->told, ": %s", scaled_lacks);
+        phrase_text(of, &own->judged, ": %s", scaled_lacks);
     }
 }
 
@@ -189,7 +189,7 @@ void ask_stability(const finder *of) {
         if (all.screened > 0)
             phrase_text(of, &one->found, "; %zu of %zu points in region B of the screening diagram", all.dense,
                         all.screened);
-        if (all.level_one != WHIRL_HOLDS) phrase_text(of, &one->told, ": Level II decides");
+        if (all.level_one != WHIRL_HOLDS) phrase_text(of, &one->judged, ": Level II decides");
     }
     // Level II.
     whirl_statement *two = find_judgement(of, "stability, Level II", "SP6.8.6", all.level_two);
@@ -199,7 +199,7 @@ void ask_stability(const finder *of) {
         phrase_number(of, &two->found, WHIRL_QUANTITY_NUMBER, 3, all.least.complete);
     }
     if (all.level_two == WHIRL_NOT_KNOWN)
-        phrase_text(of, &two->told, ": %s at %zu of %zu points", no_mode, all.without, all.points);
+        phrase_text(of, &two->judged, ": %s at %zu of %zu points", no_mode, all.without, all.points);
     else if (all.level_two == WHIRL_FAILS && !all.least.decides)
-        phrase_text(of, &two->told, ", though Level I holds there");
+        phrase_text(of, &two->judged, ", though Level I holds there");
 }

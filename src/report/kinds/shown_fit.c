@@ -109,7 +109,7 @@ static void fit_find_unknown(const shown_fit_of *f, size_t u) {
     // Say why it is not determined.
     if (known == WHIRL_FIT_DETERMINED) return;
     phrase_text(of, &own->asked, "determined by what was measured");
-    phrase_text(of, &own->told, "%s", not_known[known]);
+    phrase_text(of, &own->judged, "%s", not_known[known]);
 }
 
 static void fit_find_sheet(const shown_fit_of *f) {
@@ -252,7 +252,7 @@ static void fit_find_agreement(const shown_fit_of *f) {
     else
         phrase_number(of, &own->found, WHIRL_QUANTITY_LENGTH, 4, outcome[FIT_DEVIATION]);
     phrase_text(of, &own->found, " (%.0f degrees of freedom, %.0f steps)", outcome[FIT_DEGREES], outcome[FIT_STEPS]);
-    if (poor) phrase_text(of, &own->told, "the machine does not do what was measured, or there was more noise");
+    if (poor) phrase_text(of, &own->judged, "the machine does not do what was measured, or there was more noise");
     // Judge whether the motions are stable, since nobody measures an unstable one.
     const whirl_field *motions = whirl_layout_field(&of->table->layout, WHIRL_FIELD_FIT_MOTION);
     const double *motion = whirl_table_field(of->table, f->point, WHIRL_FIELD_FIT_MOTION, 0);
@@ -265,7 +265,7 @@ static void fit_find_agreement(const shown_fit_of *f) {
     phrase_text(of, &own->found, "%zu of %zu fitted motions are unstable, first number %zu at ", unstable,
                 motions->rows, first + 1);
     phrase_number(of, &own->found, WHIRL_QUANTITY_SPEED, 5, motion[2 * first]);
-    phrase_text(of, &own->told, "no machine shows them");
+    phrase_text(of, &own->judged, "no machine shows them");
 }
 
 /// How many starts led to the same minimum.

@@ -140,7 +140,7 @@ static void find_critical(const finder *of) {
                                         "torsional frequency at the speed"};
     const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_CRITICAL);
     const bool speeds = units_of_speed(of->table, WHIRL_FIELD_MODES_SPEED); // then the speed needs no column of its own
-    whirl_phrase told = {.count = 0};
+    whirl_phrase found = {.count = 0};
     size_t located = 0, changes = 0;
     whirl_sheet *sheet = find_sheet(of, "critical", "Critical speeds and thresholds of stability");
     sheet_texts(of, sheet, "what", "what");
@@ -153,7 +153,7 @@ static void find_critical(const finder *of) {
             if (!(row[0] >= WHIRL_CRITICAL_SPEED && row[0] <= WHIRL_TORSIONAL_SPEED)) continue;
             const bool torsional = row[0] == WHIRL_TORSIONAL_SPEED;
             changes += row[0] == WHIRL_ONSET || row[0] == WHIRL_RECOVERY;
-            if (!torsional && located++ < MAX_LOCATED) phrase_change(of, &told, row);
+            if (!torsional && located++ < MAX_LOCATED) phrase_change(of, &found, row);
             sheet_row(of, sheet);
             cell_text(of, sheet, names[(int)row[0]]);
             cell_number(of, sheet, row[1]);
@@ -162,16 +162,16 @@ static void find_critical(const finder *of) {
         }
     }
     find_sheet_end(of);
-    if (located > MAX_LOCATED) phrase_text(of, &told, " and %zu more", located - MAX_LOCATED);
-    if (changes == 0) phrase_unstable(of, &told);
-    if (told.count == 0)
-        phrase_text(of, &told,
+    if (located > MAX_LOCATED) phrase_text(of, &found, " and %zu more", located - MAX_LOCATED);
+    if (changes == 0) phrase_unstable(of, &found);
+    if (found.count == 0)
+        phrase_text(of, &found,
                     is_modulated(of)
                         ? "coefficients turn with the shaft, so that critical speeds are not reported; between "
                           "the computed values the machine neither loses nor regains its stability"
                         : "between the computed values no natural frequency meets the speed of "
                           "the shaft, and the machine neither loses nor regains its stability");
-    find_statement(of, "critical speeds with damping, and thresholds of stability")->found = told;
+    find_statement(of, "critical speeds with damping, and thresholds of stability")->found = found;
 }
 
 /// Reports the lowest modes at the first and the last value; names are those at the last one.

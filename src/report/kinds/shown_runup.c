@@ -34,7 +34,7 @@ static void runup_find_failures(const finder *of) {
                       runup_number_of(of, point, WHIRL_FIELD_RUNUP_END_TIME, 0));
         phrase_text(of, &own->found, " after %.6g turns of the shaft",
                     runup_number_of(of, point, WHIRL_FIELD_RUNUP_END_TURNS, 0));
-        phrase_text(of, &own->told, " beyond");
+        phrase_text(of, &own->judged, " beyond");
     }
 }
 

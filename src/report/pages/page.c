@@ -36,11 +36,11 @@ void page_document(const page *to) {
                                            {"Author", "document author"},   {"Date", "document date"}};
     size_t count = 0;
     for (size_t i = 0; i < sizeof lines / sizeof *lines && to->count > 0; i++) {
-        const char *told = whirl_result_fact(to->results[0], lines[i][1]);
-        if (!*told) continue;
+        const char *fact = whirl_result_fact(to->results[0], lines[i][1]);
+        if (!*fact) continue;
         if (count++ == 0) fputs("<dl class=\"document\">\n", to->stream);
         fprintf(to->stream, "<dt>%s</dt><dd>", lines[i][0]);
-        html_text(to->stream, told);
+        html_text(to->stream, fact);
         fputs("</dd>\n", to->stream);
     }
     if (count > 0) fputs("</dl>\n", to->stream);

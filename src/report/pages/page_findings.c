@@ -30,9 +30,9 @@ size_t page_statements(const page *to, size_t result, const whirl_table *table) 
 static void write_row(FILE *stream, const whirl_sheet *sheet, size_t row) {
     char text[CELL_SIZE];
     fputs("<tr>", stream);
-    for (size_t c = 0, told = 0; c < sheet->columns; c++) {
+    for (size_t c = 0, shown = 0; c < sheet->columns; c++) {
         const whirl_column *column = &sheet->column[c];
-        const bool number = column->digits > 0, head = row == 0 || told == 0;
+        const bool number = column->digits > 0, head = row == 0 || shown == 0;
         if (sheet_column_empty(sheet, c)) continue;
         if (row == 0)
             whirl_column_heading(column, text, sizeof text);
@@ -41,7 +41,7 @@ static void write_row(FILE *stream, const whirl_sheet *sheet, size_t row) {
         fprintf(stream, "<%s%s>", head ? "th" : "td", number && !column->between ? " class=\"number\"" : "");
         html_text(stream, text);
         fprintf(stream, "</%s>", head ? "th" : "td");
-        told++;
+        shown++;
     }
     fputs("</tr>\n", stream);
 }
@@ -103,7 +103,7 @@ void page_asked(const page *to) {
             fputs("</td>", to->stream);
             write_phrase(to, &own->asked);
             write_phrase(to, &own->found);
-            write_phrase(to, &own->told);
+            write_phrase(to, &own->judged);
             fprintf(to->stream, "<td class=\"whole\">%s</td></tr>\n", own->clause);
         }
     // End the table with where its clauses come from.

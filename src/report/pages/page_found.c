@@ -61,13 +61,13 @@ static void write_attractor(const page *to, const whirl_table *table, size_t num
 void page_attractors(const page *to, size_t index) {
     const whirl_table *table = whirl_result_role(to->results[index], WHIRL_ROLE_BASIN);
     whirl_attractor found[SHOWN];
-    size_t count, told = 0, done = 0;
+    size_t count, known = 0, done = 0;
     if (!table || whirl_table_attractors(table, NULL, found, SHOWN, &count).code != WHIRL_OK || count == 0) return;
     for (size_t i = 0; i < table->count; i++) done += whirl_table_done(table, i);
-    for (size_t k = 0; k < count && k < SHOWN; k++) told += found[k].points;
+    for (size_t k = 0; k < count && k < SHOWN; k++) known += found[k].points;
     fprintf(to->stream, "<h3 id=\"attractors-%zu\">Attractors</h3>\n<p>Motions that the starts come to rest on",
             index + 1);
-    if (told < done) fprintf(to->stream, "; the attractor of %zu of %zu starts is unknown", done - told, done);
+    if (known < done) fprintf(to->stream, "; the attractor of %zu of %zu starts is unknown", done - known, done);
     fputs(". Errors are those of as many starts drawn at random.</p>\n", to->stream);
     html_table(to->stream, "Attractors", "");
     fputs("<thead><tr><th></th><th>Motion</th><th class=\"number\">Starts</th><th class=\"number\">Share</th>"

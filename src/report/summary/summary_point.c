@@ -70,8 +70,8 @@ static void print_named(FILE *out, const whirl_shown_units *units, const whirl_t
     const double size = units->amplitude * whirl_result_length_scale(result, table, point) / unit.size;
     for (size_t s = 0; s < result->station_count; s++) {
         const numbers lines = point_lines(table, point, s);
-        int told = 0;
-        for (size_t i = 0; i < lines.rows && told < MOST; i++) {
+        int shown = 0;
+        for (size_t i = 0; i < lines.rows && shown < MOST; i++) {
             const double *line = lines.at + i * lines.columns;
             char name[LINE_NAME_SIZE];
             whirl_named_order of;
@@ -80,7 +80,7 @@ static void print_named(FILE *out, const whirl_shown_units *units, const whirl_t
             fprintf(out, "  at %s %.4gX of %s: %s x %.4g %s %s, y %.4g %s %s\n", name, line[0], of.part,
                     result->stations[s].name, size * line[1], unit.name, units->amplitude_name, size * line[2],
                     unit.name, units->amplitude_name);
-            told++;
+            shown++;
         }
     }
 }

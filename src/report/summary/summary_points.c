@@ -180,14 +180,14 @@ static whirl_status print_attractors(FILE *out, const whirl_table *table) {
                 summary_plural((double)found[k].points), 100.0 * found[k].share, 100.0 * found[k].error);
     }
     if (count > SHOWN) fprintf(out, "  and %zu more\n", count - SHOWN);
-    size_t done = 0, told = 0, *weights;
+    size_t done = 0, known = 0, *weights;
     const bool weighed = weights_of(table, &weights);
     for (size_t i = 0; weighed && i < table->count; i++) done += whirl_table_done(table, i) ? weight_of(weights, i) : 0;
     free(weights);
-    for (size_t k = 0; k < count && k < SHOWN; k++) told += found[k].points;
-    if (count <= SHOWN && told < done)
-        fprintf(out, "  without a verdict: %zu start%s, %.1f %%: a longer transient may tell\n", done - told,
-                summary_plural((double)(done - told)), 100.0 * (double)(done - told) / (double)done);
+    for (size_t k = 0; k < count && k < SHOWN; k++) known += found[k].points;
+    if (count <= SHOWN && known < done)
+        fprintf(out, "  without a verdict: %zu start%s, %.1f %%: a longer transient may tell\n", done - known,
+                summary_plural((double)(done - known)), 100.0 * (double)(done - known) / (double)done);
     return weighed ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the shares of attractors");
 }
 

@@ -22,7 +22,7 @@ void summarize_share(FILE *out, const whirl_table *table, size_t point, const ch
 /// Writes "attractor 2: at 5 points, 0 % to 12.5 % of the starts; at 2 found from neighbours alone". Entries of one
 /// number are consecutive.
 static void print_attractors(FILE *out, const whirl_table *table) {
-    size_t told = 0;
+    size_t shown = 0;
     for (size_t i = 0; i < table->count;) {
         const whirl_coexisting *one = &table->attractors[i];
         double low = 1.0, high = 0.0;
@@ -32,7 +32,7 @@ static void print_attractors(FILE *out, const whirl_table *table) {
             high = fmax(high, table->attractors[i].share);
             met += table->attractors[i].starts > 0;
         }
-        if (told++ >= MAX_ATTRACTORS) continue;
+        if (shown++ >= MAX_ATTRACTORS) continue;
         fprintf(out, "  attractor %zu: at %zu point%s, %.3g %%", one->number, points, summary_plural((double)points),
                 100.0 * low);
         if (high > low) fprintf(out, " to %.3g %%", 100.0 * high);
@@ -40,7 +40,7 @@ static void print_attractors(FILE *out, const whirl_table *table) {
         if (met < points) fprintf(out, "; at %zu found from neighbours alone", points - met);
         fputc('\n', out);
     }
-    if (told > MAX_ATTRACTORS) fprintf(out, "  and %zu more\n", told - MAX_ATTRACTORS);
+    if (shown > MAX_ATTRACTORS) fprintf(out, "  and %zu more\n", shown - MAX_ATTRACTORS);
 }
 
 /// Returns the attractors of every place [places], which the caller frees; NULL without memory.

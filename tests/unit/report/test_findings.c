@@ -8,9 +8,14 @@
 #include <cmocka.h>
 
 #include "findings_build.h"
-#include "report_parts.h"
+#include "findings_render.h"
+#include "number_shown.h"
 #include "sample.h"
 #include "shown_kinds.h"
+#include "whirl/engine/findings.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
+#include "whirl/status.h"
 
 /// Findings without any in them, of the sweep of the sample.
 typedef struct made {
@@ -66,7 +71,7 @@ static void phrases(void **state) {
     phrase_number(&own.of, &statement->found, WHIRL_QUANTITY_SPEED, 5, 100.0 * acos(-1.0));
     phrase_text(&own.of, &statement->found, " and ");
     phrase_number(&own.of, &statement->found, WHIRL_QUANTITY_NUMBER, 4, -0.0);
-    phrase_text(&own.of, &statement->told, ", %d of %d", 1, 2);
+    phrase_text(&own.of, &statement->judged, ", %d of %d", 1, 2);
     char text[STATEMENT_SIZE];
     statement_text(statement, text, sizeof text);
     assert_string_equal(text, "at 0.25: vibration at disc, asked for at most 25.4 \u00b5m p-p: 3000 rpm and 0: "
@@ -76,9 +81,10 @@ static void phrases(void **state) {
     assert_string_equal(text, "3000 ");
     assert_string_equal(whirl_judgement_name(WHIRL_NOT_KNOWN), "not known");
     // More pieces than a phrase has room for are no phrase that lacks its end: the findings are given up.
-    for (size_t i = statement->told.count; i < WHIRL_PHRASE_PIECES; i++) phrase_text(&own.of, &statement->told, ".");
+    for (size_t i = statement->judged.count; i < WHIRL_PHRASE_PIECES; i++)
+        phrase_text(&own.of, &statement->judged, ".");
     assert_false(own.findings->failed);
-    phrase_text(&own.of, &statement->told, "end");
+    phrase_text(&own.of, &statement->judged, "end");
     assert_true(own.findings->failed);
     made_free(&own);
 }

@@ -13,10 +13,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "report_parts.h"
+#include "regimes.h"
 #include "sample.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/descriptor.h"
 #include "whirl/engine/figure.h"
 #include "whirl/engine/report.h"
+#include "whirl/engine/result.h"
+#include "whirl/status.h"
 
 /// A folder of its own for every test, the working folder while it runs.
 static int enter_folder(void **state) {

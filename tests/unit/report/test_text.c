@@ -17,9 +17,12 @@
 #include "figure_build.h"
 #include "page.h"
 #include "quantities.h"
+#include "regimes.h"
 #include "render.h"
-#include "report_parts.h"
+#include "report_file.h"
 #include "sample.h"
+#include "whirl/engine/result.h"
+#include "whirl/status.h"
 
 /// What a writer puts out for a text.
 static char *written(void (*writer)(FILE *, const char *), const char *text) {

@@ -8,9 +8,15 @@
 #include <cmocka.h>
 
 #include "figure_build.h"
+#include "machine_at.h"
 #include "render.h"
-#include "report_parts.h"
 #include "sample.h"
+#include "units.h"
+#include "weight.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
+#include "whirl/status.h"
 
 static whirl_shown_units units_for(const whirl_result *result, const char *asked) {
     whirl_shown_units units;

@@ -8,7 +8,10 @@
 
 #include <cmocka.h>
 
-#include "report_parts.h"
+#include "machine_at.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/result.h"
+#include "whirl/status.h"
 
 static const double pi = 3.14159265358979323846;
 
