@@ -50,7 +50,8 @@ class Statements(list):
         return _pandas().DataFrame([[getattr(own, name) for name in names] for own in self], columns=list(names))
 
     def _repr_html_(self) -> str:
-        rows = ([own.table, own.at, own.what, own.station, own.asked, own.found, own.judged, own.clause] for own in self)
+        names = ("table", "at", "what", "station", "asked", "found", "judged", "clause")
+        rows = ([getattr(own, name) for name in names] for own in self)
         return _html_table(["table", "at", "what", "station", "asked for", "found", "verdict", "clause"], rows)
 
 

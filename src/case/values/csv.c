@@ -10,6 +10,7 @@
 
 #include "input.h"
 #include "whirl/engine/case.h"
+#include "words.h"
 
 enum { CSV_MAX_BYTES = 1 << 30, CSV_FIRST_ROWS = 4096 };
 
@@ -124,14 +125,13 @@ static whirl_status csv_row(csv_reader *r, const char *from, const char *end) {
 
 /// Reads all lines: empty ones and those after # are left out, the first of these is the title.
 whirl_status csv_read(const char *path, const char *text, size_t length, size_t most_columns, csv_table *out) {
-    // Skip a byte order mark.
     *out = (csv_table){.path = path};
     csv_reader r = {.table = out, .most = most_columns};
-    const size_t mark = length >= 3 && memcmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+    text = utf8_skip_mark(text, &length);
     const char *end = text + length;
     whirl_status status = whirl_ok();
     // Find the end of each line, without blanks around it.
-    for (const char *from = text + mark; from < end && status.code == WHIRL_OK;) {
+    for (const char *from = text; from < end && status.code == WHIRL_OK;) {
         const char *stop = memchr(from, '\n', (size_t)(end - from)), *last = stop ? stop : end, *next = last + 1;
         r.line++;
         while (last > from && isspace((unsigned char)last[-1]) && last[-1] != '\t') last--;
