@@ -206,6 +206,7 @@ static void print_verdicts(const whirl_verify_point *point) {
 }
 
 static void print_table(const whirl_verification *v, const whirl_unit *unit) {
+    // Print the head of the table.
     char named[WHIRL_NAME_SIZE + 4] = "";
     if (*unit->name) snprintf(named, sizeof named, " (%s)", unit->name);
     printf("%s%s%s%s%s%s%s%s: %zu point%s by %s and %s; differences in length scales after %d revolutions\n\n",
@@ -214,12 +215,14 @@ static void print_table(const whirl_verification *v, const whirl_unit *unit) {
            v->integrate[1][0].method, v->revolutions);
     printf("%10s  %-11s  %-11s %10s %9s %8s %9s  %s\n", v->parameter, "method", "tolerance", "difference", "order",
            "section", "exponent", "verdict");
+    // Print every method and level of each point.
     size_t agreed = 0;
     for (size_t i = 0; i < v->count; i++) {
         for (int m = 0; m < WHIRL_VERIFY_METHODS; m++)
             for (int level = 0; level < WHIRL_VERIFY_LEVELS; level++) print_run(v, &v->points[i], unit->size, m, level);
         agreed += v->points[i].agreed;
     }
+    // Sum up, and explain the points whose verdicts differ.
     printf("\nverdicts that do not depend on numerics: %zu of %zu\n", agreed, v->count);
     if (*v->film_tables) printf("film tables: %s\n", v->film_tables);
     for (size_t i = 0; i < v->count; i++) {
@@ -261,6 +264,7 @@ static whirl_unit unit_of(const whirl_case *object, const char *parameter) {
 }
 
 static int verify_case(const verify_arguments *arguments) {
+    // Load the case, and make its study.
     whirl_case *object = NULL;
     whirl_study study;
     whirl_verification *verification = NULL;
@@ -274,8 +278,10 @@ static int verify_case(const verify_arguments *arguments) {
         const whirl_status status = whirl_case_study(object, &study);
         outcome = complain_of(&status);
     }
+    // Choose and compute the points.
     if (outcome == EXIT_DONE) outcome = choose_points(arguments, &study, values);
     if (outcome == EXIT_DONE) outcome = verify(arguments, &study, &verification);
+    // Print the comparison.
     if (outcome == EXIT_DONE && arguments->json) {
         const whirl_status status = whirl_verification_write_json(verification, stdout);
         outcome = complain_of(&status);

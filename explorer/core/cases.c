@@ -253,6 +253,7 @@ static void add_batch(text *t, const whirl_batch *batch) {
 }
 
 static void add_case(text *t, const whirl_case *object, const whirl_result *described) {
+    // Write title and parameters.
     whirl_study study;
     json_name(t, "version");
     json_text(t, WHIRL_VERSION);
@@ -265,10 +266,12 @@ static void add_case(text *t, const whirl_case *object, const whirl_result *desc
         add_parameter(t, object, &described->parameters[i]);
     }
     text_add(t, "]");
+    // Write the numbers that the page lets one change.
     json_name(t, "levers");
     text_add(t, "[");
     whirl_case_numbers(object, add_lever, t);
     text_add(t, "]");
+    // Write stations, contacts and scales.
     add_stations(t, described->stations, described->station_count);
     json_name(t, "contacts");
     text_add(t, "[");
@@ -278,6 +281,7 @@ static void add_case(text *t, const whirl_case *object, const whirl_result *desc
     }
     text_add(t, "]");
     add_scales(t, described->length_scale, whirl_result_clock(described), whirl_result_keyphasor(described));
+    // Write the batches, and the methods there are.
     json_name(t, "batches");
     text_add(t, "[");
     whirl_case_study(object, &study);

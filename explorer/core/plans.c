@@ -224,6 +224,7 @@ static void add_reason(const plan *p, const double *block, const whirl_verdict *
 }
 
 EXPORTED const char *explorer_verdict(const plan *p, const double *block) {
+    // Write the verdict with its reason.
     const whirl_verdict verdict = whirl_block_verdict(&p->layout, block);
     char sentence[WHIRL_MESSAGE_SIZE];
     text_clear(&answer);
@@ -235,11 +236,13 @@ EXPORTED const char *explorer_verdict(const plan *p, const double *block) {
     json_text(&answer, sentence);
     json_name(&answer, "reason");
     add_reason(p, block, &verdict);
+    // Write how far it can be trusted, and what would help.
     json_name(&answer, "confidence");
     json_text(&answer, whirl_confidence_name(verdict.confidence));
     json_name(&answer, "advice");
     whirl_verdict_advice(&verdict, sentence, sizeof sentence);
     json_text(&answer, sentence);
+    // Write the numbers that the page shows.
     text_add(&answer, ",\"period\":%d,\"curves\":%d", verdict.period, verdict.curves);
     json_name(&answer, "divergedAt");
     json_number(&answer, verdict.diverged_at);

@@ -238,6 +238,7 @@ static size_t name_length(const char *text) {
 static bool read_product(unit_reader *r, ut_unit *unit);
 
 static bool read_factor(unit_reader *r, ut_unit *unit) {
+    // A factor is a product in parentheses, a 1, or the name of a unit.
     char name[128];
     const size_t length = name_length(r->at);
     if (*r->at == '(') {
@@ -258,6 +259,7 @@ static bool read_factor(unit_reader *r, ut_unit *unit) {
         r->at += length;
         r->after_name = true;
     }
+    // A power may follow.
     return read_power(r, unit);
 }
 

@@ -364,12 +364,14 @@ whirl_status whirl_rest_contacts(const whirl_system *system, const double *x, do
 }
 
 whirl_status whirl_rest_slope(const whirl_system *system, const double *x, double *slope, double *jacobian) {
+    // Take the mean system, without coordinates that turn.
     const size_t d = system->dimension;
     mean_system mean;
     void *block;
     whirl_status status = mean_begin(&mean, system, &block);
     if (status.code != WHIRL_OK) return status;
     const size_t n = mean.count;
+    // Compute its slope and Jacobian.
     double *own = calloc(n + n * n + 1, sizeof *own);
     if (own) {
         mean_slope(&mean, x, own);
@@ -377,6 +379,7 @@ whirl_status whirl_rest_slope(const whirl_system *system, const double *x, doubl
         memset(slope, 0, d * sizeof *slope);
         memset(jacobian, 0, d * d * sizeof *jacobian);
     }
+    // Put them at the places of the kept coordinates; others have none.
     for (size_t i = 0; own && i < n; i++) {
         slope[mean.kept[i]] = own[i];
         for (size_t k = 0; k < n; k++) jacobian[mean.kept[i] * d + mean.kept[k]] = own[n + i * n + k];

@@ -55,6 +55,7 @@ bool factor(Eigen::LLT<MatrixXd> &factors, const MatrixXd &m) {
 }
 
 bool symmetric_modes(Index n, const double *k, const double *m, double *values, double *vectors) {
+    // With masses M = L L', the problem is that of L^-1 K L'^-1.
     MatrixXd stiffness = ConstRows(k, n, n);
     Eigen::LLT<MatrixXd> factors;
     if (m != nullptr) {
@@ -65,9 +66,11 @@ bool symmetric_modes(Index n, const double *k, const double *m, double *values, 
         factors.matrixU().solveInPlace<Eigen::OnTheRight>(stiffness);
     }
     if (!stiffness.allFinite()) return false;
+    // Solve it.
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(stiffness);
     if (solver.info() != Eigen::Success) return false;
     Eigen::Map<VectorXd>(values, n) = solver.eigenvalues();
+    // Transform modes back, and give the largest component of each a positive sign.
     Columns modes(vectors, n, n);
     modes = solver.eigenvectors();
     if (m != nullptr) factors.matrixU().solveInPlace(modes);
@@ -138,6 +141,7 @@ bool solve(MatrixXd &a, Columns &b) {
 
 /// Solves with real and imaginary parts, [A, -B; B, A], so that all divisions are of real numbers.
 bool solve_complex(Index n, const double *a, Index count, double *b) {
+    // Fill in the real matrix, and both parts of the right sides.
     MatrixXd both(2 * n, 2 * n), sides(2 * n, count);
     for (Index i = 0; i < n; i++)
         for (Index k = 0; k < n; k++) {
@@ -151,6 +155,7 @@ bool solve_complex(Index n, const double *a, Index count, double *b) {
             sides(i, c) = b[2 * (c * n + i)];
             sides(n + i, c) = b[2 * (c * n + i) + 1];
         }
+    // Solve, and put the parts together again.
     Columns columns(sides.data(), 2 * n, count);
     if (!solve(both, columns)) return false;
     for (Index c = 0; c < count; c++)

@@ -318,17 +318,20 @@ bool shooting_observe(shooting *s, const double *nodes, double period, whirl_obs
 }
 
 bool shooting_bounds(shooting *s, const double *nodes, double period, double *low, double *high) {
+    // Make memory for the bounds of one segment.
     const whirl_ensemble_observe watch = {.extremes = true};
     const size_t d = s->dimension;
     double *lowest = malloc((2 * d + 1) * sizeof *lowest), *highest = lowest ? lowest + d : NULL;
     const whirl_ensemble_seen seen = {.low = lowest, .high = highest};
     bool good = s->lanes && lowest;
+    // Carry all segments at once.
     shooting_stretch(s, period);
     for (size_t j = 0; j < s->count && good; j++) {
         shooting_place(s, s->lanes, j, j, nodes + j * d);
         whirl_ensemble_forget(s->lanes, j);
     }
     if (good) whirl_ensemble_revolve(s->lanes, s->count, &watch);
+    // Widen the bounds by those of each.
     for (size_t j = 0; j < s->count && good; j++) {
         good = whirl_ensemble_motion(s->lanes, j) == WHIRL_BOUNDED;
         whirl_ensemble_read(s->lanes, j, &seen);

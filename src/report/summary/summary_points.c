@@ -166,12 +166,14 @@ static bool is_basin(const whirl_table *table) {
 
 /// "attractor 1: P-1 at 1931 starts, 64.3 % +- 0.9 %", one line an attractor.
 static whirl_status print_attractors(FILE *out, const whirl_table *table) {
+    // Only basins have attractors of starts.
     enum { SHOWN = 16 };
     whirl_attractor found[SHOWN];
     size_t count = 0;
     const whirl_status status =
         is_basin(table) ? whirl_table_attractors(table, NULL, found, SHOWN, &count) : whirl_ok();
     if (!is_basin(table) || status.code != WHIRL_OK) return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
+    // Print the largest of them.
     for (size_t k = 0; k < count && k < SHOWN; k++) {
         const whirl_verdict verdict = whirl_table_verdict(table, found[k].first);
         char name[VERDICT_SIZE];
@@ -180,6 +182,7 @@ static whirl_status print_attractors(FILE *out, const whirl_table *table) {
                 summary_plural((double)found[k].points), 100.0 * found[k].share, 100.0 * found[k].error);
     }
     if (count > SHOWN) fprintf(out, "  and %zu more\n", count - SHOWN);
+    // Print the share of starts without a verdict.
     size_t done = 0, known = 0, *weights;
     const bool weighed = weights_of(table, &weights);
     for (size_t i = 0; weighed && i < table->count; i++) done += whirl_table_done(table, i) ? weight_of(weights, i) : 0;

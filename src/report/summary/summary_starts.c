@@ -67,6 +67,7 @@ static void print_range(FILE *out, const whirl_shown_units *units, const whirl_t
 
 /// "several side by side at 7 of 41 points: 0.29 to 0.31, 0.498"; of a map how many alone.
 static whirl_status print_coexisting(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+    // Count the points with several attractors; a single point is summarized otherwise.
     const size_t places = whirl_table_planned(table);
     size_t several = 0, ranges = 0, *beside = count_beside(table, places);
     if (!beside) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the attractors of %zu points", places);
@@ -75,6 +76,7 @@ static whirl_status print_coexisting(FILE *out, const whirl_shown_units *units, 
         free(beside);
         return whirl_ok();
     }
+    // Print their number and, along one parameter, their ranges.
     fprintf(out, "  several attractors side by side at %zu of %zu points", several, places);
     for (size_t place = 0; place < places && table->row == 0; place++) {
         if (beside[place] < 2) continue;
