@@ -94,12 +94,12 @@ static const whirl_analysis analyses[] = {ANALYSES(ABOUT){NULL, NULL, NULL, ON_D
 const analysis_plan *const analysis_plans[] = {ANALYSES(PLAN) NULL};
 
 static const char *const roles[WHIRL_ROLES] = {
-    [WHIRL_ROLE_POINT] = "point",          [WHIRL_ROLE_SURVEY] = "survey",
-    [WHIRL_ROLE_DETAIL] = "detail",        [WHIRL_ROLE_MAP] = "map",
-    [WHIRL_ROLE_BASIN] = "basin",          [WHIRL_ROLE_BRANCHES] = "branches",
-    [WHIRL_ROLE_CURVES] = "curves",        [WHIRL_ROLE_TORI] = "tori",
-    [WHIRL_ROLE_MOTIONS] = "motions",      [WHIRL_ROLE_REST] = "rest",
-    [WHIRL_ROLE_TOLERANCES] = "tolerances"};
+    [WHIRL_ROLE_POINT] = "point",           [WHIRL_ROLE_SURVEY] = "survey",
+    [WHIRL_ROLE_DETAIL] = "detail",         [WHIRL_ROLE_MAP] = "map",
+    [WHIRL_ROLE_BASIN] = "basin",           [WHIRL_ROLE_BRANCHES] = "branches",
+    [WHIRL_ROLE_CURVES] = "curves",         [WHIRL_ROLE_TORI] = "tori",
+    [WHIRL_ROLE_MOTIONS] = "motions",       [WHIRL_ROLE_REST] = "rest",
+    [WHIRL_ROLE_TOLERANCES] = "tolerances", [WHIRL_ROLE_RECORDS] = "records"};
 
 const char *whirl_role_name(whirl_role role) {
     return roles[role];

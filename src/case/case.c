@@ -211,6 +211,7 @@ static void check_with_values(case_reader *reader, case_content *content, const 
         machine_check(reader, &v, &content->machine);
         plan_make(reader, &v, parts, &content->plan);
         resting_make(reader, &v, parts, &content->plan);
+        dataset_make(reader, &v, parts, &content->plan);
         tolerances_make(reader, &v, parts, &content->plan);
         check_basin(reader, content, parts);
         parameters_settle(&v, &content->parameters);
@@ -282,6 +283,7 @@ static void read_content(case_reader *reader, const file_node *root, void *into)
     if (rotor && !reader->no_memory) machine_read(reader, rotor->place, may_stand_still(study), &content->machine);
     if (study && !reader->no_memory) plan_read_parts(reader, study->place, &content->machine, &parts, &content->plan);
     if (study && !reader->no_memory) resting_read(reader, &content->machine, &parts);
+    if (study && !reader->no_memory) dataset_read(reader, &content->machine, &parts);
     if (study && !reader->no_memory) tolerances_read(reader, &parts);
     if (study && !reader->no_memory) settings_units(reader, &parts.study, content->units, sizeof content->units);
     if (reader->no_memory) return;

@@ -152,29 +152,129 @@ static whirl_status describe_given(const case_content *content, const whirl_batc
     return whirl_result_add_fact(result, name, text);
 }
 
+/// Describes a distribution: "c: uniform from 0.19 mm to 0.21 mm".
+enum { DISTRIBUTION_TEXT = 6 * WHIRL_NAME_SIZE };
+static void distribution_text(const case_content *content, const char *drawn, const whirl_tolerance *own,
+                              char text[DISTRIBUTION_TEXT]) {
+    const double numbers[] = {own->mean, own->deviation, own->low, own->high};
+    char shown[4][WHIRL_NAME_SIZE];
+    for (size_t k = 0; k < 4; k++) value_text(&content->parameters, drawn, numbers[k], shown[k], sizeof shown[k]);
+    const bool low = isfinite(own->low), high = isfinite(own->high), normal = own->deviation > 0.0;
+    snprintf(text, DISTRIBUTION_TEXT, "%s: %s%s%s%s%s%s%s%s", drawn, normal ? "normal, mean " : "uniform",
+             normal ? shown[0] : "", normal ? ", standard deviation " : "", normal ? shown[1] : "", low ? " from " : "",
+             low ? shown[2] : "", high ? " to " : "", high ? shown[3] : "");
+}
+
 /// Adds the parameters with tolerances, "tolerance 1": "c: uniform from 0.19 mm to 0.21 mm", and the numbers that are
 /// asked of all samples, "limit 1", as whirl_spread_read reads them.
 static whirl_status describe_tolerances(const case_content *content, whirl_result *result) {
     const study_plan *plan = &content->plan;
-    char name[WHIRL_NAME_SIZE], text[WHIRL_SPREAD_TEXT + 4 * WHIRL_NAME_SIZE];
+    char name[WHIRL_NAME_SIZE], text[WHIRL_SPREAD_TEXT + DISTRIBUTION_TEXT];
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < plan->tolerated_count && status.code == WHIRL_OK; i++) {
-        const whirl_tolerance *own = &plan->tolerated[i];
-        const double numbers[] = {own->mean, own->deviation, own->low, own->high};
-        char shown[4][WHIRL_NAME_SIZE];
-        for (size_t k = 0; k < 4; k++)
-            value_text(&content->parameters, own->name, numbers[k], shown[k], sizeof shown[k]);
-        const bool low = isfinite(own->low), high = isfinite(own->high), normal = own->deviation > 0.0;
         snprintf(name, sizeof name, "tolerance %zu", i + 1);
-        snprintf(text, sizeof text, "%s: %s%s%s%s%s%s%s%s", own->name, normal ? "normal, mean " : "uniform",
-                 normal ? shown[0] : "", normal ? ", standard deviation " : "", normal ? shown[1] : "",
-                 low ? " from " : "", low ? shown[2] : "", high ? " to " : "", high ? shown[3] : "");
+        distribution_text(content, plan->tolerated[i].name, &plan->tolerated[i], text);
         status = whirl_result_add_fact(result, name, text);
     }
     for (size_t i = 0; i < plan->spread_count && status.code == WHIRL_OK; i++) {
         snprintf(name, sizeof name, "limit %zu", i + 1);
         whirl_spread_text(&plan->spreads[i], text);
         status = whirl_result_add_fact(result, name, text);
+    }
+    return status;
+}
+
+/// Adds a fact of a data set, "dataset machines 1".
+static void dataset_fact(whirl_status *status, whirl_result *result, const char *what, size_t number,
+                         const char *text) {
+    char name[WHIRL_NAME_SIZE];
+    snprintf(name, sizeof name, "dataset %s %zu", what, number);
+    if (status->code == WHIRL_OK) *status = whirl_result_add_fact(result, name, text);
+}
+
+/// Adds the parameters of a list, each as a fact, or to a text.
+static void drawn_facts(const case_content *content, whirl_status *status, whirl_result *result, const char *what,
+                        size_t count, const whirl_drawn *drawn) {
+    char text[DISTRIBUTION_TEXT];
+    for (size_t i = 0; i < count; i++) {
+        distribution_text(content, content->plan.dataset->parameters[drawn[i].parameter], &drawn[i].of, text);
+        dataset_fact(status, result, what, i + 1, text);
+    }
+}
+
+/// Describes a label: "rub: gap from 90 um to 30 um by severity, mu: uniform from 0.1 to 0.3".
+static void label_text(const case_content *content, const whirl_label *label, char *text, size_t size) {
+    const char *const *names = content->plan.dataset->parameters;
+    char ends[2][3 * WHIRL_NAME_SIZE], own[DISTRIBUTION_TEXT];
+    snprintf(text, size, "%s%s", label->name, label->graded_count + label->varied_count > 0 ? ": " : "");
+    for (size_t i = 0; i < label->graded_count; i++) {
+        const whirl_graded *graded = &label->graded[i];
+        value_text(&content->parameters, names[graded->parameter], graded->from, ends[0], sizeof ends[0]);
+        value_text(&content->parameters, names[graded->parameter], graded->to, ends[1], sizeof ends[1]);
+        const size_t used = strlen(text);
+        snprintf(text + used, size - used, "%s%s from %s to %s by severity", i ? ", " : "", names[graded->parameter],
+                 ends[0], ends[1]);
+    }
+    for (size_t i = 0; i < label->varied_count; i++) {
+        distribution_text(content, names[label->varied[i].parameter], &label->varied[i].of, own);
+        const size_t used = strlen(text);
+        snprintf(text + used, size - used, "%s%s", i + label->graded_count ? ", " : "", own);
+    }
+}
+
+/// Appends "%.6g unit", with words before and behind, if a number is not 0.
+static void channel_number(char *text, size_t size, const char *before, double number, const char *unit) {
+    const size_t used = strlen(text);
+    if (number != 0.0 && isfinite(number))
+        snprintf(text + used, size - used, ", %s%.6g%s%s", before, number, *unit ? " " : "", unit);
+}
+
+/// Describes a channel: "front [V]: proximity at disc, direction 0 deg, 7870 V/m, gap 0.001 m".
+static void channel_text(const case_content *content, const whirl_channel *own, char *text, size_t size) {
+    static const char *const per[WHIRL_SENSORS] = {"V/m", "V s/m", "V s2/m", "V"};
+    const char *measured = whirl_sensor_unit(own->sensor);
+    const bool pulses = own->sensor == WHIRL_SENSOR_KEYPHASOR, volts = own->in_volts;
+    const char *unit = volts ? "V" : measured;
+    const double degrees = 180.0 / 3.141592653589793238463;
+    snprintf(text, size, "%s [%s]: %s", own->name, unit, whirl_sensor_name(own->sensor));
+    size_t used = strlen(text);
+    if (pulses)
+        snprintf(text + used, size - used, ", %d a turn of %.6g deg, jitter %.6g deg", own->pulses,
+                 degrees * own->width, degrees * own->jitter);
+    else
+        snprintf(text + used, size - used, " at %s, direction %.6g deg", content->machine.stations.names[own->station],
+                 degrees * own->angle);
+    if (volts) channel_number(text, size, "", own->sensitivity, per[own->sensor]);
+    channel_number(text, size, "gap ", own->gap, "m");
+    channel_number(text, size, "from ", own->low, measured);
+    channel_number(text, size, "to ", own->high, measured);
+    channel_number(text, size, "resonance ", own->resonance, "Hz");
+    if (own->resonance > 0.0) channel_number(text, size, "damping ratio ", own->damping, "");
+    channel_number(text, size, "high pass ", own->high_pass, "Hz");
+    channel_number(text, size, "noise ", own->noise, unit);
+    used = strlen(text);
+    if (own->bits > 0)
+        snprintf(text + used, size - used, ", %d bits from %.6g to %.6g %s", own->bits, -own->full_scale,
+                 own->full_scale, unit);
+}
+
+/// Adds what differs between the records of a data set, its labels and its channels.
+static whirl_status describe_dataset(const case_content *content, whirl_result *result) {
+    const whirl_dataset *own = content->plan.dataset;
+    char text[WHIRL_MESSAGE_SIZE + 16 * DISTRIBUTION_TEXT];
+    whirl_status status = whirl_ok();
+    if (!own) return status;
+    for (size_t i = 0; i < own->parameter_count; i++)
+        dataset_fact(&status, result, "parameter", i + 1, own->parameters[i]);
+    drawn_facts(content, &status, result, "machines", own->machine_count, own->machine);
+    drawn_facts(content, &status, result, "records", own->condition_count, own->conditions);
+    for (size_t i = 0; i < own->label_count; i++) {
+        label_text(content, &own->labels[i], text, sizeof text);
+        dataset_fact(&status, result, "label", i + 1, text);
+    }
+    for (size_t i = 0; i < own->channel_count; i++) {
+        channel_text(content, &own->channels[i], text, sizeof text);
+        dataset_fact(&status, result, "channel", i + 1, text);
     }
     return status;
 }
@@ -188,6 +288,7 @@ static whirl_status scale_at(const case_content *content, const whirl_batch *bat
     if (*table->parameter && isnan(table->values[point])) return whirl_ok();
     whirl_batch own = *batch;
     if (batch->tolerances.samples > 0) own.sampled = 1 + whirl_table_slot(table, point) / batch->row;
+    if (batch->dataset) own.sampled = 1 + whirl_table_slot(table, point);
     const size_t count = plan_given(&own, *table->parameter ? table->values[point] : (double)NAN,
                                     whirl_table_second(table, point), whirl_table_third(table, point), given);
     whirl_status status = valuation_open(&v, &content->parameters, given, count);
@@ -205,6 +306,8 @@ static bool depends_on_batch(const case_content *content, const char *expression
         if (case_depends(content, expression, batch->given[i].name)) return true;
     for (int i = 0; i < batch->tolerances.parameters; i++)
         if (case_depends(content, expression, batch->tolerated[i].name)) return true;
+    for (size_t i = 0; batch->dataset && i < batch->dataset->parameter_count; i++)
+        if (case_depends(content, expression, batch->dataset->parameters[i])) return true;
     return false;
 }
 
@@ -293,6 +396,8 @@ static whirl_status describe_clock(const whirl_case *object, const whirl_result 
         if (case_depends(content, expression, batch->given[i].name)) table->clock_of = WHIRL_CLOCK_UNKNOWN;
     for (int i = 0; i < batch->tolerances.parameters && expression; i++)
         if (case_depends(content, expression, batch->tolerated[i].name)) table->clock_of = WHIRL_CLOCK_UNKNOWN;
+    for (size_t i = 0; batch->dataset && expression && i < batch->dataset->parameter_count; i++)
+        if (case_depends(content, expression, batch->dataset->parameters[i])) table->clock_of = WHIRL_CLOCK_UNKNOWN;
     if (!*table->parameter || table->clock_of == WHIRL_CLOCK_UNKNOWN) return whirl_ok();
     const bool traced = batch->values == NULL, keyphasor = *whirl_result_keyphasor(result) != '\0';
     const axis_values axes[] = {{batch->parameter, traced ? batch->bounds : batch->values, traced ? 2 : batch->count},
@@ -379,6 +484,7 @@ whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *
         if (status.code == WHIRL_OK) status = describe_given(&object->content, batch, result);
     }
     if (status.code == WHIRL_OK) status = describe_tolerances(&object->content, result);
+    if (status.code == WHIRL_OK) status = describe_dataset(&object->content, result);
     if (status.code == WHIRL_OK && *object->content.units)
         status = whirl_result_add_fact(result, "units", object->content.units);
     if (status.code == WHIRL_OK) status = case_warn(&object->content, result);

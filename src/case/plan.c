@@ -514,13 +514,18 @@ static void make_branch(case_reader *reader, valuation *v, const plan_parts *par
 static size_t given_of(const whirl_batch *batch, const double values[3], size_t sampled,
                        whirl_given given[PLAN_MAX_GIVEN]) {
     const whirl_given varied[] = {{batch->parameter, values[0]}, {batch->second, values[1]}, {batch->third, values[2]}};
-    double drawn[WHIRL_MAX_TOLERANCES];
+    double drawn[WHIRL_MAX_DRAWN];
     size_t count = 0;
     for (size_t i = 0; i < 3 && *varied[i].name && !isnan(varied[i].value); i++) given[count++] = varied[i];
     for (size_t i = 0; i < batch->given_count; i++) given[count++] = batch->given[i];
     const size_t tolerated = sampled > 0 ? (size_t)batch->tolerances.parameters : 0;
     if (tolerated > 0) whirl_tolerance_values(&batch->tolerances, batch->tolerated, sampled - 1, drawn);
     for (size_t i = 0; i < tolerated; i++) given[count++] = (whirl_given){batch->tolerated[i].name, drawn[i]};
+    const whirl_dataset *dataset = batch->dataset;
+    if (!dataset || sampled == 0) return count;
+    whirl_dataset_record(dataset, &batch->record.dataset, sampled - 1, drawn);
+    for (size_t i = 0; i < dataset->parameter_count; i++)
+        given[count++] = (whirl_given){dataset->parameters[i], drawn[i]};
     return count;
 }
 
@@ -533,7 +538,8 @@ size_t plan_given_at(const whirl_batch *batch, size_t point, whirl_given given[P
     const double *const axes[] = {batch->values, batch->second_values, batch->third_values};
     double values[3];
     for (size_t i = 0; i < 3; i++) values[i] = axes[i] ? axes[i][point] : (double)NAN;
-    return given_of(batch, values, batch->tolerances.samples > 0 ? 1 + point / batch->row : 0, given);
+    const bool sampled = batch->tolerances.samples > 0;
+    return given_of(batch, values, sampled ? 1 + point / batch->row : batch->dataset ? 1 + point : 0, given);
 }
 
 size_t plan_batch(const study_plan *plan, const char *name) {
@@ -625,7 +631,7 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
         make_map(reader, v, parts, result);
     else if (parts->moves && parts->sweep.parameter)
         make_sweep(reader, v, parts, result);
-    else if (parts->moves)
+    else if (parts->moves && !parts->dataset.keys.place)
         plan_add_batch(result, WHIRL_ROLE_POINT, schema_response.name, parts->study.place);
     if (parts->at.count > 0) make_detail(reader, v, parts, result);
     if (parts->branches && parts->sweep.parameter) make_branch(reader, v, parts, result);

@@ -21,7 +21,7 @@ extern const whirl_group schema_still_rotor;
 extern const whirl_group schema_case, schema_document, schema_rotor, schema_study, schema_response, schema_sweep,
     schema_map, schema_basin, schema_axis, schema_motions, schema_branch, schema_curves, schema_initial, schema_starts,
     schema_integrate, schema_keep, schema_detail, schema_event, schema_fit_unknown, schema_fit_data, schema_tolerances,
-    schema_distribution, schema_limit;
+    schema_distribution, schema_limit, schema_dataset, schema_label, schema_grade, schema_channel;
 
 #define SCHEMA_INDEX_AT_REST(name, ...) SCHEMA_AT_REST_##name,
 
@@ -71,8 +71,9 @@ typedef struct study_plan {
     size_t range_count;
     plan_range *ranges; ///< ranges of further starts, in the order of the file
     size_t tolerated_count, spread_count;
-    whirl_tolerance *tolerated; ///< parameters with tolerances
-    whirl_spread_of *spreads;   ///< numbers that are asked of all samples
+    whirl_tolerance *tolerated;   ///< parameters with tolerances
+    whirl_spread_of *spreads;     ///< numbers that are asked of all samples
+    const whirl_dataset *dataset; ///< data set, or NULL
 } study_plan;
 
 /// A list of numbers, each with its place.
@@ -135,10 +136,58 @@ typedef struct tolerance_parts {
     const char *units[PLAN_MAX_SPREADS]; ///< SI unit of the limits, "1" for plain numbers
 } tolerance_parts;
 
+/// Distributions of several parameters.
+typedef struct distribution_list {
+    size_t count;
+    distribution_parts *items; ///< [count]
+} distribution_list;
+
+/// A parameter that the severity of a fault sets.
+typedef struct graded_parts {
+    const parameter *parameter;
+    const file_node *place;
+    setting_list keys;
+    number_formula from, to;
+} graded_parts;
+
+/// A label of a data set as the case has it.
+typedef struct label_parts {
+    const file_node *place;
+    setting_list keys;
+    size_t graded_count;
+    graded_parts *graded;
+    distribution_list varied;
+} label_parts;
+
+/// Numbers of a channel whose unit depends on the sensor.
+enum { CHANNEL_SENSITIVITY, CHANNEL_FROM, CHANNEL_TO, CHANNEL_NOISE, CHANNEL_FULL_SCALE, CHANNEL_NUMBERS };
+
+/// A channel of a data set as the case has it.
+typedef struct channel_parts {
+    const file_node *place;
+    setting_list keys;
+    whirl_sensor sensor;
+    size_t station;
+    const char *name;
+    const setting *given[CHANNEL_NUMBERS];
+    number_formula numbers[CHANNEL_NUMBERS];
+} channel_parts;
+
+/// A data set as the case has it.
+typedef struct dataset_parts {
+    setting_list keys; ///< without a place: there is no data set
+    const machine_parts *machine;
+    distribution_list vary, conditions;
+    size_t label_count, channel_count;
+    label_parts *labels;
+    channel_parts *channels;
+} dataset_parts;
+
 /// Reads `study:` in two steps. First everything that needs no values, with all its problems ...
 typedef struct plan_parts {
     setting_list study, integrate, keep, detail, branch, curves, map, starts;
     tolerance_parts tolerances;
+    dataset_parts dataset;
     size_t resting_count, condition_count;
     /// Studies at rest, in the order of the registry and of the file, then motions next to them.
     resting_parts resting[PLAN_MAX_RESTING];
@@ -171,7 +220,7 @@ whirl_status plan_start_state(const study_plan *plan, size_t batch, size_t start
 /// Returns the number of parameter values at which a batch has its machines: varied ones (NaN: none), fixed ones, and
 /// those of the sample that the batch requests.
 enum {
-    PLAN_MAX_GIVEN = 3 + 2 * WHIRL_MAX_GIVEN + WHIRL_MAX_TOLERANCES,
+    PLAN_MAX_GIVEN = 3 + 2 * WHIRL_MAX_GIVEN + WHIRL_MAX_DRAWN,
     PLAN_GIVEN_TEXT = PLAN_MAX_GIVEN * (2 * WHIRL_NAME_SIZE + 32)
 };
 size_t plan_given(const whirl_batch *batch, double value, double second, double third,
@@ -269,6 +318,12 @@ void plan_read_change(case_reader *reader, setting_list *keys, condition_parts *
 // ---------------------------------------------------------------- plan_tolerances
 // Studies of tolerances: distributions of parameters, and batches of samples of other batches.
 
+/// Reads the distribution of the parameter that a key names; false after a problem with its name.
+bool distribution_read(case_reader *reader, const file_node *where, distribution_parts *own);
+
+/// Evaluates a distribution; returns false after a problem.
+bool distribution_make(case_reader *reader, valuation *v, const distribution_parts *own, whirl_tolerance *to);
+
 /// Reads distributions and limits.
 void tolerances_read(case_reader *reader, plan_parts *parts);
 
@@ -280,6 +335,15 @@ void tolerances_check(case_reader *reader, const plan_parts *parts, const whirl_
                       const whirl_layout *layout, const machine_parts *machine, const whirl_rotor *rotor,
                       bool found[PLAN_MAX_SPREADS]);
 void tolerances_unfound(case_reader *reader, const plan_parts *parts, const bool found[PLAN_MAX_SPREADS]);
+
+// ---------------------------------------------------------------- plan_dataset
+// Data sets: labels with their faults, and sensors.
+
+/// Reads the data set of a study, if it has one.
+void dataset_read(case_reader *reader, const machine_parts *machine, plan_parts *parts);
+
+/// Adds the batch of its records, after those of plan_make. Its motions are long and dense enough for the samples.
+void dataset_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result);
 
 // ---------------------------------------------------------------- iso_286
 // Tolerance classes of sizes, "H7" (ISO 286-1:2010).

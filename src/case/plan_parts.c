@@ -283,6 +283,11 @@ static void read_sweep_alone(case_reader *reader, const setting *given, const wh
                    node_shown(given->place, shown));
 }
 
+/// Leaves a data set to dataset_read.
+static void read_nothing(case_reader *reader, const setting *given, const whirl_group *group, plan_parts *parts) {
+    (void)reader, (void)given, (void)group, (void)parts;
+}
+
 /// Reads branches without a sweep; read_branch reads the rest.
 static void read_no_sweep(case_reader *reader, const setting *given, const whirl_group *group, plan_parts *parts) {
     (void)given, (void)group;
@@ -290,11 +295,9 @@ static void read_no_sweep(case_reader *reader, const setting *given, const whirl
 }
 
 /// Kinds of studies in the order of messages; those at rest follow.
-static const kind_of_study kinds[] = {{&schema_response, read_response},
-                                      {&schema_sweep, read_sweep_alone},
-                                      {&schema_map, read_map},
-                                      {&schema_basin, read_map},
-                                      {&schema_branch, read_no_sweep}};
+static const kind_of_study kinds[] = {{&schema_response, read_response}, {&schema_sweep, read_sweep_alone},
+                                      {&schema_map, read_map},           {&schema_basin, read_map},
+                                      {&schema_dataset, read_nothing},   {&schema_branch, read_no_sweep}};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /// The message lists the kinds in the same order.

@@ -124,16 +124,15 @@ static void check_keys(case_reader *reader, const distribution_parts *own) {
                         "is missing, expected the standard deviation, or two bounds");
 }
 
-static void read_distribution(case_reader *reader, const file_node *where, tolerance_parts *parts) {
+bool distribution_read(case_reader *reader, const file_node *where, distribution_parts *own) {
     char why[WHY_SIZE], advice[WHY_SIZE], shown[SHOWN_SIZE];
     const parameter_table *parameters = reader->parameters;
     const size_t index = parameters_find(parameters, where->key);
     if (index == parameters->count) {
         describe_names(where->key, parameters->names, parameters->count, advice);
         problem_at_key(reader->problems, where, "is no parameter, %s", advice);
-        return;
+        return false;
     }
-    distribution_parts *own = &parts->distributions[parts->count++];
     *own = (distribution_parts){.parameter = &parameters->items[index], .place = where};
     own->keys = (setting_list){.name = schema_distribution.name, .group = &schema_distribution, .place = where};
     const char *unit = parameter_expected_unit(own->parameter);
@@ -161,6 +160,7 @@ static void read_distribution(case_reader *reader, const file_node *where, toler
                    "is %s, expected bounds such as 0.2 mm +- 5 %%, or the keys of a distribution",
                    node_shown(where, shown));
     }
+    return true;
 }
 
 // ---------------------------------------------------------------- what is asked
@@ -234,7 +234,7 @@ void tolerances_read(case_reader *reader, plan_parts *parts) {
                    WHIRL_MAX_TOLERANCES);
     else
         for (const file_node *one = all ? all->place->first : NULL; one; one = one->next)
-            read_distribution(reader, one, own);
+            own->count += distribution_read(reader, one, &own->distributions[own->count]);
     if (of && (of->place->kind != NODE_LIST || of->place->count == 0))
         problem_at(reader->problems, of->place,
                    "is %s, expected a list of numbers: [{field: orbit/max_radius, at: disc}]",
@@ -245,8 +245,7 @@ void tolerances_read(case_reader *reader, plan_parts *parts) {
 
 // ---------------------------------------------------------------- batches
 
-/// Evaluates a distribution; returns false after a problem.
-static bool make_distribution(case_reader *reader, valuation *v, const distribution_parts *own, whirl_tolerance *to) {
+bool distribution_make(case_reader *reader, valuation *v, const distribution_parts *own, whirl_tolerance *to) {
     const double case_value = v->values[own->parameter - v->parameters->items];
     const bool normal = strcmp(settings_word(&own->keys, "distribution"), "normal") == 0;
     const setting *from = settings_find(&own->keys, "from"), *upto = settings_find(&own->keys, "to");
@@ -379,7 +378,7 @@ void tolerances_make(case_reader *reader, valuation *v, const plan_parts *parts,
     reader->no_memory = reader->no_memory || !result->tolerated || !result->spreads;
     if (reader->no_memory) return;
     for (size_t i = 0; i < own->count; i++)
-        if (!make_distribution(reader, v, &own->distributions[i], &result->tolerated[i])) return;
+        if (!distribution_make(reader, v, &own->distributions[i], &result->tolerated[i])) return;
     memcpy(result->spreads, own->spreads, own->spread_count * sizeof *result->spreads);
     result->tolerated_count = own->count;
     result->spread_count = own->spread_count;

@@ -84,6 +84,7 @@ static const whirl_key study_keys[] = {
     CHOICE_KEY("tolerances", OPTIONAL, "",
                "parameters with distributions: every point of a response or sweep, of motions, and of studies of "
                "machines at rest is computed at many samples of them, too: see tolerances"),
+    CHOICE_KEY("dataset", OPTIONAL, "", "labelled records of machines with faults, as sensors see them: see dataset"),
     CHOICE_KEY("integrate", OPTIONAL, "", "method and length of the integration: see integrate"),
     CHOICE_KEY("keep", OPTIONAL, "", "parts of waveforms and spectra that are kept: see keep"),
     CHOICE_KEY("analyze", OPTIONAL, "",
@@ -257,6 +258,51 @@ static const whirl_key distribution_keys[] = {
                "its standard deviation; absent: a sixth of the distance between the bounds"),
 };
 
+static const whirl_key dataset_keys[] = {
+    CHOICE_KEY("vary", OPTIONAL, "", "parameters in which machines differ, with tolerances as in tolerances"),
+    CHOICE_KEY("conditions", OPTIONAL, "", "parameters in which records differ, such as the speed, likewise"),
+    CHOICE_KEY("labels", REQUIRED, "", "names of labels, such as healthy or rub, each with its faults: see label"),
+    CHOICE_KEY("channels", REQUIRED, "", "a list of sensors: see channel"),
+};
+
+static const whirl_key label_keys[] = {
+    CHOICE_KEY(
+        "grade", OPTIONAL, "",
+        "parameters that the severity of the fault sets, from 0 (from) to 1 (to): {gap: {from: 90 um, to: 30 um}}"),
+    CHOICE_KEY("vary", OPTIONAL, "", "parameters in which its records differ besides, with tolerances"),
+};
+
+static const whirl_key grade_keys[] = {
+    NUMBER_KEY("from", "", "", REQUIRED, WHIRL_ANY, "value where the severity is 0"),
+    NUMBER_KEY("to", "", "", REQUIRED, WHIRL_ANY, "value where the severity is 1"),
+};
+
+static const whirl_key channel_keys[] = {
+    CHOICE_KEY("sensor", REQUIRED, "proximity|velocity|accelerometer|keyphasor",
+               "proximity: gap, displacement and runout, m; velocity, m/s, and accelerometer, m/s2, of the station; "
+               "keyphasor: pulses of an angle of the shaft, from 0 to 1"),
+    CHOICE_KEY("at", OPTIONAL, "", "its station; not for a keyphasor"),
+    CHOICE_KEY("name", OPTIONAL, "", "a name for it; absent: made of sensor, station and number"),
+    ANGLE_KEY("angle", "", "at", "its direction, from the x axis towards y"),
+    NUMBER_KEY("sensitivity", "", "", OPTIONAL, WHIRL_ANY,
+               "volts per unit, such as 7.87 V/mm or 10.2 mV s2/m, of a keyphasor those of a pulse; absent: the signal "
+               "is in the unit of the sensor, and so are noise and full_scale"),
+    NUMBER_KEY("gap", "", "m", OPTIONAL, WHIRL_NOT_NEGATIVE,
+               "proximity: distance from the shaft at the centre; absent: 0"),
+    NUMBER_KEY("from", "", "", OPTIONAL, WHIRL_ANY,
+               "lower end of its range, in the unit of the sensor: below, the signal stays there"),
+    NUMBER_KEY("to", "", "", OPTIONAL, WHIRL_ANY, "upper end of its range"),
+    NUMBER_KEY("resonance", "", "Hz", OPTIONAL, WHIRL_POSITIVE, "accelerometer: natural frequency of its mass"),
+    NUMBER_KEY("damping", "", "1", DEFAULT("0.05"), WHIRL_FROM_TO(1e-6, 0.999), "its damping ratio"),
+    NUMBER_KEY("high_pass", "", "Hz", OPTIONAL, WHIRL_POSITIVE, "corner of a high pass of the first order"),
+    NUMBER_KEY("noise", "", "", OPTIONAL, WHIRL_NOT_NEGATIVE, "standard deviation of white noise at the converter"),
+    WHOLE_KEY("bits", "", OPTIONAL, WHIRL_FROM_TO(4, 32), "of the converter; absent: signals are not rounded"),
+    NUMBER_KEY("full_scale", "", "", OPTIONAL, WHIRL_POSITIVE, "its range reaches from minus this to this; with bits"),
+    WHOLE_KEY("pulses", "", DEFAULT("1"), WHIRL_FROM_TO(1, 100000), "keyphasor, encoder: pulses of a turn"),
+    NUMBER_KEY("width", "", "rad", DEFAULT("0.1"), WHIRL_POSITIVE, "their width, an angle of the shaft"),
+    NUMBER_KEY("jitter", "", "rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "standard deviation of the angle of each pulse"),
+};
+
 static const whirl_key limit_keys[] = {
     CHOICE_KEY("field", REQUIRED, "", "a field of the results, such as unbalance/axes or orbit/max_radius"),
     CHOICE_KEY("column", OPTIONAL, "", "name of its column, such as major; absent: the first"),
@@ -272,6 +318,7 @@ typedef const whirl_member *(*table)(void);
 static const table of_batch[] = {whirl_batch_members, NULL};
 static const table of_options[] = {whirl_integrate_members, whirl_record_members, whirl_trace_members,
                                    whirl_runup_members,     whirl_fit_members,    NULL};
+static const table of_dataset[] = {whirl_dataset_members, NULL};
 static const table of_tolerances[] = {whirl_tolerance_members, NULL};
 static const table of_probe[] = {whirl_probe_members, NULL};
 
@@ -311,6 +358,12 @@ const whirl_group schema_distribution =
     GROUP("distribution", "the distribution of a parameter with a tolerance", distribution_keys, NULL);
 const whirl_group schema_limit =
     GROUP("limit", "a number of every point of a study of tolerances, and its limits", limit_keys, NULL);
+const whirl_group schema_dataset =
+    GROUP("dataset", "labelled records of machines with faults, as sensors see them", dataset_keys, of_dataset);
+const whirl_group schema_label =
+    GROUP("label", "a label of a data set, and the faults that it means", label_keys, NULL);
+const whirl_group schema_grade = GROUP("grade", "a parameter that the severity of a fault sets", grade_keys, NULL);
+const whirl_group schema_channel = GROUP("channel", "a sensor with its electronics and converter", channel_keys, NULL);
 const whirl_group schema_integrate = PART("integrate", "method and length of the integration", of_options);
 const whirl_group schema_keep = PART("keep", "parts of waveforms and spectra that are kept", of_options);
 const whirl_group schema_detail =
@@ -332,7 +385,9 @@ const whirl_group *const *whirl_case_groups(void) {
         &schema_branch,     &schema_curves,
         &schema_initial,    &schema_starts,
         &schema_tolerances, &schema_distribution,
-        &schema_limit,      &schema_integrate,
+        &schema_limit,      &schema_dataset,
+        &schema_label,      &schema_grade,
+        &schema_channel,    &schema_integrate,
         &schema_keep,       &schema_detail,
         &schema_event,      &schema_fit_unknown,
         &schema_fit_data,   NULL,

@@ -302,6 +302,7 @@ static kept_part whole_part_of(const whirl_field *field) {
 }
 
 static kept_part part_of(const whirl_field *field, const selection *chosen) {
+    if (field->singles > 0) return (kept_part){0};
     if (chosen->whole) return whole_part_of(field);
     const bool section =
         strcmp(field->name, WHIRL_FIELD_POINCARE_SECTION) == 0 && chosen->count <= MAX_SECTION / MIN_ROWS;

@@ -32,8 +32,11 @@ int format_dimensions(const whirl_field *field, shape points, size_t dimensions[
     int rank = 0;
     for (int i = 0; i < points.rank; ++i) dimensions[rank++] = points.sizes[i];
     if (field->extent != WHIRL_PER_POINT) dimensions[rank++] = field->repeat;
-    if (field->rows != 1) dimensions[rank++] = field->rows;
-    if (field->columns != 1) dimensions[rank++] = field->columns;
+    if (field->rows != 1 || field->singles > 0) dimensions[rank++] = field->rows;
+    if (field->singles > 0)
+        dimensions[rank++] = field->singles;
+    else if (field->columns != 1)
+        dimensions[rank++] = field->columns;
     return rank;
 }
 
@@ -43,8 +46,8 @@ int format_dimension_names(const whirl_field *field, shape points, char names[SH
     int rank = points.rank;
     for (int i = 0; rank > 1 && i < rank; ++i) found[i] = axes[SHAPE_AXES - rank + i];
     if (field->extent != WHIRL_PER_POINT) found[rank++] = format_extents[field->extent];
-    if (field->rows != 1) found[rank++] = "row";
-    if (field->columns != 1) found[rank++] = "column";
+    if (field->rows != 1 || field->singles > 0) found[rank++] = field->singles > 0 ? "channel" : "row";
+    if (field->columns != 1 || field->singles > 0) found[rank++] = field->singles > 0 ? "sample" : "column";
     for (int i = 0; i < rank; ++i) snprintf(names[i], WHIRL_NAME_SIZE, "%s", found[i]);
     return rank;
 }

@@ -327,6 +327,12 @@ void column_open(whirl_status *status, column *from, hid_t parent, const char *n
     open_column(status, from, parent, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE);
 }
 
+void column_open_singles(whirl_status *status, column *from, hid_t parent, const char *name, shape points,
+                         const size_t *dimensions, int rank) {
+    column_lay(from, points, dimensions, rank, sizeof(float));
+    open_column(status, from, parent, name, H5T_IEEE_F32LE, H5T_NATIVE_FLOAT);
+}
+
 void column_open_wholes(whirl_status *status, column *from, hid_t parent, const char *name, shape points) {
     column_lay(from, points, points.sizes, points.rank, sizeof(int64_t));
     open_column(status, from, parent, name, H5T_STD_I64LE, H5T_NATIVE_INT64);

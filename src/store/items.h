@@ -52,10 +52,12 @@ typedef struct column {
     unsigned char *buffer;
 } column;
 
-/// Begin a dataset of doubles (whose group, "group/name", is made), of whole numbers (int64_t), one a point, or of
-/// texts of at most `size` bytes with their zero bytes. Its first dimensions are those of the points. It is open for
-/// attributes until column_end, which must be called after a failure, too.
+/// Begin a dataset of doubles, or of floats for `singles` (whose group, "group/name", is made), of whole numbers
+/// (int64_t), one a point, or of texts of at most `size` bytes with their zero bytes. Its first dimensions are those of
+/// the points. It is open for attributes until column_end, which must be called after a failure, too.
 void column_of_numbers(whirl_status *status, column *out, hid_t parent, const char *name, shape points,
+                       const size_t *dimensions, int rank, const char *unit);
+void column_of_singles(whirl_status *status, column *out, hid_t parent, const char *name, shape points,
                        const size_t *dimensions, int rank, const char *unit);
 void column_of_wholes(whirl_status *status, column *out, hid_t parent, const char *name, shape points);
 void column_of_texts(whirl_status *status, column *out, hid_t parent, const char *name, shape points, size_t size);
@@ -98,10 +100,12 @@ void get_texts(whirl_status *status, hid_t parent, const char *name, char *first
 void get_wholes(whirl_status *status, hid_t parent, const char *name, int64_t *values, shape of);
 void get_numbers(whirl_status *status, hid_t parent, const char *name, double *values, shape of);
 
-/// Opens a dataset of doubles that has exactly these dimensions, or of whole numbers (int64_t), one a point, to be read
-/// by points; column_close also after a failure.
+/// Opens a dataset of doubles that has exactly these dimensions, or of floats, or of whole numbers (int64_t), one a
+/// point, to be read by points; column_close also after a failure.
 void column_open(whirl_status *status, column *from, hid_t parent, const char *name, shape points,
                  const size_t *dimensions, int rank);
+void column_open_singles(whirl_status *status, column *from, hid_t parent, const char *name, shape points,
+                         const size_t *dimensions, int rank);
 void column_open_wholes(whirl_status *status, column *from, hid_t parent, const char *name, shape points);
 
 /// The next point's numbers.

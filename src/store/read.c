@@ -179,8 +179,15 @@ static void get_field(whirl_status *status, hid_t group, const whirl_result *res
     get_extent(status, dataset, result, field);
     field->rows = (size_t)get_whole_attribute(status, dataset, "rows", 0, INT_MAX);
     field->columns = (size_t)get_whole_attribute(status, dataset, "columns", 1, INT_MAX);
+    if (strcmp(field->name, WHIRL_FIELD_DATASET_SIGNALS) == 0)
+        field->singles = (size_t)get_whole_attribute(status, dataset, "singles", 2, INT_MAX);
     close_dataset(dataset);
     if (status->code != WHIRL_OK) return;
+    if (field->singles > 0 && field->singles != 2 * field->columns) {
+        *status = whirl_fail(WHIRL_BAD_INPUT, "%s has %zu samples in %zu columns, expected two in each", field->name,
+                             field->singles, field->columns);
+        return;
+    }
     // Two factors below 2^31 and one of at most 256 cannot overflow a double, nor size_t once the product is small. A
     // table without points has no numbers: then the rows of a point take neither memory nor time.
     const double numbers = (double)field->rows * (double)field->columns * (double)(field->repeat ? field->repeat : 1);
@@ -338,7 +345,10 @@ static void get_blocks(whirl_status *status, hid_t group, shape points, whirl_ta
     for (size_t i = 0; i < layout->field_count; ++i) {
         size_t dimensions[SHAPE_MAX_RANK];
         const int rank = format_dimensions(&layout->fields[i], points, dimensions);
-        column_open(status, &columns[i], group, layout->fields[i].name, points, dimensions, rank);
+        if (layout->fields[i].singles > 0)
+            column_open_singles(status, &columns[i], group, layout->fields[i].name, points, dimensions, rank);
+        else
+            column_open(status, &columns[i], group, layout->fields[i].name, points, dimensions, rank);
     }
     get_points(status, table, index, taker, columns, block);
     for (size_t i = 0; i < layout->field_count; ++i) column_close(&columns[i]);
@@ -416,6 +426,19 @@ static void get_plane(whirl_status *status, hid_t group, shape points, whirl_tab
     check_rows(status, points, planned, table);
 }
 
+/// Leaves fields in single precision to whirl_signals_read: they may be larger than the memory.
+static void leave_out_signals(whirl_layout *layout) {
+    const size_t all = layout->field_count;
+    layout->field_count = layout->size = 0;
+    for (size_t i = 0; i < all; ++i) {
+        if (layout->fields[i].singles > 0) continue;
+        whirl_field *kept = &layout->fields[layout->field_count++];
+        *kept = layout->fields[i];
+        kept->offset = layout->size;
+        layout->size += kept->repeat * kept->rows * kept->columns;
+    }
+}
+
 static void get_table(whirl_status *status, hid_t file, const whirl_result *result, const reading *how, size_t index) {
     whirl_table *table = &result->tables[index];
     const hid_t group = get_group(status, file, table->name);
@@ -432,6 +455,7 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     whirl_members_default(whirl_trace_members(), &table->record.trace);
     whirl_members_default(whirl_runup_members(), &table->record.runup);
     whirl_members_default(whirl_fit_members(), &table->record.fit);
+    whirl_members_default(whirl_dataset_members(), &table->record.dataset);
     for (size_t i = 0, at; (members = whirl_table_options(table, i, &at)) != NULL; i++)
         get_options(status, group, members, (char *)table + at);
     if (status->code == WHIRL_OK) *status = whirl_record_options_check(&table->record);
@@ -452,6 +476,7 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
         get_field(status, group, result, table->count, how->limit, layout, &layout->fields[i], &words[i]);
         check_known(status, &how->known, &layout->fields[i]);
     }
+    if (!how->taker) leave_out_signals(layout);
     check_samples(status, table);
     if (status->code == WHIRL_OK) *status = whirl_layout_check(layout, table->analyses, &table->record);
     // Each field has room in the file, so all of them have in 64 times its size; datasets are then checked one by one.

@@ -118,7 +118,7 @@ bool format_reserved(const char *name);
 bool format_is_name(const char *name, int slashes);
 
 /// Dimensions of the dataset of a field: [points][station or contact][rows][columns] without rows and columns that are
-/// 1; points of a whole map have two dimensions. Returns their number.
+/// 1, or [points][rows][singles]; points of a whole map have two dimensions. Returns their number.
 int format_dimensions(const whirl_field *field, shape points, size_t dimensions[SHAPE_MAX_RANK]);
 
 /// Names of these dimensions ("point", "y", "x", "station", "row", ...), as many.
@@ -135,6 +135,7 @@ typedef struct stored_array {
     enum { STORED_NUMBERS, STORED_WHOLES, STORED_TEXTS } kind; ///< double, int64_t, texts of `width` bytes each
     int rank;                                                  ///< 0: a single value
     size_t sizes[SHAPE_MAX_RANK], count, width;                ///< the last dimension runs fastest; width of an element
+    bool single;                                               ///< the file has the numbers in single precision
     void *values;
 } stored_array;
 

@@ -35,6 +35,7 @@ static bool describe(hid_t type, hid_t space, stored_array *array) {
         const H5T_class_t class = H5Tget_class(type);
         array->kind = class == H5T_FLOAT ? STORED_NUMBERS : class == H5T_INTEGER ? STORED_WHOLES : STORED_TEXTS;
         array->width = class == H5T_STRING ? H5Tget_size(type) : sizeof(double);
+        array->single = class == H5T_FLOAT && H5Tget_size(type) < sizeof(double);
         array->rank = rank;
         well = array->width > 0 && (class == H5T_FLOAT || class == H5T_INTEGER || class == H5T_STRING);
     }
@@ -64,8 +65,10 @@ void stored_outline(whirl_status *status, hid_t dataset, stored_array *outline) 
     *outline = (stored_array){0};
     if (status->code != WHIRL_OK) return;
     name_of(dataset, name);
-    const bool well = describe(H5Dget_type(dataset), H5Dget_space(dataset), outline);
-    if (!well || H5Dget_storage_size(dataset) < outline->count * outline->width) *status = damaged(name);
+    const hid_t type = H5Dget_type(dataset);
+    const size_t width = H5Tget_size(type);
+    const bool well = describe(type, H5Dget_space(dataset), outline);
+    if (!well || width == 0 || H5Dget_storage_size(dataset) / width < outline->count) *status = damaged(name);
 }
 
 void stored_read(whirl_status *status, hid_t dataset, stored_array *array) {

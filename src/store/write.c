@@ -160,7 +160,10 @@ static void begin_field(whirl_status *status, column *out, hid_t group, const wh
     size_t dimensions[SHAPE_MAX_RANK];
     char names[SHAPE_MAX_RANK][WHIRL_NAME_SIZE];
     const int rank = format_dimensions(field, points, dimensions);
-    column_of_numbers(status, out, group, field->name, points, dimensions, rank, field->unit);
+    if (field->singles > 0)
+        column_of_singles(status, out, group, field->name, points, dimensions, rank, field->unit);
+    else
+        column_of_numbers(status, out, group, field->name, points, dimensions, rank, field->unit);
     (void)format_dimension_names(field, points, names);
     put_texts_attribute(status, out->dataset, "dimensions", texts_of(names[0], WHIRL_NAME_SIZE, (size_t)rank));
     const whirl_unit si = whirl_field_si(result, table, field);
@@ -172,6 +175,7 @@ static void begin_field(whirl_status *status, column *out, hid_t group, const wh
     put_whole_attribute(status, out->dataset, "repeat", (int64_t)field->repeat);
     put_whole_attribute(status, out->dataset, "rows", (int64_t)field->rows);
     put_whole_attribute(status, out->dataset, "columns", (int64_t)field->columns);
+    if (field->singles > 0) put_whole_attribute(status, out->dataset, "singles", (int64_t)field->singles);
 }
 
 /// Source of the numbers of a point.

@@ -289,12 +289,14 @@ const whirl_member *whirl_table_options(const whirl_table *table, size_t group, 
                   {whirl_trace_members(), offsetof(whirl_table, record.trace)},
                   {whirl_runup_members(), offsetof(whirl_table, record.runup)},
                   {whirl_fit_members(), offsetof(whirl_table, record.fit)},
+                  {whirl_dataset_members(), offsetof(whirl_table, record.dataset)},
                   {whirl_tolerance_members(), offsetof(whirl_table, tolerances)}};
     const bool has[] = {true,
                         true,
                         whirl_analysis_kind(table->analyses)->found,
                         whirl_analysis_has(table->analyses, "runup"),
                         whirl_analysis_has(table->analyses, "fit"),
+                        table->role == WHIRL_ROLE_RECORDS,
                         table->role == WHIRL_ROLE_TOLERANCES};
     for (size_t i = 0; i < sizeof groups / sizeof *groups; i++) {
         if (!has[i] || group-- > 0) continue;

@@ -301,6 +301,16 @@ names.starts_neighbour = 'starts/neighbour';
 names.tolerances_sample = 'tolerances/sample';
 names.tolerances_machine = 'tolerances/machine';
 names.tolerances_values = 'tolerances/values';
+names.dataset_record = 'dataset/record';
+names.dataset_machine = 'dataset/machine';
+names.dataset_label = 'dataset/label';
+names.dataset_severity = 'dataset/severity';
+names.dataset_split = 'dataset/split';
+names.dataset_seed = 'dataset/seed';
+names.dataset_begin = 'dataset/begin';
+names.dataset_speed = 'dataset/speed';
+names.dataset_values = 'dataset/values';
+names.dataset_signals = 'dataset/signals';
 names.refine_rounds = 'refine/rounds';
 names.refine_revolutions = 'refine/revolutions';
 end

@@ -38,6 +38,7 @@ typedef enum whirl_role {
     WHIRL_ROLE_MOTIONS,    ///< motions that accompany studies at rest: "motions"
     WHIRL_ROLE_REST,       ///< machines at rest: "modes", "statics", ...
     WHIRL_ROLE_TOLERANCES, ///< samples of parameters with tolerances, in motion or at rest
+    WHIRL_ROLE_RECORDS,    ///< records of a data set: "records"
     WHIRL_ROLES
 } whirl_role;
 
@@ -57,6 +58,9 @@ typedef struct whirl_field {
     size_t rows, columns; ///< size of the array
     size_t repeat;        ///< 1, or the number of stations or contacts
     size_t offset;        ///< index of its first number in the block; the next repetition follows after rows * columns
+    /// 0, or a row has so many numbers in single precision, two in the place of one of its columns. Files of results
+    /// keep them apart (whirl_signals_read); tables, exports and documents leave them out.
+    size_t singles;
 } whirl_field;
 
 /// Most fields of a block, and most columns with names.

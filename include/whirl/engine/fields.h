@@ -327,6 +327,17 @@
 #define WHIRL_FIELD_TOLERANCES_MACHINE "tolerances/machine"
 #define WHIRL_FIELD_TOLERANCES_VALUES "tolerances/values"
 
+#define WHIRL_FIELD_DATASET_RECORD "dataset/record"
+#define WHIRL_FIELD_DATASET_MACHINE "dataset/machine"
+#define WHIRL_FIELD_DATASET_LABEL "dataset/label"
+#define WHIRL_FIELD_DATASET_SEVERITY "dataset/severity"
+#define WHIRL_FIELD_DATASET_SPLIT "dataset/split"
+#define WHIRL_FIELD_DATASET_SEED "dataset/seed"
+#define WHIRL_FIELD_DATASET_BEGIN "dataset/begin"
+#define WHIRL_FIELD_DATASET_SPEED "dataset/speed"
+#define WHIRL_FIELD_DATASET_VALUES "dataset/values"
+#define WHIRL_FIELD_DATASET_SIGNALS "dataset/signals"
+
 #define WHIRL_FIELD_REFINE_ROUNDS "refine/rounds"
 #define WHIRL_FIELD_REFINE_REVOLUTIONS "refine/revolutions"
 

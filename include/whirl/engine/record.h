@@ -112,6 +112,28 @@ double whirl_runup_duration(const whirl_runup_options *options);
 /// driven: the machine has a drive, whose motor has the speed `no_load` without load, rad/s; 0: no such speed.
 whirl_status whirl_runup_check(const whirl_runup_options *options, bool driven, double no_load);
 
+/// Options of a data set.
+typedef struct whirl_dataset_options {
+    int machines;          ///< machines; 0: there is no data set
+    int records;           ///< records of a machine with a label
+    int seed;              ///< of all random numbers
+    int only;              ///< number of the only record that is made, from 1; 0: all
+    double turns;          ///< revolutions of a record; 0: as many as its samples take
+    double per_revolution; ///< samples of a revolution; 0: they are taken at a rate
+    double rate;           ///< Hz
+    int samples;           ///< samples of a channel
+    double train;          ///< share of machines for training,
+    double validation;     ///< and for validation; the others are for testing
+    double lead;           ///< revolutions computed before and after the samples
+    int labels;            ///< number of labels
+    int channels;          ///< number of channels
+    int parameters;        ///< number of parameters that differ
+} whirl_dataset_options;
+
+/// Returns the members of these options for cases (part "dataset") and results; static, ended by a member without a
+/// part.
+const whirl_member *whirl_dataset_members(void);
+
 /// Length and contents of the record of a motion.
 typedef struct whirl_record_options {
     int transient; ///< revolutions before the record, >= 0
@@ -145,10 +167,11 @@ typedef struct whirl_record_options {
     /// Search for the orbits of settled motions by Newton's method. With `settle`, also search before they have
     /// settled, and end the transient when the motion is certain to settle on one.
     bool orbits;
-    whirl_growth growth;       ///< costs one trajectory while watched, or as many as there are coordinates
-    whirl_trace_options trace; ///< for branches only
-    whirl_runup_options runup; ///< options of run-ups
-    whirl_fit_options fit;     ///< options of fits
+    whirl_growth growth;           ///< costs one trajectory while watched, or as many as there are coordinates
+    whirl_trace_options trace;     ///< for branches only
+    whirl_runup_options runup;     ///< options of run-ups
+    whirl_fit_options fit;         ///< options of fits
+    whirl_dataset_options dataset; ///< options of data sets
 } whirl_record_options;
 
 /// Returns the members of the options for cases (parts "integrate" and "keep", and "detail" for options that a detail

@@ -9,6 +9,7 @@
 #include <stddef.h>
 
 #include "whirl/engine/analyze.h"
+#include "whirl/engine/dataset.h"
 #include "whirl/engine/integrate.h"
 #include "whirl/engine/result.h"
 #include "whirl/engine/stop.h"
@@ -84,15 +85,17 @@ typedef struct whirl_batch {
     /// samples: none.
     whirl_tolerance_options tolerances;
     const whirl_tolerance *tolerated; ///< [tolerances.parameters] these parameters; borrowed
-    size_t sampled;                   ///< requested machine: 1 + index of the machine among those of samples; 0: none
-    bool outline;                     ///< requested machine: an outline (whirl_rotor_outline)
-    double speed;                     ///< requested machine: speed, rad/s; 0, and in the batch itself: its own
-    bool asynchronous;                ///< requested machine: its coefficients are those at `frequency` of whirl,
-    double frequency;                 ///< rad/s, instead of the speed of the shaft
-    double variant_value;             ///< requested machine: value of its variant
-    whirl_variant variant;            ///< requested machine: its variant; in the batch itself the studied one
-    size_t start;                     ///< requested machine: index of its start, from 0; in the batch itself 0
-    whirl_carry carry;                ///< use of the ends of neighbouring motions as starts
+    const whirl_dataset *dataset;     ///< of a data set, each of whose records is a point; borrowed; else NULL
+    /// Requested machine: 1 + index of the machine among those of samples, or of the record; 0: none.
+    size_t sampled;
+    bool outline;          ///< requested machine: an outline (whirl_rotor_outline)
+    double speed;          ///< requested machine: speed, rad/s; 0, and in the batch itself: its own
+    bool asynchronous;     ///< requested machine: its coefficients are those at `frequency` of whirl,
+    double frequency;      ///< rad/s, instead of the speed of the shaft
+    double variant_value;  ///< requested machine: value of its variant
+    whirl_variant variant; ///< requested machine: its variant; in the batch itself the studied one
+    size_t start;          ///< requested machine: index of its start, from 0; in the batch itself 0
+    whirl_carry carry;     ///< use of the ends of neighbouring motions as starts
     /// Compute every motion again from the same start with errors of a step 16 times smaller (twice the steps of a
     /// fixed-step method), to confirm its verdict. Needs the analysis "regime".
     bool confirm;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "whirl/engine/analyze.h"
+#include "whirl/engine/dataset.h"
 #include "words.h"
 
 #define WHOLE(name, field, part, key, fallback, low, high, refined, meaning)                                           \
@@ -179,6 +180,48 @@ const whirl_member *whirl_fit_members(void) {
         {.part = NULL},
     };
     return fits;
+}
+
+#define DATASET(TYPE, field, unit, kind, needed, fallback, range, meaning)                                             \
+    MEMBER(whirl_dataset_options, TYPE, "dataset_" #field, field, "dataset", false, #field, "", unit, kind, needed,    \
+           fallback, range, NULL, meaning, "")
+#define DATASET_FOUND(TYPE, field, unit, kind, most, meaning)                                                          \
+    MEMBER(whirl_dataset_options, TYPE, "dataset_" #field, field, "", false, #field, "", unit, kind, false, "0",       \
+           WHIRL_FROM_TO(0, most), NULL, meaning, "")
+
+const whirl_member *whirl_dataset_members(void) {
+    static const whirl_member datasets[] = {
+        DATASET(WHOLE, machines, "1", WHIRL_KEY_WHOLE, true, "", WHIRL_FROM_TO(1, WHIRL_MAX_RECORDS),
+                "number of machines, which differ by their making (vary)"),
+        DATASET(WHOLE, records, "1", WHIRL_KEY_WHOLE, false, "1", WHIRL_FROM_TO(1, WHIRL_MAX_RECORDS),
+                "number of records of each machine with each label"),
+        DATASET(WHOLE, seed, "1", WHIRL_KEY_WHOLE, false, "1", WHIRL_FROM_TO(0, INT_MAX),
+                "seed of all random numbers: another one gives another data set, and the same one always the same"),
+        DATASET(WHOLE, only, "1", WHIRL_KEY_WHOLE, false, "0", WHIRL_FROM_TO(0, WHIRL_MAX_RECORDS),
+                "number of the only record that is made, from 1, as it is among the others; 0: all are made"),
+        MEMBER(whirl_dataset_options, NUMBER, "dataset_turns", turns, "dataset", false, "revolutions", "", "1",
+               WHIRL_KEY_NUMBER, false, "0", WHIRL_FROM_TO(0, 1e6), NULL,
+               "length of a record in revolutions, with samples_per_revolution", ""),
+        MEMBER(whirl_dataset_options, NUMBER, "dataset_per_revolution", per_revolution, "dataset", false,
+               "samples_per_revolution", "", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_FROM_TO(0, 16384), NULL,
+               "samples of a revolution, at equal angles; this and revolutions, or rate and samples", ""),
+        DATASET(NUMBER, rate, "Hz", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE,
+                "samples of a second, whatever the speed; this and samples, or samples_per_revolution and revolutions"),
+        DATASET(WHOLE, samples, "1", WHIRL_KEY_WHOLE, false, "0", WHIRL_FROM_TO(0, WHIRL_MAX_RECORD_SAMPLES),
+                "number of samples of a channel, an even number, with rate"),
+        DATASET(NUMBER, train, "1", WHIRL_KEY_NUMBER, false, "0.7", WHIRL_FROM_TO(0, 1),
+                "share of the machines whose records are for training"),
+        DATASET(NUMBER, validation, "1", WHIRL_KEY_NUMBER, false, "0.15", WHIRL_FROM_TO(0, 1),
+                "share of the machines whose records are for validation; the others are for testing"),
+        DATASET_FOUND(NUMBER, lead, "1", WHIRL_KEY_NUMBER, 1e6,
+                      "revolutions that are computed before and after the samples, for the filters"),
+        DATASET_FOUND(WHOLE, labels, "1", WHIRL_KEY_WHOLE, WHIRL_MAX_LABELS, "number of labels"),
+        DATASET_FOUND(WHOLE, channels, "1", WHIRL_KEY_WHOLE, WHIRL_MAX_CHANNELS, "number of channels"),
+        DATASET_FOUND(WHOLE, parameters, "1", WHIRL_KEY_WHOLE, WHIRL_MAX_DRAWN,
+                      "number of parameters that differ between records"),
+        {.part = NULL},
+    };
+    return datasets;
 }
 
 #define RUNUP(TYPE, field, unit, kind, fallback, range, choices, meaning)                                              \
@@ -376,6 +419,7 @@ whirl_record_options whirl_record_default(void) {
     whirl_members_default(whirl_trace_members(), &options.trace);
     whirl_members_default(whirl_runup_members(), &options.runup);
     whirl_members_default(whirl_fit_members(), &options.fit);
+    whirl_members_default(whirl_dataset_members(), &options.dataset);
     options.settle = false;
     return options;
 }

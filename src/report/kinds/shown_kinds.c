@@ -3,7 +3,7 @@
 
 static const shown_kind *const kinds[] = {&shown_tolerances, &shown_branches,        &shown_tori,      &shown_modes,
                                           &shown_unbalance,  &shown_critical_speeds, &shown_stability, &shown_statics,
-                                          &shown_runup,      &shown_twists,          &shown_fit};
+                                          &shown_runup,      &shown_twists,          &shown_fit,       &shown_records};
 
 const shown_kind *shown_kind_of(const whirl_table *table) {
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)

@@ -38,7 +38,7 @@ void find_lines(const finder *of);
 int shown_modes_growing(const whirl_table *table, size_t point);
 
 extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance, shown_critical_speeds,
-    shown_stability, shown_statics, shown_runup, shown_twists, shown_fit, shown_tolerances;
+    shown_stability, shown_statics, shown_runup, shown_twists, shown_fit, shown_tolerances, shown_records;
 
 /// Returns the point of a table of fits with the least sum of squares; the number of points if there is none.
 size_t fit_best(const whirl_table *table);

@@ -186,7 +186,7 @@ static void write_points(FILE *stream, const whirl_result *result, const whirl_t
     put_point_headings(&row, result, table);
     put_cell(&row, "verdict"), put_cell(&row, "method");
     for (const whirl_field *field = layout->fields; field < layout->fields + layout->field_count; ++field)
-        for (size_t i = 0; field->rows == 1 && i < field->repeat * field->columns; ++i)
+        for (size_t i = 0; field->rows == 1 && field->singles == 0 && i < field->repeat * field->columns; ++i)
             put_field_heading(&row, &units, table, field, i / field->columns, i % field->columns);
     end_line(&row);
     // One line for each finished point.
@@ -201,7 +201,7 @@ static void write_points(FILE *stream, const whirl_result *result, const whirl_t
         put_cell(&row, method);
         const double *block = whirl_table_block(table, point);
         for (const whirl_field *field = layout->fields; field < layout->fields + layout->field_count; ++field) {
-            for (size_t i = 0; field->rows == 1 && i < field->repeat * field->columns; ++i)
+            for (size_t i = 0; field->rows == 1 && field->singles == 0 && i < field->repeat * field->columns; ++i)
                 put_number_cell(&row, unit_factor(&units, table, point, field, i % field->columns) *
                                           block[field->offset + i]);
         }
@@ -379,7 +379,7 @@ static whirl_status csv_visit_table(const csv_visitor *by, const whirl_table *ta
     for (size_t i = 0; i < layout->field_count && status.code == WHIRL_OK; ++i) {
         const whirl_field *field = &layout->fields[i];
         char name[2 * WHIRL_NAME_SIZE + 8];
-        if (field->rows == 1) continue;
+        if (field->singles > 0 || field->rows == 1) continue;
         snprintf(name, sizeof name, "%s-%s", table->name, field->name);
         for (char *slash = name; (slash = strchr(slash, '/'));) *slash = '-';
         status = csv_visit(by, name, write_rows, table, field);

@@ -194,6 +194,7 @@ static void meet_member(whirl_status *status, void *context, const char *name, h
     }
     stored_array array;
     stored_outline(status, object, &array);
+    if (array.single) return; // signals of a data set: a variable of such a file is not large enough
     count_bytes(status, to->writer, &array);
     stored_read(status, object, &array);
     if (status->code == WHIRL_OK) put_array(status, to->group, name, &array);

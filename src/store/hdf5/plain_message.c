@@ -53,15 +53,18 @@ static bool is_type(const plain_part *part, const unsigned char *type, size_t le
     return part->left >= length && (part->at[0] & 0x0f) == type[0] && memcmp(part->at + 1, type + 1, length - 1) == 0;
 }
 
-/// Reads IV.A.2.d, versions 1 to 3, which are the same for these types: int64, double, and text of fixed length in any
-/// character set.
+/// Reads IV.A.2.d, versions 1 to 3, which are the same for these types: int64, double, float, and text of fixed length
+/// in any character set.
 static bool read_datatype(plain_part *part, size_t *size) {
     static const unsigned char whole[] = {0x00, 0x08, 0, 0, 8, 0, 0, 0, 0, 0, 64, 0};
     static const unsigned char real[] = {0x01, 0x20, 0x3f, 0,    8,    0,    0,    0,    0, 0,
                                          64,   0,    0x34, 0x0b, 0x00, 0x34, 0xff, 0x03, 0, 0};
+    static const unsigned char single[] = {0x01, 0x20, 0x1f, 0,    4,    0,    0,    0,    0, 0,
+                                           32,   0,    0x17, 0x08, 0x00, 0x17, 0x7f, 0x00, 0, 0};
     enum { TEXT = 3, UTF8 = 0x10 };
     const unsigned version = part->left > 0 ? part->at[0] >> 4 : 0;
-    const bool number = is_type(part, whole, sizeof whole) || is_type(part, real, sizeof real);
+    const bool number =
+        is_type(part, whole, sizeof whole) || is_type(part, real, sizeof real) || is_type(part, single, sizeof single);
     const unsigned kind = (unsigned)plain_number(part, 1) & 15, alphabet = (unsigned)plain_number(part, 1);
     const unsigned rest = (unsigned)plain_number(part, 2);
     *size = (size_t)plain_number(part, 4);

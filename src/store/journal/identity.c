@@ -62,6 +62,14 @@ static bool is_planned(const whirl_table *table, size_t point) {
            (y % table->refine == 0 || y + 1 == whirl_table_rows(table));
 }
 
+/// Writes what differs between the records of a data set, and its channels.
+static void put_dataset(FILE *out, const whirl_result *outline) {
+    fputs(", of", out);
+    for (size_t i = 0; i < outline->fact_count; ++i)
+        if (strncmp(outline->facts[i].name, "dataset ", 8) == 0)
+            fprintf(out, " (%s: %s)", outline->facts[i].name, outline->facts[i].value);
+}
+
 static void put_points(FILE *out, const whirl_result *outline, const whirl_table *table) {
     char first[NUMBER_SIZE], last[NUMBER_SIZE];
     uint32_t sum = 0;
@@ -91,6 +99,7 @@ static void put_points(FILE *out, const whirl_result *outline, const whirl_table
         snprintf(fact, sizeof fact, "tolerance %d", i + 1);
         fprintf(out, " (%s)", whirl_result_fact(outline, fact));
     }
+    if (table->role == WHIRL_ROLE_RECORDS) put_dataset(out, outline);
     if (table->starts > 1) fprintf(out, ", from %zu starts each", table->starts);
     if (table->neighbours > 0) fprintf(out, ", and from neighbours in up to %zu rounds", table->neighbours);
     if (table->refine > 0) fprintf(out, ", refined from squares of %zu", table->refine);
@@ -109,6 +118,7 @@ static void put_options(FILE *out, const char *table, const whirl_member *member
 static void put_fields(FILE *out, const whirl_table *table) {
     for (size_t i = 0; i < table->layout.field_count; ++i) {
         const whirl_field *field = &table->layout.fields[i];
+        if (field->singles > 0) continue; // read results have none; options say as much
         fprintf(out, "numbers of %s in the %s\t%zu x %zu x %zu\n", field->name, table->name, field->repeat, field->rows,
                 field->columns);
     }

@@ -16,6 +16,7 @@ whirl_status whirl_study_machine(const whirl_study *study, const whirl_batch *ba
     if (batch->second_values) own.second_value = batch->second_values[index];
     if (batch->third_values) own.third_value = batch->third_values[index];
     if (batch->tolerances.samples > 0) own.sampled = 1 + (batch->row > 0 ? index / batch->row : 0);
+    if (batch->dataset) own.sampled = 1 + index;
     whirl_status status = whirl_study_place(study, &own, &placed);
     if (status.code == WHIRL_OK) status = study->machine(study->family, &own, value, machine);
     free(placed);

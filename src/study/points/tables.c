@@ -38,6 +38,7 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     if (status.code == WHIRL_OK) status = starts_add_fields(batch, stations, &table->layout);
     if (status.code == WHIRL_OK) status = map_add_field(batch, &table->layout);
     if (status.code == WHIRL_OK) status = sample_add_fields(batch, &table->layout);
+    if (status.code == WHIRL_OK) status = records_add_fields(batch, &table->layout);
     if (status.code == WHIRL_OK && study_is_refined(study) && !batch_is_found(batch))
         status = refine_add_fields(&table->layout);
     if (status.code != WHIRL_OK) return status;

@@ -326,9 +326,11 @@ static whirl_status worker_analyze(const worker *w, const point *p, const whirl_
     const whirl_layout *layout = &work->table->layout;
     double *block = block_of(w, p->slot);
     const double spent = own->round > 0 ? refine_spent(layout, block) + work->weight * record->revolutions : 0.0;
-    const whirl_status status = whirl_analyze(record, &own->record, work->batch->analyses, layout, block);
+    whirl_status status = whirl_analyze(record, &own->record, work->batch->analyses, layout, block);
     map_note(work->batch, p->slot % work->batch->count, layout, block);
     sample_note(work->batch, p->slot % work->batch->count, layout, block);
+    if (status.code == WHIRL_OK)
+        status = records_note(work->batch, p->slot % work->batch->count, &p->machine, record, layout, block);
     starts_note(work->batch, &start, p->machine.system, layout, block);
     refine_note(layout, block, own, spent);
     return status;

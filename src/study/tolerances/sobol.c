@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "random.h"
 #include "whirl/engine/tolerances.h"
 #include "words.h"
 
@@ -106,20 +107,10 @@ unsigned whirl_sobol(size_t index, size_t dimension) {
 
 // ---------------------------------------------------------------- scrambling
 
-/// Mixes 64 bits (splitmix64: Steele, Lea, Flood 2014).
-static uint64_t mix(uint64_t z) {
-    z = (z ^ z >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
-    z = (z ^ z >> 27) * UINT64_C(0x94d049bb133111eb);
-    return z ^ z >> 31;
-}
-
 /// Returns 32 random bits, a pure function of what they are for.
-static uint32_t random_bits(int seed, size_t replicate, size_t dimension, unsigned which) {
-    const uint64_t step = UINT64_C(0x9e3779b97f4a7c15);
-    uint64_t z = mix((uint64_t)(unsigned)seed + step);
-    z = mix(z + step * (1 + replicate));
-    z = mix(z + step * (1 + dimension));
-    return (uint32_t)(mix(z + step * (1 + which)) >> 32);
+static uint32_t scrambling_bits(int seed, size_t replicate, size_t dimension, unsigned which) {
+    const uint64_t of = random_next((uint64_t)(unsigned)seed, 0);
+    return (uint32_t)(random_next(random_next(random_next(of, replicate), dimension), which) >> 32);
 }
 
 static unsigned parity(uint32_t x) {
@@ -130,10 +121,10 @@ static unsigned parity(uint32_t x) {
 /// Scrambles the digits of a coordinate by a random lower triangular matrix, and adds random digits (Matousek 1998): a
 /// net stays a net, and every point is uniformly distributed.
 static uint32_t scramble(uint32_t x, int seed, size_t replicate, size_t dimension) {
-    uint32_t y = random_bits(seed, replicate, dimension, DIGITS);
+    uint32_t y = scrambling_bits(seed, replicate, dimension, DIGITS);
     for (unsigned row = 0; row < DIGITS; row++) {
         const uint32_t own = (uint32_t)1 << (DIGITS - 1 - row), above = ~(own | (own - 1));
-        y ^= parity(x & (own | (random_bits(seed, replicate, dimension, row) & above))) ? own : 0;
+        y ^= parity(x & (own | (scrambling_bits(seed, replicate, dimension, row) & above))) ? own : 0;
     }
     return y;
 }

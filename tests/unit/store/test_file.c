@@ -541,7 +541,8 @@ static void refuses_other_datasets(void **state) {
         {H5T_IEEE_F64LE, 1, (hsize_t)1 << 40, true, "/sweep/values"}, // nothing of it is stored
         {H5T_IEEE_F64LE, 1, SYNTHETIC_POINTS, false, "what whirl does not write"},
         {H5T_IEEE_F64LE, 2, SYNTHETIC_POINTS, true, "/sweep/values"},
-        {H5T_IEEE_F32LE, 1, SYNTHETIC_POINTS, true, "what whirl does not write"},
+        {H5T_IEEE_F32LE, 1, SYNTHETIC_POINTS, true, "/sweep/values"},
+        {H5T_IEEE_F32BE, 1, SYNTHETIC_POINTS, true, "what whirl does not write"},
         {H5T_STD_I64LE, 1, SYNTHETIC_POINTS, true, "/sweep/values"},
     };
     for (size_t i = 0; i < sizeof datasets / sizeof *datasets; ++i) {

@@ -27,6 +27,7 @@ enum {
     INNER,
     OUTER,
     CAGE,
+    SLIP,
     ANGLE,
     DAMPING,
     ROWS,
@@ -72,6 +73,10 @@ enum {
                               "speed of the cage over the rotor's, between those of its races, in place of the radii:" \
                               " r_i/(r_i + r_o) if the outer race does not turn",                                      \
                               "Harris 2001, ch. 8"),                                                                   \
+    [SLIP] = CITED_NUMBER_KEY("slip", "s", "1", DEFAULT("0"), WHIRL_FROM_TO(0, 0.5),                                   \
+                              "share by which the cage, and every " one " about its own axis, turns more slowly than " \
+                              "by rolling: 0.01 to 0.02 is usual",                                                     \
+                              "Randall, Antoni 2011"),                                                                 \
     [ANGLE] = ANGLE_KEY("angle", "theta_0", NULL, "position of a " one " at t = 0, from the x axis towards y"),        \
     [DAMPING] =                                                                                                        \
         NUMBER_KEY("damping", "c", "N s/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "viscous damping between the races"),    \
@@ -131,15 +136,15 @@ static whirl_status cage_ratio(const key_value *values, const double races[2], d
 }
 
 /// Sets the rates by tau from the cage's. A ball rolls on the inner race; the race's share of the sum of both radii is
-/// also the share of its speed in the cage's, 0 if unknown.
+/// also the share of its speed in the cage's, 0 if unknown. Both are reduced by slip.
 static void set_rates(const key_value *values, const double races[2], double cage, double obliquity, double *number) {
     const double radii = values[INNER].number / (values[INNER].number + values[OUTER].number);
     const double share = values[CAGE].given ? (cage - races[1]) / (races[0] - races[1]) : radii;
-    const double ball = (1.0 - 2.0 * share) / (2.0 * cos(obliquity));
-    number[ROLLING_RATES] = cage;
+    const double ball = (1.0 - 2.0 * share) / (2.0 * cos(obliquity)), rolls = 1.0 - values[SLIP].number;
+    number[ROLLING_RATES] = rolls * cage;
     number[ROLLING_SPEEDS + DENT_INNER] = races[0];
     number[ROLLING_SPEEDS + DENT_OUTER] = races[1];
-    number[ROLLING_SPEEDS + DENT_BALL] = ball > 0.0 ? (races[0] - cage) * share / ball : 0.0;
+    number[ROLLING_SPEEDS + DENT_BALL] = ball > 0.0 ? rolls * (races[0] - cage) * share / ball : 0.0;
 }
 
 // ---------------------------------------------------------------- oblique contacts

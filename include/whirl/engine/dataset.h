@@ -1,0 +1,89 @@
+/// Data sets: records of machines with known faults, for diagnosis (study `dataset`).
+///
+/// A data set has `machines` machines, which differ by their making, each with every label, in `records` records under
+/// conditions of their own. What a record has is a pure function of the data set and its number: any of them can be
+/// made anew alone. Records are divided by machine into sets for training, validation and testing, since records of one
+/// machine resemble one another.
+#ifndef WHIRL_DATASET_H
+#define WHIRL_DATASET_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "whirl/engine/sensors.h"
+#include "whirl/engine/tolerances.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// Limits of data sets.
+enum {
+    WHIRL_MAX_LABELS = 32,             ///< labels
+    WHIRL_MAX_DRAWN = 32,              ///< parameters that differ between records
+    WHIRL_MAX_RECORDS = 1 << 24,       ///< records
+    WHIRL_MAX_RECORD_SAMPLES = 1 << 22 ///< samples of a channel
+};
+
+/// A parameter with a distribution.
+typedef struct whirl_drawn {
+    size_t parameter;   ///< index among those of the data set
+    whirl_tolerance of; ///< its distribution
+} whirl_drawn;
+
+/// A parameter that the severity of a fault sets: from + severity (to - from).
+typedef struct whirl_graded {
+    size_t parameter; ///< index among those of the data set
+    double from, to;  ///< SI
+} whirl_graded;
+
+/// A label: a state of machines, and how it changes their parameters.
+typedef struct whirl_label {
+    const char *name;           ///< borrowed
+    size_t graded_count;        ///< 0: the label has no severity
+    const whirl_graded *graded; ///< [graded_count] borrowed
+    size_t varied_count;        ///< number of
+    const whirl_drawn *varied;  ///< [varied_count] parameters that differ between its records; borrowed
+} whirl_label;
+
+/// What differs between the records of a data set. Parameters that nothing draws have the value of the case; a label's
+/// own come before those of conditions, and these before those of machines.
+typedef struct whirl_dataset {
+    size_t parameter_count, machine_count, condition_count, label_count, channel_count; ///< lengths of the lists
+    const char *const *parameters; ///< [parameter_count] names; borrowed, as all lists
+    const double *values;          ///< [parameter_count] their values in the case, SI
+    const whirl_drawn *machine;    ///< [machine_count] differ between machines
+    const whirl_drawn *conditions; ///< [condition_count] differ between records
+    const whirl_label *labels;     ///< [label_count]
+    const whirl_channel *channels; ///< [channel_count]
+} whirl_dataset;
+
+/// Returns the number of records of a data set that are made.
+size_t whirl_dataset_records(const whirl_dataset_options *options);
+
+/// The set that a record belongs to.
+typedef enum whirl_split { WHIRL_SPLIT_TRAIN, WHIRL_SPLIT_VALIDATION, WHIRL_SPLIT_TEST } whirl_split;
+
+/// Returns its name: "train", "validation", "test"; static.
+const char *whirl_split_name(whirl_split split);
+
+/// What a record is of.
+typedef struct whirl_record_of {
+    size_t number;   ///< its number, from 1
+    size_t machine;  ///< number of its machine, from 1
+    size_t label;    ///< index of its label
+    double severity; ///< above 0, below 1; NaN if the label has none
+    whirl_split split;
+    uint64_t seed; ///< of its noise and jitter; below 2^53
+    double begin;  ///< revolutions from the end of the lead to its first sample, below 1
+} whirl_record_of;
+
+/// Returns what a record is of, by its index among those that are made, and writes its parameters, SI, to values
+/// [parameter_count] (unless NULL).
+whirl_record_of whirl_dataset_record(const whirl_dataset *dataset, const whirl_dataset_options *options, size_t index,
+                                     double *values);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

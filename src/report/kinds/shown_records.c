@@ -1,0 +1,173 @@
+// Findings of data sets: labels and what their machines do, sensors, and what differs between records.
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "shown_kinds.h"
+
+/// Returns a fact of a data set, "label 2", in parts: its name, and the rest behind ": ".
+static const char *dataset_fact(const finder *of, const char *what, size_t index, char name[WHIRL_NAME_SIZE]) {
+    char key[WHIRL_NAME_SIZE];
+    snprintf(key, sizeof key, "dataset %s %zu", what, index + 1);
+    const char *text = whirl_result_fact(of->result, key);
+    const size_t length = strcspn(text, ":");
+    snprintf(name, WHIRL_NAME_SIZE, "%.*s", (int)(length < WHIRL_NAME_SIZE ? length : WHIRL_NAME_SIZE - 1), text);
+    text += length;
+    return text + strspn(text, ": ");
+}
+
+// ---------------------------------------------------------------- labels
+
+/// Records of a label.
+typedef struct label_count {
+    size_t records, periodic, quasi_periodic, chaotic, undetermined, ended, touching;
+    size_t splits[3];
+} label_count;
+
+static void count_verdict(label_count *own, const whirl_verdict *verdict) {
+    size_t *regime = &own->undetermined;
+    if (verdict->regime == WHIRL_PERIODIC) regime = &own->periodic;
+    if (verdict->regime == WHIRL_QUASI_PERIODIC) regime = &own->quasi_periodic;
+    if (verdict->regime == WHIRL_CHAOTIC) regime = &own->chaotic;
+    if (verdict->regime == WHIRL_DIVERGING) regime = &own->ended;
+    ++*regime;
+}
+
+/// Counts the finished records of a label; of all labels for SIZE_MAX.
+static label_count count_label(const finder *of, size_t label) {
+    const whirl_table *table = of->table;
+    label_count own = {0};
+    for (size_t p = 0; p < table->count; p++) {
+        if (!whirl_table_done(table, p)) continue;
+        if (label != SIZE_MAX && whirl_table_number(table, p, WHIRL_FIELD_DATASET_LABEL, 0) != (double)label) continue;
+        const double split = whirl_table_number(table, p, WHIRL_FIELD_DATASET_SPLIT, 0);
+        const whirl_verdict verdict = whirl_table_verdict(table, p);
+        bool touches = false;
+        for (size_t c = 0; c < of->result->contact_count; c++)
+            touches = touches || whirl_table_number(table, p, WHIRL_FIELD_RUB_SHARE, c) > 0.0;
+        own.records++;
+        own.touching += touches;
+        if (split >= 0.0 && split <= 2.0) own.splits[(size_t)split]++;
+        count_verdict(&own, &verdict);
+    }
+    return own;
+}
+
+static void find_labels(const finder *of) {
+    char name[WHIRL_NAME_SIZE];
+    const bool contacts = of->result->contact_count > 0;
+    whirl_sheet *sheet = find_sheet(of, "labels", "Labels and what their machines do");
+    sheet->about =
+        "Numbers of records. Sets are divided by machine, since records of one machine resemble one another.";
+    sheet_texts(of, sheet, "label", "label");
+    sheet_column(of, sheet, "records", "records", WHIRL_QUANTITY_NUMBER, 8);
+    sheet_column(of, sheet, "train", "train", WHIRL_QUANTITY_NUMBER, 8);
+    sheet_column(of, sheet, "validation", "validation", WHIRL_QUANTITY_NUMBER, 8);
+    sheet_column(of, sheet, "test", "test", WHIRL_QUANTITY_NUMBER, 8);
+    sheet_column(of, sheet, "periodic", "periodic", WHIRL_QUANTITY_NUMBER, 8);
+    sheet_column(of, sheet, "quasi_periodic", "quasi-periodic", WHIRL_QUANTITY_NUMBER, 8);
+    sheet_column(of, sheet, "chaotic", "chaotic", WHIRL_QUANTITY_NUMBER, 8);
+    sheet_column(of, sheet, "undetermined", "undetermined", WHIRL_QUANTITY_NUMBER, 8);
+    sheet_column(of, sheet, "ended", "without signals", WHIRL_QUANTITY_NUMBER, 8);
+    if (contacts) sheet_column(of, sheet, "touching", "in contact", WHIRL_QUANTITY_NUMBER, 8);
+    sheet_texts(of, sheet, "fault", "fault");
+    for (size_t i = 0; i < (size_t)of->table->record.dataset.labels; i++) {
+        const label_count own = count_label(of, i);
+        const char *fault = dataset_fact(of, "label", i, name);
+        const double numbers[] = {(double)own.records,   (double)own.splits[0],    (double)own.splits[1],
+                                  (double)own.splits[2], (double)own.periodic,     (double)own.quasi_periodic,
+                                  (double)own.chaotic,   (double)own.undetermined, (double)own.ended};
+        sheet_row(of, sheet);
+        cell_text(of, sheet, find_text(of->findings, "%s", name));
+        for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) cell_number(of, sheet, numbers[k]);
+        if (contacts) cell_number(of, sheet, (double)own.touching);
+        cell_text(of, sheet, find_text(of->findings, "%s", *fault ? fault : "none"));
+    }
+    find_sheet_end(of);
+}
+
+// ---------------------------------------------------------------- channels and parameters
+
+static void find_channels(const finder *of) {
+    char name[WHIRL_NAME_SIZE];
+    whirl_sheet *sheet = find_sheet(of, "channels", "Channels");
+    sheet_texts(of, sheet, "channel", "channel");
+    sheet_texts(of, sheet, "sensor", "sensor and converter");
+    for (size_t i = 0; i < (size_t)of->table->record.dataset.channels; i++) {
+        const char *sensor = dataset_fact(of, "channel", i, name);
+        sheet_row(of, sheet);
+        cell_text(of, sheet, find_text(of->findings, "%s", name));
+        cell_text(of, sheet, find_text(of->findings, "%s", sensor));
+    }
+    find_sheet_end(of);
+}
+
+static void find_drawn(const finder *of) {
+    static const char *const between[] = {"machines", "records"};
+    char name[WHIRL_NAME_SIZE];
+    whirl_sheet *sheet = find_sheet(of, "drawn", "Parameters that differ whatever the label");
+    sheet_texts(of, sheet, "parameter", "parameter");
+    sheet_texts(of, sheet, "between", "between");
+    sheet_texts(of, sheet, "distribution", "distribution");
+    for (size_t k = 0; k < 2; k++)
+        for (size_t i = 0;; i++) {
+            const char *text = dataset_fact(of, between[k], i, name);
+            if (!*name) break;
+            sheet_row(of, sheet);
+            cell_text(of, sheet, find_text(of->findings, "%s", name));
+            cell_text(of, sheet, between[k]);
+            cell_text(of, sheet, find_text(of->findings, "%s", text));
+        }
+    find_sheet_end(of);
+}
+
+// ---------------------------------------------------------------- statements
+
+static void state_records(const finder *of) {
+    const whirl_dataset_options *options = &of->table->record.dataset;
+    const label_count all = count_label(of, SIZE_MAX);
+    whirl_statement *own = find_statement(of, "records");
+    phrase_text(of, &own->found, "%zu record%s of %d channel%s with %d samples, ", all.records,
+                all.records == 1 ? "" : "s", options->channels, options->channels == 1 ? "" : "s", options->samples);
+    if (options->rate > 0.0)
+        phrase_text(of, &own->found, "%.6g Hz", options->rate);
+    else
+        phrase_text(of, &own->found, "%.6g of a revolution", options->per_revolution);
+    phrase_text(of, &own->found, "; %d machine%s, %d label%s; signals are free of aliases up to %.6g %s",
+                options->machines, options->machines == 1 ? "" : "s", options->labels, options->labels == 1 ? "" : "s",
+                0.42 * (options->rate > 0.0 ? options->rate : options->per_revolution),
+                options->rate > 0.0 ? "Hz" : "orders");
+    if (all.ended > 0)
+        phrase_text(of, &own->found, "; %zu motion%s did not last and ha%s no signals", all.ended,
+                    all.ended == 1 ? "" : "s", all.ended == 1 ? "s" : "ve");
+}
+
+/// States a label whose fault is a contact that many of its records do not have: they are as if healthy.
+static void state_untouched(const finder *of) {
+    char name[WHIRL_NAME_SIZE];
+    for (size_t i = 0; i < (size_t)of->table->record.dataset.labels && of->result->contact_count > 0; i++) {
+        const label_count own = count_label(of, i);
+        const char *fault = dataset_fact(of, "label", i, name);
+        if (!*fault || own.touching == 0 || own.touching == own.records) continue;
+        phrase_text(of, &find_statement(of, "touching")->found, "%zu of %zu records with the label %s touch",
+                    own.touching, own.records, name);
+    }
+}
+
+static void records_find(const finder *of) {
+    state_records(of);
+    state_untouched(of);
+    find_labels(of);
+    find_channels(of);
+    find_drawn(of);
+}
+
+const shown_kind shown_records = {
+    .field = WHIRL_FIELD_DATASET_RECORD,
+    .anchor = "records",
+    .name = "Data set",
+    .about =
+        "Records of machines with known faults, as sensors see them. Any record can be made anew alone, by its number "
+        "(dataset: {only: ...}).",
+    .find = records_find,
+};
