@@ -204,9 +204,11 @@ static void check_layouts(case_reader *reader, case_content *content, const plan
 }
 
 static void check_with_values(case_reader *reader, case_content *content, const plan_parts *parts) {
+    // Evaluate the parameters.
     valuation v;
     const whirl_status status = valuation_open(&v, &content->parameters, NULL, 0);
     reader->no_memory = reader->no_memory || status.code == WHIRL_NO_MEMORY;
+    // Make machine and plan with these values, which reports what does not fit.
     if (status.code == WHIRL_OK) {
         machine_check(reader, &v, &content->machine);
         plan_make(reader, &v, parts, &content->plan);
@@ -217,6 +219,7 @@ static void check_with_values(case_reader *reader, case_content *content, const 
         parameters_settle(&v, &content->parameters);
         machine_settle(&v, &content->machine);
         if (reader->problems->count == 0) check_layouts(reader, content, parts, &v);
+        // Report the parameter whose expression has no value.
     } else if (v.evaluator && v.culprit < content->parameters.count) {
         char why[WHY_SIZE];
         const parameter *culprit = &content->parameters.items[v.culprit];
@@ -224,6 +227,7 @@ static void check_with_values(case_reader *reader, case_content *content, const 
         evaluator_value(v.evaluator, culprit->value.expression, &value, why);
         problem_at(reader->problems, culprit->place, "%s", why);
     }
+    // Try single points last, when everything before is right.
     valuation_close(&v);
     if (reader->problems->count == 0 && !reader->no_memory) check_points(reader, content, parts);
 }
@@ -449,6 +453,7 @@ static whirl_status set_parameter(whirl_case *object, const char *name, const ch
 /// Sets a key in the text of the case, which is stored in the result.
 static whirl_status set_key(whirl_case *object, const char *name, const char *value) {
     char path[PATH_SIZE];
+    // Edit a copy of the text, and read it again.
     whirl_case changed = *object;
     whirl_problems problems = {0};
     changed.content = (case_content){0};
@@ -461,6 +466,7 @@ static whirl_status set_key(whirl_case *object, const char *name, const char *va
         status = make_content(&changed, &changed.content, &problems);
     else
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory to set %s", name);
+    // Replace the case, or report why the changed text is no case.
     if (status.code == WHIRL_OK) {
         free(object->text);
         arena_free(&object->content.arena);
@@ -476,6 +482,7 @@ static whirl_status set_key(whirl_case *object, const char *name, const char *va
 }
 
 static whirl_status set_name(whirl_case *object, const char *assignment, bool swept_too) {
+    // Split the assignment into name and value, without blanks around.
     const parameter_table *parameters = &object->content.parameters;
     char name[SHOWN_NAME], text[LONGEST_VALUE], advice[WHY_SIZE];
     size_t length = 0;
@@ -488,13 +495,16 @@ static whirl_status set_name(whirl_case *object, const char *assignment, bool sw
     while (used > 0 && value[used - 1] == ' ') used--;
     if (used >= sizeof text) return whirl_fail(WHIRL_BAD_INPUT, "the value of %s is too long", name);
     snprintf(text, sizeof text, "%.*s", (int)used, value);
+    // Check value and name before anything is searched.
     status = check_value(name, text);
     if (status.code != WHIRL_OK) return status;
     if (length >= sizeof name) return whirl_fail(WHIRL_BAD_INPUT, "%.60s... is too long for a name", name);
+    // Set a parameter, or else a key of the case.
     if (parameters_find(parameters, name) < parameters->count) return set_parameter(object, name, text, swept_too);
     if (strncmp(name, "parameters.", 11) == 0 && parameters_find(parameters, name + 11) < parameters->count)
         return set_parameter(object, name + 11, text, swept_too);
     if (strchr(name, '.')) return set_key(object, name, text);
+    // Explain what the name could mean.
     if (whirl_group_key(&schema_rotor, name))
         return whirl_fail(WHIRL_BAD_INPUT, "no parameter is called %s, did you mean rotor.%s?", name, name);
     describe_names(name, parameters->names, parameters->count, advice);

@@ -47,6 +47,7 @@ static whirl_status describe_ranges(const whirl_system *system, whirl_result *re
 
 /// Adds "weight": "9.80665 m/s2 across the shafts", or the reason why there is none.
 static whirl_status describe_weight(const case_content *content, whirl_result *result) {
+    // Evaluate the weight with the case's values.
     char text[4 * WHIRL_NAME_SIZE];
     whirl_weight weight;
     valuation v;
@@ -54,6 +55,7 @@ static whirl_status describe_weight(const case_content *content, whirl_result *r
     if (status.code == WHIRL_OK) status = machine_weight(&content->machine, &v, &weight);
     valuation_close(&v);
     if (status.code != WHIRL_OK) return status;
+    // Describe it.
     if (!weight.given)
         snprintf(text, sizeof text, "none: the machine has no gravity");
     else if (weight.stands && weight.across > 0.0)
@@ -71,10 +73,12 @@ static whirl_status describe_weight(const case_content *content, whirl_result *r
 }
 
 static whirl_status describe_rotor(const whirl_case *object, whirl_result *result) {
+    // Make the machine, without its film tables.
     whirl_rotor *rotor;
     const whirl_status status = whirl_case_rotor_outline(object, NULL, 0.0, &rotor);
     if (status.code != WHIRL_OK) return status;
     const whirl_system *system = whirl_rotor_system(rotor);
+    // Copy scales, stations and contacts.
     result->speed = whirl_rotor_speed(rotor);
     result->length_scale = whirl_rotor_length_scale(rotor);
     result->force_scale = 1.0;
@@ -90,6 +94,7 @@ static whirl_status describe_rotor(const whirl_case *object, whirl_result *resul
             snprintf(result->contacts[i], sizeof result->contacts[i], "%s", whirl_rotor_contact_names(rotor)[i]);
     }
     whirl_status known = done ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the stations of a result");
+    // Say what a revolution is, if sections are not those of the shaft.
     if (known.code == WHIRL_OK && (*whirl_rotor_keyphasor(rotor) || *whirl_result_keyphasor(result))) {
         char rate[WHIRL_NAME_SIZE];
         snprintf(rate, sizeof rate, "%.17g rad/s", whirl_rotor_clock(rotor));
@@ -169,6 +174,7 @@ static void distribution_text(const case_content *content, const char *drawn, co
 /// asked of all samples, "limit 1", as whirl_spread_read reads them.
 static whirl_status describe_tolerances(const case_content *content, whirl_result *result) {
     const study_plan *plan = &content->plan;
+    // Describe each parameter and its distribution.
     char name[WHIRL_NAME_SIZE], text[WHIRL_SPREAD_TEXT + DISTRIBUTION_TEXT];
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < plan->tolerated_count && status.code == WHIRL_OK; i++) {
@@ -176,6 +182,7 @@ static whirl_status describe_tolerances(const case_content *content, whirl_resul
         distribution_text(content, plan->tolerated[i].name, &plan->tolerated[i], text);
         status = whirl_result_add_fact(result, name, text);
     }
+    // Add each number that is asked of the samples.
     for (size_t i = 0; i < plan->spread_count && status.code == WHIRL_OK; i++) {
         snprintf(name, sizeof name, "limit %zu", i + 1);
         whirl_spread_text(&plan->spreads[i], text);

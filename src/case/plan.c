@@ -620,6 +620,7 @@ void plan_finish_points(case_reader *reader, valuation *v, const plan_parts *par
 }
 
 void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
+    // Check what the batches need, and read the options that they share.
     if (!check_all(reader, v, parts, result)) return;
     for (size_t i = 0; i < WHIRL_MAX_BATCHES; i++) result->origins[i].end = NAN;
     whirl_integrate_options integrate;
@@ -627,14 +628,17 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
     plan_options(v, parts, &integrate, &record);
     check_record(reader, parts, &record, integrate.steps_per_revolution);
     check_analyses(reader, parts, &record);
+    // Add the batch of the study itself: a map, a sweep or a point.
     if (parts->across.parameter)
         make_map(reader, v, parts, result);
     else if (parts->moves && parts->sweep.parameter)
         make_sweep(reader, v, parts, result);
     else if (parts->moves && !parts->dataset.keys.place)
         plan_add_batch(result, WHIRL_ROLE_POINT, schema_response.name, parts->study.place);
+    // Add batches that go with it.
     if (parts->at.count > 0) make_detail(reader, v, parts, result);
     if (parts->branches && parts->sweep.parameter) make_branch(reader, v, parts, result);
+    // Give options to all batches.
     for (size_t i = 0; i < result->batch_count; i++) {
         whirl_batch *batch = &result->batches[i];
         batch->integrate = integrate;

@@ -520,6 +520,7 @@ static void report_unknown_analysis(case_reader *reader, const file_node *where)
 }
 
 static void read_analyses(case_reader *reader, plan_parts *parts) {
+    // Motions have analyses, the usual ones by default.
     char shown[SHOWN_SIZE];
     const setting *given = settings_find(&parts->study, "analyze");
     if (!parts->moves && !parts->beside) return;
@@ -527,6 +528,7 @@ static void read_analyses(case_reader *reader, plan_parts *parts) {
         parts->analyses = whirl_analysis_usual();
         return;
     }
+    // Add each analysis of the list; those of studies of their own are refused.
     const file_node *where = given->place;
     if (where->kind != NODE_LIST || where->count == 0) {
         problem_at(reader->problems, where, "is %s, expected a list of analyses: [poincare, regime]",

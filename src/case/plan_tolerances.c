@@ -24,6 +24,7 @@ static bool difference_read(const char *text, const char *unit, double *value, c
 /// Reads "5 %" or "0.01 mm" as the distances of both bounds.
 static bool read_distance(const char *text, const char *unit, bool plain_allowed, distribution_parts *own,
                           char why[WHY_SIZE]) {
+    // Read a percentage, or a distance with a unit.
     const char *end;
     char shown[SHOWN_SIZE];
     double value;
@@ -38,6 +39,7 @@ static bool read_distance(const char *text, const char *unit, bool plain_allowed
     } else if (!difference_read(text, unit, &value, why)) {
         return false;
     }
+    // Distances are the same on both sides.
     if (!(value > 0.0) || !isfinite(value)) {
         snprintf(why, WHY_SIZE, "has the distance %s, expected one above 0", text_shown(text, shown));
         return false;
@@ -69,6 +71,7 @@ static const char *find_class(const char *text) {
 
 /// Reads bounds around a value: "0.2 mm +- 5 %", "+- 0.01 mm" or "40 mm H7".
 static bool read_within(const file_node *where, const char *unit, distribution_parts *own, char why[WHY_SIZE]) {
+    // Split the text at "+-" or before a tolerance class of ISO 286.
     char before[WHY_SIZE], shown[SHOWN_SIZE];
     const char *text = where->text;
     size_t length;
@@ -78,14 +81,17 @@ static bool read_within(const file_node *where, const char *unit, distribution_p
     for (size_t used = strlen(before); used > 0 && before[used - 1] == ' ';) before[--used] = '\0';
     own->within = true;
     own->own = !*before;
+    // Refuse texts with neither of them.
     if (!sign && !class) {
         snprintf(why, WHY_SIZE, "is %s, expected bounds such as 0.2 mm +- 5 %%, +- 0.01 mm%s", text_shown(text, shown),
                  strcmp(unit, "m") == 0 ? " or 40 mm H7" : "");
         return false;
     }
+    // Read the value before it; without one it is the parameter's own.
     quantity read = {.unit = ""};
     if (*before && !quantity_read(before, unit, &read, why)) return false;
     own->value = read.value;
+    // Read the distance, or look up the limits of the class.
     if (sign) {
         const char *distance = sign + length + strspn(sign + length, " ");
         const bool plain = !*unit || strcmp(unit, "1") == 0;
@@ -125,6 +131,7 @@ static void check_keys(case_reader *reader, const distribution_parts *own) {
 }
 
 bool distribution_read(case_reader *reader, const file_node *where, distribution_parts *own) {
+    // Find the parameter.
     char why[WHY_SIZE], advice[WHY_SIZE], shown[SHOWN_SIZE];
     const parameter_table *parameters = reader->parameters;
     const size_t index = parameters_find(parameters, where->key);
@@ -133,6 +140,7 @@ bool distribution_read(case_reader *reader, const file_node *where, distribution
         problem_at_key(reader->problems, where, "is no parameter, %s", advice);
         return false;
     }
+    // Read its distribution: bounds as a text, or the keys of one.
     *own = (distribution_parts){.parameter = &parameters->items[index], .place = where};
     own->keys = (setting_list){.name = schema_distribution.name, .group = &schema_distribution, .place = where};
     const char *unit = parameter_expected_unit(own->parameter);
@@ -218,6 +226,7 @@ static void read_spread(case_reader *reader, const file_node *where, tolerance_p
 }
 
 void tolerances_read(case_reader *reader, plan_parts *parts) {
+    // Find the part; without it there are no tolerances.
     char shown[SHOWN_SIZE];
     tolerance_parts *own = &parts->tolerances;
     const setting *given = settings_find(&parts->study, "tolerances");
@@ -226,6 +235,7 @@ void tolerances_read(case_reader *reader, plan_parts *parts) {
         own->keys.place = NULL;
         return;
     }
+    // Read the distributions of all parameters.
     const setting *all = settings_find(&own->keys, "parameters"), *of = settings_find(&own->keys, "of");
     if (all && (all->place->kind != NODE_MAPPING || all->place->count == 0 || all->place->count > WHIRL_MAX_TOLERANCES))
         problem_at(reader->problems, all->place, "is %s, expected 1 to %d parameters with their tolerances",
@@ -235,6 +245,7 @@ void tolerances_read(case_reader *reader, plan_parts *parts) {
     else
         for (const file_node *one = all ? all->place->first : NULL; one; one = one->next)
             own->count += distribution_read(reader, one, &own->distributions[own->count]);
+    // Read the numbers that are asked of all samples.
     if (of && (of->place->kind != NODE_LIST || of->place->count == 0))
         problem_at(reader->problems, of->place,
                    "is %s, expected a list of numbers: [{field: orbit/max_radius, at: disc}]",

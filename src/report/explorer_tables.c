@@ -333,13 +333,16 @@ static void write_numbers(FILE *stream, const selection *chosen, const whirl_fie
 }
 
 static void write_fields(FILE *stream, const selection *chosen) {
+    // Names by extent, in the data of the page.
     static const char *const extents[] = {
         [WHIRL_PER_POINT] = "point", [WHIRL_PER_STATION] = "station", [WHIRL_PER_CONTACT] = "contact"};
+    // A table of starts has its blocks in the table that it was made from.
     const whirl_table *source = chosen->table->source ? chosen->table->source : chosen->table;
     const whirl_layout *layout = &chosen->table->layout;
     script_key(stream, ',', "fields");
     fputc('[', stream);
     bool first = true;
+    // Write the description of each field, and its numbers of the chosen points.
     for (size_t f = 0; f < layout->field_count; f++) {
         const whirl_field *field = &layout->fields[f];
         const kept_part part = part_of(field, chosen);
@@ -451,6 +454,7 @@ static void write_orbits(FILE *stream, const whirl_table *table) {
 }
 
 bool explorer_write_table(FILE *stream, const whirl_table *table, bool sections) {
+    // Write name, parameter and number of points.
     bool well = true;
     const selection chosen = select_points(table, sections && table->count > 0);
     script_text_member(stream, '{', "name", table->name);
@@ -458,14 +462,17 @@ bool explorer_write_table(FILE *stream, const whirl_table *table, bool sections)
     fprintf(stream, ",\"points\":%zu,\"count\":%zu", table->count, chosen.count);
     if (table->source)
         fprintf(stream, ",\"starts\":%zu,\"places\":%zu", table->source->starts, whirl_table_places(table));
+    // Write the options of the table.
     const whirl_member *members;
     for (size_t i = 0, at; (members = whirl_table_options(table, i, &at)) != NULL; i++)
         script_members(stream, members, (const char *)table + at);
+    // Write scales and values of the chosen points.
     if (table->length_scales) write_chosen(stream, "length_scales", &chosen, table->length_scales);
     if (table->row)
         well = write_cells(stream, &chosen);
     else
         write_values(stream, &chosen);
+    // Write verdicts and everything that figures of the page need.
     write_attractors(stream, &chosen);
     write_verdicts(stream, &chosen);
     write_critical(stream, table);

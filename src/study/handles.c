@@ -281,6 +281,7 @@ whirl_status whirl_table_attractor_numbers(const whirl_table *table, size_t *num
 }
 
 const whirl_member *whirl_table_options(const whirl_table *table, size_t group, size_t *offset) {
+    // Options of a table, by groups of members.
     const struct {
         const whirl_member *members;
         size_t offset;
@@ -291,6 +292,7 @@ const whirl_member *whirl_table_options(const whirl_table *table, size_t group, 
                   {whirl_fit_members(), offsetof(whirl_table, record.fit)},
                   {whirl_dataset_members(), offsetof(whirl_table, record.dataset)},
                   {whirl_tolerance_members(), offsetof(whirl_table, tolerances)}};
+    // Find the nth group that tables of this kind have.
     const bool has[] = {true,
                         true,
                         whirl_analysis_kind(table->analyses)->found,

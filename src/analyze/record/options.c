@@ -336,6 +336,7 @@ bool whirl_runup_driven(const whirl_runup_options *o) {
 
 /// Checks what turns the shaft.
 static whirl_status check_what_turns(const whirl_runup_options *o, bool has_drive, double no_load) {
+    // One law gives the speed.
     const bool driven = whirl_runup_driven(o);
     if ((o->rate > 0.0) + (*o->speeds != '\0') + (*o->rate_law != '\0') > 1)
         return whirl_fail(WHIRL_BAD_INPUT, "the run has %s and %s, expected one of rate, rate_law and speeds",
@@ -349,6 +350,7 @@ static whirl_status check_what_turns(const whirl_runup_options *o, bool has_driv
     if (*o->rate_law && (o->to == 0.0 || o->duration == 0.0))
         return whirl_fail(WHIRL_BAD_INPUT, "the run has rate_law and no %s, expected %s",
                           o->to == 0.0 ? "highest speed" : "end", o->to == 0.0 ? "speed_to" : "duration");
+    // Torques need a drive, and a drive has no given speed.
     if (!driven && (*o->torque_law || *o->load_law))
         return whirl_fail(WHIRL_BAD_INPUT, "the run has %s and its speed is given, expected one of them",
                           *o->torque_law ? "torque_law" : "load_law");
@@ -365,6 +367,7 @@ static whirl_status check_what_turns(const whirl_runup_options *o, bool has_driv
 }
 
 whirl_status whirl_runup_check(const whirl_runup_options *o, bool driven, double no_load) {
+    // Check what turns the shaft, and for how long.
     const whirl_status turned = check_what_turns(o, driven, no_load);
     if (turned.code != WHIRL_OK) return turned;
     if (o->rate > 0.0 && o->to == 0.0 && o->duration == 0.0)
@@ -373,6 +376,7 @@ whirl_status whirl_runup_check(const whirl_runup_options *o, bool driven, double
         return whirl_fail(WHIRL_BAD_INPUT, "the run begins and ends at %.10g rad/s, expected two speeds", o->to);
     if (strcmp(o->begin, "steady") == 0 && o->from == 0.0 && !*o->speeds)
         return whirl_fail(WHIRL_BAD_INPUT, "the run begins steady at standstill, expected speed_from above 0");
+    // Check losses, trips and changes: each has one instant.
     if (*o->loss_at ? o->loss_moment == 0.0 : o->loss_moment != 0.0)
         return whirl_fail(WHIRL_BAD_INPUT, "the run has %s, expected loss_at and loss_moment together",
                           *o->loss_at ? "loss_at alone" : "loss_moment alone");
@@ -386,6 +390,7 @@ whirl_status whirl_runup_check(const whirl_runup_options *o, bool driven, double
                           !*o->change             ? "an instant of a change alone"
                           : o->change_time == 0.0 ? "a change without its instant"
                                                   : "a change at two instants");
+    // Check the results that are wanted, and their sizes.
     if (o->stationary == 1 || o->stationary == 2)
         return whirl_fail(WHIRL_BAD_INPUT, "the run has stationary: %d, expected 0 or at least 3", o->stationary);
     const double end = o->to > 0.0 ? o->to : o->from + o->rate * o->duration;

@@ -312,6 +312,7 @@ static bool worker_next(worker *w, whirl_recorder *recorder, whirl_status *statu
 static whirl_status worker_analyze(const worker *w, const point *p, const whirl_record *record) {
     const pass_work *work = w->work;
     const pass *own = work->pass;
+    // A confirmation or a copy has a verdict only, which looks for coexisting orbits and for the end of chaos.
     if (pass_is_beside(own)) {
         const whirl_system *system = p->machine.system;
         whirl_status status =
@@ -322,6 +323,7 @@ static whirl_status worker_analyze(const worker *w, const point *p, const whirl_
             status = whirl_block_survive(&work->other, w->other, system, &own->integrate, record);
         return status;
     }
+    // A point has all analyses, and its place in the study.
     const beginning start = {p->slot, pass_origin(work->run, own->batch, p->slot), p->from};
     const whirl_layout *layout = &work->table->layout;
     double *block = block_of(w, p->slot);
@@ -441,6 +443,7 @@ static whirl_status turn_to_structure(worker *w, size_t slot) {
 
 /// Computes points of a pass, one structure of machines after the other, until none is left for thread `number`.
 static whirl_status worker_compute(pass_work *work, size_t number) {
+    // Begin with the structure of the first point.
     study_run *run = work->run;
     const double now = clock_seconds();
     worker w = {.work = work, .last = now, .number = number, .save_at = now + save_interval};
@@ -453,10 +456,12 @@ static whirl_status worker_compute(pass_work *work, size_t number) {
         w.block = w.other + work->other.size;
         status = worker_record(&w);
     }
+    // Go on with points of other structures, which wait until no point of the present one is left.
     while (status.code == WHIRL_OK && w.unlike && !atomic_load(&run->tracker.halt)) {
         status = turn_to_structure(&w, w.unlike->slot);
         if (status.code == WHIRL_OK) status = worker_record(&w);
     }
+    // Give everything back, and report revolutions that were not yet reported.
     if (w.unlike) point_free(w.unlike);
     free(w.end);
     if (w.first.release) w.first.release(w.first.owner);
