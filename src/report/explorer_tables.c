@@ -1,10 +1,10 @@
-#include "report_parts.h"
-
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "explorer_tables.h"
+#include "regimes.h"
 #include "figure_build.h"
 #include "shown_kinds.h"
 

@@ -100,7 +100,7 @@ static void ask_margin(const finder *of) {
     const margin_row *const peak = &all.worst;
     whirl_statement *own = find_judgement(of, "separation margin", "SP6.8.2.10", all.verdict);
     // Requirement and finding: those of the worst peak.
-    if (all.told > 0) {
+    if (all.judged > 0) {
         phrase_number(of, &own->asked, WHIRL_QUANTITY_PERCENT, 3, peak->asked);
         phrase_text(of, &own->asked, " (amplification %.3g)", peak->amplification);
         if (isnan(peak->had)) {
@@ -117,10 +117,10 @@ static void ask_margin(const finder *of) {
     }
     // Reason of the verdict.
     if (all.verdict == WHIRL_FAILS)
-        phrase_text(of, &own->judged, ": %zu of %zu peaks%s", all.told - all.held, all.told,
+        phrase_text(of, &own->judged, ": %zu of %zu peaks%s", all.judged - all.held, all.judged,
                     all.lacks ? " that were found" : "");
     else if (all.verdict == WHIRL_HOLDS)
-        phrase_text(of, &own->judged, ": %zu of %zu peaks", all.held, all.told);
+        phrase_text(of, &own->judged, ": %zu of %zu peaks", all.held, all.judged);
     if (all.lacks) phrase_text(of, &own->judged, "%s %s", all.verdict == WHIRL_FAILS ? ";" : ":", all.lacks);
     if (all.unjudged > 0)
         phrase_text(of, &own->judged, "; %zu peak%s of that amplification at stations without a probe not judged",

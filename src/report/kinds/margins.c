@@ -96,9 +96,9 @@ static void ask_margin(const whirl_table *table, bool probed, const whirl_respon
     if (above) row->had = 100.0 * (peak->speed / high - 1.0);
     if (below) row->had = 100.0 * (1.0 - peak->speed / low);
     row->side = above ? "above" : below ? "below" : "within";
-    row->told = row->asked > 0.0;
+    row->judged = row->asked > 0.0;
     row->holds = row->had >= row->asked;
-    row->verdict = !row->told ? "no margin asked for (amplification below 2.5)" : row->holds ? "holds" : "fails";
+    row->verdict = !row->judged ? "no margin asked for (amplification below 2.5)" : row->holds ? "holds" : "fails";
 }
 
 size_t margin_rows(const whirl_result *result, const whirl_table *table, size_t station,
@@ -106,11 +106,11 @@ size_t margin_rows(const whirl_result *result, const whirl_table *table, size_t 
     static const double degree = 3.14159265358979323846 / 180.0;
     const bool probed = margin_probed(result, table, station);
     whirl_response_peak peaks[MARGIN_PEAKS];
-    size_t told = 0;
+    size_t used = 0;
     for (size_t probe = 0; probe < 2; probe++) {
         const size_t count = find_peaks(result, table, station, probe, peaks);
         for (size_t i = 0; i < count; i++) {
-            margin_row *row = &rows[told++];
+            margin_row *row = &rows[used++];
             *row = (margin_row){.probe = table->record.probe_angle / degree + (probe ? 90.0 : 0.0),
                                 .speed = peaks[i].speed,
                                 .amplitude = peaks[i].amplitude,
@@ -120,7 +120,7 @@ size_t margin_rows(const whirl_result *result, const whirl_table *table, size_t 
             ask_margin(table, probed, &peaks[i], row);
         }
     }
-    return told;
+    return used;
 }
 
 margin_tally margin_count(const whirl_result *result, const whirl_table *table) {
@@ -132,15 +132,15 @@ margin_tally margin_count(const whirl_result *result, const whirl_table *table) 
             const double more = isnan(row->had) ? -(double)INFINITY : row->had - row->asked;
             all.unjudged +=
                 !margin_probed(result, table, station) && whirl_margin_required(row->amplification, true) > 0.0;
-            if (!row->told) continue;
-            if (all.told++ == 0 || more < all.more) all.worst = *row, all.more = more, all.station = station;
+            if (!row->judged) continue;
+            if (all.judged++ == 0 || more < all.more) all.worst = *row, all.more = more, all.station = station;
             all.held += row->holds;
         }
     }
     if (margin_asked(table)) all.lacks = margin_lacks(table);
-    all.verdict = all.held < all.told ? WHIRL_FAILS
-                  : all.lacks         ? WHIRL_NOT_KNOWN
-                  : all.told > 0      ? WHIRL_HOLDS
-                                      : WHIRL_NOT_ASKED;
+    all.verdict = all.held < all.judged ? WHIRL_FAILS
+                  : all.lacks           ? WHIRL_NOT_KNOWN
+                  : all.judged > 0      ? WHIRL_HOLDS
+                                        : WHIRL_NOT_ASKED;
     return all;
 }

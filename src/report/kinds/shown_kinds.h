@@ -4,7 +4,6 @@
 #define REPORT_SHOWN_KINDS_H
 
 #include "findings_build.h"
-#include "report_parts.h"
 #include "whirl/engine/result.h"
 #include "whirl/engine/shown.h"
 #include "whirl/engine/spread.h"
@@ -183,7 +182,7 @@ typedef struct margin_row {
     double amplitude;      ///< m, zero to peak
     double amplification;  ///< factor
     char way[MARGIN_TEXT]; ///< "half power", ...; "half power, of 1.2 points: compute more there"
-    bool told, holds;      ///< margin required; margin met (holds)
+    bool judged, holds;    ///< margin required; margin met (holds)
     double had, asked;     ///< margins in %; NaN without running speeds or probe, or within these speeds
     const char *side;      ///< "above", "below" or "within" the running speeds; "" without these
     const char *verdict;   ///< "holds", "at none of probes_at: not judged", ...; "" without running speeds
@@ -204,7 +203,7 @@ size_t margin_rows(const whirl_result *result, const whirl_table *table, size_t 
 typedef struct margin_tally {
     whirl_judgement verdict;
     const char *lacks; ///< reason why peaks may have been missed (margin_lacks); NULL: none, or nothing is required
-    size_t told, held;
+    size_t judged, held;
     size_t unjudged;  ///< peaks with amplification of 2.5 or more at stations outside probes_at
     margin_row worst; ///< peak with the largest deficit or, if none has one, the least surplus
     double more;      ///< surplus of that peak, %; minus infinity within the running speeds
