@@ -48,7 +48,7 @@ test:           ## everything is built, run and proved but for the tests that ar
 test-all:       ## all tests, those of units and commands under the sanitizers, too (two hours on two cores)
 	$(call prove,test-steps sanitize-steps LEAVE=none WIDE=)
 
-check:          ## the tests of daily work, under a minute once things are built
+check:          ## the tests of daily work, four minutes on two cores once things are built
 	$(call prove,check-steps)
 
 sanitize:       ## units and commands under the sanitizers, a minute of fuzzing, a threaded study
