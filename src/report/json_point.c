@@ -100,6 +100,9 @@ static void put_verdict(bool *well, json_t *object, const whirl_table *table, si
     document_put(well, evidence, "line", document_number(verdict.line));
     document_put(well, evidence, "line_share", document_number(verdict.line_share));
     document_put(well, evidence, "line_trend", document_number(verdict.line_trend));
+    document_put(well, evidence, "second", document_number(verdict.second));
+    document_put(well, evidence, "second_share", document_number(verdict.second_share));
+    document_put(well, evidence, "second_trend", document_number(verdict.second_trend));
     document_put(well, evidence, "rest_distance", document_number(verdict.rest_distance));
     document_put(well, evidence, "rest_order", document_number(verdict.rest_order));
     document_put(well, object, "evidence", evidence);

@@ -2,14 +2,20 @@
 #ifndef WHIRL_STOP_H
 #define WHIRL_STOP_H
 
-#ifdef __cplusplus
-#include <atomic>
-/// False; becomes true, for good, when work shall end early. Work reads it between steps.
-using whirl_stop = std::atomic<bool>;
-#else
+// C++ programs often include C headers in a block of extern "C", where templates are errors; extern "C++" allows them
+// there again.
+
+// The first branch is for C.
+#ifndef __cplusplus
 #include <stdatomic.h>
 /// False; becomes true, for good, when work shall end early. Work reads it between steps.
 typedef atomic_bool whirl_stop;
+#else
+extern "C++" {
+#include <atomic>
+/// False; becomes true, for good, when work shall end early. Work reads it between steps.
+using whirl_stop = std::atomic<bool>;
+}
 #endif
 
 #endif

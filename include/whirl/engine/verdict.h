@@ -113,10 +113,13 @@ typedef struct whirl_verdict {
     /// Undetermined or slowly observed quasi-periodic motion: order of the main line at no whole order; NaN if none is
     /// clear.
     double line;
-    double line_share;                ///< amplitude of that line over the size of the motion
-    double line_trend;                ///< growth rate of that amplitude, per revolution
-    bool rests;                       ///< P-1: at a stable equilibrium; the exponent is that of its slowest mode
-    double rest_distance, rest_order; ///< as in whirl_record_rest; NaN if it does not rest
+    double line_share; ///< amplitude of that line over the size of the motion
+    double line_trend; ///< growth rate of that amplitude, per revolution
+    /// Order of the largest line that is no combination of `line` and of whole orders; NaN without one.
+    double second;
+    double second_share, second_trend; ///< as for `line`
+    bool rests;                        ///< P-1: at a stable equilibrium; the exponent is that of its slowest mode
+    double rest_distance, rest_order;  ///< as in whirl_record_rest; NaN if it does not rest
 } whirl_verdict;
 
 /// Judges a motion. See docs/theory.md, "Verdicts".

@@ -15,8 +15,9 @@
 /// Largest remaining distance to the limit, over its size, of a settled motion.
 static const double settled = 1e-6;
 
-/// Standard errors by which exponents must differ from zero, and by which halves of a record may differ.
-static const double clear_sigmas = 6.0, steady_sigmas = 4.0;
+/// Standard errors by which exponents must differ from zero, by which halves of a record may differ, and above which an
+/// exponent casts doubt on a motion of steady lines.
+static const double clear_sigmas = 6.0, steady_sigmas = 4.0, line_sigmas = 3.0;
 
 /// Decimal digits to which averages agree on clear tori and in clear chaos; K of the 0-1 test.
 static const double regular_digits = 4.0, irregular_digits = 3.0, regular_walk = 0.2, random_walk = 0.8, middle = 0.5;
@@ -103,7 +104,8 @@ static bool slows_down(const whirl_verdict *v) {
 }
 
 static whirl_confidence weigh_quasi_periodic(const whirl_verdict *v, const evidence *e) {
-    if (v->line > 0.0) return v->chaos <= regular_walk ? WHIRL_FAIR : WHIRL_LOW;
+    const bool grows = v->exponent.value > line_sigmas * v->exponent.error + least_difference;
+    if (v->line > 0.0) return v->chaos <= regular_walk && !grows ? WHIRL_FAIR : WHIRL_LOW;
     const bool forced = v->curves == 0 && v->frequencies == 2;
     if (forced) return v->chaos > middle ? WHIRL_LOW : WHIRL_FAIR;
     const bool may_lock = v->frequencies < 3 && v->unlocked < longest_lock(&e->points, v->curves);

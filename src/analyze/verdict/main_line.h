@@ -1,4 +1,4 @@
-/// The largest line of a record that is no multiple of the speed.
+/// The largest lines of a record that are no multiples of the speed.
 #ifndef ANALYZE_MAIN_LINE_H
 #define ANALYZE_MAIN_LINE_H
 
@@ -6,19 +6,22 @@
 
 #include "whirl/engine/analyze.h"
 
-/// The largest line of the record off whole orders, at the station where it is the largest part of the motion.
+/// The largest line of the record off whole orders, at the station where it is the largest part of the motion, and the
+/// largest line there that is no combination of it and of whole orders.
 typedef struct main_line {
     double order; ///< NaN without one
     double share; ///< amplitude over half the diagonal of the station's box
-    double trend; ///< rate of its amplitude per revolution, from two halves of the record; NaN unless in both
-    double drift; ///< change of its order in the second half
-    bool two; ///< all significant lines are combinations of this frequency and the shaft's, and the lines are the whole
-              ///< motion
+    double trend; ///< rate of its amplitude per revolution; NaN if its neighbours hide it
+    double drift; ///< change of its order from half to half of the record, likewise
+    double second, second_share, second_trend, second_drift; ///< the same of the second line; NaN without one
+    /// Independent frequencies, the shaft's included, of which all significant lines are combinations that are the
+    /// whole motion: 2 or 3; 0 if there are more, or others.
+    int frequencies;
 } main_line;
 
 main_line main_line_find(const whirl_record *record);
 
-/// Returns true if the line belongs to a motion of two frequencies that neither grows nor decays.
+/// Returns true if the lines belong to a motion of two or three frequencies that neither grows nor decays.
 bool main_line_stays(const main_line *line, const whirl_record *record);
 
 #endif

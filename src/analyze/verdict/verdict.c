@@ -148,6 +148,9 @@ static whirl_verdict verdict_on(const evidence *e, whirl_regime regime, whirl_es
                            .line = NAN,
                            .line_share = NAN,
                            .line_trend = NAN,
+                           .second = NAN,
+                           .second_share = NAN,
+                           .second_trend = NAN,
                            .rest_distance = NAN,
                            .rest_order = NAN};
 }
@@ -172,20 +175,26 @@ static whirl_verdict slow_verdict(const evidence *e, whirl_verdict open) {
     return open;
 }
 
-/// Judges a motion by its spectrum if the section is inconclusive: quasi-periodic if one line and the shaft's make up
-/// all of it, equally in both halves, and perturbations do not grow; else undetermined.
+/// Judges a motion by its spectrum if the section is inconclusive: quasi-periodic if one or two lines and the shaft's
+/// make up all of it, equally in both halves, and perturbations do not grow; else undetermined.
 static whirl_verdict line_verdict(const evidence *e, const whirl_record *record, whirl_verdict open) {
     const double clear = 0.01; // nearer returns may settle on a lock
     const main_line line = main_line_find(record);
-    const bool grows = e->growth_count > 0 && e->exponent.value > fmax(least_exponent, sigmas * e->exponent.error);
+    // Frequencies that change with amplitudes let perturbations of a torus grow in proportion to time: by n in n
+    // revolutions.
+    const double n = (double)e->points.count, least = fmax(least_exponent, log(n) / n);
+    const bool grows = e->growth_count > 0 && e->exponent.value > fmax(least, sigmas * e->exponent.error);
     open.line = line.order;
     open.line_share = line.share;
     open.line_trend = line.trend;
+    open.second = line.second;
+    open.second_share = line.second_share;
+    open.second_trend = line.second_trend;
     if (isnan(line.order) || grows || e->exponents_failed || !(e->returns.distance > clear)) return open;
     const bool moves = fabs(open.settling.value) > 2.0 * sigmas * open.settling.error;
     if (moves || !main_line_stays(&line, record)) return open;
     open.regime = WHIRL_QUASI_PERIODIC;
-    open.frequencies = 2;
+    open.frequencies = line.frequencies;
     return open;
 }
 
@@ -343,6 +352,9 @@ static whirl_verdict judge_unbounded(const whirl_record *record) {
                            .line = NAN,
                            .line_share = NAN,
                            .line_trend = NAN,
+                           .second = NAN,
+                           .second_share = NAN,
+                           .second_trend = NAN,
                            .rest_distance = NAN,
                            .rest_order = NAN};
 }

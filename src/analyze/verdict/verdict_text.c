@@ -36,7 +36,9 @@ static const char *verdict_text_plural(int count) {
 }
 
 static void quasi_periodic_name(const whirl_verdict *v, char *text, size_t size) {
-    if (v->line > 0.0)
+    if (v->line > 0.0 && v->frequencies == 3)
+        snprintf(text, size, "quasi-periodic (1X, %.4gX and %.4gX)", v->line, v->second);
+    else if (v->line > 0.0)
         snprintf(text, size, "quasi-periodic (1X and %.4gX)", v->line);
     else if (v->curves > 0)
         snprintf(text, size, "quasi-periodic (%d curve%s)", v->curves, verdict_text_plural(v->curves));
@@ -168,24 +170,39 @@ static double change_in_hundred(double rate) {
     return 100.0 * fabs(expm1(100.0 * rate));
 }
 
-/// Writes the main line of a motion off whole orders, and how it changes.
+/// Writes how the amplitude of a line changes; nothing below 1e-6 per revolution, which is rounding or noise.
+static void trend_text(double trend, char *text, size_t size) {
+    snprintf(text, size, "%s", "");
+    if (fabs(trend) >= 1e-6)
+        snprintf(text, size, ", which %s by %.2g %% in 100 revolutions", trend > 0.0 ? "grows" : "falls",
+                 change_in_hundred(trend));
+}
+
+/// Writes the main line of a motion off whole orders and the second one, and how they change.
 static void line_text(const whirl_verdict *v, char *text, size_t size) {
-    char trend[96] = "";
-    if (fabs(v->line_trend) >= 1e-6) // less is rounding, or noise of the spectrum
-        snprintf(trend, sizeof trend, ", which %s by %.2g %% in 100 revolutions",
-                 v->line_trend > 0.0 ? "grows" : "falls", change_in_hundred(v->line_trend));
+    char trend[96], other[96];
+    trend_text(v->line_trend, trend, sizeof trend);
+    trend_text(v->second_trend, other, sizeof other);
     snprintf(text, size, "a line at %.4g X has %.2g of the motion's size%s", v->line, v->line_share, trend);
+    const size_t used = strlen(text);
+    if (v->second > 0.0)
+        snprintf(text + used, size - used, ", another one at %.4g X has %.2g%s", v->second, v->second_share, other);
 }
 
 static void quasi_periodic_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
     // A main line of the spectrum that stays is the evidence by itself.
-    char what[200], line[200];
+    char what[200], line[320], frequencies[96];
     if (v->line > 0.0) {
         line_text(v, line, sizeof line);
+        if (v->frequencies == 3)
+            snprintf(frequencies, sizeof frequencies, "three frequencies, the shaft's, %.6g X and %.6g X", v->line,
+                     v->second);
+        else
+            snprintf(frequencies, sizeof frequencies, "two frequencies, the shaft's and %.6g X", v->line);
         snprintf(text, size,
-                 "all lines of its spectrum are of two frequencies, the shaft's and %.6g X, and stay as they are from "
-                 "half to half of the record (%s); a lock of a longer period is not excluded; %s",
-                 v->line, line, exponent);
+                 "all lines of its spectrum are of %s, and stay as they are from half to half of the record (%s); a "
+                 "lock of a longer period is not excluded; %s",
+                 frequencies, line, exponent);
         return;
     }
     // Otherwise name what was seen of the section.
@@ -254,7 +271,7 @@ static void slow_reason(const whirl_verdict *v, const char *exponent, char *text
 
 /// Adds known facts to the reason of an undetermined verdict: how its settling changes, and its main line.
 static void known_text(const whirl_verdict *v, char *text, size_t size) {
-    char line[200];
+    char line[320];
     if (fabs(v->settling.value) > 6.0 * v->settling.error) {
         const size_t used = strlen(text);
         snprintf(text + used, size - used, "; its steps %s by %.3g %% in 100 revolutions",

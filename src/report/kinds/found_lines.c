@@ -1,6 +1,6 @@
 // Spectral lines along a parameter, below and above the synchronous one: the range of each line, its share of the
-// clearance, how it begins and ends on the way up and on the way down, where its amplitude jumps, and where its order
-// is locked at a ratio.
+// clearance, how it begins and ends on the way up and on the way down, where its amplitude or its order jumps, and
+// where its order is locked at a ratio.
 #include <math.h>
 #include <stdlib.h>
 
@@ -290,13 +290,15 @@ static void find_edges(const finder *of, const line_side *side, whirl_sheet *she
     free(taken);
 }
 
-// ---------------------------------------------------------------- jumps within a line
+// ---------------------------------------------------------------- jumps within a line, and to another one
 
-/// A sudden change of a line's amplitude between neighbouring points, in the direction of travel.
+/// A sudden change of a line's amplitude between neighbouring points, in the direction of travel; or of the strongest
+/// line to one of another order.
 typedef struct line_jump {
     size_t before, after; ///< rows
     bool rises;           ///< travelled to higher values
     bool paired;          ///< reported together with the jump on the other way
+    bool moves;           ///< to another order
 } line_jump;
 
 /// A jump changes the amplitude by more than this share, and by this many times the median of the steps around it. Near
@@ -316,9 +318,40 @@ static double track_usual_step(const line_side *side, const line_track *track, s
     return 0.5 * (around[(count - 1) / 2] + around[count / 2]);
 }
 
-/// Finds the jumps of all tracks of a side [at most its points]; returns how many.
+/// Size of the line nearest to an order at a station and a point, in m; 0 without one.
+static double size_near(const finder *of, size_t point, size_t station, double order) {
+    const numbers lines = point_lines(of->table, point, station);
+    double size = 0.0;
+    for (size_t i = 0; i < lines.rows; i++) {
+        const double *line = lines.at + i * lines.columns;
+        if (fabs(line[0] - order) <= drift * order) size = fmax(size, line_of(of, point, station, line).size);
+    }
+    return size;
+}
+
+/// Returns true if the strongest line changes its order from one point to the next because one of both lines appears or
+/// goes: it is less than half as large at the other point. Two lines that only change ranks are as large at both.
+static bool jump_moves(const finder *of, const line_side *side, size_t before, size_t after) {
+    const line_seen *left = &side->seen[before], *right = &side->seen[after];
+    return size_near(of, before, right->station, right->order) < 0.5 * right->size ||
+           size_near(of, after, left->station, left->order) < 0.5 * left->size;
+}
+
+/// Finds the jumps of all tracks of a side, and from each to the next one [at most its points]; returns how many.
 static size_t jumps_find(const finder *of, const line_side *side, line_jump *jumps) {
     size_t count = 0;
+    for (const line_track *track = side->tracks; track + 1 < side->tracks + side->count; track++) {
+        const size_t last = track->last, next = track[1].first;
+        if (next != last + 1 || of->table->branch[next] != of->table->branch[last] ||
+            whirl_table_slot(of->table, next) != whirl_table_slot(of->table, last) + 1)
+            continue;
+        const bool back = of->table->branch[last] < 0;
+        if (!jump_moves(of, side, back ? next : last, back ? last : next)) continue;
+        jumps[count++] = (line_jump){.before = back ? next : last,
+                                     .after = back ? last : next,
+                                     .rises = track_rises(of->table, track),
+                                     .moves = true};
+    }
     for (const line_track *track = side->tracks; track < side->tracks + side->count; track++)
         for (size_t i = track->first; i < track->last; i++) {
             const double a = side->seen[i].size, b = side->seen[i + 1].size, change = fabs(b - a);
@@ -339,16 +372,23 @@ static bool jump_grows(const line_side *side, const line_jump *jump) {
     return side->seen[jump->after].size > side->seen[jump->before].size;
 }
 
+/// Returns true if a jump to another order is the other one backwards.
+static bool jump_returns(const line_side *side, const line_jump *jump, const line_jump *other) {
+    const double from = side->seen[jump->before].order, to = side->seen[jump->after].order;
+    return jump->moves && other->moves && fabs(side->seen[other->after].order - from) <= drift * from &&
+           fabs(side->seen[other->before].order - to) <= drift * to;
+}
+
 /// Returns the jump on the way down that corresponds to a jump on the way up: the nearest jump of its order in the
-/// opposite sense (from large to small, or from small to large); NULL without one.
+/// opposite sense (from large to small, or from small to large), or between the same orders; NULL without one.
 static line_jump *jump_partner(const finder *of, const line_side *side, const line_jump *up, line_jump *jumps,
                                size_t count) {
     const double order = side->seen[up->before].order;
     line_jump *best = NULL;
     for (line_jump *own = jumps; own < jumps + count; own++) {
-        if (own->rises || own->paired || jump_grows(side, own) == jump_grows(side, up) ||
-            fabs(side->seen[own->before].order - order) > drift * order)
-            continue;
+        const bool alike = !own->moves && !up->moves && jump_grows(side, own) != jump_grows(side, up) &&
+                           fabs(side->seen[own->before].order - order) <= drift * order;
+        if (own->rises || own->paired || !(alike || jump_returns(side, up, own))) continue;
         const double apart = fabs(jump_middle(of, own) - jump_middle(of, up));
         if (!best || apart < fabs(jump_middle(of, best) - jump_middle(of, up))) best = own;
     }
@@ -367,6 +407,7 @@ static void tell_jump(const finder *of, const line_side *side, whirl_phrase *fou
     phrase_number(of, found, WHIRL_QUANTITY_SIZE, 4, side->seen[jump->before].size);
     phrase_text(of, found, " to ");
     phrase_number(of, found, WHIRL_QUANTITY_SIZE, 4, side->seen[jump->after].size);
+    if (jump->moves) phrase_text(of, found, " at order %.4g", side->seen[jump->after].order);
     phrase_text(of, found, " after ");
     phrase_value(of, found, 6, of->table->values[jump->before]);
     phrase_text(of, found, " on the way %s", jump->rises ? "up" : "down");
@@ -382,6 +423,7 @@ static void jump_row(const finder *of, const line_side *side, whirl_sheet *sheet
     cells_jump(of, side, sheet, up);
     cells_jump(of, side, sheet, down);
     cell_number(of, sheet, apart);
+    cell_number(of, sheet, side->seen[up ? up->after : down->after].order);
     whirl_phrase *found = &find_statement(of, find_text(of->findings, "line of order %.4g", order))->found;
     if (up) tell_jump(of, side, found, up);
     if (up && down) phrase_text(of, found, "; ");
@@ -521,11 +563,13 @@ static void find_line_sheets(const finder *of, const line_side *sides) {
     static const char *const jump_down[] = {"down", "down_to", "down_before", "down_after"};
     sheet = find_sheet(of, "line-jumps", "Jumps of the amplitudes of these lines");
     sheet->about = "Values before and after a jump, on the way up and on the way down. A jump is over 10 % of the "
-                   "amplitude and 8 times the usual change from point to point.";
+                   "amplitude and 8 times the usual change from point to point; or the strongest line has another "
+                   "order, and one of both more than doubles.";
     sheet_column(of, sheet, "order", "order", WHIRL_QUANTITY_NUMBER, 4);
     sheet_jump(of, sheet, jump_up);
     sheet_jump(of, sheet, jump_down);
     sheet_values(of, sheet, "hysteresis", 6);
+    sheet_column(of, sheet, "order_after", "order after", WHIRL_QUANTITY_NUMBER, 4);
     for (size_t k = 0; k < 2; k++) find_jumps(of, &sides[k], sheet);
     find_sheet_end(of);
 

@@ -94,29 +94,39 @@ static void two_frequencies(void **state) {
                fabs(found.order - orders[i]));
         assert_true(fabs(found.order - orders[i]) < 1e-6);
         assert_true(fabs(found.trend) < 1e-8 && fabs(found.drift) < 1e-6);
-        assert_true(found.two && main_line_stays(&found, &r->record));
+        assert_true(found.frequencies == 2 && main_line_stays(&found, &r->record));
         free(r);
     }
 }
 
-/// A third frequency counts from a hundredth of the largest line on, also where it wanders by a bin.
+/// A third frequency counts from a hundredth of the largest line on; one that wanders by 0.4 bins does not stay.
 static void a_third_frequency(void **state) {
     static const struct {
         double size, wander;
-        bool two;
-    } thirds[] = {{0.005, 0.0, true}, {0.005, 2e-4, true}, {0.02, 0.0, false}, {0.02, 2e-4, false}, {0.1, 2e-4, false}};
+        int frequencies; ///< 0: any number
+        bool stays;
+    } thirds[] = {{0.005, 0.0, 2, true}, {0.005, 2e-4, 2, true}, {0.02, 0.0, 3, true},
+                  {0.1, 0.0, 3, true},   {0.02, 2e-4, 0, false}, {0.1, 2e-4, 0, false}};
+    static const double order = 0.63;
     (void)state;
     for (size_t i = 0; i < sizeof thirds / sizeof *thirds; i++) {
         const known_lines of = {.order = golden,
                                 .line = 0.7,
                                 .third = thirds[i].size,
-                                .third_order = 0.63,
+                                .third_order = order,
                                 .third_wander = thirds[i].wander};
         known_record *r = record_lines(&of, REVOLUTIONS);
         const main_line found = main_line_find(&r->record);
         assert_true(fabs(found.order - golden) < 1e-4);
-        assert_int_equal(found.two, thirds[i].two);
-        if (!thirds[i].two) assert_false(main_line_stays(&found, &r->record));
+        if (thirds[i].frequencies > 0) assert_int_equal(found.frequencies, thirds[i].frequencies);
+        assert_int_equal(main_line_stays(&found, &r->record), thirds[i].stays);
+        assert_int_equal(isnan(found.second), thirds[i].frequencies == 2);
+        if (thirds[i].frequencies == 3) {
+            printf("lines | order of a third frequency of %g | %.6f | %.9f | %.1e | 1e-6\n", thirds[i].size, order,
+                   found.second, fabs(found.second - order));
+            assert_true(fabs(found.second - order) < 1e-6);
+            assert_true(fabs(found.second_trend) < 1e-8 && fabs(found.second_drift) < 1e-6);
+        }
         free(r);
     }
 }
@@ -158,27 +168,28 @@ static void a_line_that_wanders(void **state) {
     }
 }
 
-/// Of 40 revolutions, too few for a curve: two frequencies are told by their lines, and by no curve; a third one of a
-/// twentieth, one that wanders, and a line that dies out stay open.
+/// Of 40 revolutions, too few for a curve: two frequencies and three are told by their lines, and by no curve; a third
+/// one that wanders, and a line that dies out stay open.
 static void verdicts(void **state) {
     static const struct {
         known_lines lines;
-        bool two;
+        int frequencies;
     } motions[] = {
-        {{.order = 0.381966011250105, .line = 0.7}, true},
-        {{.order = 0.4494897427831781, .line = 0.7}, true},
-        {{.order = 0.381966011250105, .line = 0.7, .third = 0.05, .third_order = 0.63}, false},
-        {{.order = 0.381966011250105, .line = 0.7, .third = 0.05, .third_order = 0.63, .third_wander = 2e-4}, false},
-        {{.order = 0.381966011250105, .line = 0.7, .growth = -1e-3}, false}};
+        {{.order = 0.381966011250105, .line = 0.7}, 2},
+        {{.order = 0.4494897427831781, .line = 0.7}, 2},
+        {{.order = 0.381966011250105, .line = 0.7, .third = 0.05, .third_order = 0.63}, 3},
+        {{.order = 0.381966011250105, .line = 0.7, .third = 0.05, .third_order = 0.63, .third_wander = 2e-4}, 0},
+        {{.order = 0.381966011250105, .line = 0.7, .growth = -1e-3}, 0}};
     (void)state;
     for (size_t i = 0; i < sizeof motions / sizeof *motions; i++) {
         known_record *r = record_lines(&motions[i].lines, 40);
         const whirl_verdict verdict = whirl_judge(&r->record);
-        assert_int_equal(verdict.regime, motions[i].two ? WHIRL_QUASI_PERIODIC : WHIRL_UNDETERMINED);
-        assert_int_equal(verdict.frequencies, motions[i].two ? 2 : 0);
+        assert_int_equal(verdict.regime, motions[i].frequencies ? WHIRL_QUASI_PERIODIC : WHIRL_UNDETERMINED);
+        assert_int_equal(verdict.frequencies, motions[i].frequencies);
         assert_int_equal(verdict.curves, 0);
         assert_true(verdict.agreement <= WHIRL_FAIR);
         assert_true(fabs(verdict.line - motions[i].lines.order) < 1e-3);
+        assert_int_equal(verdict.second > 0.0, motions[i].lines.third > 0.0);
         free(r);
     }
 }

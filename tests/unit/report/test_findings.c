@@ -500,6 +500,47 @@ static void lines_jump_at_folds(void **state) {
     }
 }
 
+/// The strongest line goes to another order between rows 4 and 5 on the way up, 2 and 3 on the way down: a jump with a
+/// hysteresis of two steps. Two lines that are there at all rows and only change ranks do not jump.
+static void lines_jump_to_another_order(void **state) {
+    enum { ROWS = 10 };
+    static const size_t from[2] = {4, 2};
+    (void)state;
+    for (int ranks = 0; ranks < 2; ranks++) {
+        made own = made_in("");
+        whirl_table table = {.count = 0};
+        sample_table(own.result, &table, "orders", (size_t)2 * ROWS, false);
+        for (size_t row = 0; row < (size_t)2 * ROWS; row++) {
+            const size_t way = row / ROWS, place = row % ROWS;
+            const bool high = place > from[way];
+            const double jumping[][2] = {{1.0, 0.3}, {high ? 0.57 : 0.45, high ? 0.33 : 0.1}, {0.0, 0.0}};
+            const double ranking[][2] = {
+                {1.0, 0.3}, {0.57, 0.2 + 0.01 * (double)place}, {0.45, 0.3 - 0.01 * (double)place}, {0.0, 0.0}};
+            table.values[row] = (double)place;
+            table.branch[row] = way ? -1 : 1;
+            sample_verdict(&table, row, WHIRL_UNDETERMINED, 0, 0);
+            sample_lines(&table, row, ranks ? ranking : jumping);
+        }
+        own.of.table = &table;
+        own.of.units = &own.units;
+        find_lines(&own.of);
+        const whirl_sheet *jumps = lines_sheet(&own, "line-jumps");
+        if (ranks) {
+            assert_null(jumps);
+        } else {
+            static const double cells[] = {0.45, 4.0, 5.0, 0.1, 0.33, 3.0, 2.0, 0.33, 0.1, 2.0, 0.57};
+            assert_non_null(jumps);
+            assert_int_equal(jumps->rows, 1);
+            for (size_t c = 0; c < sizeof cells / sizeof *cells; c++)
+                if (c != 3 && c != 4 && c != 7 && c != 8) // sizes are in lengths of the result
+                    assert_true(fabs(jumps->cells[c].number - cells[c]) < 1e-12);
+            assert_true(fabs(jumps->cells[4].number / jumps->cells[3].number - 3.3) < 1e-12);
+            assert_true(fabs(jumps->cells[7].number / jumps->cells[8].number - 3.3) < 1e-12);
+        }
+        swept_free(&own, &table);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(phrases),
@@ -514,6 +555,7 @@ int main(void) {
         cmocka_unit_test(lines_jump),
         cmocka_unit_test(lines_grow),
         cmocka_unit_test(lines_jump_at_folds),
+        cmocka_unit_test(lines_jump_to_another_order),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
