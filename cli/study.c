@@ -7,12 +7,14 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "files.h"
 #include "guard.h"
 #include "interrupt.h"
 #include "journal.h"
 #include "output.h"
 #include "progress.h"
 #include "ranks.h"
+#include "records.h"
 #include "together.h"
 #include "whirl/engine/report.h"
 
@@ -154,9 +156,16 @@ static int deliver(const study_arguments *arguments, const whirl_result *result,
         leave_journal(journal);
         return EXIT_DONE;
     }
-    const int saved = arguments->output ? save(arguments, result) : EXIT_DONE;
+    int saved = arguments->output ? save(arguments, result) : EXIT_DONE;
     const bool partial = whirl_result_partial(result, &done, &total);
-    const int shown = saved == EXIT_DONE ? show(arguments, result) : saved;
+    // Records are told from the file, which leaves their signals out.
+    whirl_result *told = NULL;
+    if (saved == EXIT_DONE && arguments->output && whirl_result_records(result)) {
+        saved = load_result(arguments->output, &told);
+        if (told) saved = write_record_files(told, arguments->output, arguments->force || arguments->resume);
+    }
+    const int shown = saved == EXIT_DONE ? show(arguments, told ? told : result) : saved;
+    whirl_result_free(told);
     if (saved == EXIT_DONE && partial && arguments->output)
         complain("'%s' %s and says so", arguments->output, done > 0 ? "is partial" : "has no points yet");
     if (saved == EXIT_DONE && !partial)

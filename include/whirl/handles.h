@@ -258,6 +258,14 @@ void whirl_text_free(char *text); ///< Frees a text returned by these functions;
 whirl_status whirl_bearing_json(const char *text, size_t length, const char *name, const char *units, int threads,
                                 char *problems, size_t size, char **json, char **figures);
 
+/// Reads the size of the signals of a data set's file: [record][channel][sample]. WHIRL_IO_ERROR; WHIRL_BAD_INPUT for
+/// other files.
+whirl_status whirl_signals_shape(const char *path, size_t sizes[3]);
+
+/// Reads the signals of `count` records from row `first`, from 0, on: out [count][channels][samples]. Errors as
+/// whirl_signals_shape; WHIRL_BAD_INPUT for rows that the file does not have.
+whirl_status whirl_signals_read(const char *path, size_t first, size_t count, float *out);
+
 #ifdef __cplusplus
 }
 #endif

@@ -361,15 +361,18 @@ static bool check_sampling(case_reader *reader, const dataset_parts *own, whirl_
 static whirl_status find_speeds(valuation *v, const dataset_parts *own, const whirl_batch *batch, double speeds[2]) {
     enum { MOST = 20000 };
     const setting *speed = settings_find(&own->machine->rotor, "speed");
-    const size_t step = 1 + batch->count / MOST;
+    whirl_batch all = *batch; // a record that is made alone is as long as the others
+    all.record.dataset.only = 0;
+    all.count = whirl_dataset_records(&all.record.dataset);
+    const size_t step = 1 + all.count / MOST;
     whirl_given given[PLAN_MAX_GIVEN];
     whirl_status status = whirl_ok();
     speeds[0] = INFINITY;
     speeds[1] = 0.0;
-    for (size_t i = 0; i < batch->count && status.code == WHIRL_OK; i += step) {
+    for (size_t i = 0; i < all.count && status.code == WHIRL_OK; i += step) {
         double value = 0.0;
         valuation one;
-        status = valuation_open(&one, v->parameters, given, plan_given_at(batch, i, given));
+        status = valuation_open(&one, v->parameters, given, plan_given_at(&all, i, given));
         if (status.code == WHIRL_OK) status = valuation_number(&one, &speed->value, &value);
         valuation_close(&one);
         speeds[0] = fmin(speeds[0], value);

@@ -62,6 +62,18 @@ void whirl_write_keyphasor(const char *keyphasor, double rate, FILE *stream);
 /// curves of tori, nodes of orbits.
 whirl_status whirl_result_write_json_summary(const whirl_result *result, FILE *stream);
 
+/// Returns the table of the records of a data set; NULL if the result has none. Borrowed.
+const whirl_table *whirl_result_records(const whirl_result *result);
+
+/// Writes the table of the records of a data set as CSV (RFC 4180): row of the signals, from 0, record, machine, set,
+/// label, severity, verdict, confidence, largest share in contact, speed (rad/s), angle at the first sample
+/// (revolutions), seed, and the parameters that differ (SI). Missing numbers are empty.
+void whirl_dataset_write_index(const whirl_result *result, FILE *stream);
+
+/// Writes the data sheet of a data set as Markdown. `name`: that of the files, without their endings. Errors as
+/// whirl_findings_new.
+whirl_status whirl_dataset_write_sheet(const whirl_result *result, const char *name, FILE *stream);
+
 #ifdef __cplusplus
 }
 #endif

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "shown_kinds.h"
+#include "whirl/engine/dataset.h"
 
 /// Returns a fact of a data set, "label 2", in parts: its name, and the rest behind ": ".
 static const char *dataset_fact(const finder *of, const char *what, size_t index, char name[WHIRL_NAME_SIZE]) {
@@ -33,27 +34,27 @@ static void count_verdict(label_count *own, const whirl_verdict *verdict) {
     ++*regime;
 }
 
-/// Counts the finished records of a label; of all labels for SIZE_MAX.
-static label_count count_label(const finder *of, size_t label) {
+/// Counts the finished records of all labels, counts [WHIRL_MAX_LABELS].
+static void count_labels(const finder *of, label_count *counts) {
     const whirl_table *table = of->table;
-    label_count own = {0};
+    memset(counts, 0, WHIRL_MAX_LABELS * sizeof *counts);
     for (size_t p = 0; p < table->count; p++) {
-        if (!whirl_table_done(table, p)) continue;
-        if (label != SIZE_MAX && whirl_table_number(table, p, WHIRL_FIELD_DATASET_LABEL, 0) != (double)label) continue;
+        const double label = whirl_table_number(table, p, WHIRL_FIELD_DATASET_LABEL, 0);
+        if (!whirl_table_done(table, p) || !(label >= 0.0 && label < WHIRL_MAX_LABELS)) continue;
+        label_count *own = &counts[(size_t)label];
         const double split = whirl_table_number(table, p, WHIRL_FIELD_DATASET_SPLIT, 0);
         const whirl_verdict verdict = whirl_table_verdict(table, p);
         bool touches = false;
         for (size_t c = 0; c < of->result->contact_count; c++)
             touches = touches || whirl_table_number(table, p, WHIRL_FIELD_RUB_SHARE, c) > 0.0;
-        own.records++;
-        own.touching += touches;
-        if (split >= 0.0 && split <= 2.0) own.splits[(size_t)split]++;
-        count_verdict(&own, &verdict);
+        own->records++;
+        own->touching += touches;
+        if (split >= 0.0 && split <= 2.0) own->splits[(size_t)split]++;
+        count_verdict(own, &verdict);
     }
-    return own;
 }
 
-static void find_labels(const finder *of) {
+static void find_labels(const finder *of, const label_count *counts) {
     char name[WHIRL_NAME_SIZE];
     const bool contacts = of->result->contact_count > 0;
     whirl_sheet *sheet = find_sheet(of, "labels", "Labels and what their machines do");
@@ -72,7 +73,7 @@ static void find_labels(const finder *of) {
     if (contacts) sheet_column(of, sheet, "touching", "in contact", WHIRL_QUANTITY_NUMBER, 8);
     sheet_texts(of, sheet, "fault", "fault");
     for (size_t i = 0; i < (size_t)of->table->record.dataset.labels; i++) {
-        const label_count own = count_label(of, i);
+        const label_count own = counts[i];
         const char *fault = dataset_fact(of, "label", i, name);
         const double numbers[] = {(double)own.records,   (double)own.splits[0],    (double)own.splits[1],
                                   (double)own.splits[2], (double)own.periodic,     (double)own.quasi_periodic,
@@ -123,12 +124,16 @@ static void find_drawn(const finder *of) {
 
 // ---------------------------------------------------------------- statements
 
-static void state_records(const finder *of) {
+static void state_records(const finder *of, const label_count *counts) {
     const whirl_dataset_options *options = &of->table->record.dataset;
-    const label_count all = count_label(of, SIZE_MAX);
+    size_t records = 0, ended = 0;
+    for (size_t i = 0; i < WHIRL_MAX_LABELS; i++) {
+        records += counts[i].records;
+        ended += counts[i].ended;
+    }
     whirl_statement *own = find_statement(of, "records");
-    phrase_text(of, &own->found, "%zu record%s of %d channel%s with %d samples, ", all.records,
-                all.records == 1 ? "" : "s", options->channels, options->channels == 1 ? "" : "s", options->samples);
+    phrase_text(of, &own->found, "%zu record%s of %d channel%s with %d samples, ", records, records == 1 ? "" : "s",
+                options->channels, options->channels == 1 ? "" : "s", options->samples);
     if (options->rate > 0.0)
         phrase_text(of, &own->found, "%.6g Hz", options->rate);
     else
@@ -137,16 +142,16 @@ static void state_records(const finder *of) {
                 options->machines, options->machines == 1 ? "" : "s", options->labels, options->labels == 1 ? "" : "s",
                 0.42 * (options->rate > 0.0 ? options->rate : options->per_revolution),
                 options->rate > 0.0 ? "Hz" : "orders");
-    if (all.ended > 0)
-        phrase_text(of, &own->found, "; %zu motion%s did not last and ha%s no signals", all.ended,
-                    all.ended == 1 ? "" : "s", all.ended == 1 ? "s" : "ve");
+    if (ended > 0)
+        phrase_text(of, &own->found, "; %zu motion%s did not last and ha%s no signals", ended, ended == 1 ? "" : "s",
+                    ended == 1 ? "s" : "ve");
 }
 
 /// States a label whose fault is a contact that many of its records do not have: they are as if healthy.
-static void state_untouched(const finder *of) {
+static void state_untouched(const finder *of, const label_count *counts) {
     char name[WHIRL_NAME_SIZE];
     for (size_t i = 0; i < (size_t)of->table->record.dataset.labels && of->result->contact_count > 0; i++) {
-        const label_count own = count_label(of, i);
+        const label_count own = counts[i];
         const char *fault = dataset_fact(of, "label", i, name);
         if (!*fault || own.touching == 0 || own.touching == own.records) continue;
         phrase_text(of, &find_statement(of, "touching")->found, "%zu of %zu records with the label %s touch",
@@ -155,9 +160,11 @@ static void state_untouched(const finder *of) {
 }
 
 static void records_find(const finder *of) {
-    state_records(of);
-    state_untouched(of);
-    find_labels(of);
+    label_count counts[WHIRL_MAX_LABELS];
+    count_labels(of, counts);
+    state_records(of, counts);
+    state_untouched(of, counts);
+    find_labels(of, counts);
     find_channels(of);
     find_drawn(of);
 }

@@ -21,11 +21,15 @@ static whirl_status choose_probe(const whirl_study *study, const whirl_batch *ba
 }
 
 static whirl_status choose(const whirl_study *study, whirl_batch *batch) {
-    const size_t at[] = {0, batch->count / 2, batch->count - 1}; // three points, no two of them equal in a sound study
+    // A record that is made alone has the method of its data set.
+    whirl_batch all = *batch;
+    all.record.dataset.only = 0;
+    if (batch->dataset) all.count = whirl_dataset_records(&all.record.dataset);
+    const size_t at[] = {0, all.count / 2, all.count - 1}; // three points, no two of them equal in a sound study
     whirl_method_cost sum = {0.0, 0.0};
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < sizeof at / sizeof *at && status.code == WHIRL_OK; i++)
-        if (i == 0 || at[i] != at[i - 1]) status = choose_probe(study, batch, at[i], &sum);
+        if (i == 0 || at[i] != at[i - 1]) status = choose_probe(study, &all, at[i], &sum);
     if (status.code != WHIRL_OK) return status;
     snprintf(batch->integrate.method, sizeof batch->integrate.method, "%s",
              sum.rodas5p < sum.dop853 ? "rodas5p" : "dop853");

@@ -1,0 +1,130 @@
+// What lies beside the signals of a data set: the table of its records, and its data sheet.
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "whirl/engine/dataset.h"
+#include "whirl/engine/findings.h"
+#include "whirl/engine/report.h"
+
+const whirl_table *whirl_result_records(const whirl_result *result) {
+    for (size_t i = 0; i < result->table_count; i++)
+        if (result->tables[i].role == WHIRL_ROLE_RECORDS) return &result->tables[i];
+    return NULL;
+}
+
+/// Writes a fact of a data set, up to its colon, for CSV.
+static void put_name(FILE *stream, const whirl_result *result, const char *what, size_t number) {
+    char key[WHIRL_NAME_SIZE];
+    snprintf(key, sizeof key, "dataset %s %zu", what, number);
+    const char *text = whirl_result_fact(result, key);
+    fprintf(stream, "%.*s", (int)strcspn(text, ":"), text);
+}
+
+static void put_number(FILE *stream, double value) {
+    if (isfinite(value))
+        fprintf(stream, ",%.17g", value);
+    else
+        fputc(',', stream);
+}
+
+void whirl_dataset_write_index(const whirl_result *result, FILE *stream) {
+    static const char *const confidences[] = {"low", "fair", "high"};
+    const whirl_table *table = whirl_result_records(result);
+    if (!table) return;
+    const size_t parameters = (size_t)table->record.dataset.parameters;
+    fputs("row,record,machine,split,label,severity,verdict,confidence,contact,speed,begin,seed", stream);
+    for (size_t i = 0; i < parameters; i++) fputc(',', stream), put_name(stream, result, "parameter", i + 1);
+    fputs("\r\n", stream);
+    for (size_t p = 0, row = 0; p < table->count; p++) {
+        if (!whirl_table_done(table, p)) continue;
+        const double split = whirl_table_number(table, p, WHIRL_FIELD_DATASET_SPLIT, 0);
+        const double label = whirl_table_number(table, p, WHIRL_FIELD_DATASET_LABEL, 0);
+        const whirl_verdict found = whirl_table_verdict(table, p);
+        const bool judged = found.regime != WHIRL_NOT_JUDGED;
+        char verdict[WHIRL_NAME_SIZE];
+        double contact = result->contact_count > 0 ? 0.0 : (double)NAN;
+        for (size_t c = 0; c < result->contact_count; c++)
+            contact = fmax(contact, whirl_table_number(table, p, WHIRL_FIELD_RUB_SHARE, c));
+        whirl_verdict_name(&found, verdict, sizeof verdict);
+        fprintf(stream, "%zu,%.0f,%.0f,%s,", row++, whirl_table_number(table, p, WHIRL_FIELD_DATASET_RECORD, 0),
+                whirl_table_number(table, p, WHIRL_FIELD_DATASET_MACHINE, 0), whirl_split_name((whirl_split)split));
+        put_name(stream, result, "label", (size_t)label + 1);
+        put_number(stream, whirl_table_number(table, p, WHIRL_FIELD_DATASET_SEVERITY, 0));
+        fprintf(stream, ",%s,%s", judged ? verdict : "", judged ? confidences[found.confidence] : "");
+        put_number(stream, contact);
+        put_number(stream, whirl_table_number(table, p, WHIRL_FIELD_DATASET_SPEED, 0));
+        put_number(stream, whirl_table_number(table, p, WHIRL_FIELD_DATASET_BEGIN, 0));
+        fprintf(stream, ",%.0f", whirl_table_number(table, p, WHIRL_FIELD_DATASET_SEED, 0));
+        const double *values = whirl_table_field(table, p, WHIRL_FIELD_DATASET_VALUES, 0);
+        for (size_t i = 0; i < parameters; i++) put_number(stream, values ? values[i] : (double)NAN);
+        fputs("\r\n", stream);
+    }
+}
+
+// ---------------------------------------------------------------- data sheet
+
+static void put_sheet(FILE *stream, const whirl_sheet *sheet) {
+    char text[WHIRL_MESSAGE_SIZE];
+    if (sheet->rows == 0) return;
+    fprintf(stream, "\n## %s\n\n", sheet->title);
+    if (*sheet->about) fprintf(stream, "%s\n\n", sheet->about);
+    for (size_t c = 0; c < sheet->columns; c++) {
+        whirl_column_heading(&sheet->column[c], text, sizeof text);
+        fprintf(stream, "| %s ", text);
+    }
+    fputs("|\n", stream);
+    for (size_t c = 0; c < sheet->columns; c++) fputs(sheet->column[c].digits > 0 ? "|---:" : "|---", stream);
+    fputs("|\n", stream);
+    for (size_t r = 0; r < sheet->rows; r++) {
+        for (size_t c = 0; c < sheet->columns; c++) {
+            whirl_cell_text(&sheet->column[c], &sheet->cells[r * sheet->columns + c], text, sizeof text);
+            fprintf(stream, "| %s ", text);
+        }
+        fputs("|\n", stream);
+    }
+}
+
+whirl_status whirl_dataset_write_sheet(const whirl_result *result, const char *name, FILE *stream) {
+    const whirl_table *table = whirl_result_records(result);
+    whirl_findings *findings;
+    if (!table) return whirl_ok();
+    const whirl_status status = whirl_findings_new(result, NULL, &findings);
+    if (status.code != WHIRL_OK) return status;
+    const whirl_dataset_options *options = &table->record.dataset;
+    fprintf(
+        stream,
+        "# %s\n\nComputed by whirl %s from the case %s, which is in the file with all its numbers. Files:\n\n"
+        "- `%s.h5`: the result. Its dataset `records/dataset/signals` holds [record][channel][sample] as float32; a "
+        "row of it is a row of all other datasets of `records`, and of the table.\n"
+        "- `%s-records.csv`: what each record is of: machine, set, label, severity, verdict on the computed motion "
+        "with its "
+        "confidence, largest share of the time in contact, speed (rad/s), angle of the shaft at the first sample "
+        "(revolutions), seed, and the parameters that differ (SI).\n\n",
+        result->title[0] ? result->title : result->case_name, whirl_result_fact(result, "version"), result->case_name,
+        name, name);
+    for (size_t i = 0; i < findings->statement_count; i++) {
+        char text[2 * WHIRL_MESSAGE_SIZE];
+        if (strcmp(findings->statements[i].table, table->name) != 0) continue;
+        whirl_phrase_text(&findings->statements[i].found, text, sizeof text);
+        fprintf(stream, "- %c%s.\n", text[0] >= 'a' && text[0] <= 'z' ? text[0] - 'a' + 'A' : text[0], text + 1);
+    }
+    for (size_t i = 0; i < findings->sheet_count; i++)
+        if (strcmp(findings->sheets[i].table, table->name) == 0) put_sheet(stream, &findings->sheets[i]);
+    fprintf(
+        stream,
+        "\n## What to know before use\n\n"
+        "- The motions are solutions of the equations of the case by %s: every effect that the case does not have is "
+        "missing from the signals. A classifier that is right here has shown that it finds these faults in this "
+        "model, not on a machine.\n"
+        "- Labels say which parameters were changed, severities how far. Whether a motion is another one is said by "
+        "verdict and contact: a rub that does not touch is a healthy motion with the label of a rub.\n"
+        "- Sets are divided by machine: %.3g %% for training, %.3g %% for validation, the rest for testing. Windows "
+        "of one record, or records of one machine, in two sets tell a classifier what it should find.\n"
+        "- Transients before the records are %d revolutions long; the speed is constant in a record.\n"
+        "- Any record is made anew by `whirl run CASE.yaml --set dataset.only=NUMBER`, with the same bits on the "
+        "same instruction set.\n",
+        table->integrate.method, 100.0 * options->train, 100.0 * options->validation, table->record.transient);
+    whirl_findings_free(findings);
+    return whirl_ok();
+}

@@ -1,0 +1,68 @@
+#!/bin/bash
+# Records of a data set: the same bits by any number of threads, in shards that are merged, in a run that was stopped and
+# resumed, and of a record that is made alone:  dataset.sh WHIRL
+set -euo pipefail
+whirl=$(realpath "$1")
+tests=$(dirname "$(realpath "$0")")/../cli
+python=$([ -x /usr/bin/python3 ] && echo /usr/bin/python3 || echo python3)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+cat >case.yaml <<'END'
+whirl: 1
+title: Records of rotors with faults
+parameters: {omega: 1 rad/s, e: 0.3 m, gap: 9 m, k: 1 N/m, mu: 0.05}
+rotor:
+  speed: = omega
+  length_scale: 1 m
+  stations:
+    disc: {mass: 1 kg, damping: 0.2 N.s/m, eccentricity: = e}
+  elements:
+    - shaft:   {between: [disc, ground], k1: = k, k2: = k}
+    - rub:     {at: disc, gap: = gap, stiffness: 10 N/m, friction: = mu}
+    - gravity: 0.1 m/s2
+study:
+  dataset:
+    machines: 10
+    records: 3
+    rate: 4 Hz
+    samples: 600
+    vary: {k: +- 10 %}
+    conditions: {omega: {from: 0.7, to: 1.1}}
+    labels:
+      healthy:
+      rub: {grade: {gap: {from: 0.8, to: 0.3}}, vary: {mu: {from: 0.02, to: 0.2}}}
+    channels:
+      - {sensor: proximity, at: disc, sensitivity: 1 V/m, noise: 10 mV, bits: 16, full_scale: 10 V}
+      - {sensor: accelerometer, at: disc, angle: 90 deg}
+      - {sensor: keyphasor, jitter: 1 deg}
+  integrate: {transient: 100}
+END
+
+for threads in 1 2 3 8; do "$whirl" run case.yaml -q --threads $threads -o threads-$threads.h5; done
+for shard in 1 2 3; do "$whirl" run case.yaml -q --shard $shard/3 -o shards.h5; done
+"$whirl" merge case.yaml -q -o shards.h5
+"$tests/stop_midway.sh" INT stopped.h5.journal 100000 "$whirl" run case.yaml -q --threads 1 -o stopped.h5 || [ $? = 3 ]
+"$whirl" run case.yaml -q --resume -o stopped.h5 --force || "$whirl" run case.yaml -q -o stopped.h5 --force
+"$python" "$tests/same_data.py" threads-1.h5 threads-2.h5 threads-3.h5 threads-8.h5 shards.h5 stopped.h5
+cmp threads-1-records.csv shards-records.csv
+# One record alone, as it is among the others.
+"$whirl" run case.yaml -q --set dataset.only=41 -o alone.h5
+"$python" - <<'END'
+import csv
+
+import h5py
+
+many, alone = (h5py.File(name)["records"] for name in ("threads-1.h5", "alone.h5"))
+for name in many["dataset"]:
+    assert many["dataset"][name][40:41].tobytes() == alone["dataset"][name][()].tobytes(), name
+assert many["dataset/signals"].shape == (60, 3, 600) and many["dataset/signals"].dtype == "float32"
+rows = [list(csv.DictReader(open(name, newline=""))) for name in ("threads-1-records.csv", "alone-records.csv")]
+assert {**rows[0][40], "row": "0"} == rows[1][0]
+# No machine is in two sets.
+sets = {}
+for row in rows[0]:
+    assert sets.setdefault(row["machine"], row["split"]) == row["split"]
+assert abs(list(sets.values()).count("train") - 7) <= 1, sets
+END
