@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "explorer_tables.h"
-#include "regimes.h"
 #include "figure_build.h"
+#include "regimes.h"
 #include "shown_kinds.h"
 
 /// Limits of what a browser can load: points of a table, cells of a map, rows of its section, numbers of studies at

@@ -354,9 +354,10 @@ static void structure(void **state) {
                    "parameters");
     expect_problem("  sweep: {", "  response: {}\n  sweep: {",
                    "t:19:3: study.response: is given together with sweep, expected one of the two");
-    expect_problem("  sweep: {parameter: kappa, from: 1, to: 20, points: 5, start: state}\n", "",
-                   "t:18:1: study: has none of response, sweep, map, basin, dataset, branch, modes, unbalance, critical_speeds, "
-                   "stability, statics, torsion, runup and fit, expected one of them");
+    expect_problem(
+        "  sweep: {parameter: kappa, from: 1, to: 20, points: 5, start: state}\n", "",
+        "t:18:1: study: has none of response, sweep, map, basin, dataset, branch, modes, unbalance, critical_speeds, "
+        "stability, statics, torsion, runup and fit, expected one of them");
     expect_problem("  sweep: {parameter: kappa, from: 1, to: 20, points: 5, start: state}\n",
                    "  response:\n  detail: {at: [1]}\n",
                    "t:20:3: study.detail: needs a sweep, whose parameter it gives values to");
