@@ -1,7 +1,7 @@
 // Signals of a data set, a few records at a time: they may be larger than the memory.
 #include "items.h"
 #include "store.h"
-#include "whirl/engine/fields.h"
+#include "whirl/engine/analyze.h"
 #include "whirl/handles.h"
 
 /// Some records of a file.

@@ -99,6 +99,11 @@ static const struct {
               "points: 9}, refine: 4}\n" MOTION},
     {machine, "  basin: {x: {parameter: x0, from: -1, to: 1, points: 3}, y: {parameter: y0, from: -1, to: 1, "
               "points: 2}}\n" MOTION},
+    {machine,
+     "  dataset: {machines: 3, samples_per_revolution: 16, revolutions: 10, vary: {kappa: +- 10 %}, labels: "
+     "{healthy: , rub: {grade: {kappa: {from: 5, to: 20}}}}, channels: [{sensor: proximity, at: disc}, {sensor: "
+     "keyphasor}]}\n  initial: {disc: {x: = x0, y: = y0}}\n  integrate: {method: rk4, steps_per_revolution: 64, "
+     "transient: 20}\n"},
     {machine, "  branch: {parameter: omega, from: 1.4, to: 1.6, at: [1.5], switches: 0}\n" SETTLE},
     {machine, "  branch: {parameter: omega, from: 3.2, to: 3.29, switches: 0}\n"
               "  curves: {parameter: kappa, from: 9.9, to: 10.1}\n" SETTLE},

@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { MAX_CELLS = 96, CELL_SIZE = 400 };
+enum { MAX_CELLS = 256, CELL_SIZE = 400 };
 
 /// The export of the synthetic result in a new folder two levels down.
 typedef struct fixture {
