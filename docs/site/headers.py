@@ -147,6 +147,6 @@ def write_pages(xml, folder, projects):
         first = re.match(r".*?\.(?=\s|$)|.*", words, re.DOTALL)[0]
         pages.append((name[:-2], " ".join(first.split()), "" if name.startswith("engine") else "stable"))
         written = folder / f"{name[:-2]}.rst"
-        written.parent.mkdir(exist_ok=True)
+        written.parent.mkdir(parents=True, exist_ok=True)
         written.write_text(page)
     return pages

@@ -69,13 +69,13 @@ const char *whirl_split_name(whirl_split split);
 
 /// What a record is of.
 typedef struct whirl_record_of {
-    size_t number;   ///< its number, from 1
-    size_t machine;  ///< number of its machine, from 1
-    size_t label;    ///< index of its label
-    double severity; ///< above 0, below 1; NaN if the label has none
-    whirl_split split;
-    uint64_t seed; ///< of its noise and jitter; below 2^53
-    double begin;  ///< revolutions from the end of the lead to its first sample, below 1
+    size_t number;     ///< its number, from 1
+    size_t machine;    ///< number of its machine, from 1
+    size_t label;      ///< index of its label
+    double severity;   ///< above 0, below 1; NaN if the label has none
+    whirl_split split; ///< set of its machine
+    uint64_t seed;     ///< of its noise and jitter; below 2^53
+    double begin;      ///< revolutions from the end of the lead to its first sample, below 1
 } whirl_record_of;
 
 /// Returns what a record is of, by its index among those that are made, and writes its parameters, SI, to values
