@@ -87,7 +87,7 @@ test('every statement, every cell of every sheet and every figure is there', asy
   });
   assert.ok(parts >= 9, `${parts} parts`);
   assert.ok(told.statements.length >= 10 && told.sheets.length >= 10);
-  for (const { what, station, at, asked, found, told: verdict, clause } of told.statements) {
+  for (const { what, station, at, asked, found, judged: verdict, clause } of told.statements) {
     const wanted = [at?.text, what, station, asked.text, found.text, verdict.text, clause].filter(Boolean);
     assert.ok(
       words.some((text) => wanted.every((part) => text.includes(part))),
