@@ -133,6 +133,7 @@ test('a run is played, paused and stopped', async () => {
   await page.click('.run .play');
   await page.waitForFunction(() => Number(document.querySelector('#value-run').value) > 120);
   await page.click('.run .play');
+  await page.waitForTimeout(300); // a frame that was asked for is still drawn
   const paused = await page.inputValue('#value-run');
   await page.waitForTimeout(200);
   assert.equal(await page.inputValue('#value-run'), paused);
