@@ -238,7 +238,6 @@ static void channel_number(char *text, size_t size, const char *before, double n
 
 /// Describes a channel: "front [V]: proximity at disc, direction 0 deg, 7870 V/m, gap 0.001 m".
 static void channel_text(const case_content *content, const whirl_channel *own, char *text, size_t size) {
-    static const char *const per[WHIRL_SENSORS] = {"V/m", "V s/m", "V s2/m", "V"};
     const char *measured = whirl_sensor_unit(own->sensor);
     const bool pulses = own->sensor == WHIRL_SENSOR_KEYPHASOR, volts = own->in_volts;
     const char *unit = volts ? "V" : measured;
@@ -251,7 +250,7 @@ static void channel_text(const case_content *content, const whirl_channel *own, 
     else
         snprintf(text + used, size - used, " at %s, direction %.6g deg", content->machine.stations.names[own->station],
                  degrees * own->angle);
-    if (volts) channel_number(text, size, "", own->sensitivity, per[own->sensor]);
+    if (volts) channel_number(text, size, "", own->sensitivity, whirl_sensor_sensitivity_unit(own->sensor));
     channel_number(text, size, "gap ", own->gap, "m");
     channel_number(text, size, "from ", own->low, measured);
     channel_number(text, size, "to ", own->high, measured);

@@ -309,6 +309,12 @@ void resting_make(case_reader *reader, valuation *v, const plan_parts *parts, st
 void plan_read_stations(case_reader *reader, const machine_parts *machine, const setting_list *keys, const char *key,
                         bool several);
 
+/// Returns the parameter that the key of a place names; NULL after a problem.
+const parameter *plan_find_named(case_reader *reader, const file_node *where);
+
+/// Refuses a parameter that is an expression over others, where one with a number of its own is needed; false then.
+bool plan_check_free(case_reader *reader, const file_node *where, const parameter *own);
+
 /// Reads a value that a condition, or a change, gives to a parameter.
 void plan_read_given(case_reader *reader, const file_node *where, condition_parts *condition);
 

@@ -40,32 +40,14 @@ static void read_distributions(case_reader *reader, const setting_list *keys, co
         out->count += distribution_read(reader, one, &out->items[out->count]);
 }
 
-/// Finds the parameter that a key names; NULL after a problem.
-static const parameter *named_parameter(case_reader *reader, const file_node *where) {
-    char advice[WHY_SIZE], shown[SHOWN_SIZE];
-    const parameter_table *parameters = reader->parameters;
-    const size_t index = parameters_find(parameters, where->key);
-    if (index == parameters->count) {
-        describe_names(where->key, parameters->names, parameters->count, advice);
-        problem_at_key(reader->problems, where, "is no parameter, %s", advice);
-        return NULL;
-    }
-    const parameter *own = &parameters->items[index];
-    if (!own->value.expression) return own;
-    problem_at_key(reader->problems, where,
-                   "is = %s in the case, expected a parameter with a number of its own, on which others depend",
-                   text_shown(own->value.expression, shown));
-    return NULL;
-}
-
 static void read_graded(case_reader *reader, const file_node *where, graded_parts *out) {
     static const char *const names[] = {"from", "to"};
     number_formula *const values[] = {&out->from, &out->to};
     out->place = where;
     out->keys = (setting_list){.name = schema_grade.name, .group = &schema_grade, .place = where};
-    out->parameter = named_parameter(reader, where);
+    out->parameter = plan_find_named(reader, where);
     settings_read(reader, where, &schema_grade, &out->keys);
-    if (!out->parameter) return;
+    if (!out->parameter || !plan_check_free(reader, where, out->parameter)) return;
     const whirl_key key = {
         .name = out->parameter->name, .unit = parameter_expected_unit(out->parameter), .range = WHIRL_ANY};
     for (size_t i = 0; i < 2; i++) {
@@ -78,9 +60,9 @@ static void read_label(case_reader *reader, const file_node *where, label_parts 
     out->place = where;
     out->keys = (setting_list){.name = schema_label.name, .group = &schema_label, .place = where};
     settings_read(reader, where, &schema_label, &out->keys);
-    if (strlen(where->key) >= WHIRL_NAME_SIZE || strpbrk(where->key, ":,"))
-        problem_at_key(reader->problems, where, "is no name for a label, expected up to %d letters without : and ,",
-                       WHIRL_NAME_SIZE - 1);
+    if (strlen(where->key) >= WHIRL_NAME_SIZE || strpbrk(where->key, ":,\"\r\n"))
+        problem_at_key(reader->problems, where,
+                       "is no name for a label, expected up to %d letters without : , and quotes", WHIRL_NAME_SIZE - 1);
     read_distributions(reader, &out->keys, "vary", &out->varied);
     const setting *grade = settings_find(&out->keys, "grade");
     if (!grade) return;
@@ -111,10 +93,10 @@ static void read_station(case_reader *reader, const machine_parts *machine, chan
 /// Reads the numbers whose unit depends on the sensor.
 static void read_channel_numbers(case_reader *reader, channel_parts *out) {
     static const char *const names[CHANNEL_NUMBERS] = {"sensitivity", "from", "to", "noise", "full_scale"};
-    static const char *const per[WHIRL_SENSORS] = {"V/m", "V s/m", "V s2/m", "V"};
     const char *measured = whirl_sensor_unit(out->sensor);
     const char *signal = settings_find(&out->keys, "sensitivity") ? "V" : measured;
-    const char *const units[CHANNEL_NUMBERS] = {per[out->sensor], measured, measured, signal, signal};
+    const char *const units[CHANNEL_NUMBERS] = {whirl_sensor_sensitivity_unit(out->sensor), measured, measured, signal,
+                                                signal};
     static const whirl_range ranges[CHANNEL_NUMBERS] = {WHIRL_ANY, WHIRL_ANY, WHIRL_ANY, WHIRL_NOT_NEGATIVE,
                                                         WHIRL_POSITIVE};
     for (size_t i = 0; i < CHANNEL_NUMBERS; i++) {

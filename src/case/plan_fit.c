@@ -19,23 +19,12 @@ static const double two_pi = 6.283185307179586476925;
 
 // ---------------------------------------------------------------- reading the case
 
-/// Finds the parameter of an entry's key; NULL after a problem.
-static const parameter *fit_parameter(case_reader *reader, const file_node *where) {
-    char advice[WHY_SIZE];
-    const parameter_table *parameters = reader->parameters;
-    const size_t index = parameters_find(parameters, where->key);
-    if (index < parameters->count) return &parameters->items[index];
-    describe_names(where->key, parameters->names, parameters->count, advice);
-    problem_at_key(reader->problems, where, "is no parameter, %s", advice);
-    return NULL;
-}
-
 static void fit_read_unknown(case_reader *reader, const file_node *where, fit_unknown *out) {
     static const char *const names[] = {"start", "from", "to"};
     number_formula *const values[] = {&out->start, &out->low, &out->high};
     out->place = where;
     out->keys = (setting_list){.name = "unknown", .group = &schema_fit_unknown, .place = where};
-    out->parameter = fit_parameter(reader, where);
+    out->parameter = plan_find_named(reader, where);
     settings_read(reader, where, &schema_fit_unknown, &out->keys);
     if (!out->parameter) return;
     const whirl_key key = {

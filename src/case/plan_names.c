@@ -58,16 +58,28 @@ void plan_read_stations(case_reader *reader, const machine_parts *machine, const
     }
 }
 
-void plan_read_given(case_reader *reader, const file_node *where, condition_parts *condition) {
+const parameter *plan_find_named(case_reader *reader, const file_node *where) {
     char advice[WHY_SIZE];
     const parameter_table *parameters = reader->parameters;
     const size_t index = parameters_find(parameters, where->key);
-    if (index == parameters->count) {
-        describe_names(where->key, parameters->names, parameters->count, advice);
-        problem_at_key(reader->problems, where, "is no parameter, %s", advice);
-        return;
-    }
-    const parameter *own = &parameters->items[index];
+    if (index < parameters->count) return &parameters->items[index];
+    describe_names(where->key, parameters->names, parameters->count, advice);
+    problem_at_key(reader->problems, where, "is no parameter, %s", advice);
+    return NULL;
+}
+
+bool plan_check_free(case_reader *reader, const file_node *where, const parameter *own) {
+    char shown[SHOWN_SIZE];
+    if (!own->value.expression) return true;
+    problem_at_key(reader->problems, where,
+                   "is = %s in the case, expected a parameter with a number of its own, on which others depend",
+                   text_shown(own->value.expression, shown));
+    return false;
+}
+
+void plan_read_given(case_reader *reader, const file_node *where, condition_parts *condition) {
+    const parameter *own = plan_find_named(reader, where);
+    if (!own) return;
     const whirl_key key = {.name = own->name, .unit = parameter_expected_unit(own), .range = WHIRL_ANY};
     if (!formula_read(reader, where, &key, &condition->values[condition->count])) return;
     condition->parameters[condition->count] = own;

@@ -131,24 +131,15 @@ static void check_keys(case_reader *reader, const distribution_parts *own) {
 }
 
 bool distribution_read(case_reader *reader, const file_node *where, distribution_parts *own) {
-    // Find the parameter.
-    char why[WHY_SIZE], advice[WHY_SIZE], shown[SHOWN_SIZE];
-    const parameter_table *parameters = reader->parameters;
-    const size_t index = parameters_find(parameters, where->key);
-    if (index == parameters->count) {
-        describe_names(where->key, parameters->names, parameters->count, advice);
-        problem_at_key(reader->problems, where, "is no parameter, %s", advice);
-        return false;
-    }
+    char why[WHY_SIZE], shown[SHOWN_SIZE];
+    const parameter *found = plan_find_named(reader, where);
+    if (!found) return false;
     // Read its distribution: bounds as a text, or the keys of one.
-    *own = (distribution_parts){.parameter = &parameters->items[index], .place = where};
+    *own = (distribution_parts){.parameter = found, .place = where};
     own->keys = (setting_list){.name = schema_distribution.name, .group = &schema_distribution, .place = where};
-    const char *unit = parameter_expected_unit(own->parameter);
-    if (own->parameter->value.expression) {
-        problem_at_key(reader->problems, where,
-                       "is = %s in the case, expected a parameter with a number of its own, on which others depend",
-                       text_shown(own->parameter->value.expression, shown));
-    } else if (where->kind == NODE_TEXT) {
+    const char *unit = parameter_expected_unit(found);
+    if (!plan_check_free(reader, where, found)) return true;
+    if (where->kind == NODE_TEXT) {
         if (!read_within(where, unit, own, why)) problem_at(reader->problems, where, "%s", why);
     } else if (where->kind == NODE_MAPPING) {
         settings_read(reader, where, &schema_distribution, &own->keys);

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "shown_kinds.h"
 #include "whirl/engine/dataset.h"
 #include "whirl/engine/findings.h"
 #include "whirl/engine/report.h"
@@ -13,12 +14,11 @@ const whirl_table *whirl_result_records(const whirl_result *result) {
     return NULL;
 }
 
-/// Writes a fact of a data set, up to its colon, for CSV.
+/// Writes the name in a fact of a data set.
 static void put_name(FILE *stream, const whirl_result *result, const char *what, size_t number) {
-    char key[WHIRL_NAME_SIZE];
-    snprintf(key, sizeof key, "dataset %s %zu", what, number);
-    const char *text = whirl_result_fact(result, key);
-    fprintf(stream, "%.*s", (int)strcspn(text, ":"), text);
+    char name[WHIRL_NAME_SIZE];
+    records_fact(result, what, number, name);
+    fputs(name, stream);
 }
 
 static void put_number(FILE *stream, double value) {
@@ -29,7 +29,6 @@ static void put_number(FILE *stream, double value) {
 }
 
 void whirl_dataset_write_index(const whirl_result *result, FILE *stream) {
-    static const char *const confidences[] = {"low", "fair", "high"};
     const whirl_table *table = whirl_result_records(result);
     if (!table) return;
     const size_t parameters = (size_t)table->record.dataset.parameters;
@@ -43,16 +42,13 @@ void whirl_dataset_write_index(const whirl_result *result, FILE *stream) {
         const whirl_verdict found = whirl_table_verdict(table, p);
         const bool judged = found.regime != WHIRL_NOT_JUDGED;
         char verdict[WHIRL_NAME_SIZE];
-        double contact = result->contact_count > 0 ? 0.0 : (double)NAN;
-        for (size_t c = 0; c < result->contact_count; c++)
-            contact = fmax(contact, whirl_table_number(table, p, WHIRL_FIELD_RUB_SHARE, c));
         whirl_verdict_name(&found, verdict, sizeof verdict);
         fprintf(stream, "%zu,%.0f,%.0f,%s,", row++, whirl_table_number(table, p, WHIRL_FIELD_DATASET_RECORD, 0),
                 whirl_table_number(table, p, WHIRL_FIELD_DATASET_MACHINE, 0), whirl_split_name((whirl_split)split));
         put_name(stream, result, "label", (size_t)label + 1);
         put_number(stream, whirl_table_number(table, p, WHIRL_FIELD_DATASET_SEVERITY, 0));
-        fprintf(stream, ",%s,%s", judged ? verdict : "", judged ? confidences[found.confidence] : "");
-        put_number(stream, contact);
+        fprintf(stream, ",%s,%s", judged ? verdict : "", judged ? whirl_confidence_name(found.confidence) : "");
+        put_number(stream, records_contact(result, table, p));
         put_number(stream, whirl_table_number(table, p, WHIRL_FIELD_DATASET_SPEED, 0));
         put_number(stream, whirl_table_number(table, p, WHIRL_FIELD_DATASET_BEGIN, 0));
         fprintf(stream, ",%.0f", whirl_table_number(table, p, WHIRL_FIELD_DATASET_SEED, 0));

@@ -94,8 +94,8 @@ typedef struct whirl_kind {
 
 // clang-format off
 /// Studies of machines at rest: name, meaning, source, and `STILL` if also for machines at speed 0, `RUNNING` if the
-/// speed changes, `FITTED` if motions are fitted to measured ones, else `TURNING`. Each is both an analysis and a part of
-/// a study of that name.
+/// speed changes, `FITTED` if motions are fitted to measured ones, else `TURNING`. Each is both an analysis and a part
+/// of a study of that name.
 #define WHIRL_STUDIES_AT_REST(study)                                                                                   \
     study(modes, "frequencies, damping, whirl and shapes of small motions about the position of rest",                 \
           "Friswell, Penny, Garvey, Lees 2010; Floquet 1883 where coefficients turn with the shaft", STILL)            \

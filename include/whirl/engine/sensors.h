@@ -41,6 +41,9 @@ const char *whirl_sensor_name(whirl_sensor sensor);
 /// Returns the SI unit of what a kind of sensor measures; static.
 const char *whirl_sensor_unit(whirl_sensor sensor);
 
+/// Returns the SI unit of its sensitivity, volts per unit of the sensor; static.
+const char *whirl_sensor_sensitivity_unit(whirl_sensor sensor);
+
 /// A channel. Numbers 0 leave out the part that they describe.
 typedef struct whirl_channel {
     const char *name;    ///< borrowed

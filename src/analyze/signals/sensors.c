@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "lock.h"
 #include "random.h"
 
 static const double two_pi = 6.283185307179586476925;
@@ -17,6 +18,11 @@ const char *whirl_sensor_name(whirl_sensor sensor) {
 
 const char *whirl_sensor_unit(whirl_sensor sensor) {
     static const char *const units[] = {"m", "m/s", "m/s2", "1", ""};
+    return units[sensor];
+}
+
+const char *whirl_sensor_sensitivity_unit(whirl_sensor sensor) {
+    static const char *const units[] = {"V/m", "V s/m", "V s2/m", "V", ""};
     return units[sensor];
 }
 
@@ -115,14 +121,21 @@ static double bessel_zero(double x) {
     return sum;
 }
 
-/// Fills in the impulse response at distances from 0 to the reach: a sinc under Kaiser's window of 80 dB (Kaiser 1974).
-static void fill_response(double *table) {
+/// Returns the impulse response at distances from 0 to the reach, the same for all records: a sinc under Kaiser's
+/// window of 80 dB (Kaiser 1974).
+static const double *impulse_response(void) {
+    static double table[(size_t)WHIRL_SENSOR_REACH * PLACES + 2];
+    static lock filling = LOCK_OPEN;
+    static bool filled;
     const double beta = 7.857, pi = 0.5 * two_pi;
-    for (size_t i = 0; i <= table_end; i++) {
+    lock_take(&filling);
+    for (size_t i = 0; i <= table_end && !filled; i++) {
         const double u = (double)i / PLACES, part = u / WHIRL_SENSOR_REACH;
         table[i] = bessel_zero(beta * sqrt(fmax(0.0, 1.0 - part * part))) * (i == 0 ? 1.0 : sin(pi * u) / (pi * u));
     }
-    table[table_end + 1] = 0.0;
+    filled = true;
+    lock_leave(&filling);
+    return table;
 }
 
 /// Weights of instants around the place of a sample.
@@ -236,18 +249,16 @@ whirl_status whirl_channels_sample(const whirl_record *record, const whirl_chann
     if (n < 16) return whirl_fail(WHIRL_BAD_INPUT, "the record has no waveform");
     const whirl_status status = check_places(&grid, sampling, &at);
     if (status.code != WHIRL_OK) return status;
-    // Workspace: signals at instants, a station's motion, the filter and its weights, samples.
-    const size_t table = table_end + 2, taps = (size_t)(2.0 * WHIRL_SENSOR_REACH * at.ratio) + 4;
-    double *signals = malloc(((count + 2) * n + table + taps + count * samples) * sizeof *signals);
+    // Workspace: signals at instants, a station's motion, weights of the filter, samples.
+    const size_t taps = (size_t)(2.0 * WHIRL_SENSOR_REACH * at.ratio) + 4;
+    double *signals = malloc(((count + 2) * n + taps + count * samples) * sizeof *signals);
     if (!signals) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu samples of %zu channels", samples, count);
-    double *motion = signals + count * n, *response = motion + 2 * n, *weights = response + table;
-    double *values = weights + taps;
+    double *motion = signals + count * n, *weights = motion + 2 * n, *values = weights + taps;
     // Sensors, samples, pulses, converters.
     for (size_t c = 0; c < count; c++)
         if (channels[c].sensor != WHIRL_SENSOR_KEYPHASOR)
             measure(record, &channels[c], sampling, &grid, motion, signals + c * n);
-    fill_response(response);
-    sample_all(channels, count, sampling, &grid, &at, signals, response, weights, values);
+    sample_all(channels, count, sampling, &grid, &at, signals, impulse_response(), weights, values);
     for (size_t c = 0; c < count; c++) {
         double *own = values + c * samples;
         const double wide = 1.0 / (sampling->rate * turn);

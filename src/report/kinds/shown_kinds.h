@@ -39,6 +39,12 @@ int shown_modes_growing(const whirl_table *table, size_t point);
 extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance, shown_critical_speeds,
     shown_stability, shown_statics, shown_runup, shown_twists, shown_fit, shown_tolerances, shown_records;
 
+/// Returns a fact of a data set, such as "label" 2, in parts: its name, and the rest behind the colon ("" for none).
+const char *records_fact(const whirl_result *result, const char *what, size_t number, char name[WHIRL_NAME_SIZE]);
+
+/// Returns the largest share of the time that a contact is closed in a record; NaN for a machine without contacts.
+double records_contact(const whirl_result *result, const whirl_table *table, size_t point);
+
 /// Returns the point of a table of fits with the least sum of squares; the number of points if there is none.
 size_t fit_best(const whirl_table *table);
 

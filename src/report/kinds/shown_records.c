@@ -6,15 +6,21 @@
 #include "shown_kinds.h"
 #include "whirl/engine/dataset.h"
 
-/// Returns a fact of a data set, "label 2", in parts: its name, and the rest behind ": ".
-static const char *dataset_fact(const finder *of, const char *what, size_t index, char name[WHIRL_NAME_SIZE]) {
+const char *records_fact(const whirl_result *result, const char *what, size_t number, char name[WHIRL_NAME_SIZE]) {
     char key[WHIRL_NAME_SIZE];
-    snprintf(key, sizeof key, "dataset %s %zu", what, index + 1);
-    const char *text = whirl_result_fact(of->result, key);
+    snprintf(key, sizeof key, "dataset %s %zu", what, number);
+    const char *text = whirl_result_fact(result, key);
     const size_t length = strcspn(text, ":");
     snprintf(name, WHIRL_NAME_SIZE, "%.*s", (int)(length < WHIRL_NAME_SIZE ? length : WHIRL_NAME_SIZE - 1), text);
     text += length;
     return text + strspn(text, ": ");
+}
+
+double records_contact(const whirl_result *result, const whirl_table *table, size_t point) {
+    double most = result->contact_count > 0 ? 0.0 : (double)NAN;
+    for (size_t c = 0; c < result->contact_count; c++)
+        most = fmax(most, whirl_table_number(table, point, WHIRL_FIELD_RUB_SHARE, c));
+    return most;
 }
 
 // ---------------------------------------------------------------- labels
@@ -44,11 +50,8 @@ static void count_labels(const finder *of, label_count *counts) {
         label_count *own = &counts[(size_t)label];
         const double split = whirl_table_number(table, p, WHIRL_FIELD_DATASET_SPLIT, 0);
         const whirl_verdict verdict = whirl_table_verdict(table, p);
-        bool touches = false;
-        for (size_t c = 0; c < of->result->contact_count; c++)
-            touches = touches || whirl_table_number(table, p, WHIRL_FIELD_RUB_SHARE, c) > 0.0;
         own->records++;
-        own->touching += touches;
+        own->touching += records_contact(of->result, table, p) > 0.0;
         if (split >= 0.0 && split <= 2.0) own->splits[(size_t)split]++;
         count_verdict(own, &verdict);
     }
@@ -74,7 +77,7 @@ static void find_labels(const finder *of, const label_count *counts) {
     sheet_texts(of, sheet, "fault", "fault");
     for (size_t i = 0; i < (size_t)of->table->record.dataset.labels; i++) {
         const label_count own = counts[i];
-        const char *fault = dataset_fact(of, "label", i, name);
+        const char *fault = records_fact(of->result, "label", i + 1, name);
         const double numbers[] = {(double)own.records,   (double)own.splits[0],    (double)own.splits[1],
                                   (double)own.splits[2], (double)own.periodic,     (double)own.quasi_periodic,
                                   (double)own.chaotic,   (double)own.undetermined, (double)own.ended};
@@ -95,7 +98,7 @@ static void find_channels(const finder *of) {
     sheet_texts(of, sheet, "channel", "channel");
     sheet_texts(of, sheet, "sensor", "sensor and converter");
     for (size_t i = 0; i < (size_t)of->table->record.dataset.channels; i++) {
-        const char *sensor = dataset_fact(of, "channel", i, name);
+        const char *sensor = records_fact(of->result, "channel", i + 1, name);
         sheet_row(of, sheet);
         cell_text(of, sheet, find_text(of->findings, "%s", name));
         cell_text(of, sheet, find_text(of->findings, "%s", sensor));
@@ -112,7 +115,7 @@ static void find_drawn(const finder *of) {
     sheet_texts(of, sheet, "distribution", "distribution");
     for (size_t k = 0; k < 2; k++)
         for (size_t i = 0;; i++) {
-            const char *text = dataset_fact(of, between[k], i, name);
+            const char *text = records_fact(of->result, between[k], i + 1, name);
             if (!*name) break;
             sheet_row(of, sheet);
             cell_text(of, sheet, find_text(of->findings, "%s", name));
@@ -152,7 +155,7 @@ static void state_untouched(const finder *of, const label_count *counts) {
     char name[WHIRL_NAME_SIZE];
     for (size_t i = 0; i < (size_t)of->table->record.dataset.labels && of->result->contact_count > 0; i++) {
         const label_count own = counts[i];
-        const char *fault = dataset_fact(of, "label", i, name);
+        const char *fault = records_fact(of->result, "label", i + 1, name);
         if (!*fault || own.touching == 0 || own.touching == own.records) continue;
         phrase_text(of, &find_statement(of, "touching")->found, "%zu of %zu records with the label %s touch",
                     own.touching, own.records, name);
