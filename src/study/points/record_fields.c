@@ -33,7 +33,8 @@ whirl_status records_add_fields(const whirl_batch *batch, whirl_layout *layout) 
         layout->fields[layout->field_count - 1].rows = batch->dataset->parameter_count;
         layout->size += batch->dataset->parameter_count - 1;
     }
-    study_add_field(layout, WHIRL_FIELD_DATASET_SIGNALS, "V", "signals of all channels, in single precision");
+    study_add_field(layout, WHIRL_FIELD_DATASET_SIGNALS, "1",
+                    "signals of all channels, in single precision, each in the unit of its channel");
     whirl_field *signals = &layout->fields[layout->field_count - 1];
     signals->singles = (size_t)options->samples;
     signals->rows = batch->dataset->channel_count;
