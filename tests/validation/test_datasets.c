@@ -1,0 +1,155 @@
+// Data sets: what must not change in their signals, and the lines of a bearing with dents.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/study.h"
+
+#include <complex.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIZE = 4096 };
+
+static const double two_pi = 6.283185307179586476925;
+
+static whirl_result *run(const char *text) {
+    char problems[SIZE];
+    whirl_case *object = NULL;
+    whirl_study study;
+    whirl_result *result = NULL;
+    if (whirl_case_check(text, strlen(text), "records.yaml", problems, sizeof problems, &object).code != WHIRL_OK)
+        fail_msg("%s", problems);
+    assert_int_equal(whirl_case_study(object, &study).code, WHIRL_OK);
+    const whirl_status status = whirl_study_run(&study, &(whirl_run_options){.threads = 2}, &result);
+    assert_string_equal(status.message, "");
+    whirl_case_free(object);
+    return result;
+}
+
+/// Returns the signal of a channel in a record.
+static const float *signal_of(const whirl_result *result, size_t record, size_t channel, size_t *samples) {
+    const whirl_table *table = &result->tables[0];
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_DATASET_SIGNALS);
+    assert_non_null(field);
+    *samples = field->singles;
+    const double *block = whirl_table_block(table, record);
+    return (const float *)(block + field->offset) + channel * field->singles;
+}
+
+// ---------------------------------------------------------------- invariances
+
+/// A rotor that rubs, with a length scale, a rotation, where the unbalance begins, and a way to integrate.
+static whirl_result *rubbing(const char *scale, const char *rotation, const char *angle, const char *integrate) {
+    char text[SIZE];
+    snprintf(text, sizeof text,
+             "whirl: 1\nparameters: {omega: 1 rad/s, e: 0.3 m, gap: 9 m}\nrotor:\n  speed: = omega\n"
+             "  length_scale: %s\n  rotation: %s\n  stations:\n"
+             "    disc: {mass: 1 kg, damping: 0.2 N s/m, eccentricity: = e, eccentricity_angle: %s}\n  elements:\n"
+             "    - shaft: {between: [disc, ground], k1: 1 N/m}\n"
+             "    - rub: {at: disc, gap: = gap, stiffness: 10 N/m, friction: 0.05}\n    - gravity: 0.1 m/s2\n"
+             "study:\n  dataset:\n    machines: 3\n    samples_per_revolution: 32\n    revolutions: 20\n"
+             "    conditions: {omega: {from: 0.7, to: 1.1}}\n"
+             "    labels: {healthy: , rub: {grade: {gap: {from: 0.8 m, to: 0.4 m}}}}\n    channels:\n"
+             "      - {sensor: proximity, at: disc}\n      - {sensor: proximity, at: disc, angle: 90 deg}\n"
+             "      - {sensor: velocity, at: disc}\n      - {sensor: accelerometer, at: disc, angle: 90 deg}\n"
+             "      - {sensor: keyphasor}\n  integrate: {%s, transient: 200}\n  analyze: [orbit, rub, regime]\n",
+             scale, rotation, angle, integrate);
+    return run(text);
+}
+
+/// The largest difference of all signals over their largest size; signs: of each channel in the other data set.
+static double difference(const whirl_result *one, const whirl_result *other, const double signs[5]) {
+    double worst = 0.0;
+    for (size_t record = 0; record < 6; record++)
+        for (size_t channel = 0; channel < 5; channel++) {
+            size_t samples;
+            const float *a = signal_of(one, record, channel, &samples),
+                        *b = signal_of(other, record, channel, &samples);
+            double most = 0.0, largest = 0.0;
+            for (size_t k = 0; k < samples; k++) {
+                most = fmax(most, fabs((double)a[k] - signs[channel] * (double)b[k]));
+                largest = fmax(largest, fabs((double)a[k]));
+            }
+            worst = fmax(worst, most / fmax(largest, 1e-300));
+        }
+    return worst;
+}
+
+static void invariances(void **unused) {
+    static const char fine[] = "method: dop853, rtol: 1e-11, atol: 1e-12";
+    static const double same[] = {1.0, 1.0, 1.0, 1.0, 1.0}, mirrored[] = {-1.0, 1.0, -1.0, 1.0, 1.0};
+    (void)unused;
+    whirl_result *base = rubbing("1 m", "counter-clockwise", "0 deg", fine);
+    whirl_result *scaled = rubbing("37 cm", "counter-clockwise", "0 deg", fine);
+    whirl_result *clockwise = rubbing("1 m", "clockwise", "180 deg", fine);
+    whirl_result *other = rubbing("1 m", "counter-clockwise", "0 deg", "method: rodas5p, rtol: 1e-11, atol: 1e-12");
+    check_within("data sets", "signals in another length scale, largest difference", 0.0,
+                 difference(base, scaled, same), 1e-6);
+    check_within("data sets", "signals of the machine in the mirror", 0.0, difference(base, clockwise, mirrored), 1e-6);
+    check_within("data sets", "signals by another method", 0.0, difference(base, other, same), 1e-6);
+    whirl_result_free(base);
+    whirl_result_free(scaled);
+    whirl_result_free(clockwise);
+    whirl_result_free(other);
+}
+
+// ---------------------------------------------------------------- a bearing with dents
+
+/// Returns the order of the strongest line of a record's first channel within a band of orders, to 1e-4.
+static double strongest(const whirl_result *result, size_t record, double per_turn, double low, double high) {
+    size_t samples;
+    const float *x = signal_of(result, record, 0, &samples);
+    double most = 0.0, at = low;
+    for (int i = 0; low + 1e-4 * i <= high; i++) {
+        const double order = low + 1e-4 * i;
+        const double complex step = cexp(-I * two_pi * order / per_turn);
+        double complex sum = 0.0, turn = 1.0;
+        for (size_t k = 0; k < samples; k++, turn *= step)
+            sum += x[k] * (1.0 - cos(two_pi * ((double)k + 0.5) / (double)samples)) * turn;
+        if (cabs(sum) > most) most = cabs(sum), at = order;
+    }
+    return at;
+}
+
+/// A bearing of type 6205 with 1.5 % of slip: a dent of the outer race shows at BPFO, one of the inner race at BPFI,
+/// and their multiples.
+static void dents(void **unused) {
+    static const char text[] =
+        "whirl: 1\nparameters: {outer: 0 um, inner: 0 um}\nrotor:\n  speed: 1797 rpm\n  length_scale: 1 um\n"
+        "  stations:\n    rotor: {mass: 15 kg, eccentricity: 0.5 um}\n  elements:\n    - ball_bearing:\n"
+        "        at: rotor\n        balls: 9\n        stiffness: 8.5e9\n        clearance: 2 um\n"
+        "        inner: 15.54988 mm\n        outer: 23.49012 mm\n        slip: 0.015\n        damping: 400 N.s/m\n"
+        "        outer_dent: = outer\n        outer_dent_width: 6 deg\n        outer_dent_angle: -90 deg\n"
+        "        inner_dent: = inner\n        inner_dent_width: 6 deg\n    - gravity: 9.80665 m/s2\nstudy:\n"
+        "  dataset:\n    machines: 1\n    samples_per_revolution: 64\n    revolutions: 100\n"
+        "    labels: {outer: {grade: {outer: {from: 4 um, to: 4.1 um}}}, inner: {grade: {inner: {from: 4 um, to: 4.1 "
+        "um}}}}\n    channels: [{sensor: accelerometer, at: rotor, angle: 90 deg}]\n"
+        "  initial: {rotor: {y: -6}}\n  integrate: {method: rk4, steps_per_revolution: 2048, transient: 50}\n"
+        "  analyze: [orbit, regime]\n";
+    // Kinematics of 9 balls of .3126 in on a circle of 1.537 in: closed forms, less the slip of the cage.
+    const double ratio = 0.3126 / 1.537, cage = 0.985 * 0.5 * (1.0 - ratio), passing = 9.0 * cage;
+    (void)unused;
+    whirl_result *result = run(text);
+    for (int k = 1; k <= 4; k++)
+        check_within("data sets", words("dent of the outer race: line at %d BPFO, order", k), k * passing,
+                     strongest(result, 0, 64.0, k * passing - 0.3, k * passing + 0.3), 2e-3);
+    for (int k = 2; k <= 3; k++) {
+        const double order = k * (9.0 - passing);
+        check_within("data sets", words("dent of the inner race: line at %d BPFI, order", k), order,
+                     strongest(result, 1, 64.0, order - 0.3, order + 0.3), 2e-3);
+    }
+    whirl_result_free(result);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(invariances), cmocka_unit_test(dents)};
+    return cmocka_run_group_tests_name("data sets", tests, NULL, NULL);
+}
