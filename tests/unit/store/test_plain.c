@@ -88,9 +88,14 @@ static void put_variable_text(hid_t file) {
     H5Tclose(type);
 }
 
-static void put_float(hid_t file) {
-    const float value = 1.0f;
-    put_value(file, "float", H5T_IEEE_F32LE, &value);
+static void put_short_integer(hid_t file) {
+    const int32_t value = 1;
+    put_value(file, "short", H5T_STD_I32LE, &value);
+}
+
+static void put_big_endian(hid_t file) {
+    const double value = 1.0;
+    put_value(file, "big", H5T_IEEE_F64BE, &value);
 }
 
 static void put_soft_link(hid_t file) {
@@ -156,9 +161,9 @@ static whirl_status check_bytes(unsigned char *bytes, size_t size) {
 }
 
 static void refuses_what_whirl_does_not_write(void **state) {
-    static void (*const puts[])(hid_t) = {put_heap,    put_variable_text, put_float,      put_soft_link,
-                                          put_ring,    put_external_link, put_named_type, put_contiguous,
-                                          put_compact, put_compressed,    put_growing};
+    static void (*const puts[])(hid_t) = {put_heap,       put_variable_text, put_short_integer, put_big_endian,
+                                          put_soft_link,  put_ring,          put_external_link, put_named_type,
+                                          put_contiguous, put_compact,       put_compressed,    put_growing};
     fixture *f = *state;
     for (size_t i = 0; i < sizeof puts / sizeof *puts; ++i) {
         write_result(f);
