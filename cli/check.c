@@ -115,8 +115,9 @@ static whirl_status carry_with(look *l, size_t first, const whirl_batch *batch) 
     snprintf(stable.method, sizeof stable.method, "rodas5p");
     stable.rtol = 1e-6;
     stable.atol = 1e-9;
-    const whirl_stop *over = stable.stop = limit_begin(MAX_SECONDS);
-    const whirl_status status = whirl_ensemble_new(l->machines[first].system, &stable, l->count - first, &lanes);
+    const whirl_stop *over = limit_begin(MAX_SECONDS);
+    const whirl_system limited = limit_system(l->machines[first].system, over);
+    const whirl_status status = whirl_ensemble_new(&limited, &stable, l->count - first, &lanes);
     if (status.code != WHIRL_OK) {
         limit_end();
         return status;
@@ -146,11 +147,11 @@ static whirl_status needed_steps(const whirl_study *study, const whirl_batch *ba
     whirl_status status = begin_look(&l, study, batch);
     for (size_t i = 0; i < l.count && status.code == WHIRL_OK; i++)
         if (!l.carried[i]) status = carry_with(&l, i, batch);
-    whirl_integrate_options own = batch->integrate;
-    own.stop = limit_begin(MAX_SECONDS);
+    const whirl_stop *over = limit_begin(MAX_SECONDS);
     for (size_t i = 0; i < l.count && status.code == WHIRL_OK; i++) {
         whirl_step_check check = {.growth = 1.0};
-        status = whirl_step_check_revolution(l.machines[i].system, &own, l.x[i], NULL, 1e-5, &check);
+        const whirl_system limited = limit_system(l.machines[i].system, over);
+        status = whirl_step_check_revolution(&limited, &batch->integrate, l.x[i], NULL, 1e-5, &check);
         if (whirl_step_is_unstable(&check)) *needed = fmax(*needed, check.steps);
     }
     limit_end();

@@ -24,13 +24,13 @@ static double time_lanes(const whirl_machine *machine, const whirl_integrate_opt
                          whirl_status *status) {
     enum { MOST = 50, LONGEST = 5 };
     const double enough = 0.02;
-    whirl_integrate_options own = *how;
-    const whirl_stop *over = own.stop = limit_begin(LONGEST);
+    const whirl_stop *over = limit_begin(LONGEST);
+    const whirl_system limited = limit_system(machine->system, over);
     whirl_ensemble *ensemble;
     // Make lanes, and load copies of the machine.
-    const whirl_status made = whirl_ensemble_takes(machine->system, &own)
-                                  ? whirl_ensemble_new(machine->system, &own, lanes, &ensemble)
-                                  : whirl_ensemble_alone(machine->system, &own, lanes, 0, &ensemble);
+    const whirl_status made = whirl_ensemble_takes(&limited, how)
+                                  ? whirl_ensemble_new(&limited, how, lanes, &ensemble)
+                                  : whirl_ensemble_alone(&limited, how, lanes, 0, &ensemble);
     note_memory(status, made);
     if (made.code != WHIRL_OK) {
         limit_end();

@@ -25,6 +25,12 @@ const whirl_stop *limit_begin(long seconds) {
     return &over;
 }
 
+whirl_system limit_system(const whirl_system *system, const whirl_stop *stop) {
+    whirl_system limited = *system;
+    limited.stop = stop;
+    return limited;
+}
+
 void limit_end(void) {
     set_timer(0);
 }

@@ -2,11 +2,14 @@
 #ifndef CLI_LIMIT_H
 #define CLI_LIMIT_H
 
-#include "whirl/engine/stop.h"
+#include "whirl/engine/system.h"
 
-/// Begins a time limit. The returned flag becomes true when it is over, and false when another limit begins; use it as
-/// `stop` of whirl_integrate_options. One at a time, in a program with one thread.
+/// Begins a time limit. The returned flag becomes true when it is over, and false when another limit begins.
+/// One at a time, in a program with one thread.
 const whirl_stop *limit_begin(long seconds);
+
+/// Returns the same system with that stop.
+whirl_system limit_system(const whirl_system *system, const whirl_stop *stop);
 
 void limit_end(void);
 

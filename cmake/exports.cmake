@@ -5,7 +5,7 @@
 # Appends the names of the functions that a header declares.
 function(whirl_declared header names)
   file(READ ${header} text)
-  string(REGEX REPLACE "//[^\n]*|typedef[^\n]*" "" text "${text}")
+  string(REGEX REPLACE "//[^\n]*|typedef[^\n]*|static inline[^\n]*" "" text "${text}")
   string(REGEX MATCHALL "whirl_[a-z0-9_]+\\(" found "${text}")
   # What custom elements call has short names in the sources.
   string(REGEX MATCHALL "#define [a-z_]+ whirl_[a-z_]+\n" renamed "${text}")

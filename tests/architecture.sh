@@ -174,7 +174,7 @@ if [ -n "$library" ] && [ -e "$library" ]; then
     [ -z "$foreign" ] || fail "libwhirl.so exports: $foreign"
     # Each function of the headers is there, and nothing that no header declares.
     declared=$({
-        sed -E 's,//.*,,' include/whirl/*.h include/whirl/engine/*.h cmake/version.h.in | grep -v typedef | grep -oE '\bwhirl_[a-z0-9_]+\(' | tr -d '('
+        sed -E 's,//.*,,' include/whirl/*.h include/whirl/engine/*.h cmake/version.h.in | grep -vE 'typedef|static inline' | grep -oE '\bwhirl_[a-z0-9_]+\(' | tr -d '('
         sed -nE 's/^#define [a-z_]+ (whirl_[a-z_]+)$/\1/p' src/rotor/assembly.h src/rotor/element.h
     } | sort -u)
     missing=$(comm -23 <(echo "$declared") <(sort -u <<<"$exported"))

@@ -151,7 +151,7 @@ static whirl_status make_member(const case_content *content, const whirl_batch *
     if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(m->rotor));
     if (status.code == WHIRL_OK && whirl_analysis_has(batch->analyses, "runup"))
         status = make_run(content, batch, value, &v, m);
-    if (status.code == WHIRL_OK && !batch->outline) status = whirl_rotor_hold(m->rotor, batch->integrate.stop);
+    if (status.code == WHIRL_OK && !batch->outline) status = whirl_rotor_hold(m->rotor, batch->stop);
     if (status.code == WHIRL_OK) status = make_start(content, batch, &v, m);
     if (status.code == WHIRL_OK) status = make_statics(content, batch, &v, m);
     valuation_close(&v);

@@ -81,7 +81,7 @@ typedef struct adaptive_lanes {
     lanes_forcing *forcing_at;
     void (*depends)(const void *model,
                     bool *table); ///< as in whirl_lanes; NULL: every rate depends on every coordinate
-    const whirl_stop *stop;       ///< stop of the options
+    const whirl_stop *stop;       ///< stop of the system
     size_t stride, slots;         ///< vectors, and slots in them
     size_t degrees;
     size_t rates;     ///< velocities, and states of first order after them: the rows of every v and slope

@@ -113,7 +113,7 @@ adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *
                                    size_t followed) {
     const whirl_lanes *form = system->lanes;
     adaptive_lanes shape = {.method = own,
-                            .stop = options->stop,
+                            .stop = system->stop,
                             .model = system->model,
                             .flow = form->flow[set->number],
                             .switches = form->switches[set->number],

@@ -170,7 +170,7 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
     lanes->instance = system->lanes->instance;
     lanes->forcing_count = system->forcing_count;
     lanes->steps = options->steps_per_revolution;
-    lanes->stop = options->stop;
+    lanes->stop = system->stop;
     lanes->step = system->period / options->steps_per_revolution;
     lanes->note = note_lengths;
     lanes->observe.by_force = system->lanes->damped;

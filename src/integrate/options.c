@@ -33,10 +33,6 @@ const whirl_member *whirl_integrate_members(void) {
     return members;
 }
 
-bool whirl_integrate_stopped(const whirl_integrate_options *options) {
-    return options->stop && *options->stop;
-}
-
 whirl_integrate_options whirl_integrate_default(void) {
     whirl_integrate_options options = {.chosen = false};
     whirl_members_default(members, &options);

@@ -464,6 +464,7 @@ whirl_status whirl_rotor_outline(const whirl_design *design, whirl_rotor **out) 
 
 whirl_status whirl_rotor_hold(whirl_rotor *rotor, const whirl_stop *stop) {
     whirl_status status = whirl_ok();
+    rotor->system.stop = stop;
     while (rotor->held < rotor->element_count && status.code == WHIRL_OK) {
         const element *own = &rotor->elements[rotor->held];
         if (own->type->hold) status = own->type->hold(own, stop);

@@ -786,7 +786,8 @@ static void running_fill_systems(running_rotor *r) {
                          .switch_touches = own->switch_count > 0 ? running_touches : NULL,
                          .probe_count = own->probe_count,
                          .probes = own->probes,
-                         .model = r};
+                         .model = r,
+                         .stop = own->stop};
     r->by_angle = r->by_time = both;
     r->by_time.dimension = r->at_speed + 3;
     r->by_angle.rhs = running_free_by_angle;

@@ -513,7 +513,8 @@ static whirl_status machine_make(member *own, const double *parameters) {
     return from->units ? make_probes(own) : status;
 }
 
-whirl_status user_machine(const whirl_user_system *system, const double *parameters, whirl_machine *machine) {
+whirl_status user_machine(const whirl_user_system *system, const double *parameters, const whirl_stop *stop,
+                          whirl_machine *machine) {
     member *own = calloc(1, sizeof *own);
     if (!own) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
     own->from = system;
@@ -522,6 +523,7 @@ whirl_status user_machine(const whirl_user_system *system, const double *paramet
         machine_release(own);
         return status;
     }
+    own->system.stop = stop;
     *machine = (whirl_machine){.system = &own->system,
                                .start = own->start,
                                .owner = own,

@@ -22,7 +22,7 @@ static whirl_status machine_at(const void *family, const whirl_batch *batch, dou
     for (size_t k = 0; k < system->parameter_count; k++) parameters[k] = system->parameters[k].value;
     for (size_t i = 0; i < system->axis_count && i < USER_AXES; i++)
         if (i != 1 || *batch->second) parameters[system->axes[i].parameter] = varied[i];
-    return user_machine(system, parameters, machine);
+    return user_machine(system, parameters, batch->stop, machine);
 }
 
 // ---------------------------------------------------------------- a study

@@ -127,7 +127,8 @@ void user_put_units(const whirl_user_system *system, FILE *out);
 /// above 0.
 whirl_status user_period(const whirl_user_system *system, const double *parameters, double *period);
 
-/// Makes a machine of the system with these parameters, for whirl_study.machine.
-whirl_status user_machine(const whirl_user_system *system, const double *parameters, whirl_machine *machine);
+/// Makes a machine of the system with these parameters and that stop (NULL: none), for whirl_study.machine.
+whirl_status user_machine(const whirl_user_system *system, const double *parameters, const whirl_stop *stop,
+                          whirl_machine *machine);
 
 #endif

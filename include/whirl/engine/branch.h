@@ -54,7 +54,7 @@ typedef enum whirl_branch_end {
     WHIRL_END_CLOSED,       ///< it returned to its first point
     WHIRL_END_LOST,         ///< the shortest step found no orbit: the branch may end there
     WHIRL_END_HALVED,       ///< its orbits close after half their period there: at a doubling of another branch
-    WHIRL_END_STOPPED,      ///< whirl_branch_options.found returned false
+    WHIRL_END_STOPPED,      ///< whirl_branch_options.found returned false, or .stop became true
     WHIRL_END_MIRRORED      ///< its orbits become their own mirror images there: at a pitchfork of a symmetric branch
 } whirl_branch_end;
 
@@ -77,6 +77,9 @@ typedef struct whirl_branch_options {
     /// Receives every point as it is found; false ends the branch with that point. May be NULL.
     bool (*found)(void *context, const whirl_branch_point *point);
     void *context; ///< borrowed
+    /// NULL, or a flag that ends the branch when it becomes true, for good; orbits found since are discarded. Machines
+    /// of the family have it, too (whirl_system.stop). Borrowed.
+    const whirl_stop *stop;
 } whirl_branch_options;
 
 /// Returns the defaults: steps of at most 0.05, at most 1000 points, special points located.

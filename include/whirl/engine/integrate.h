@@ -6,7 +6,6 @@
 #include <stddef.h>
 
 #include "whirl/engine/descriptor.h"
-#include "whirl/engine/stop.h"
 #include "whirl/engine/system.h"
 #include "whirl/status.h"
 
@@ -32,13 +31,7 @@ typedef struct whirl_integrate_options {
     /// rk4: split steps at the zeros of the switching functions, located inside the step; other methods always do so.
     bool located;
     double limit; ///< bound of a coordinate, in the state's units; a motion beyond it has diverged
-    /// NULL, or a flag that becomes true, for good, when motions shall end at once, within a revolution. Discard
-    /// everything computed from then on. Borrowed; not an input of the computation.
-    const whirl_stop *stop;
 } whirl_integrate_options;
-
-/// Returns true if the stop of these options is set. After a revolution: true means that its result is invalid.
-bool whirl_integrate_stopped(const whirl_integrate_options *options);
 
 /// Returns the members of the options for cases (part "integrate") and results; static, ended by a member without a
 /// part.

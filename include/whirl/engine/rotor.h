@@ -203,8 +203,8 @@ whirl_status whirl_rotor_new(const whirl_design *design, whirl_rotor **rotor);
 whirl_status whirl_rotor_outline(const whirl_design *design, whirl_rotor **rotor);
 
 /// Loads the film tables that the rotor reads, for as long as it lives; threads that need the same tables build them
-/// together. Stops when *stop becomes true (NULL: never). WHIRL_NO_MEMORY, WHIRL_STOPPED: the rotor is still an
-/// outline.
+/// together. `stop` becomes that of the rotor's system (whirl_system.stop); NULL: none. WHIRL_NO_MEMORY, WHIRL_STOPPED:
+/// the rotor is still an outline.
 whirl_status whirl_rotor_hold(whirl_rotor *rotor, const whirl_stop *stop);
 
 /// Frees a rotor; accepts NULL.

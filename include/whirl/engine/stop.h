@@ -2,6 +2,8 @@
 #ifndef WHIRL_STOP_H
 #define WHIRL_STOP_H
 
+#include <stdbool.h>
+
 // C++ programs often include C headers in a block of extern "C", where templates are errors; extern "C++" allows them
 // there again.
 
@@ -17,5 +19,10 @@ extern "C++" {
 using whirl_stop = std::atomic<bool>;
 }
 #endif
+
+/// Returns true if work with this flag shall end; false for NULL.
+static inline bool whirl_stop_is_set(const whirl_stop *stop) {
+    return stop && *stop;
+}
 
 #endif

@@ -104,6 +104,9 @@ typedef struct whirl_batch {
     whirl_analysis_set analyses;       ///< analyses of the points
     const whirl_fit *fit;              ///< of a fit: what is fitted to what; borrowed; else NULL
     const whirl_room *room;            ///< NULL, or memory of large `values`; borrowed
+    /// Requested machine: its stop (whirl_system.stop), and that of film tables made for it; in the batch itself NULL,
+    /// because runs set that of their options. Borrowed.
+    const whirl_stop *stop;
 } whirl_batch;
 
 /// Returns the values [count] of a parameter of a batch along its points, by axis from 0, and its name; NULL past the
@@ -142,7 +145,8 @@ typedef struct whirl_study {
     size_t batch_count;                     ///< number of batches
     whirl_batch batches[WHIRL_MAX_BATCHES]; ///< in the order in which they are computed
     /// Makes the machine for a value of the batch's parameter; called from several threads at once. All machines of a
-    /// study have the same dimension, probes and contacts.
+    /// study have the same dimension, probes and contacts. The system gets the batch's stop, or else ends only between
+    /// revolutions.
     whirl_status (*machine)(const void *family, const whirl_batch *batch, double value, whirl_machine *machine);
     const void *family; ///< borrowed
 } whirl_study;

@@ -11,6 +11,7 @@
 #include <stddef.h>
 
 #include "whirl/engine/descriptor.h"
+#include "whirl/engine/stop.h"
 #include "whirl/engine/torsion.h"
 
 #ifdef __cplusplus
@@ -243,6 +244,11 @@ typedef struct whirl_system {
 
     /// Optional, for machines with stations that twist: what excites them and what carries torque; borrowed.
     const whirl_torsion *torsion;
+
+    /// NULL, or a flag that becomes true, for good, when motions of the machine shall end at once, within a revolution:
+    /// discard everything computed from then on. Borrowed; no part of the equations. Motions in lanes end by the flag
+    /// of the system for which their ensemble was made.
+    const whirl_stop *stop;
 } whirl_system;
 
 /// An unbalance that turns with the rotor.

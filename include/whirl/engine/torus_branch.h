@@ -23,6 +23,9 @@ typedef struct whirl_torus_branch_options {
     /// Receives every torus as it is found, which the branch owns; false ends the branch with that torus. May be NULL.
     bool (*found)(void *context, double value, const whirl_torus *torus);
     void *context; ///< borrowed
+    /// NULL, or a flag that ends the branch when it becomes true, for good; tori found since are discarded. Machines of
+    /// the family have it, too (whirl_system.stop). Borrowed.
+    const whirl_stop *stop;
 } whirl_torus_branch_options;
 
 /// Returns the defaults: steps of 1e-4 to 0.05, at first 0.01, at most 200 points.
@@ -48,7 +51,7 @@ typedef enum whirl_torus_end {
     WHIRL_TORUS_SHRANK,           ///< it shrank to the orbit at its Neimark-Sacker point
     WHIRL_TORUS_ROUGH,            ///< the curve needs more nodes than allowed: it loses its smoothness, or locks
     WHIRL_TORUS_LOST,             ///< the shortest step found no curve
-    WHIRL_TORUS_STOPPED           ///< whirl_torus_branch_options.found returned false
+    WHIRL_TORUS_STOPPED           ///< whirl_torus_branch_options.found returned false, or .stop became true
 } whirl_torus_end;
 
 /// A branch of tori, in the order in which it was followed; freed by whirl_torus_branch_free.

@@ -495,7 +495,6 @@ static whirl_status runup_run_machine(whirl_running *running, const changing *c,
         f.duration = whirl_runup_duration(o);
         if (probes > 0) f.way = whirl_probe_way(&system->probes[0]);
         plan.start = numbers + d;
-        plan.integrate.stop = point->stop;
         plan.integrate.rtol = o->rtol;
         plan.integrate.atol = 1e-3 * o->rtol;
         plan.integrate.limit = 1e300; // time grows without bounds; what is not finite diverges

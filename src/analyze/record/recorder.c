@@ -38,6 +38,7 @@ typedef struct motion {
 
 struct whirl_recorder {
     const whirl_integrate_options *integrate;
+    const whirl_stop *stop; ///< that of the system
     const whirl_record_options *options;
     whirl_ensemble *ensemble;
     whirl_ensemble *variational; ///< carries all perturbations, next to the other one; or NULL
@@ -610,7 +611,7 @@ whirl_status whirl_recorder_revolve(whirl_recorder *r, size_t *turned) {
     if (status.code == WHIRL_OK) status = look_for_orbits(r);
     end_transients(r);
     // Results since a stop are invalid: no record may be taken, and no state saved.
-    if (status.code == WHIRL_OK && whirl_integrate_stopped(r->integrate)) return whirl_fail(WHIRL_STOPPED, "stopped");
+    if (status.code == WHIRL_OK && whirl_stop_is_set(r->stop)) return whirl_fail(WHIRL_STOPPED, "stopped");
     return status;
 }
 
@@ -727,6 +728,7 @@ whirl_status whirl_recorder_new(const whirl_system *system, const whirl_integrat
     if (!r) return whirl_fail(WHIRL_NO_MEMORY, "no memory to record motions");
     r->integrate = integrate;
     r->options = options;
+    r->stop = system->stop;
     r->dimension = system->dimension;
     r->last = options->transient + options->record;
     r->first_watched = r->last - whirl_record_watch(options);

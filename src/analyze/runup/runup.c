@@ -99,7 +99,7 @@ static const double *runup_placed(const runner *r, const double *x) {
 }
 
 static bool runup_stopped(const runner *r) {
-    return r->plan->integrate.stop && whirl_integrate_stopped(&r->plan->integrate);
+    return whirl_stop_is_set(r->system->stop);
 }
 
 // ---------------------------------------------------------------- carrying

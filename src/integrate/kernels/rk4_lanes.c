@@ -219,7 +219,7 @@ void ISA(rk4_lanes)(const rk4_lanes *lanes) {
     if (name##_revolve(lanes)) return;
     INSTANCES(REVOLVE)
 #undef REVOLVE
-    for (int n = 0; n < lanes->steps && !(lanes->stop && *lanes->stop); n++) {
+    for (int n = 0; n < lanes->steps && !whirl_stop_is_set(lanes->stop); n++) {
         begin_step(lanes);
         take_step(lanes, lanes->forcing + (size_t)n * 2 * lanes->forcing_count);
         end_step(lanes, n);

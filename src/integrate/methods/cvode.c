@@ -45,7 +45,7 @@ static int right_hand_side(realtype t, N_Vector x, N_Vector slope, void *data) {
     cvode *work = data;
     const whirl_system *system = work->system;
     double forcing[WHIRL_MAX_FORCING], *out = NV_DATA_S(slope);
-    if (whirl_integrate_stopped(work->options)) return -1; // for good
+    if (whirl_stop_is_set(system->stop)) return -1; // for good
     if (work->sides) {
         stepper_slope(work->sides, t, NV_DATA_S(x), out);
     } else {

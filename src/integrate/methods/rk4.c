@@ -42,7 +42,7 @@ static whirl_status rk4_start(whirl_integrator *integrator) {
     rk4_lanes *lanes = &work->one.lanes;
     lanes->forcing_count = count;
     lanes->steps = steps;
-    lanes->stop = integrator->options.stop;
+    lanes->stop = system->stop;
     lanes->step = system->period / steps;
     lanes->forcing = work->numbers;
     lanes->now = work->numbers + instants * count;

@@ -50,7 +50,7 @@ typedef struct rk4_lanes {
     size_t rates; ///< velocities, and states of first order after them
     int steps;
     double step;
-    const whirl_stop *stop;  ///< stop of the options
+    const whirl_stop *stop;  ///< stop of the system
     const double *forcing;   ///< [2 steps + 1][forcing_count]
     size_t perturbations;    ///< perturbations carried: all states, slopes and stages are [1 + perturbations][...]
     size_t *places;          ///< places of numbers, as in a view

@@ -45,7 +45,7 @@ static int stepper_report(stepper *c, double period, int instants, int instant, 
 /// Returns true if a revolution must end early.
 static bool is_cut_short(const whirl_integrator *integrator) {
     const stepper *c = integrator->workspace;
-    return whirl_integrate_stopped(&integrator->options) ||
+    return whirl_stop_is_set(integrator->system->stop) ||
            (integrator->most_steps > 0 && c->tried >= integrator->most_steps);
 }
 

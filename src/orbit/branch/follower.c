@@ -138,7 +138,7 @@ whirl_status follower_find(follower *f, const double *u, const double *direction
 }
 
 whirl_status branch_add(whirl_branch *b, const whirl_branch_options *options, const whirl_branch_point *point) {
-    if (whirl_integrate_stopped(&options->orbit.integrate)) { // what was found since a stop is discarded
+    if (whirl_stop_is_set(options->stop)) { // what was found since a stop is discarded
         whirl_orbit_free(point->orbit);
         b->end = WHIRL_END_STOPPED;
         return whirl_ok();
@@ -155,7 +155,7 @@ whirl_status branch_add(whirl_branch *b, const whirl_branch_options *options, co
 }
 
 whirl_status branch_finish(whirl_branch *b, const whirl_branch_options *options, whirl_status status) {
-    if (!whirl_integrate_stopped(&options->orbit.integrate)) return status;
+    if (!whirl_stop_is_set(options->stop)) return status;
     b->end = WHIRL_END_STOPPED;
     return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
 }

@@ -32,7 +32,7 @@ static double torus_branch_value_at(const torus_follower *f, const torus_waypoin
 // ---------------------------------------------------------------- points
 
 static whirl_status add_point(const torus_follower *f, torus_walk *w, torus_waypoint *p, whirl_torus_branch *b) {
-    if (whirl_integrate_stopped(&f->options->torus.integrate)) { // what was found since a stop is discarded
+    if (whirl_stop_is_set(f->options->stop)) { // what was found since a stop is discarded
         b->end = WHIRL_TORUS_STOPPED;
         return whirl_ok();
     }

@@ -151,10 +151,6 @@ static pad_table *take_memory(void) {
 
 // ---------------------------------------------------------------- making
 
-static bool is_stopped(const whirl_stop *stop) {
-    return stop && *stop;
-}
-
 static making *begin_making(const pad_table_key *key) {
     making *own = calloc(1, sizeof *own);
     pad_table *table = own ? take_memory() : NULL;
@@ -172,7 +168,8 @@ static making *begin_making(const pad_table_key *key) {
 static void fill_together(making *with, const whirl_stop *stop) {
     pad_workspace *work = NULL;
     whirl_status status = pad_workspace_new(with->film.around, with->film.along, &work);
-    while (with->next < PAD_T_NODES && status.code == WHIRL_OK && with->error.code == WHIRL_OK && !is_stopped(stop)) {
+    while (with->next < PAD_T_NODES && status.code == WHIRL_OK && with->error.code == WHIRL_OK &&
+           !whirl_stop_is_set(stop)) {
         const int t = with->next++;
         lock_leave(&guard);
         status = pad_table_fill(with->table, &with->film, work, t);
@@ -265,8 +262,8 @@ whirl_status pad_table_hold(double number, const whirl_stop *stop) {
     idle_count -= slots[i].holders == 0 && atomic_load(&tables[i]);
     slots[i].holders++;
     while (!atomic_load(&tables[i]) && status.code == WHIRL_OK) {
-        status = is_stopped(stop) ? whirl_fail(WHIRL_STOPPED, "stopped while tables of films were made")
-                                  : tables_make(i, stop);
+        status = whirl_stop_is_set(stop) ? whirl_fail(WHIRL_STOPPED, "stopped while tables of films were made")
+                                         : tables_make(i, stop);
     }
     lock_leave(&guard);
     if (status.code != WHIRL_OK) pad_table_release(number);

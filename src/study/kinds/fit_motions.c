@@ -57,7 +57,6 @@ static void place_make(fit_place *p, const fit_motions *of, size_t index, const 
     p->batch.given_count = count;
     p->batch.speed = p->motion->speed;
     p->options = whirl_orbit_default();
-    p->options.integrate.stop = of->batch->integrate.stop;
     strcpy(p->options.integrate.method, fit->method);
     p->options.integrate.atol *= fit->rtol / p->options.integrate.rtol;
     p->options.integrate.rtol = fit->rtol;

@@ -46,7 +46,7 @@ whirl_resting resting_point_of(const resting_place *at, const whirl_machine *mac
                            .context = at,
                            .drive_speed = machine->drive_speed,
                            .course = machine->course,
-                           .stop = at->batch->integrate.stop,
+                           .stop = at->batch->stop,
                            .placed_count = at->batch->placed_count,
                            .placed = at->batch->placed};
 }

@@ -393,7 +393,8 @@ whirl_status whirl_extended_new(size_t count, whirl_sensitivity *const *by, whir
                                .probe_count = base->probe_count,
                                .probes = base->probes,
                                .angles = extended_periods(e, 1, base->angles),
-                               .model = e};
+                               .model = e,
+                               .stop = base->stop};
     *out = e;
     return whirl_ok();
 }

@@ -14,7 +14,6 @@ whirl_orbit_options whirl_batch_orbits(const whirl_batch *batch) {
     if (strcmp(batch->integrate.method, "rodas5p") == 0) strcpy(integrate->method, "rodas5p");
     integrate->atol *= trace->rtol / integrate->rtol;
     integrate->rtol = trace->rtol;
-    integrate->stop = batch->integrate.stop;
     options.segments = trace->segments;
     options.tolerance = fmax(options.tolerance, 10.0 * trace->rtol);
     return options;
@@ -28,6 +27,7 @@ whirl_branch_options settled_options(const whirl_batch *batch, size_t most_point
     options.step = fmin(options.step, trace->step);
     options.least_step = fmin(options.least_step, options.step);
     options.most_points = most_points;
+    options.stop = batch->stop;
     return options;
 }
 

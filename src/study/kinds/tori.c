@@ -65,6 +65,7 @@ static whirl_torus_branch_options options_of(rows *r) {
     options.most_points = (size_t)trace->torus_points;
     options.found = tori_advance;
     options.context = r;
+    options.stop = r->batch->stop;
     return options;
 }
 

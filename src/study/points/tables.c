@@ -60,7 +60,6 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     table->count = batch_room(batch);
     table->analyses = batch->analyses;
     table->integrate = batch->integrate;
-    table->integrate.stop = NULL;
     table->record = batch->record;
     // Allocate the values; large arrays are files on disk.
     table->values = room_take(&table->room, table->count, sizeof *table->values, ROOM_MIN);

@@ -39,7 +39,7 @@ static void look_around(tracker *t) {
         t->reported = t->progress.seconds = seconds;
         t->options->progress(t->options->context, &t->progress);
     }
-    if (t->options->stop && *t->options->stop) atomic_store(&t->halt, true);
+    if (whirl_stop_is_set(t->options->stop)) atomic_store(&t->halt, true);
 }
 
 bool tracker_advance(tracker *t, double revolutions, size_t points) {

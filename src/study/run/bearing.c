@@ -299,7 +299,7 @@ static void bearing_report(bearing_reporter *to) {
 }
 
 static bool bearing_stopped(const whirl_bearing_options *options) {
-    return options && options->stop && *options->stop;
+    return options && whirl_stop_is_set(options->stop);
 }
 
 whirl_status whirl_bearing_solve(const whirl_bearing *of, const whirl_bearing_options *options,

@@ -32,7 +32,7 @@ static whirl_status prepare_visit(const whirl_study *study, const place *at, boo
     whirl_batch batch = study->batches[at->batch];
     whirl_machine machine;
     batch.outline = outline;
-    batch.integrate.stop = stop;
+    batch.stop = stop;
     const whirl_status status = whirl_study_machine(study, &batch, at->point, &machine);
     if (status.code == WHIRL_OK && machine.release) machine.release(machine.owner);
     return status.code == WHIRL_NO_MEMORY || status.code == WHIRL_STOPPED ? status : whirl_ok();

@@ -277,8 +277,7 @@ whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *
                           run.share.count, run.share.count);
     run.threads = options->threads > 0 ? options->threads : omp_get_num_procs();
     const int before = exhausted_watch();
-    for (size_t i = 0; i < chosen.batch_count && i < WHIRL_MAX_BATCHES; i++)
-        chosen.batches[i].integrate.stop = options->stop;
+    for (size_t i = 0; i < chosen.batch_count && i < WHIRL_MAX_BATCHES; i++) chosen.batches[i].stop = options->stop;
     // Prepare: tables of films, unbalances by rule, methods, an empty result and its memory.
     whirl_status status = check_study(study);
     if (status.code == WHIRL_OK) status = whirl_study_prepare(&chosen, options);
@@ -339,7 +338,7 @@ static whirl_status try_point(const whirl_study *study, const whirl_batch *batch
 static whirl_status try_branches(const whirl_study *study, const whirl_batch *batch, const whirl_stop *stop) {
     whirl_batch own = *batch;
     whirl_status status = whirl_ok();
-    own.integrate.stop = stop;
+    own.stop = stop;
     for (size_t i = 0; i < batch->count && status.code == WHIRL_OK && !*stop; i++) {
         whirl_orbit *orbit;
         status = settled_orbit(study, &own, batch->values[i], &orbit);

@@ -130,13 +130,11 @@ static void compare_exponents(whirl_verification *v) {
 // ---------------------------------------------------------------- states
 
 /// State after the revolutions, all NaN if the motion left its bounds.
-static whirl_status state_after(const whirl_machine *machine, const whirl_integrate_options *how,
-                                const whirl_stop *stop, int revolutions, double *x) {
-    whirl_integrate_options options = *how;
+static whirl_status state_after(const whirl_machine *machine, const whirl_integrate_options *how, int revolutions,
+                                double *x) {
     const size_t dimension = machine->system->dimension;
     whirl_integrator *integrator;
-    options.stop = stop;
-    const whirl_status status = whirl_integrator_new(machine->system, &options, &integrator);
+    const whirl_status status = whirl_integrator_new(machine->system, how, &integrator);
     if (status.code != WHIRL_OK) return status;
     memcpy(x, machine->start, dimension * sizeof *x);
     whirl_motion motion = WHIRL_BOUNDED;
@@ -169,16 +167,18 @@ static double observed_order(const double *states, size_t dimension, double rati
 
 static whirl_status compare_states(const whirl_study *study, const whirl_stop *stop, whirl_verification *v,
                                    size_t point) {
+    whirl_batch batch = study->batches[0];
     whirl_machine machine;
-    whirl_status status = whirl_study_machine(study, &study->batches[0], point, &machine);
+    batch.stop = stop;
+    whirl_status status = whirl_study_machine(study, &batch, point, &machine);
     if (status.code != WHIRL_OK) return status;
     const size_t dimension = machine.system->dimension;
     double *states = calloc((size_t)WHIRL_VERIFY_METHODS * WHIRL_VERIFY_LEVELS * dimension, sizeof *states);
     if (!states) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for states");
     const size_t runs = (size_t)WHIRL_VERIFY_METHODS * WHIRL_VERIFY_LEVELS;
     for (size_t i = 0; i < runs && status.code == WHIRL_OK; i++)
-        status = state_after(&machine, &v->integrate[i / WHIRL_VERIFY_LEVELS][i % WHIRL_VERIFY_LEVELS], stop,
-                             v->revolutions, states + i * dimension);
+        status = state_after(&machine, &v->integrate[i / WHIRL_VERIFY_LEVELS][i % WHIRL_VERIFY_LEVELS], v->revolutions,
+                             states + i * dimension);
     for (size_t m = 0; m < WHIRL_VERIFY_METHODS && status.code == WHIRL_OK; m++) {
         const double *own = states + m * WHIRL_VERIFY_LEVELS * dimension, *reference = states + (runs - 1) * dimension;
         for (size_t level = 0; level < WHIRL_VERIFY_LEVELS; level++)
@@ -197,8 +197,8 @@ static whirl_status compare_all_states(const whirl_study *study, const whirl_run
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
     for (size_t i = 0; i < v->count; i++) {
         whirl_status own = whirl_fail(WHIRL_STOPPED, "stopped");
-        if (!run->stop || !*run->stop) own = compare_states(study, run->stop, v, i);
-        if (run->stop && *run->stop) own = whirl_fail(WHIRL_STOPPED, "stopped");
+        if (!whirl_stop_is_set(run->stop)) own = compare_states(study, run->stop, v, i);
+        if (whirl_stop_is_set(run->stop)) own = whirl_fail(WHIRL_STOPPED, "stopped");
 #pragma omp critical(whirl_verify)
         if (own.code != WHIRL_OK && status.code == WHIRL_OK) status = own;
     }
