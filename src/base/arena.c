@@ -1,4 +1,5 @@
-#include "memory.h"
+#include "arena.h"
+#include "mapped.h"
 
 #include <stdalign.h>
 #include <stdlib.h>
@@ -27,7 +28,7 @@ void *arena_take(memory_arena *arena, size_t size) {
     const size_t unit = alignof(max_align_t);
     if (size > (size_t)-1 - unit) return NULL;
     size = (size + unit - 1) / unit * unit;
-    void *large = size >= ROOM_MIN ? room_map(&arena->room, size, 1) : NULL;
+    void *large = size >= MAPPED_MIN ? mapped_make(&arena->mapped, size, 1) : NULL;
     if (large) return large;
     arena_chunk *chunk = arena->chunks;
     if (!chunk || chunk->size - chunk->used < size) chunk = add_chunk(arena, size);
@@ -50,6 +51,6 @@ void arena_free(memory_arena *arena) {
         chunk = next;
     }
     arena->chunks = NULL;
-    room_free(arena->room);
-    arena->room = NULL;
+    mapped_free(arena->mapped);
+    arena->mapped = NULL;
 }

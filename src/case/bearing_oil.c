@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "numerics.h"
+#include "mineral_oil.h"
 #include "tree.h"
 
 enum { DYNAMIC, KINEMATIC, GRADE, TABLE, WAYS };

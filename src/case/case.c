@@ -5,15 +5,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "arena.h"
 #include "content.h"
-#include "memory.h"
+#include "exhausted.h"
 #include "path.h"
 #include "plan.h"
 #include "settings.h"
 #include "tree.h"
+#include "utf8.h"
 #include "whirl/engine/analyze.h"
+#include "whirl/engine/descriptor.h"
 #include "whirl/engine/ensemble.h"
-#include "words.h"
+#include "whirl/status.h"
 
 // ---------------------------------------------------------------- checks with values
 

@@ -4,7 +4,8 @@
 #include <string.h>
 
 #include "content.h"
-#include "memory.h"
+#include "exhausted.h"
+#include "mapped.h"
 #include "whirl/engine/running.h"
 
 typedef struct member {
@@ -214,7 +215,7 @@ whirl_status whirl_case_study(const whirl_case *object, whirl_study *study) {
     *study = (whirl_study){
         .batch_count = plan->batch_count, .machine = case_machine, .family = object, .refine = object->refine};
     memcpy(study->batches, plan->batches, sizeof study->batches);
-    for (size_t i = 0; i < study->batch_count; i++) study->batches[i].room = object->content.arena.room;
-    room_rest(object->content.arena.room);
+    for (size_t i = 0; i < study->batch_count; i++) study->batches[i].mapped = object->content.arena.mapped;
+    mapped_evict(object->content.arena.mapped);
     return whirl_ok();
 }

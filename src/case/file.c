@@ -3,9 +3,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "memory.h"
+#include "arena.h"
+#include "exhausted.h"
 #include "tree.h"
-#include "words.h"
+#include "utf8.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/status.h"
 
 whirl_status file_read(case_reader *reader, const char *text, size_t length, const char *name, file_read_fn *read,
                        void *into) {

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "memory.h"
+#include "exhausted.h"
 #include "whirl/engine/linear.h"
 
 /// An eigenvalue in SI.

@@ -370,7 +370,7 @@ static void make_map(case_reader *reader, valuation *v, const plan_parts *parts,
     if (!values) return;
     for (size_t i = 0, step = 1; i < axes; step *= sides[i++].count)
         fill_side(&sides[i], step, values + i * count, count);
-    room_rest(reader->arena->room);
+    mapped_evict(reader->arena->mapped);
     note_axis(v, &parts->sweep, sides[0].values[sides[0].count - 1], result);
     // Places in the file, and units.
     plan_origin *origin = plan_next_origin(result);

@@ -5,8 +5,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "name_list.h"
 #include "tree.h"
-#include "words.h"
+#include "whirl/engine/descriptor.h"
 
 /// Appends the name of a station; returns false after a problem.
 static bool add_station(case_reader *reader, const file_node *where, const machine_parts *machine, const char *name,

@@ -9,7 +9,7 @@
 
 #include "tree.h"
 #include "whirl/engine/analyze.h"
-#include "words.h"
+#include "whirl/engine/descriptor.h"
 
 // ---------------------------------------------------------------- reading
 

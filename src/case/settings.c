@@ -6,10 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "number_text.h"
 #include "parameters.h"
 #include "plan.h"
 #include "tree.h"
-#include "words.h"
+#include "unit_words.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/status.h"
 
 void describe_names(const char *word, const char *const *names, size_t count, char text[WHY_SIZE]) {
     const char *near = whirl_nearest_name(word, names, count);

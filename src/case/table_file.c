@@ -4,10 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "memory.h"
+#include "arena.h"
 #include "settings.h"
 #include "tree.h"
-#include "words.h"
+#include "utf8.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/status.h"
 
 enum { MAX_COLUMNS = 16 };
 

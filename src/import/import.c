@@ -7,9 +7,10 @@
 
 #include "input.h"
 #include "ross.h"
+#include "utf8.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/rotor.h"
-#include "words.h"
+#include "whirl/status.h"
 
 enum { MAX_BYTES = 1 << 24, MAX_CASE_BYTES = 1 << 20 };
 

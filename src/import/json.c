@@ -2,7 +2,8 @@
 #include <jansson.h>
 #include <string.h>
 
-#include "memory.h"
+#include "arena.h"
+#include "exhausted.h"
 #include "value.h"
 
 typedef struct json_copier {

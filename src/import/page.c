@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "number_text.h"
 #include "whirl/status.h"
-#include "words.h"
 
 enum { COMMENTS = 64, LAST_ITEM = 98 }; ///< column of comments; last column of items
 

@@ -2,7 +2,7 @@
 #ifndef IMPORT_PAGE_H
 #define IMPORT_PAGE_H
 
-#include "memory.h"
+#include "arena.h"
 #include "value.h"
 #include "whirl/engine/descriptor.h"
 

@@ -31,7 +31,8 @@
 #include <utility>
 #include <vector>
 
-#include "memory.h"
+#include "arena.h"
+#include "exhausted.h"
 #include "value.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "memory.h"
+#include "arena.h"
 #include "whirl/status.h"
 
 #ifdef __cplusplus

@@ -9,8 +9,8 @@
 #include "ensemble_alone.h"
 #include "isa.h"
 #include "method.h"
-#include "numerics.h"
 #include "rk4_lanes.h"
+#include "turns.h"
 #include "vector.h"
 #include "watch.h"
 

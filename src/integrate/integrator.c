@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "method.h"
-#include "numerics.h"
+#include "turns.h"
 #include "whirl/engine/descriptor.h"
 
 static const method *const methods[] = {

@@ -2,8 +2,9 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "member_table.h"
+#include "whirl/engine/descriptor.h"
 #include "whirl/engine/integrate.h"
-#include "words.h"
 
 #define WORD(TYPE, name, field, part, key, fallback, choices, meaning)                                                 \
     MEMBER(whirl_integrate_options, TYPE, name, field, part, false, key, "", "", WHIRL_KEY_CHOICE, false, fallback,    \

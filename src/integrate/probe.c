@@ -1,8 +1,9 @@
 // Motion that a probe sees, and descriptors of its members.
 #include <math.h>
 
+#include "member_table.h"
+#include "whirl/engine/descriptor.h"
 #include "whirl/engine/system.h"
-#include "words.h"
 
 bool whirl_probe_sees(const whirl_probe *probe, size_t which) {
     return probe->x != probe->y || probe->along_y == (which == 1);

@@ -4,11 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "exhausted.h"
 #include "lanes.h"
 #include "linear_status.h"
 #include "matrix.h"
 #include "mean.h"
-#include "memory.h"
 #include "whirl/engine/linear.h"
 
 /// A machine of bearings alone, linearised at its equilibrium, and the inner states of the bearings.

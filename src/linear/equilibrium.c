@@ -4,11 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "exhausted.h"
 #include "linear_status.h"
 #include "matrix.h"
 #include "mean.h"
 #include "mean_rest.h"
-#include "memory.h"
 #include "whirl/engine/linear.h"
 
 /// Relative singular value below which a direction counts as a free motion and is not moved.

@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "matrix.h"
+#include "matrix_balance.h"
 #include "mean.h"
-#include "numerics.h"
 #include "whirl/engine/linear.h"
 
 /// A closed loop in coordinates in which its Jacobian is upper Hessenberg, so that a frequency takes n^2 operations

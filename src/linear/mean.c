@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "exhausted.h"
 #include "linear_status.h"
-#include "memory.h"
 
 enum { PHASES = 16 };
 

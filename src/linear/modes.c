@@ -5,13 +5,13 @@
 #include <string.h>
 
 #include "direction.h"
+#include "exhausted.h"
 #include "free_motions.h"
 #include "matrix.h"
+#include "matrix_balance.h"
 #include "mean.h"
 #include "mean_rest.h"
-#include "memory.h"
 #include "modes_memory.h"
-#include "numerics.h"
 #include "periodic.h"
 
 /// Real and imaginary parts below this part of an eigenvalue are rounding.

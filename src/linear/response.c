@@ -3,11 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "exhausted.h"
 #include "linear_status.h"
 #include "matrix.h"
 #include "mean.h"
 #include "mean_rest.h"
-#include "memory.h"
 #include "periodic.h"
 #include "whirl/engine/linear.h"
 

@@ -3,10 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "exhausted.h"
 #include "linear_status.h"
 #include "matrix.h"
 #include "mean.h"
-#include "memory.h"
 #include "whirl/engine/torsion.h"
 
 /// Computes the Jacobian at rest, room for which is `extra` numbers longer. Freed by the caller.

@@ -7,9 +7,9 @@
 #include <string.h>
 
 #include "findings_build.h"
+#include "unit_words.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/status.h"
-#include "words.h"
 
 static const double degree = 3.14159265358979323846 / 180.0, rounding = 1e-9;
 

@@ -7,7 +7,7 @@
 
 #include "findings_build.h"
 #include "findings_render.h"
-#include "numerics.h"
+#include "taylor_vortices.h"
 #include "whirl/engine/findings.h"
 #include "whirl/engine/result.h"
 #include "whirl/engine/shown.h"

@@ -3,8 +3,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "number_text.h"
+#include "utf8.h"
 #include "whirl/engine/descriptor.h"
-#include "words.h"
 
 enum { TEXT_SIZE = 1024 };
 

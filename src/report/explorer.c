@@ -17,9 +17,9 @@
 
 #include "figure_build.h"
 #include "input.h"
+#include "unit_words.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/status.h"
-#include "words.h"
 
 /// Placeholder for the results in the page's template.
 static const char mark[] = "@WHIRL-RUNS@";

@@ -1,9 +1,10 @@
 // A result from an HDF5 file, which may come from anywhere: nothing in it is believed before it is checked.
 #include "read.h"
 
+#include "exhausted.h"
 #include "h5file.h"
 #include "items.h"
-#include "memory.h"
+#include "mapped.h"
 #include "store.h"
 #include "whirl/engine/study.h"
 
@@ -217,7 +218,7 @@ static void get_field_names(whirl_status *status, hid_t group, const char *table
 /// The same, of a table's own.
 static void *take_array(whirl_status *status, whirl_table *table, size_t count, size_t size) {
     if (status->code != WHIRL_OK) return NULL;
-    void *array = room_take(&table->room, count, size, ROOM_MIN);
+    void *array = mapped_take(&table->mapped, count, size, MAPPED_MIN);
     if (!array) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu x %zu bytes", count, size);
     return array;
 }
@@ -241,7 +242,7 @@ static field_words *get_values(whirl_status *status, hid_t group, shape points, 
     table->values = take_array(status, table, 1, numbers + table->layout.field_count * sizeof(field_words) + 1);
     column from = open_numbers(status, group, "values", points);
     for (size_t i = 0; status->code == WHIRL_OK && i < table->count; ++i) {
-        room_pass(table->room, i);
+        mapped_evict_often(table->mapped, i);
         column_get(status, &from, &table->values[i]);
     }
     column_close(&from);
@@ -253,7 +254,7 @@ static void get_branch(whirl_status *status, hid_t group, shape points, whirl_ta
     column from = open_wholes(status, group, "branch", points);
     for (size_t i = 0; status->code == WHIRL_OK && i < table->count; ++i) {
         int64_t branch = 0;
-        room_pass(table->room, i);
+        mapped_evict_often(table->mapped, i);
         column_get(status, &from, &branch);
         if (branch < -1 || branch > 1)
             *status = whirl_fail(WHIRL_BAD_INPUT, "/%s/branch holds %lld, expected -1, 0 or 1", table->name,
@@ -271,7 +272,7 @@ static void get_length_scales(whirl_status *status, hid_t group, const whirl_res
     bool changes = false;
     column from = open_numbers(status, group, "length_scale", points);
     for (size_t i = 0; status->code == WHIRL_OK && i < table->count; ++i) {
-        room_pass(table->room, i);
+        mapped_evict_often(table->mapped, i);
         column_get(status, &from, &scales[i]);
         const bool own = scales[i] != result->length_scale;
         changes = changes || own;
@@ -281,7 +282,7 @@ static void get_length_scales(whirl_status *status, hid_t group, const whirl_res
     }
     column_close(&from);
     if (changes) return;
-    room_drop(&table->room, scales);
+    mapped_drop(&table->mapped, scales);
     table->length_scales = NULL;
 }
 
@@ -305,7 +306,7 @@ static void get_slots(whirl_status *status, hid_t group, shape points, whirl_tab
     int64_t before = 0, place = 0;
     column from = open_wholes(status, group, "point", points);
     for (size_t i = 0; status->code == WHIRL_OK && i < table->count; ++i) {
-        room_pass(table->room, i);
+        mapped_evict_often(table->mapped, i);
         before = place;
         column_get(status, &from, &place);
         if (status->code == WHIRL_OK && (place <= before || place > last))
@@ -317,7 +318,7 @@ static void get_slots(whirl_status *status, hid_t group, shape points, whirl_tab
     if (status->code != WHIRL_OK) return;
     if ((size_t)planned > table->count) table->planned = (size_t)planned;
     if (table->planned > 0 || table->grid > 0 || table->places > 0) return;
-    room_drop(&table->room, table->slots);
+    mapped_drop(&table->mapped, table->slots);
     table->slots = NULL;
 }
 

@@ -1,7 +1,7 @@
 #include "store.h"
 
+#include "exhausted.h"
 #include "h5file.h"
-#include "memory.h"
 #include "read.h"
 
 #include <stdint.h>

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "journal_file.h"
-#include "memory.h"
+#include "mapped.h"
 #include "read.h"
 #include "store.h"
 
@@ -109,8 +109,8 @@ static whirl_status compare_slots(const comparison *with, const whirl_result *th
             !same_number(found->clock_factor, own->clock_factor))
             return differs(with->path, own, planned < own->planned ? planned : own->planned);
         for (size_t point = 0; point < own->count; ++point) {
-            room_pass(own->room, point);
-            room_pass(found->room, point);
+            mapped_evict_often(own->mapped, point);
+            mapped_evict_often(found->mapped, point);
             if (whirl_table_slot(own, point) != whirl_table_slot(found, point) || !whirl_table_done(found, point) ||
                 !same_number(own->values[point], found->values[point]) || own->branch[point] != found->branch[point] ||
                 !same_number(whirl_result_length_scale(with->result, own, point),

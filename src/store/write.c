@@ -2,7 +2,7 @@
 #include "h5file.h"
 #include "items.h"
 #include "journal_file.h"
-#include "memory.h"
+#include "mapped.h"
 #include "store.h"
 #include "whirl/engine/shown.h"
 
@@ -198,8 +198,8 @@ static void put_each_number(whirl_status *status, hid_t group, const char *name,
     column_of_numbers(status, &out, group, name, points, points.sizes, points.rank, unit);
     for (size_t at = 0; status->code == WHIRL_OK && at < from->own->table.count; ++at) {
         const double value = number(from, at);
-        room_pass(from->own->table.room, at);
-        room_pass(from->own->room, at);
+        mapped_evict_often(from->own->table.mapped, at);
+        mapped_evict_often(from->own->mapped, at);
         column_put(status, &out, &value);
     }
     column_end(status, &out);
@@ -212,8 +212,8 @@ static void put_each_whole(whirl_status *status, hid_t group, const char *name, 
     column_of_wholes(status, &out, group, name, shape_of(&from->own->table));
     for (size_t at = 0; status->code == WHIRL_OK && at < from->own->table.count; ++at) {
         const int64_t value = whole(from, at);
-        room_pass(from->own->table.room, at);
-        room_pass(from->own->room, at);
+        mapped_evict_often(from->own->table.mapped, at);
+        mapped_evict_often(from->own->mapped, at);
         column_put(status, &out, &value);
     }
     column_end(status, &out);

@@ -4,8 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "number_text.h"
 #include "user.h"
-#include "words.h"
+#include "whirl/status.h"
 
 // ---------------------------------------------------------------- which ones
 

@@ -6,8 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "number_text.h"
 #include "user.h"
-#include "words.h"
+#include "whirl/status.h"
 
 /// Sizes between these are ordinary.
 static const double smallest = 1e-2, largest = 1e2;

@@ -24,7 +24,7 @@ enum {
 };
 
 /// Arrays in unnamed files, of which the system keeps as much in memory as there is space for.
-typedef struct whirl_room whirl_room;
+typedef struct whirl_mapped whirl_mapped;
 
 /// A coexisting attractor at a parameter value, in a study with several starts for each.
 typedef struct whirl_coexisting {
@@ -85,7 +85,7 @@ struct whirl_table {
     const struct whirl_table *source;  ///< for a view (whirl_result_by_attractor): the table of its points, or NULL
     size_t *chosen;                    ///< [count] indices in that table
     whirl_coexisting *attractors;      ///< [count] attractors of the points
-    whirl_room *room;                  ///< NULL, or memory of those arrays that a run made large
+    whirl_mapped *mapped;              ///< NULL, or memory of those arrays that a run made large
 };
 
 /// whirl_table.clock_of of a rate that is not recorded.

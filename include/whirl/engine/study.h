@@ -103,7 +103,7 @@ typedef struct whirl_batch {
     whirl_record_options record;       ///< contents of the records
     whirl_analysis_set analyses;       ///< analyses of the points
     const whirl_fit *fit;              ///< of a fit: what is fitted to what; borrowed; else NULL
-    const whirl_room *room;            ///< NULL, or memory of large `values`; borrowed
+    const whirl_mapped *mapped;        ///< NULL, or memory of large `values`; borrowed
     /// Requested machine: its stop (whirl_system.stop), and that of film tables made for it; in the batch itself NULL,
     /// because runs set that of their options. Borrowed.
     const whirl_stop *stop;

@@ -4,8 +4,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "numerics.h"
+#include "birkhoff_weight.h"
 #include "section.h"
+#include "turns.h"
 
 /// Growth in which a perturbation vanishes: it shrank at least to the smallest double.
 static const double strongest_decay = -745.0;

@@ -5,11 +5,11 @@
 #include "approach.h"
 #include "archive.h"
 #include "metric.h"
-#include "numerics.h"
 #include "orbit_search.h"
 #include "orbits.h"
 #include "section.h"
 #include "settling.h"
+#include "turns.h"
 
 /// Longest orbit that is searched while a motion settles: two of its returns must fit into the kept states.
 enum { LONGEST = 40 };

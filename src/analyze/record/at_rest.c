@@ -6,8 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "numerics.h"
 #include "section.h"
+#include "turns.h"
 
 /// Largest size of a motion at rest, over the state's size.
 static const double near_enough = 1e-5;

@@ -3,9 +3,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "member_table.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/dataset.h"
-#include "words.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/status.h"
 
 #define WHOLE(name, field, part, key, fallback, low, high, refined, meaning)                                           \
     MEMBER(whirl_record_options, WHOLE, name, field, part, refined, key, "", "1", WHIRL_KEY_WHOLE, false, fallback,    \

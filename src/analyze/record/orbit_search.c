@@ -6,7 +6,7 @@
 
 #include "archive.h"
 #include "matrix.h"
-#include "numerics.h"
+#include "turns.h"
 #include "whirl/engine/ensemble.h"
 
 // ---------------------------------------------------------------- one orbit_search

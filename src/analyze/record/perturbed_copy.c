@@ -4,7 +4,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "numerics.h"
+#include "turns.h"
 
 /// Size of the perturbation relative to the motion: far above rounding, far below anything nonlinear. Also in
 /// tolerances.

@@ -6,9 +6,9 @@
 #include <string.h>
 
 #include "archive.h"
-#include "numerics.h"
 #include "recurrence.h"
 #include "section.h"
+#include "turns.h"
 
 int record_skip(const whirl_record_options *options, int revolution, size_t period) {
     enum { STILL_WATCHED = 64 };

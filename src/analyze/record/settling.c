@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "archive.h"
-#include "numerics.h"
+#include "turns.h"
 #include "whirl/engine/analyze.h"
 
 enum { KEPT = WHIRL_MAX_PERIOD + 1, CALM = 32 };

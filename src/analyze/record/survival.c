@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "birkhoff.h"
-#include "numerics.h"
 #include "record_block.h"
 #include "recurrence.h"
 #include "whirl/engine/ensemble.h"

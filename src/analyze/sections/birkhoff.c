@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "birkhoff.h"
-#include "numerics.h"
+#include "birkhoff_weight.h"
 #include "section.h"
 
 /// Weighted averages of one coordinate and of its square about `centre` over `count` points from `first`.

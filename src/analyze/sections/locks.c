@@ -6,9 +6,9 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "birkhoff_weight.h"
 #include "curves.h"
 #include "locks.h"
-#include "numerics.h"
 #include "rotation.h"
 #include "section.h"
 

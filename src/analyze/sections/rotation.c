@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "numerics.h"
+#include "birkhoff_weight.h"
 #include "rotation.h"
 #include "section.h"
 

@@ -4,10 +4,10 @@
 
 #include "analysis.h"
 #include "birkhoff.h"
-#include "numerics.h"
 #include "record_block.h"
 #include "recurrence.h"
 #include "section.h"
+#include "turns.h"
 
 evidence evidence_gather(const whirl_record *record) {
     evidence e = {.points = record_points(record),

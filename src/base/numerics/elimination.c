@@ -1,4 +1,4 @@
-#include "numerics.h"
+#include "elimination.h"
 
 #include <math.h>
 

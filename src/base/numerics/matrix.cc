@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numerics.h"
+#include "matrix_balance.h"
 
 namespace {
 

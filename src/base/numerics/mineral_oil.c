@@ -1,4 +1,4 @@
-#include "numerics.h"
+#include "mineral_oil.h"
 
 #include <math.h>
 

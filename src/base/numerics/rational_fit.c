@@ -1,4 +1,4 @@
-#include "numerics.h"
+#include "rational_fit.h"
 
 #include <complex.h>
 #include <math.h>

@@ -4,8 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "number_text.h"
 #include "whirl/engine/descriptor.h"
-#include "words.h"
+#include "whirl/status.h"
 
 const whirl_key *whirl_group_at(const whirl_group *group, size_t index) {
     if (index < group->key_count) return &group->keys[index];

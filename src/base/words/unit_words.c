@@ -1,4 +1,5 @@
-#include "words.h"
+#include "unit_words.h"
+#include "whirl/status.h"
 
 #include <stdbool.h>
 #include <stdio.h>

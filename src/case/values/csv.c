@@ -9,8 +9,9 @@
 #include <string.h>
 
 #include "input.h"
+#include "utf8.h"
 #include "whirl/engine/case.h"
-#include "words.h"
+#include "whirl/status.h"
 
 enum { CSV_MAX_BYTES = 1 << 30, CSV_FIRST_ROWS = 4096 };
 

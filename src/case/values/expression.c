@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "memory.h"
+#include "exhausted.h"
 #include "tree.h"
 
 /// Functions of muParser, all with radians; log is the natural logarithm, as ln.

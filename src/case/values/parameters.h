@@ -2,7 +2,7 @@
 #ifndef CASE_PARAMETERS_H
 #define CASE_PARAMETERS_H
 
-#include "memory.h"
+#include "arena.h"
 #include "tree.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/descriptor.h"

@@ -14,10 +14,11 @@
 #include <string.h>
 #include <udunits2.h>
 
+#include "exhausted.h"
 #include "lock.h"
-#include "memory.h"
+#include "number_text.h"
 #include "tree.h"
-#include "words.h"
+#include "whirl/status.h"
 
 enum { LONGEST_NUMBER = 60, LONGEST_UNIT = 60 };
 

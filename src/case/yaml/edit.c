@@ -6,7 +6,8 @@
 #include "content.h"
 #include "path.h"
 #include "tree.h"
-#include "words.h"
+#include "utf8.h"
+#include "whirl/status.h"
 
 /// Returns the bytes of the first `characters` characters.
 static size_t byte_offset(const char *text, size_t length, size_t characters) {

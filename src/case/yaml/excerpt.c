@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "words.h"
+#include "utf8.h"
 
 /// Characters of a long line that are shown before a place.
 enum { LEAD = 60, LONGEST_MARK = 1000 };

@@ -6,7 +6,8 @@
 #include <string.h>
 
 #include "input.h"
-#include "words.h"
+#include "utf8.h"
+#include "whirl/status.h"
 
 whirl_status source_load(const char *path, whirl_problems *problems, char **text, size_t *length) {
     input_file in;

@@ -6,7 +6,8 @@
 #include <string.h>
 #include <yaml.h>
 
-#include "words.h"
+#include "utf8.h"
+#include "whirl/status.h"
 
 typedef struct tree_builder {
     memory_arena *arena;

@@ -2,7 +2,7 @@
 #ifndef CASE_TREE_H
 #define CASE_TREE_H
 
-#include "memory.h"
+#include "arena.h"
 #include "whirl/engine/case.h"
 #include "whirl/status.h"
 

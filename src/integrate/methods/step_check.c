@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "method.h"
-#include "numerics.h"
+#include "turns.h"
 
 enum { PHASES = 16 };
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "matrix.h"
-#include "numerics.h"
+#include "matrix_balance.h"
 
 /// Largest growth of a perturbation in a step that counts as stable: 1, and a margin for truncation errors of growing
 /// modes.

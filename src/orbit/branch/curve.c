@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "elimination.h"
 #include "matrix.h"
-#include "numerics.h"
 
 whirl_status curve_check(const curve_way *w, double value) {
     const double low = fmin(w->from, w->to), high = fmax(w->from, w->to);

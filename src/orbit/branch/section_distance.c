@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "numerics.h"
+#include "turns.h"
 
 double states_distance(const whirl_system *system, const double *a, const double *b) {
     double away = 0.0, size = 0.0;

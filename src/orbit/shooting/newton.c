@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "numerics.h"
+#include "elimination.h"
 
 typedef struct newton_work {
     double *value, *tried, *step, *at; ///< [count]

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "numerics.h"
+#include "turns.h"
 
 static whirl_status shooting_check(const whirl_system *system, const whirl_orbit_options *options, size_t revolutions,
                                    double period) {

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "numerics.h"
+#include "turns.h"
 #include "whirl/engine/orbit.h"
 
 static whirl_status section_map_check(const whirl_system *system, size_t revolutions) {

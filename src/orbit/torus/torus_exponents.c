@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "numerics.h"
+#include "birkhoff_weight.h"
 
 enum { SETTLING = 256, MIN_STEPS = 512, MAX_STEPS = 8192 };
 

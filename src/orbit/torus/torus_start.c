@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "numerics.h"
+#include "birkhoff_weight.h"
 
 static const double two_pi = 6.283185307179586476925;
 

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "numerics.h"
 #include "torus_follower.h"
+#include "turns.h"
 #include "whirl/engine/torus.h"
 
 typedef double complex number;

@@ -3,8 +3,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "number_text.h"
+#include "utf8.h"
 #include "whirl/engine/descriptor.h"
-#include "words.h"
 
 /// Characters to be escaped have at most four digits.
 static void escape(FILE *stream, unsigned character) {

@@ -4,10 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "exhausted.h"
 #include "findings_build.h"
 #include "findings_render.h"
 #include "machine_at.h"
-#include "memory.h"
 #include "shown_kinds.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/descriptor.h"

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "memory.h"
+#include "arena.h"
 
 const char *whirl_judgement_name(whirl_judgement judgement) {
     static const char *const names[] = {"none asked for", "holds", "not known", "fails"};

@@ -5,8 +5,8 @@
 
 #include "findings_render.h"
 #include "number_shown.h"
+#include "number_text.h"
 #include "whirl/engine/findings.h"
-#include "words.h"
 
 enum { CELL_SIZE = 1024 };
 

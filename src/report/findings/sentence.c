@@ -7,10 +7,11 @@
 #include <string.h>
 
 #include "number_shown.h"
+#include "number_text.h"
+#include "unit_words.h"
 #include "whirl/engine/findings.h"
 #include "whirl/engine/result.h"
 #include "whirl/engine/shown.h"
-#include "words.h"
 
 /// Units that no word of `units` names.
 static const unit_word sentence_units[] = {{"Pa s", "Pa s", UNIT_VISCOSITY, 1.0}, {"kg m", "kg m", UNIT_UNBALANCE, 1.0},

@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "name_list.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/response_peaks.h"
-#include "words.h"
 
 bool margin_running(const whirl_table *table, double *low, double *high) {
     const double from = table->record.running_low, to = table->record.running_high;

@@ -5,7 +5,8 @@
 #include <math.h>
 #include <stdarg.h>
 
-#include "words.h"
+#include "number_text.h"
+#include "utf8.h"
 
 static const char *entity(char letter) {
     switch (letter) {

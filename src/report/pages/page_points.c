@@ -6,6 +6,7 @@
 
 #include "machine_at.h"
 #include "number_shown.h"
+#include "number_text.h"
 #include "page.h"
 #include "quantities.h"
 #include "regimes.h"
@@ -14,7 +15,6 @@
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/result.h"
 #include "whirl/engine/shown.h"
-#include "words.h"
 
 enum { SHOWN_LINES = 5, NAMES_SIZE = 512 };
 

@@ -8,8 +8,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "utf8.h"
 #include "whirl/status.h"
-#include "words.h"
 
 extern char **environ; // no POSIX header declares it
 

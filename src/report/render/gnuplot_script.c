@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "figure_build.h"
-#include "words.h"
+#include "number_text.h"
 
 enum { MARKUP_SIZE = 1024 };
 

@@ -6,10 +6,10 @@
 #include <stdio.h>
 
 #include "design.h"
-#include "numerics.h"
 #include "registry.h"
 #include "shafts.h"
 #include "table.h"
+#include "taylor_vortices.h"
 
 // ---------------------------------------------------------------- black
 // Equations: docs/theory.md, "Annular seal".

@@ -1,6 +1,6 @@
 #include "laws.h"
 
-#include "numerics.h"
+#include "mineral_oil.h"
 
 static const char *const names[OIL_KEYS] = {[OIL_DYNAMIC] = "viscosity",       [OIL_KINEMATIC] = "kinematic_viscosity",
                                             [OIL_DENSITY] = "density",         [OIL_GRADE] = "grade",

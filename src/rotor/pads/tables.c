@@ -7,9 +7,9 @@
 #include <stdlib.h>
 
 #include "clock.h"
+#include "exhausted.h"
 #include "first_error.h"
 #include "lock.h"
-#include "memory.h"
 #include "whirl/internal/film_tables.h"
 
 enum { MAX_TABLES = WHIRL_MAX_FILM_TABLES };

@@ -6,7 +6,9 @@
 #include "building.h"
 #include "matrix.h"
 #include "mesh.h"
-#include "words.h"
+#include "name_list.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/status.h"
 
 /// m/s2. The effect of weight is solved for it and scaled to the design's.
 static const double standard_gravity = 9.80665;

@@ -5,8 +5,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "number_text.h"
+#include "whirl/engine/descriptor.h"
 #include "whirl/engine/shown.h"
-#include "words.h"
+#include "whirl/status.h"
 
 /// A line being written.
 typedef struct line {

@@ -3,8 +3,9 @@
 #include "mat.h"
 
 #include "store.h"
+#include "utf8.h"
 #include "whirl/engine/result.h"
-#include "words.h"
+#include "whirl/status.h"
 
 #include <matio.h>
 #include <stdint.h>

@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-#include "memory.h"
+#include "mapped.h"
 
 static void copy_point(const whirl_table *whole, size_t from, finished *out) {
     whirl_table *table = &out->table;
@@ -18,7 +18,7 @@ static void copy_point(const whirl_table *whole, size_t from, finished *out) {
 static whirl_status copy_finished(const whirl_table *whole, size_t count, finished *out) {
     const size_t bytes = 2 * sizeof(size_t) + 2 * sizeof(double) + sizeof(int);
     whirl_table *table = &out->table;
-    size_t *points = out->points = room_take(&out->room, count, bytes, ROOM_MIN);
+    size_t *points = out->points = mapped_take(&out->mapped, count, bytes, MAPPED_MIN);
     if (!points) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", count);
     table->slots = points + count;
     table->values = (double *)(table->slots + count);
@@ -26,8 +26,8 @@ static whirl_status copy_finished(const whirl_table *whole, size_t count, finish
     table->branch = (int *)(table->values + 2 * count);
     table->count = 0;
     for (size_t i = 0; i < whole->count; ++i) {
-        room_pass(out->room, i);
-        room_pass(whole->room, i);
+        mapped_evict_often(out->mapped, i);
+        mapped_evict_often(whole->mapped, i);
         if (whirl_table_done(whole, i)) copy_point(whole, i, out);
     }
     return whirl_ok();
@@ -36,7 +36,7 @@ static whirl_status copy_finished(const whirl_table *whole, size_t count, finish
 whirl_status finished_points(const whirl_table *whole, finished *out) {
     size_t count = 0;
     for (size_t i = 0; i < whole->count; ++i) {
-        room_pass(whole->room, i);
+        mapped_evict_often(whole->mapped, i);
         count += whirl_table_done(whole, i);
     }
     *out = (finished){.table = *whole};
@@ -49,6 +49,6 @@ whirl_status finished_points(const whirl_table *whole, finished *out) {
 }
 
 void finished_free(finished *own) {
-    room_drop(&own->room, own->points);
+    mapped_drop(&own->mapped, own->points);
     own->points = NULL;
 }

@@ -7,8 +7,10 @@
 
 #include "build.h"
 #include "isa.h"
-#include "memory.h"
-#include "words.h"
+#include "mapped.h"
+#include "number_text.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/status.h"
 
 enum { SHOWN = 90 };
 
@@ -75,7 +77,7 @@ static void put_points(FILE *out, const whirl_result *outline, const whirl_table
     uint32_t sum = 0;
     size_t count = 0, end = 0;
     for (size_t i = 0; i < table->count; ++i) {
-        room_pass(table->room, i);
+        mapped_evict_often(table->mapped, i);
         if (!is_planned(table, i)) continue;
         ++count;
         end = i;

@@ -9,7 +9,7 @@
 #include "clock.h"
 #include "journal_file.h"
 #include "journal_frame.h"
-#include "memory.h"
+#include "mapped.h"
 #include "store.h"
 
 enum { MAX_BATCHES = 128 };
@@ -37,7 +37,7 @@ struct whirl_journal {
     size_t batch_count; ///< batches of the study; later passes have further indices (whirl_keeper)
     size_t points;      ///< points of the first pass
     batch_index batches[MAX_BATCHES];
-    whirl_room *room;
+    whirl_mapped *mapped;
     size_t looks; ///< at the index
     whirl_journal_found found;
     underway *states; ///< states of unfinished points; NULL: none are kept
@@ -52,7 +52,7 @@ static uint64_t start_of(const whirl_journal *journal) {
 static void free_journal(whirl_journal *journal) {
     if (!journal) return;
     journal_file_close(&journal->file);
-    for (size_t i = 0; i < MAX_BATCHES; ++i) room_drop(&journal->room, journal->batches[i].offset);
+    for (size_t i = 0; i < MAX_BATCHES; ++i) mapped_drop(&journal->mapped, journal->batches[i].offset);
     underway_close(journal->states);
     free(journal->pending);
     free(journal->identity.text);
@@ -60,7 +60,7 @@ static void free_journal(whirl_journal *journal) {
 }
 
 static batch_index new_index(whirl_journal *journal, size_t count) {
-    return (batch_index){count, room_take(&journal->room, count, sizeof(uint64_t), ROOM_MIN)};
+    return (batch_index){count, mapped_take(&journal->mapped, count, sizeof(uint64_t), MAPPED_MIN)};
 }
 
 static whirl_status make_index(whirl_journal *journal, const whirl_result *outline) {
@@ -79,7 +79,7 @@ static uint64_t *place_of(whirl_journal *journal, uint64_t batch, uint64_t slot)
     const size_t count = journal->batches[batch % journal->batch_count].count;
     if (slot >= count) return NULL;
     if (!index->offset) *index = new_index(journal, count);
-    room_pass(journal->room, journal->looks++);
+    mapped_evict_often(journal->mapped, journal->looks++);
     return index->offset ? &index->offset[slot] : NULL;
 }
 

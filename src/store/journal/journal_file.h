@@ -63,7 +63,7 @@ uint32_t crc32c(uint32_t before, const void *bytes, size_t size);
 typedef struct finished {
     whirl_table table; ///< these points, without blocks; if all are finished, with the arrays of the whole table
     size_t *points;    ///< [table.count] which points of the whole table they are; NULL: all
-    whirl_room *room;
+    whirl_mapped *mapped;
 } finished;
 
 /// The whole table must live as long.

@@ -58,7 +58,7 @@ static void begin_view(const whirl_table *table, whirl_table *view) {
     view->branch = NULL;
     view->done = NULL;
     view->journal_blocks = NULL;
-    view->room = NULL;
+    view->mapped = NULL;
     view->attractors = NULL;
 }
 

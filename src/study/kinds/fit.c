@@ -4,9 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "deal.h"
 #include "fit_motions.h"
 #include "kinds.h"
 #include "least_squares.h"
+#include "pass.h"
+#include "run_journal.h"
+#include "study_run.h"
 
 /// One fit under way.
 typedef struct fit_work {

@@ -5,6 +5,7 @@
 
 #include "pass.h"
 #include "resting_point.h"
+#include "study_run.h"
 #include "whirl/engine/study.h"
 
 #include <stdbool.h>

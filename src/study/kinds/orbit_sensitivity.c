@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "matrix.h"
-#include "numerics.h"
+#include "turns.h"
 #include "whirl/engine/sensitivity.h"
 
 /// Workspace of one orbit.

@@ -1,12 +1,18 @@
 // Points of machines at rest, whose motion is not followed.
 #include "kinds.h"
+#include "pass.h"
 
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "pass.h"
+#include "batch_points.h"
+#include "deal.h"
+#include "run_journal.h"
+#include "study_run.h"
+#include "tracker.h"
+#include "whirl/engine/study.h"
 
 /// Points of a thread's, or a share's, piece: neighbours in it share the modes of the point between them.
 enum { RESTING_PIECE = 8 };

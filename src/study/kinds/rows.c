@@ -1,4 +1,7 @@
 #include "rows.h"
+#include "pass.h"
+#include "run_journal.h"
+#include "study_run.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,6 +3,8 @@
 #define STUDY_ROWS_H
 
 #include "pass.h"
+#include "study_run.h"
+#include "whirl/engine/study.h"
 
 typedef struct rows {
     study_run *run;

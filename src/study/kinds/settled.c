@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "numerics.h"
+#include "turns.h"
 #include "whirl/engine/linear.h"
 
 whirl_orbit_options whirl_batch_orbits(const whirl_batch *batch) {

@@ -1,5 +1,7 @@
 // Tori that begin at the Neimark-Sacker points of branches. The branches' batch comes before theirs.
 #include "kinds.h"
+#include "pass.h"
+#include "study_run.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,8 @@
 // Branches of orbits, and curves of their special points over two parameters. The table ends with as many points as
 // were found.
 #include "kinds.h"
+#include "pass.h"
+#include "study_run.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "pass.h"
+#include "added_field.h"
+#include "batch_points.h"
+#include "whirl/engine/study.h"
 
 whirl_status whirl_study_machine(const whirl_study *study, const whirl_batch *batch, size_t point,
                                  whirl_machine *machine) {

@@ -1,8 +1,9 @@
 // Descriptors of the options of a study.
 #include <math.h>
 
+#include "member_table.h"
+#include "whirl/engine/descriptor.h"
 #include "whirl/engine/study.h"
-#include "words.h"
 
 const whirl_member *whirl_batch_members(void) {
     static const whirl_member members[] = {

@@ -3,7 +3,9 @@
 #include <stdlib.h>
 
 #include "clock.h"
+#include "deal.h"
 #include "pass.h"
+#include "study_run.h"
 
 /// Displacement of a perturbed copy over the size of the state.
 static const double displacement = 1e-6;

@@ -2,7 +2,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "pass.h"
+#include "added_field.h"
+#include "record_fields.h"
+#include "whirl/engine/study.h"
 
 /// Numbers of a record, a field each.
 static const struct {

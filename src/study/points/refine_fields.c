@@ -1,7 +1,9 @@
 // Fields that refinement notes in a point's block: rounds, cost, and the options that an advice may change.
 #include <stdio.h>
 
+#include "added_field.h"
 #include "pass.h"
+#include "refine_fields.h"
 
 bool refine_option(size_t index, refined_option *option) {
     const refined_option all[] = {{whirl_record_members(), offsetof(pass, record), "revolution"},

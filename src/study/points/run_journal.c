@@ -1,5 +1,6 @@
 // Access to the journal of a run, by one thread at a time.
-#include "pass.h"
+#include "run_journal.h"
+#include "whirl/engine/study.h"
 
 #include <errno.h>
 

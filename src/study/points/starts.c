@@ -1,5 +1,7 @@
 // Several starts of every point: how they are spread, and their fields in the blocks.
-#include "pass.h"
+#include "starts.h"
+#include "added_field.h"
+#include "whirl/engine/study.h"
 
 double whirl_halton(size_t index, size_t coordinate) {
     static const unsigned char primes[WHIRL_MAX_RANGES] = {2,  3,  5,  7,   11,  13,  17,  19,  23,  29, 31,

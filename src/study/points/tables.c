@@ -5,9 +5,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "batch_points.h"
+#include "batch_slots.h"
 #include "journal_blocks.h"
-#include "memory.h"
-#include "pass.h"
+#include "mapped.h"
+#include "record_fields.h"
+#include "refine_fields.h"
+#include "starts.h"
+#include "study_run.h"
+#include "tables.h"
+#include "whirl/engine/study.h"
 
 static void fill_values(whirl_table *table, const whirl_batch *batch) {
     const bool found = batch_is_found(batch);
@@ -16,8 +23,8 @@ static void fill_values(whirl_table *table, const whirl_batch *batch) {
     for (size_t copy = 0; copy < batch_room(batch) / batch->count; copy++)
         for (size_t k = 0; k < batch->count; k++) {
             const size_t slot = copy * batch->count + k;
-            room_pass(batch->room, k);
-            room_pass(table->room, k);
+            mapped_evict_often(batch->mapped, k);
+            mapped_evict_often(table->mapped, k);
             table->values[slot] = batch->values ? batch->values[k] : NAN;
             if (batch->carry != WHIRL_CARRY_NONE)
                 table->branch[slot] = copy == 1 || batch->carry == WHIRL_CARRY_REVERSE ? -1 : 1;
@@ -62,12 +69,12 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     table->integrate = batch->integrate;
     table->record = batch->record;
     // Allocate the values; large arrays are files on disk.
-    table->values = room_take(&table->room, table->count, sizeof *table->values, ROOM_MIN);
-    table->branch = room_take(&table->room, table->count, sizeof *table->branch, ROOM_MIN);
+    table->values = mapped_take(&table->mapped, table->count, sizeof *table->values, MAPPED_MIN);
+    table->branch = mapped_take(&table->mapped, table->count, sizeof *table->branch, MAPPED_MIN);
     if (!table->values || !table->branch)
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for the values of %zu points", table->count);
     fill_values(table, batch);
-    room_rest(table->room);
+    mapped_evict(table->mapped);
     return whirl_ok();
 }
 
@@ -75,8 +82,8 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
 /// (table_close_up) use memory only for the points that they have.
 static whirl_status make_blocks(whirl_table *table, size_t large) {
     const bool closed_up = table->refine > 0 || table->neighbours > 0;
-    const size_t least = closed_up ? PTRDIFF_MAX : large > ROOM_MIN ? large : ROOM_MIN;
-    table->blocks = room_take(&table->room, table->count * table->layout.size + 1, sizeof *table->blocks, least);
+    const size_t least = closed_up ? PTRDIFF_MAX : large > MAPPED_MIN ? large : MAPPED_MIN;
+    table->blocks = mapped_take(&table->mapped, table->count * table->layout.size + 1, sizeof *table->blocks, least);
     return table->blocks ? whirl_ok()
                          : whirl_fail(WHIRL_NO_MEMORY, "no memory for the results of %zu points", table->count);
 }
@@ -92,7 +99,7 @@ whirl_status tables_fill(const study_run *run, size_t memory) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < run->result->table_count && status.code == WHIRL_OK; i++) {
         whirl_table *table = &run->result->tables[i];
-        table->done = room_take(&table->room, table->count, sizeof *table->done, ROOM_MIN);
+        table->done = mapped_take(&table->mapped, table->count, sizeof *table->done, MAPPED_MIN);
         if (!table->done) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", table->count);
         const bool large = table->count >= most / (table->layout.size + 1);
         // No state is kept for points at rest.

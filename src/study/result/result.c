@@ -2,7 +2,7 @@
 #include "whirl/engine/result.h"
 
 #include "journal_blocks.h"
-#include "memory.h"
+#include "mapped.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -14,7 +14,7 @@ void whirl_result_free(whirl_result *result) {
         whirl_table *table = &result->tables[i];
         void *const arrays[] = {table->slots,  table->values, table->length_scales,
                                 table->branch, table->blocks, table->done};
-        for (size_t k = 0; k < sizeof arrays / sizeof *arrays; ++k) room_drop(&table->room, arrays[k]);
+        for (size_t k = 0; k < sizeof arrays / sizeof *arrays; ++k) mapped_drop(&table->mapped, arrays[k]);
         journal_blocks_free(table->journal_blocks);
     }
     free(result->tables);
@@ -41,7 +41,7 @@ const whirl_table *whirl_result_role(const whirl_result *result, whirl_role role
 const double *whirl_table_block(const whirl_table *table, size_t point) {
     if (point >= table->count) return NULL;
     if (table->source) return whirl_table_block(table->source, table->chosen[point]);
-    room_pass(table->room, point);
+    mapped_evict_often(table->mapped, point);
     if (table->journal_blocks) return journal_blocks_of(table, point);
     return table->blocks ? table->blocks + point * table->layout.size : NULL;
 }
@@ -151,7 +151,7 @@ bool whirl_result_partial(const whirl_result *result, size_t *done, size_t *tota
         const whirl_table *table = result->tables[i].source ? result->tables[i].source : &result->tables[i];
         *total += whirl_table_planned(table);
         for (size_t point = 0; point < table->count; ++point) {
-            room_pass(table->room, point);
+            mapped_evict_often(table->mapped, point);
             *done += whirl_table_done(table, point);
         }
     }

@@ -5,7 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "words.h"
+#include "unit_words.h"
+#include "whirl/status.h"
 
 static bool shown_near(double a, double b) {
     return fabs(a - b) <= 1e-12 * fabs(b);

@@ -10,7 +10,8 @@
 
 #include "bracket.h"
 #include "clock.h"
-#include "numerics.h"
+#include "mineral_oil.h"
+#include "taylor_vortices.h"
 #include "whirl/engine/study.h"
 
 static const double pi = 3.14159265358979323846, zero_degrees = 273.15;

@@ -5,7 +5,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "run.h"
+#include "follow.h"
+#include "pass.h"
+#include "passes.h"
+#include "study_run.h"
+#include "whirl/engine/study.h"
 
 /// Length of a copy over the point's revolutions; doubled in every round of refinement.
 static const int first_length = 3;

@@ -1,8 +1,13 @@
 // Starts from neighbours. Attractors with small basins, which random starts miss, are found where their basins are
 // large and followed from there: each place starts from the ends of its neighbours' motions on attractors that it
 // lacks.
+#include "neighbours.h"
 #include "attractors.h"
-#include "run.h"
+#include "pass.h"
+#include "passes.h"
+#include "study_run.h"
+#include "tables.h"
+#include "whirl/engine/study.h"
 
 #include <math.h>
 #include <stdlib.h>

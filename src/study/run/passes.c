@@ -10,7 +10,17 @@
 //
 // A point is a pure function of the study and is written to its own slot of the table, so threads change no result.
 // Points that start from one another's ends (a carried sweep) are computed one after the other.
-#include "run.h"
+#include "passes.h"
+#include "batch_points.h"
+#include "deal.h"
+#include "kinds.h"
+#include "pass.h"
+#include "record_fields.h"
+#include "refine_fields.h"
+#include "run_journal.h"
+#include "starts.h"
+#include "study_run.h"
+#include "whirl/engine/study.h"
 
 #include <errno.h>
 #include <math.h>
@@ -19,7 +29,7 @@
 #include <string.h>
 
 #include "clock.h"
-#include "memory.h"
+#include "mapped.h"
 #include "whirl/engine/ensemble.h"
 
 /// A point under way, and the number of points that follow it, each from the end of the one before.
@@ -224,9 +234,9 @@ static void point_is_done(worker *w, point *p) {
     }
     p->left--;
     p->slot += p->reverse ? -(size_t)1 : 1;
-    room_pass(work->batch->room, w->finished);
-    room_pass(work->table->room, w->finished);
-    room_pass(work->run->room, w->finished++);
+    mapped_evict_often(work->batch->mapped, w->finished);
+    mapped_evict_often(work->table->mapped, w->finished);
+    mapped_evict_often(work->run->mapped, w->finished++);
 }
 
 // ---------------------------------------------------------------- points begin

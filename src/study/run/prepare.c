@@ -3,8 +3,9 @@
 #include <stdlib.h>
 
 #include "clock.h"
+#include "film_tables.h"
 #include "first_error.h"
-#include "run.h"
+#include "whirl/engine/study.h"
 #include "whirl/internal/film_tables.h"
 
 /// Points, over all batches, whose tables are made beforehand; other tables are made when their points are computed.

@@ -5,7 +5,13 @@
 #include <string.h>
 
 #include "clock.h"
-#include "run.h"
+#include "follow.h"
+#include "pass.h"
+#include "passes.h"
+#include "refine.h"
+#include "refine_fields.h"
+#include "study_run.h"
+#include "whirl/engine/study.h"
 
 // ---------------------------------------------------------------- points in doubt
 

@@ -3,7 +3,13 @@
 
 #include "attractors.h"
 #include "journal_blocks.h"
-#include "run.h"
+#include "pass.h"
+#include "passes.h"
+#include "refined_map.h"
+#include "squares.h"
+#include "study_run.h"
+#include "tables.h"
+#include "whirl/engine/study.h"
 
 struct refined_map {
     const whirl_table *table;

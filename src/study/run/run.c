@@ -4,10 +4,24 @@
 #include <stdlib.h>
 
 #include "attractors.h"
+#include "batch_slots.h"
+#include "exhausted.h"
+#include "film_tables.h"
+#include "follow.h"
 #include "kinds.h"
-#include "memory.h"
-#include "run.h"
+#include "mapped.h"
+#include "neighbours.h"
+#include "pass.h"
+#include "passes.h"
+#include "refine.h"
+#include "refine_fields.h"
+#include "refined_map.h"
 #include "settled.h"
+#include "share.h"
+#include "squares.h"
+#include "study_run.h"
+#include "tables.h"
+#include "whirl/engine/study.h"
 #include "whirl/internal/study_try.h"
 
 /// States of the largest machine whose first point is tried: it takes about half a second.
@@ -117,7 +131,7 @@ static whirl_status make_ends(study_run *run) {
         const bool carries = batch->carry != WHIRL_CARRY_NONE || batch->neighbours > 0;
         if (!carries && !batch->confirm && !study_is_refined(study)) continue;
         run->ends[i] =
-            room_take(&run->room, run->result->tables[i].count * run->dimension, sizeof *run->ends[i], ROOM_MIN);
+            mapped_take(&run->mapped, run->result->tables[i].count * run->dimension, sizeof *run->ends[i], MAPPED_MIN);
         if (!run->ends[i]) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the ends of carried points");
     }
     return whirl_ok();
@@ -297,7 +311,7 @@ whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *
     // Free the workspace, and hand over the result.
     refined_maps_free(&run);
     neighbours_free(&run);
-    for (size_t i = 0; i < WHIRL_MAX_BATCHES; i++) room_drop(&run.room, run.ends[i]), free(placed[i]);
+    for (size_t i = 0; i < WHIRL_MAX_BATCHES; i++) mapped_drop(&run.mapped, run.ends[i]), free(placed[i]);
     if (exhausted(before) && status.code != WHIRL_NO_MEMORY)
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a study");
     const bool given = begun && (status.code == WHIRL_OK || status.code == WHIRL_STOPPED);

@@ -1,7 +1,13 @@
 // Shares of a study: which of several runs computes which points.
 #include <stdlib.h>
 
-#include "run.h"
+#include "batch_slots.h"
+#include "kinds.h"
+#include "pass.h"
+#include "refined_map.h"
+#include "share.h"
+#include "study_run.h"
+#include "whirl/engine/study.h"
 
 /// Points of a batch that stay together.
 static size_t piece_of(const whirl_batch *batch) {

@@ -1,6 +1,6 @@
 #include <stdlib.h>
 
-#include "run.h"
+#include "squares.h"
 
 /// A square, whose edges the plane's may cut off.
 typedef struct square {

@@ -3,9 +3,10 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "member_table.h"
 #include "random.h"
+#include "whirl/engine/descriptor.h"
 #include "whirl/engine/tolerances.h"
-#include "words.h"
 
 enum { DIGITS = 32, DEGREE = 7, DIMENSIONS = 2 * WHIRL_MAX_TOLERANCES };
 

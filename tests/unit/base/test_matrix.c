@@ -10,8 +10,9 @@
 #include <cmocka.h>
 #include <lapacke.h>
 
+#include "elimination.h"
 #include "matrix.h"
-#include "numerics.h"
+#include "matrix_balance.h"
 
 static const double pi = 3.14159265358979323846;
 

@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "words.h"
+#include "number_text.h"
 
 static void short_decimals_stay_short(void **state) {
     static const struct {

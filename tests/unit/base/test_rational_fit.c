@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "numerics.h"
+#include "rational_fit.h"
 
 enum { SAMPLES = RATIONAL_MAX_SAMPLES };
 

@@ -8,7 +8,8 @@
 
 #include <cmocka.h>
 
-#include "words.h"
+#include "unit_words.h"
+#include "whirl/status.h"
 
 static void words_are_read_in_any_order(void **state) {
     (void)state;

@@ -9,8 +9,8 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "utf8.h"
 #include "whirl/status.h"
-#include "words.h"
 
 /// RFC 3629, section 3.
 static size_t encode(unsigned number, char *text) {

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "run.h"
+#include "squares.h"
 
 /// Labels over a plane, and what was asked for so far.
 typedef struct field {

@@ -27,7 +27,7 @@ enum {
 };
 
 #include "generic.h"
-#include "numerics.h"
+#include "rational_fit.h"
 #include "registry.h"
 #include "table.h"
 

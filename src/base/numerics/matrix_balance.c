@@ -1,4 +1,4 @@
-#include "numerics.h"
+#include "matrix_balance.h"
 
 #include <math.h>
 #include <stdbool.h>

@@ -1,36 +1,8 @@
-// Lists of names, numbers and UTF-8.
-#include "words.h"
+#include "utf8.h"
 
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "whirl/status.h"
-
-// ---------------------------------------------------------------- name_list
-
-bool name_list_next(const char **list, char name[WHIRL_NAME_SIZE]) {
-    static const char between[] = " ,";
-    *list += strspn(*list, between);
-    const size_t length = strcspn(*list, between);
-    snprintf(name, WHIRL_NAME_SIZE, "%.*s", length < WHIRL_NAME_SIZE ? (int)length : WHIRL_NAME_SIZE, *list);
-    *list += length;
-    return length > 0;
-}
-
-// ---------------------------------------------------------------- number
-
-void number_text(double value, char text[NUMBER_SIZE]) {
-    // A decimal of 15 digits survives the way to a double and back, and 17 tell all doubles apart (IEEE 754, 5.12.2).
-    for (int digits = 15; digits <= 17; digits++) {
-        snprintf(text, NUMBER_SIZE, "%.*g", digits, value);
-        if (digits == 17 || strtod(text, NULL) == value) break;
-    }
-    for (char *c = text; *c; c++)
-        if (!strchr("+-.0123456789e", *c)) *c = '.'; // a locale's comma
-}
-
-// ---------------------------------------------------------------- utf8
 
 const char *utf8_skip_mark(const char *text, size_t *length) {
     static const char mark[] = "\xEF\xBB\xBF";

@@ -1,5 +1,5 @@
 #define _DEFAULT_SOURCE // madvise; NOLINT(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
-#include "memory.h"
+#include "mapped.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -10,8 +10,8 @@
 #include <unistd.h>
 
 /// One array.
-struct whirl_room {
-    whirl_room *next;
+struct whirl_mapped {
+    whirl_mapped *next;
     void *array;
     size_t bytes;
 };
@@ -38,31 +38,31 @@ static void *map_file(size_t bytes) {
     return array == MAP_FAILED ? NULL : array;
 }
 
-void *room_map(whirl_room **room, size_t count, size_t size) {
+void *mapped_make(whirl_mapped **mapped, size_t count, size_t size) {
     if (count == 0 || count > PTRDIFF_MAX / size) return NULL;
-    whirl_room *one = malloc(sizeof *one);
+    whirl_mapped *one = malloc(sizeof *one);
     void *array = one ? map_file(count * size) : NULL;
     if (!array) {
         free(one);
         return NULL;
     }
-    *one = (whirl_room){*room, array, count * size};
-    *room = one;
+    *one = (whirl_mapped){*mapped, array, count * size};
+    *mapped = one;
     return array;
 }
 
-void *room_take(whirl_room **room, size_t count, size_t size, size_t least) {
+void *mapped_take(whirl_mapped **mapped, size_t count, size_t size, size_t least) {
     const int before = errno;
-    void *array = count >= least / size ? room_map(room, count, size) : NULL;
+    void *array = count >= least / size ? mapped_make(mapped, count, size) : NULL;
     if (array) return array;
     errno = before; // a failed file is no lack of memory
     return calloc(count > 0 ? count : 1, size);
 }
 
-void room_drop(whirl_room **room, void *array) {
-    whirl_room **link = room;
+void mapped_drop(whirl_mapped **mapped, void *array) {
+    whirl_mapped **link = mapped;
     while (*link && (*link)->array != array) link = &(*link)->next;
-    whirl_room *one = *link;
+    whirl_mapped *one = *link;
     if (!one) {
         free(array);
         return;
@@ -72,10 +72,10 @@ void room_drop(whirl_room **room, void *array) {
     free(one);
 }
 
-void room_rest(const whirl_room *room) {
-    for (const whirl_room *one = room; one; one = one->next) madvise(one->array, one->bytes, MADV_DONTNEED);
+void mapped_evict(const whirl_mapped *mapped) {
+    for (const whirl_mapped *one = mapped; one; one = one->next) madvise(one->array, one->bytes, MADV_DONTNEED);
 }
 
-void room_free(whirl_room *room) {
-    while (room) room_drop(&room, room->array);
+void mapped_free(whirl_mapped *mapped) {
+    while (mapped) mapped_drop(&mapped, mapped->array);
 }

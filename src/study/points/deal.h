@@ -1,0 +1,33 @@
+/// The pieces of a pass (points with those carried from them, neighbours at rest) as they are dealt to threads and, if
+/// points are dealt out, to other runs.
+#ifndef STUDY_DEAL_H
+#define STUDY_DEAL_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "pass.h"
+#include "study_run.h"
+#include "whirl/engine/study.h"
+
+typedef struct deal {
+    const whirl_dealer *dealer; ///< NULL: all pieces are this run's
+    size_t number;              ///< pass_number of the pass
+    size_t count;               ///< pieces
+    size_t next, end;           ///< pieces that this run has and no thread has begun
+    size_t dealt;               ///< pieces before this one were dealt to some run
+    int threads;                ///< threads of all runs
+} deal;
+
+/// Makes the deal of a pass with so many pieces.
+deal deal_begin(const study_run *run, const pass *p, size_t count);
+
+/// Pieces that no thread is known to have begun.
+static inline size_t deal_left(const deal *d) {
+    return d->end - d->next + d->count - d->dealt;
+}
+
+/// Takes the next piece; false if none is left. Called by one thread at a time.
+bool deal_take(deal *d, size_t *piece);
+
+#endif
