@@ -128,6 +128,8 @@ static bool is_free(const journal_wish *wish, const journal_names *there) {
     for (size_t i = 0; i < there->count; i++) {
         const char *path = there->items[i].path;
         if (!wish->resume && is_in_the_way(wish, &there->items[i])) {
+            // One without points is in nobody's way.
+            if (whirl_journal_vacant(path) && whirl_journal_discard(path).code == WHIRL_OK) continue;
             complain("'%s' has the points of a run that did not finish: add --resume to go on with it, or remove it to "
                      "begin anew",
                      path);

@@ -1,6 +1,7 @@
 #include "machine.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -515,9 +516,19 @@ static void check_together(case_reader *reader, valuation *v, const machine_part
     whirl_design_free(design);
 }
 
+/// Returns a number that stands for an expression whose value may be unknown, within the key's range.
+static double stand_in(const whirl_key *key, double number) {
+    const whirl_range *range = &key->range;
+    if (number > range->low && number < range->high) return number;
+    if (isinf(range->low) || isinf(range->high)) return isinf(range->low) ? range->high - number : range->low + number;
+    // Where numbers are counts, an even one, which is right for poles, too.
+    const double middle = 0.5 * (range->low + range->high), even = 2.0 * floor(0.5 * middle);
+    return even > range->low ? even : middle;
+}
+
 /// Builds a rotor of the element alone, with stations of 1 kg and 1 kg m2 that twist, unless they lie on its shaft.
-/// Expressions count as 1, since their values may be unknown: contradictions concern the presence of keys.
-static whirl_status build_alone(const machine_parts *machine, const setting_list *element) {
+/// `number` stands for expressions.
+static whirl_status build_alone(const machine_parts *machine, const setting_list *element, double number) {
     const whirl_setting unit[] = {{.key = "mass", .number = 1.0},
                                   {.key = "diametral", .number = 1.0},
                                   {.key = "polar", .number = 1.0},
@@ -531,8 +542,8 @@ static whirl_status build_alone(const machine_parts *machine, const setting_list
     // Copy the element's keys.
     for (size_t i = 0; i < element->count && i < SETTINGS_MAX; i++) {
         const setting *item = &element->items[i];
-        const double number = item->value.expression ? 1.0 : item->value.number;
-        values[i] = (whirl_setting){.key = item->key->name, .number = number, .text = item->word};
+        const double value = item->value.expression ? stand_in(item->key, number) : item->value.number;
+        values[i] = (whirl_setting){.key = item->key->name, .number = value, .text = item->word};
     }
     // Build the rotor.
     for (size_t i = 0; i < machine->stations.count && status.code == WHIRL_OK; i++)
@@ -555,13 +566,25 @@ static bool needs_others(const setting_list *element) {
     return false;
 }
 
+/// Reports a contradiction of an element that no values of its expressions resolve: one of the presence of keys.
+static void check_alone(case_reader *reader, const machine_parts *machine, const setting_list *element) {
+    static const double others[] = {1e-6, 1e6};
+    char message[WHIRL_MESSAGE_SIZE];
+    whirl_status status = build_alone(machine, element, 1.0);
+    snprintf(message, sizeof message, "%s", status.message);
+    for (size_t i = 0; i < 2 && status.code == WHIRL_BAD_INPUT; i++) {
+        status = build_alone(machine, element, others[i]);
+        if (strcmp(status.message, message) != 0) return;
+    }
+    machine_report(reader, element->place, &status);
+}
+
 void machine_check_alone(case_reader *reader, const machine_parts *machine) {
     bool usable = false;
     for (size_t i = 0; i < machine->stations.count; i++) usable = usable || is_usable(machine->stations.names[i]);
     for (size_t i = 0; usable && i < machine->element_count; i++) {
         if (!machine->elements[i].sound || needs_others(&machine->elements[i])) continue;
-        const whirl_status status = build_alone(machine, &machine->elements[i]);
-        machine_report(reader, machine->elements[i].place, &status);
+        check_alone(reader, machine, &machine->elements[i]);
     }
 }
 

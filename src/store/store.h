@@ -184,6 +184,9 @@ underway *underway_open(const char *path, uint64_t identity, bool resume);
 /// Reads the states next to another journal of the same study, too.
 void underway_take(underway *states, const char *path);
 
+/// Returns true if there are states next to the journal at `path`, of any study.
+bool underway_any(const char *path);
+
 /// Closes; the files stay, or are removed.
 void underway_close(underway *states);
 void underway_remove(underway *states);

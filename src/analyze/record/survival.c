@@ -12,12 +12,12 @@
 #include "whirl/engine/ensemble.h"
 #include "zero_one.h"
 
-/// Copies that run side by side, and those of systems that run alone; least revolutions that count, and those that are
-/// then judged.
-enum { COPIES = 64, COPIES_ALONE = 32, MIN_LIVED = 200, LOOKED_AT = 128 };
+/// Copies that run side by side, and those of systems that run alone; the revolutions after their lives that are
+/// judged.
+enum { COPIES = 64, COPIES_ALONE = 32, LOOKED_AT = 128 };
 
-/// Mean lives that are excluded, over the recorded revolutions.
-static const double long_against_watch = 2.0;
+/// Mean lives that copies exclude at 95 %: at least so many revolutions, and so many times those that were watched.
+static const double least_excluded = 12800.0, long_against_watch = 4.0;
 
 /// Displacement of a copy over the motion's extent in every coordinate, and the revolutions in which copies may diverge
 /// from each other.
@@ -48,9 +48,12 @@ static void place_copies(const whirl_record *record, double share, size_t count,
     }
 }
 
-/// Records the copies side by side, and counts those that have ended.
+/// Records the copies side by side, counts those that have ended, and sums the revolutions that count: of each `lived`
+/// after it has parted, or fewer where it was lost or settled.
 static whirl_status follow_copies(const whirl_system *system, const whirl_integrate_options *integrate,
-                                  const whirl_record_options *options, const double *starts, whirl_survival *survival) {
+                                  const whirl_record_options *options, int lived, const double *starts,
+                                  whirl_survival *survival) {
+    const double parting = options->transient - lived;
     whirl_recorder *recorder;
     int begun = 0;
     size_t turned = 1;
@@ -69,6 +72,7 @@ static whirl_status follow_copies(const whirl_system *system, const whirl_integr
         while (status.code == WHIRL_OK && whirl_recorder_take(recorder, &task, &record)) {
             survival->cost += record->revolutions;
             survival->ended += survival_is_over(record);
+            survival->revolutions += fmin(fmax(record->revolutions - parting, 1.0), lived);
             whirl_record_free(record);
         }
     }
@@ -87,7 +91,8 @@ whirl_status whirl_record_survival(const whirl_system *system, const whirl_integ
     // Displace copies so far that they part within `longest_parting` revolutions.
     const double share = fmax(displacement, exp(-longest_parting * exponent));
     const int count = whirl_ensemble_takes(system, integrate) ? COPIES : COPIES_ALONE;
-    const int lived = (int)fmax(MIN_LIVED, ceil(3.0 * long_against_watch * (double)record->section_count / count));
+    const double excluded = fmax(least_excluded, long_against_watch * (double)record->section_count);
+    const int lived = (int)ceil(3.0 * excluded / count);
     // Record only as much as a verdict needs.
     whirl_record_options options = whirl_record_default();
     options.transient = (int)ceil(-log(share) / exponent) + lived;
@@ -101,8 +106,7 @@ whirl_status whirl_record_survival(const whirl_system *system, const whirl_integ
     if (!starts) return whirl_fail(WHIRL_NO_MEMORY, "no memory to follow copies of a motion");
     place_copies(record, share, (size_t)count, starts);
     survival->copies = count;
-    survival->revolutions = (double)count * lived;
-    const whirl_status status = follow_copies(system, integrate, &options, starts, survival);
+    const whirl_status status = follow_copies(system, integrate, &options, lived, starts, survival);
     free(starts);
     return status;
 }

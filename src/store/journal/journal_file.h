@@ -111,6 +111,9 @@ whirl_status journal_header_write(const journal_file *file, const journal_identi
 whirl_status journal_header_look(const journal_file *file, const journal_identity *identity, uint64_t file_size,
                                  header_state *state);
 
+/// Returns where the header of a journal of any study ends; 0 if the file is none, or its header is damaged.
+uint64_t journal_header_end(const journal_file *file, uint64_t file_size);
+
 /// "PATH is no journal of this study, or its beginning is damaged".
 whirl_status journal_header_missing(const journal_file *file);
 

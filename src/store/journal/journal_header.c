@@ -63,6 +63,19 @@ whirl_status journal_header_look(const journal_file *file, const journal_identit
     return compare(file, identity, (size_t)size, state);
 }
 
+uint64_t journal_header_end(const journal_file *file, uint64_t file_size) {
+    unsigned char lead[JOURNAL_LEAD];
+    uint64_t size = 0;
+    if (file_size < JOURNAL_LEAD || journal_file_read(file, 0, lead, JOURNAL_LEAD) != 0 || !header_lead(lead, &size))
+        return 0;
+    if (size > file_size - JOURNAL_LEAD || header_size((size_t)size) > file_size) return 0;
+    unsigned char *header = malloc(header_size((size_t)size));
+    const bool sound = header && journal_file_read(file, 0, header, header_size((size_t)size)) == 0 &&
+                       header_is_sound(header, (size_t)size);
+    free(header);
+    return sound ? header_size((size_t)size) : 0;
+}
+
 whirl_status journal_header_missing(const journal_file *file) {
     return whirl_fail(WHIRL_BAD_INPUT, "%.200s is no journal of this study, or its beginning is damaged", file->path);
 }

@@ -146,6 +146,17 @@ void underway_take(underway *u, const char *path) {
     each_file(u, others[u->other_count++], search_file);
 }
 
+static void count_file(underway *u, const state_file *file) {
+    size_t number;
+    u->count += number_of(file, &number);
+}
+
+bool underway_any(const char *path) {
+    underway files = {.count = 0};
+    each_file(&files, path, count_file);
+    return files.count > 0;
+}
+
 void underway_close(underway *u) {
     if (!u) return;
     for (size_t i = 0; i < u->other_count; ++i) free(u->others[i]);

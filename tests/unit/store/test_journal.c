@@ -212,6 +212,28 @@ static void one_run_at_a_time(void **state) {
     check(whirl_journal_close(resumed(f)));
 }
 
+/// A run that ends before its first point leaves a journal that is in nobody's way; one with points, with states or of
+/// another making is not vacant.
+static void what_holds_nothing_is_vacant(void **state) {
+    const fixture *f = *state;
+    whirl_journal *journal;
+    check(whirl_journal_begin(f->path, f->outline, &journal));
+    assert_false(whirl_journal_vacant(f->path)); // a run is writing it
+    check(whirl_journal_close(journal));
+    assert_true(whirl_journal_vacant(f->path));
+    check(whirl_journal_discard(f->path));
+    assert_false(whirl_journal_vacant(f->path));
+    check(whirl_journal_begin(f->path, f->outline, &journal));
+    save_state(journal, 0, 1, 17.0, "half");
+    check(whirl_journal_close(journal));
+    assert_false(whirl_journal_vacant(f->path));
+    check(whirl_journal_discard(f->path));
+    make(f, 1);
+    assert_false(whirl_journal_vacant(f->path));
+    set_bytes(f, (const unsigned char *)"a letter", 8);
+    assert_false(whirl_journal_vacant(f->path));
+}
+
 static void places_that_take_no_journal(void **state) {
     fixture *f = *state;
     whirl_journal *journal;
@@ -432,6 +454,7 @@ int main(void) {
         IN_FOLDER(states_of_other_runs_are_not_taken),
         IN_FOLDER(blocks_of_another_size_are_not_taken),
         IN_FOLDER(one_run_at_a_time),
+        IN_FOLDER(what_holds_nothing_is_vacant),
         IN_FOLDER(places_that_take_no_journal),
         IN_FOLDER(differences_are_named),
         IN_FOLDER(frames_of_another_study_do_not_count),
