@@ -307,10 +307,6 @@ def lines_beside(result, own):
         assert rounds_to(order[point, station, row], match[1]) and match[2] == result.stations[station], f"order {order[point, station, row]}"
 
 
-def weight(result, own):
-    check_weight(result, own["found"]["text"])
-
-
 def unknown_bearings(result, own):
     """Their stations have a bearing of coefficients, or a film of a force scale, in the case."""
     case = result.file["case/text"].asstr("utf-8")[0]
@@ -321,8 +317,9 @@ def unknown_bearings(result, own):
         assert re.search(rf"- {kind}:\s*(\{{\s*)?at: {station}\b", case), f"{station} has no such {kind}"
 
 
-def check_weight(result, text):
+def weight(result, own):
     """What acts along the shafts and across makes up the gravity of the case."""
+    text = own["found"]["text"]
     case = result.file["case/text"].asstr("utf-8")[0]
     asked = re.search(r"^\s*- gravity(?:: *(?:(\S+) m/s2|\{.*?acceleration: (\S+) m/s2.*?\}|.*))?", case, re.M)
     parts = [float(number) for number in re.findall(r"(\S+) m/s2", text)]
@@ -378,16 +375,17 @@ def tally(result, match):
     assert int(match[2]) == len(asked) and int(match[1]) == sum(own["verdict"] == "holds" for own in asked)
 
 
-def shaft(result, match, page):
-    rows = [[plain(cell) for cell in re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row, re.S)]
-            for row in re.findall(r"<tr>(.*?)</tr>", re.search(r"Sections of the shafts.*?</table>", page, re.S)[0], re.S)]
-    rows = [row for row in rows[1:] if row[0] == match["name"]]
-    span = max(float(row[2]) for row in rows) - min(float(row[1]) for row in rows)
-    mass = sum(float(row[-1]) for row in rows)
-    assert abs(span / float(match["length"]) - 1) < 1e-5 and abs(mass / float(match["mass"]) - 1) < 1e-4, f"{span} m, {mass} kg"
-    assert int(match["nodes"]) == int(match["elements"]) + 1 and int(match["kept"]) <= int(match["modes"])
-    if match["all"]:
-        assert float(match["all"]) >= float(match["mass"]) * (1 - 1e-5)
+def check_shafts(result):
+    """Sections fill their shafts, have their mass by their own diameters, and shafts have at least that of their sections."""
+    sections = result.sheet("", "sections")
+    for shaft in result.sheet("", "shafts"):
+        own = [row for row in sections if row["shaft"] == shaft["shaft"]]
+        span = max(row["to"] for row in own) - min(row["from"] for row in own)
+        mass = sum(row["mass"] for row in own)
+        assert abs(span / shaft["length"] - 1) < 1e-9 and abs(mass / shaft["mass"] - 1) < 1e-9, f"{span} m, {mass} kg"
+        assert shaft["nodes"] == shaft["elements"] + 1 and shaft["total"] >= shaft["mass"] * (1 - 1e-9)
+        assert shaft["modes"] is None or shaft["modes"] <= shaft["all_modes"]
+        assert min(row["from"] for row in own) <= shaft["centre"] <= max(row["to"] for row in own)
 
 
 def motions(result, match):
@@ -457,7 +455,7 @@ def check_motions(result, table, text):
     return False
 
 
-def check_other(result, title, text, page):
+def check_other(result, title, text):
     """Checks a sentence that is no statement; returns whether its kind is known."""
     match = re.match(r"What is asked for\. (\d+) of (\d+) hold", text)
     if match:
@@ -466,19 +464,9 @@ def check_other(result, title, text, page):
     match = re.match(r"What is asked for\. Nothing: ", text)
     if match:
         return not any(own["verdict"] != "none asked for" for own in result.json["statements"] if "clause" in own)
-    match = re.match(r"Shaft (?P<name>\S+): (?P<length>\S+) m, (?P<mass>\S+) kg, (?P<elements>\d+) finite elements \(Timoshenko\) "
-                     r"between (?P<nodes>\d+) nodes(?:, reduced to its stations and (?P<kept>\d+) of (?P<modes>\d+) modes a plane: "
-                     r"reduction error \S+ \(free-free frequencies\), \S+ \(static flexibility\))?\. ?"
-                     r"(?:With what is on it (?P<all>\S+) kg, centre of mass at \S+ m\.)?$", text)
-    if match:
-        shaft(result, match, page)
-        return True
     match = re.match(r"(\d+) other stations? without probe, clearance or unbalance", text)
     if match:
         left_out(result, match)
-        return True
-    if text.startswith("Weight: "):
-        check_weight(result, text.removeprefix("Weight: ").removesuffix("."))
         return True
     match = re.fullmatch(r"Beyond its law: (?P<table>\w+), .* up to (?P<most>\S+?)(?: [^\s,]+)?, .*; reached (?P<reached>\S+)"
                          r"(?: \((?P<points>\d+) of \d+ points, first at (?P<first>\S+)(?: (?P<unit>\S+))?\))?", text)
@@ -501,6 +489,10 @@ def main(path, page):
     result, faults, counts = Result(path), [], {"statements": 0, "others": 0, "fixed": 0}
     markup = open(page, encoding="utf-8").read()
     texts = []
+    try:
+        check_shafts(result)
+    except AssertionError as error:
+        faults.append(f"shafts: {error}")
     for own in result.json.get("statements", []):
         try:
             shown_agrees(own)
@@ -519,7 +511,7 @@ def main(path, page):
             counts["fixed"] += 1
             continue
         try:
-            known = check_other(result, title, text, markup)
+            known = check_other(result, title, text)
         except AssertionError as error:
             faults.append(f"{text!r}: {error}")
             continue

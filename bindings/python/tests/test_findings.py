@@ -254,16 +254,13 @@ def test_pages_have_all_of_it(file, tmp_path):
 
 
 def test_the_summary_has_all_of_it(file):
-    """Every statement, and of every sheet the headings and the first and the last row, to the last cell; but the parts
-    of the machine, of no table, which the summary of motions alone leaves out."""
+    """Every statement, and of every sheet the headings and the first and the last row, to the last cell."""
     result = whirl.open(file)
     told = bare(command("show", file).stdout)
     for own in result.statements():
-        assert bare(own.text) in told or not own.table
+        assert bare(own.text) in told
     for key, sheet in result.sheets().items():
-        assert sheet.title in told or not sheet.table, key
-        if sheet.title not in told:
-            continue
+        assert sheet.title in told, key
         for column, texts in zip(sheet.columns, zip(*sheet.texts)):
             # Of 24 rows or fewer the last one is shown, too, and so are the two ends of points.
             for text in (texts[0], texts[min(len(texts), 24) - 1] if len(texts) <= 24 else texts[0]):
@@ -346,11 +343,11 @@ def test_no_number_is_rounding_noise():
     assert np.all(bearings["kxy"] == 0.0) and np.all(bearings["kxx"] > 0.0)
 
 
-def test_motions_without_spectra_have_none():
+def test_motions_without_spectra_have_those_of_the_machine():
     text = re.sub("analyze: .*", "analyze: [orbit]", (ROOT / "tests/cli/good.yaml").read_text())
     result = whirl.run(whirl.Case(text=text), progress=False)
-    assert result.statements() == [] and result.sheets() == {}
-    with pytest.raises(whirl.BadInput, match="the result has no sheets"):
+    assert [own.what for own in result.statements()] == ["weight"] and list(result.sheets()) == ["stations"]
+    with pytest.raises(whirl.BadInput, match="there is no sheet 'peaks'"):
         result.sheet("peaks")
 
 

@@ -296,7 +296,7 @@ def test_margins_are_asked_where_probes_are():
         if after["station"] in ("left", "right"):
             assert before == after
         else:
-            unjudged = {"asked": None, "margin": None, "side": "", "verdict": "at none of probes_at: not judged"}
+            unjudged = {"asked": None, "margin": None, "side": "", "verdict": "not judged: no probe"}
             assert after == before | unjudged
 
 

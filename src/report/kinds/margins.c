@@ -88,7 +88,7 @@ static void ask_margin(const whirl_table *table, bool probed, const whirl_respon
     row->verdict = "";
     if (!margin_running(table, &low, &high)) return;
     if (!probed) {
-        row->verdict = "at none of probes_at: not judged";
+        row->verdict = "not judged: no probe";
         return;
     }
     const bool above = peak->speed > high, below = peak->speed < low;

@@ -465,22 +465,18 @@ static void find_unknown(const finder *of, const whirl_model *model) {
                     "%s: the case gives the force scale of the film; diameter, length and oil are not known", by_force);
 }
 
-void find_machine(const finder *of) {
-    whirl_model model;
-    if (!of->machine || whirl_case_model(of->machine, &model).code != WHIRL_OK) return;
-    find_unknown(of, &model);
+void find_bearings(const finder *of, const whirl_model *model) {
+    find_unknown(of, model);
     for (const part_family *family = families; family < families + FAMILIES; family++) {
         whirl_sheet *sheet = find_sheet(of, family->name, family->title);
         sheet->about = "At the parameters of the case; its conditions and sweeps may have others.";
         family_columns(of, sheet, family);
-        for (size_t i = 0; i < model.element_count; i++) {
-            const machine_part part = {of, &model, &model.elements[i]};
+        for (size_t i = 0; i < model->element_count; i++) {
+            const machine_part part = {of, model, &model->elements[i]};
             const size_t station = part_station(part.element, true);
-            if (station < of->result->station_count && family_of(&model, part.element) == family)
+            if (station < of->result->station_count && family_of(model, part.element) == family)
                 family_row(&part, sheet, family);
         }
         find_sheet_end(of);
     }
-    find_train(of, &model);
-    whirl_model_free(&model);
 }

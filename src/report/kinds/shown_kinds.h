@@ -20,8 +20,11 @@ typedef struct shown_kind {
 /// Returns the kind of a table; NULL for motions.
 const shown_kind *shown_kind_of(const whirl_table *table);
 
-/// Finds the bearings, seals, dampers, magnets and supports of the machine.
+/// Finds the weight, the shafts, stations, bearings and other parts of the machine.
 void find_machine(const finder *of);
+
+/// Finds the bearings, seals, dampers, magnets and supports.
+void find_bearings(const finder *of, const whirl_model *model);
 
 /// Finds the spread of a number over the samples of a table, and what parameters cause of it: the sheets "spread" and
 /// "indices".
@@ -191,7 +194,7 @@ typedef struct margin_row {
     bool judged, holds;    ///< margin required; margin met (holds)
     double had, asked;     ///< margins in %; NaN without running speeds or probe, or within these speeds
     const char *side;      ///< "above", "below" or "within" the running speeds; "" without these
-    const char *verdict;   ///< "holds", "at none of probes_at: not judged", ...; "" without running speeds
+    const char *verdict;   ///< "holds", "not judged: no probe", ...; "" without running speeds
 } margin_row;
 
 /// Gathers speed, amplitude in m and lag [points of the table] at probe 0 or 1 of a station. Returns their number, 0 if

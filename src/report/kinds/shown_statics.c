@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "shown_kinds.h"
-#include "weight.h"
 
 /// Returns a number of a station at a point, in SI if it is a length.
 static double number(const finder *of, size_t point, const char *field, size_t station) {
@@ -217,9 +216,6 @@ static void find_coefficients(const finder *of) {
 static void statics_find(const finder *of) {
     size_t ends[2];
     const size_t count = find_ends(of->table, ends);
-    char weight[WEIGHT_SIZE];
-    weight_text(of->units, weight, sizeof weight);
-    if (*weight) phrase_text(of, &find_statement(of, "weight")->found, "%s", weight);
     if (*of->table->record.coupling)
         phrase_text(of, &find_statement(of, "alignment")->found, "raised for no moment and no shear at %s",
                     of->table->record.coupling);

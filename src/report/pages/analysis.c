@@ -22,7 +22,6 @@
 /// A chapter: all tables that have a certain field or, with NULL, all motions.
 typedef struct chapter {
     const char *title, *about, *field;
-    bool parts;         ///< it begins with the bearings, seals, dampers and supports
     const char *absent; ///< sentence where the case does not ask for it
 } chapter;
 
@@ -33,7 +32,6 @@ typedef struct analysis_document {
     size_t count;
     const chapter *chapters; ///< [count]
     bool moves;              ///< with a summary of motions
-    bool train;              ///< chapter 2 has the parts of the machine
 } analysis_document;
 
 // ---------------------------------------------------------------- summary
@@ -184,43 +182,42 @@ static void write_table(const page *to, size_t result, const whirl_table *table,
 }
 
 static const chapter lateral_chapters[] = {
-    {"Bearings and weight",
-     "Bearings, seals, dampers and supports as the case gives them; the weight carried by each bearing, sag and "
-     "bending "
-     "moments, places of rest, stiffness and damping of bearings; what elevations couplings ask for.",
-     WHIRL_FIELD_STATICS_LOAD, true, "Weight and places of rest: not asked for (study: statics)."},
+    {"Loads and places of rest",
+     "The weight carried by each bearing, sag and bending moments, places of rest, stiffness and damping of bearings; "
+     "what elevations couplings ask for.",
+     WHIRL_FIELD_STATICS_LOAD, "Not asked for (study: statics)."},
     {"Undamped critical speed map",
      "Critical speeds of the machine without damping, over the stiffness of its supports where the study says so.",
-     WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, false, "Not asked for."},
+     WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, "Not asked for."},
     {"Damped modes",
      "Natural frequencies over the speed (Campbell diagram), critical speeds with damping, thresholds of stability, "
      "and "
      "shapes.",
-     WHIRL_FIELD_MODES_FREQUENCY, false, "Not asked for."},
+     WHIRL_FIELD_MODES_FREQUENCY, "Not asked for."},
     {"Response to unbalance",
      "Amplitudes and lags that probes see, amplification factors and separation margins of the peaks, and responses "
      "scaled "
      "to the vibration limit, compared with clearances.",
-     WHIRL_FIELD_UNBALANCE_AMPLITUDE, false, "Not asked for."},
+     WHIRL_FIELD_UNBALANCE_AMPLITUDE, "Not asked for."},
     {"Stability", "Logarithmic decrements with bearings, stages, seals and impellers.", WHIRL_FIELD_STABILITY_BASIC,
-     false, "Not asked for."},
-    {"Nonlinear motions", "Motions in the real films with contacts, computed in time.", NULL, false, "Not asked for."},
+     "Not asked for."},
+    {"Nonlinear motions", "Motions in the real films with contacts, computed in time.", NULL, "Not asked for."},
 };
 
 static const chapter torsional_chapters[] = {
     {"Torsional modes and interference",
      "Natural frequencies over the speed with the excitations that meet them (interference diagram), their separation "
      "from the excitations where the machine runs, and shapes.",
-     WHIRL_FIELD_MODES_TORSION, false, "Not asked for (study: modes)."},
+     WHIRL_FIELD_MODES_TORSION, "Not asked for (study: modes)."},
     {"Response to torques",
      "Steady vibration by torques at orders of the speed and at fixed frequencies: vibratory torques with their shear "
      "stress, peaks with their modes, twists of the stations.",
-     WHIRL_FIELD_TORSION_TORQUE, false, "Not asked for (study: torsion)."},
+     WHIRL_FIELD_TORSION_TORQUE, "Not asked for (study: torsion)."},
     {"Starts, short circuits and other runs",
      "Torques over time while motors turn the train: their extremes, their cycles by rain flow, and the damage of a "
      "run "
      "where the case gives S-N curves.",
-     WHIRL_FIELD_RUNUP_TORQUE_OF, false, "Not asked for (study: runup, by torques)."},
+     WHIRL_FIELD_RUNUP_TORQUE_OF, "Not asked for (study: runup, by torques)."},
 };
 enum { FIRST_CHAPTER = 3 };
 
@@ -230,24 +227,15 @@ static const analysis_document documents[ANALYSES] = {
     [ANALYSIS_LATERAL] = {"Lateral analysis",
                           "no response to unbalance has its running speeds (running_from, running_to), and there is no "
                           "study of stability",
-                          sizeof lateral_chapters / sizeof *lateral_chapters, lateral_chapters, true, false},
+                          sizeof lateral_chapters / sizeof *lateral_chapters, lateral_chapters, true},
     [ANALYSIS_TORSIONAL] = {"Torsional analysis", "modes have no running speeds (running_from, running_to)",
-                            sizeof torsional_chapters / sizeof *torsional_chapters, torsional_chapters, false, true},
+                            sizeof torsional_chapters / sizeof *torsional_chapters, torsional_chapters, false},
 };
-
-/// Writes bearings, seals, dampers and supports of every machine.
-static void write_parts(const page *to) {
-    for (size_t r = 0; r < to->count; r++) {
-        page_statements(to, r, NULL);
-        page_sheets(to, r, NULL);
-    }
-}
 
 static void write_chapter(const page *to, const chapter *own, size_t index) {
     chapter_state state = {.kind = NULL};
     fprintf(to->stream, "<section id=\"chapter-%zu\">\n<h2>%zu. %s</h2>\n<p>%s</p>\n", index, index + FIRST_CHAPTER,
             own->title, own->about);
-    if (own->parts) write_parts(to);
     if (found_each(to, own->field, NULL, NULL) > 0)
         found_each(to, own->field, write_table, &state);
     else
@@ -258,134 +246,17 @@ static void write_chapter(const page *to, const chapter *own, size_t index) {
 
 // ---------------------------------------------------------------- machine and model
 
-/// Writes a heading of numbers with the unit of a quantity.
-static void write_heading(const page *to, const char *text, const whirl_unit *unit) {
-    fputs("<th class=\"number\">", to->stream);
-    html_printf(to->stream, "%s (%s)", text, unit->name);
-    fputs("</th>", to->stream);
-}
-
-/// Writes the stations of result number `r`. Masses are those without the shaft; `model` NULL: unknown.
-static void write_stations(const page *to, size_t r, const whirl_model *model) {
-    // Write the head of the table.
-    const whirl_result *result = to->results[r];
-    const whirl_unit *const units = to->units[r].of;
-    const whirl_unit *const mass = &units[WHIRL_QUANTITY_MASS], *const inertia = &units[WHIRL_QUANTITY_INERTIA];
-    html_table(to->stream, "Stations", "");
-    fputs("<thead><tr><th>station</th>", to->stream);
-    write_heading(to, "position along its shaft", &units[WHIRL_QUANTITY_POSITION]);
-    write_heading(to, "mass without the shaft", mass);
-    write_heading(to, "polar inertia", inertia);
-    write_heading(to, "diametral inertia", inertia);
-    fputs("</tr></thead>\n<tbody>\n", to->stream);
-    // Write a row for each station.
-    for (size_t s = 0; s < result->station_count; s++) {
-        const whirl_probe *station = &result->stations[s];
-        fputs("<tr><th>", to->stream);
-        html_text(to->stream, station->name);
-        fputs("</th>", to->stream);
-        if (station->shaft > 0)
-            html_number(to->stream, station->position / units[WHIRL_QUANTITY_POSITION].size);
-        else
-            fputs("<td>on no shaft of finite elements</td>", to->stream);
-        const bool known = model && s < model->station_count;
-        const whirl_model_mass own =
-            known ? model->stations[s] : (whirl_model_mass){.mass = NAN, .polar = NAN, .diametral = NAN};
-        html_number(to->stream, own.mass / mass->size);
-        html_number(to->stream, own.polar / inertia->size);
-        html_number(to->stream, own.diametral / inertia->size);
-        fputs("</tr>\n", to->stream);
-    }
-    fputs("</tbody></table></div>\n", to->stream);
-}
-
-/// Writes "105", or "105 to 120" for a taper.
-static void write_diameter(const page *to, const whirl_unit *unit, const double ends[2]) {
-    fprintf(to->stream,
-            ends[0] == ends[1] ? "<td class=\"number\">%.6g</td>" : "<td class=\"number\">%.6g to %.6g</td>",
-            ends[0] / unit->size, ends[1] / unit->size);
-}
-
-static void write_sections(const page *to, size_t r, const whirl_model *model, const whirl_shaft_summary *shafts) {
-    // Write the head of the table.
-    const whirl_unit *const units = to->units[r].of, *const mass = &units[WHIRL_QUANTITY_MASS];
-    const whirl_unit *const along = &units[WHIRL_QUANTITY_POSITION], *const across = &units[WHIRL_QUANTITY_DIAMETER];
-    html_table(to->stream, "Sections of the shafts", "");
-    fputs("<thead><tr><th>shaft</th>", to->stream);
-    write_heading(to, "from", along);
-    write_heading(to, "to", along);
-    write_heading(to, "length", across);
-    write_heading(to, "outer diameter", across);
-    write_heading(to, "inner diameter", across);
-    write_heading(to, "mass", mass);
-    fputs("</tr></thead>\n<tbody>\n", to->stream);
-    // Write a row for each section.
-    for (const whirl_model_section *own = model->sections; own < model->sections + model->section_count; own++) {
-        fputs("<tr><th>", to->stream);
-        html_text(to->stream, shafts[own->shaft].name);
-        fputs("</th>", to->stream);
-        html_number(to->stream, own->from / along->size);
-        html_number(to->stream, own->to / along->size);
-        html_number(to->stream, (own->to - own->from) / across->size);
-        write_diameter(to, across, own->outer);
-        write_diameter(to, across, own->inner);
-        html_number(to->stream, own->mass / mass->size);
-        fputs("</tr>\n", to->stream);
-    }
-    fputs("</tbody></table></div>\n", to->stream);
-}
-
-static void write_shafts(const page *to, size_t r, const whirl_model *model) {
-    // Sum up the shafts of the machine.
-    const whirl_case *const machine = to->machines[r];
-    const whirl_unit *const mass = &to->units[r].of[WHIRL_QUANTITY_MASS];
-    const whirl_unit *const along = &to->units[r].of[WHIRL_QUANTITY_POSITION];
-    whirl_shaft_summary shafts[WHIRL_MAX_SHAFTS];
-    size_t count = 0;
-    if (!machine || whirl_case_shafts(machine, shafts, &count).code != WHIRL_OK) return;
-    // Write a sentence for each shaft: its elements, its reduction and its mass.
-    for (const whirl_shaft_summary *shaft = shafts; shaft < shafts + count; shaft++) {
-        fputs("<p>", to->stream);
-        html_printf(to->stream, "Shaft %s: %.6g %s, %.6g %s, %zu finite elements (Timoshenko) between %zu nodes",
-                    shaft->name, shaft->length / along->size, along->name, shaft->mass / mass->size, mass->name,
-                    shaft->elements, shaft->nodes);
-        if (shaft->reduced)
-            html_printf(to->stream,
-                        ", reduced to its stations and %zu of %zu modes a plane: reduction error %.1g (free-free "
-                        "frequencies), %.1g (static flexibility)",
-                        shaft->modes, shaft->all_modes, shaft->frequency_error, shaft->flexibility_error);
-        const whirl_model_total *all = model->shafts ? &model->shafts[shaft - shafts] : NULL;
-        if (all)
-            html_printf(to->stream, ". With what is on it %.6g %s, centre of mass at %.6g %s", all->mass / mass->size,
-                        mass->name, all->centre / along->size, along->name);
-        fputs(".</p>\n", to->stream);
-    }
-    // Write the sections of all shafts.
-    if (count > 0 && model->section_count > 0) write_sections(to, r, model, shafts);
-}
-
-static void write_machine(const page *to, const analysis_document *document) {
+static void write_machine(const page *to) {
     fputs("<section id=\"machine\">\n<h2>2. Machine and model</h2>\n", to->stream);
     for (size_t r = 0; r < to->count; r++) {
         const whirl_result *result = to->results[r];
-        const whirl_case *machine = to->machines[r];
         fputs("<h3>", to->stream);
         html_text(to->stream, *result->title ? result->title : to->names[r]);
         fputs("</h3>\n", to->stream);
         page_warnings(to, r);
         page_machine(to, r);
-        if (!document->train) html_weight(to->stream, &to->units[r]);
-        whirl_model model = {0};
-        const bool known = machine && whirl_case_model(machine, &model).code == WHIRL_OK;
-        write_shafts(to, r, &model);
-        bool masses = !document->train || !known; // a train without masses has its inertias in the sheet below
-        for (size_t s = 0; s < model.station_count && known; s++) masses = masses || model.stations[s].mass > 0.0;
-        if (masses) write_stations(to, r, known ? &model : NULL);
-        whirl_model_free(&model);
-        if (document->train) {
-            page_statements(to, r, NULL);
-            page_sheets(to, r, NULL);
-        }
+        page_statements(to, r, NULL);
+        page_sheets(to, r, NULL);
         page_parameters(to, r);
     }
     fputs("</section>\n", to->stream);
@@ -416,7 +287,7 @@ void analysis_write(const page *to, analysis_kind kind) {
     page_document(to);
     fputs("<p class=\"soft\">Written by whirl " WHIRL_VERSION ".</p>\n</header>\n<main>\n", to->stream);
     write_found(to, document);
-    write_machine(to, document);
+    write_machine(to);
     for (size_t i = 0; i < document->count; i++) write_chapter(to, &document->chapters[i], i);
     write_appendix(to, document->count);
     fputs("</main>\n</body>\n</html>\n", to->stream);

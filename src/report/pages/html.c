@@ -1,6 +1,5 @@
 #include "number_shown.h"
 #include "page.h"
-#include "weight.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -62,13 +61,4 @@ void html_number(FILE *stream, double value) {
         fprintf(stream, "<td class=\"number\">%s</td>", text);
     else
         fputs("<td></td>", stream);
-}
-
-void html_weight(FILE *stream, const whirl_shown_units *units) {
-    char weight[WEIGHT_SIZE];
-    weight_text(units, weight, sizeof weight);
-    if (!*weight) return;
-    fputs("<p>Weight: ", stream);
-    html_text(stream, weight);
-    fputs(".</p>\n", stream);
 }

@@ -160,12 +160,12 @@ static void write_contents(const page *to) {
     fputs("</ul></nav>\n", to->stream);
 }
 
-/// Writes bearings, seals, dampers and supports in a section that is closed at first: a reference.
+/// Writes weight, shafts, stations and parts in a section that is closed at first: a reference.
 static void page_parts(const page *to, size_t result) {
     bool any = false;
     for (size_t i = 0; i < to->findings[result]->sheet_count; i++) any = any || !*to->findings[result]->sheets[i].table;
     if (!any) return;
-    fputs("<details><summary>Bearings, seals, dampers and supports</summary>\n", to->stream);
+    fputs("<details><summary>Weight, shafts, stations and parts of the machine</summary>\n", to->stream);
     page_statements(to, result, NULL);
     page_sheets(to, result, NULL);
     fputs("</details>\n", to->stream);

@@ -136,7 +136,4 @@ void html_table(FILE *stream, const char *label, const char *class);
 /// Writes a cell with a number of six digits; empty if it is not finite.
 void html_number(FILE *stream, double value);
 
-/// Writes a paragraph on how weight acts on a machine, if the result has it.
-void html_weight(FILE *stream, const whirl_shown_units *units);
-
 #endif

@@ -27,19 +27,29 @@ size_t page_statements(const page *to, size_t result, const whirl_table *table) 
     return count;
 }
 
+/// Returns the class of a cell: numbers are aligned right, and long texts get a width on which they can be read.
+static const char *cell_class(const whirl_column *column, const char *text) {
+    enum { LONG = 28 };
+    if (column->digits > 0 && !column->between) return " class=\"number\"";
+    return strlen(text) > LONG ? " class=\"wide\"" : "";
+}
+
 static void write_row(FILE *stream, const whirl_sheet *sheet, size_t row) {
     char text[CELL_SIZE];
     fputs("<tr>", stream);
     for (size_t c = 0, shown = 0; c < sheet->columns; c++) {
         const whirl_column *column = &sheet->column[c];
-        const bool number = column->digits > 0, head = row == 0 || shown == 0;
+        const bool head = row == 0 || shown == 0;
         if (sheet_column_empty(sheet, c)) continue;
-        if (row == 0)
-            whirl_column_heading(column, text, sizeof text);
-        else
-            whirl_cell_text(column, &sheet->cells[(row - 1) * sheet->columns + c], text, sizeof text);
-        fprintf(stream, "<%s%s>", head ? "th" : "td", number && !column->between ? " class=\"number\"" : "");
-        html_text(stream, text);
+        *text = '\0';
+        if (row > 0) whirl_cell_text(column, &sheet->cells[(row - 1) * sheet->columns + c], text, sizeof text);
+        fprintf(stream, "<%s%s>", head ? "th" : "td", cell_class(column, text));
+        html_text(stream, row > 0 ? text : column->heading);
+        if (row == 0 && *column->unit) {
+            fputs(" <span class=\"whole\">(", stream);
+            html_text(stream, column->unit);
+            fputs(")</span>", stream);
+        }
         fprintf(stream, "</%s>", head ? "th" : "td");
         shown++;
     }
@@ -78,7 +88,7 @@ void page_sheets(const page *to, size_t result, const whirl_table *table) {
 static void write_phrase(const page *to, const whirl_phrase *phrase) {
     char text[STATEMENT_SIZE];
     whirl_phrase_text(phrase, text, sizeof text);
-    fputs("<td>", to->stream);
+    fputs("<td class=\"wide\">", to->stream);
     html_text(to->stream, text);
     fputs("</td>", to->stream);
 }

@@ -7,7 +7,6 @@
 #include "page.h"
 #include "quantities.h"
 #include "units.h"
-#include "weight.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/findings.h"
 #include "whirl/engine/result.h"
@@ -252,9 +251,6 @@ void page_computed(const page *to, size_t index) {
     const whirl_unit *const length = &units->of[WHIRL_QUANTITY_LENGTH];
     snprintf(text, sizeof text, "%.6g %s", result->length_scale / length->size, length->name);
     write_row(to->stream, "Length scale", text);
-    char weight[WEIGHT_SIZE];
-    weight_text(units, weight, sizeof weight);
-    if (*weight) write_row(to->stream, "Weight", weight);
     // List the stations, with what surrounds them.
     text[0] = '\0';
     for (size_t s = 0; s < result->station_count; s++) {

@@ -58,7 +58,7 @@ void page_style(FILE *stream) {
         "max-height:calc(100vh - 3rem);overflow-y:auto;font-size:.9rem}nav ul{display:block;margin:0}"
         "nav li{margin:.35rem 0}nav ul ul{display:block;padding-left:.9rem}main{grid-column:2}"
         "main>section:first-child>h2{margin-top:0}}",
-        "@media (max-width:45rem){body{padding:1rem 1rem 3rem}.claims thead{display:none}"
+        "@media screen and (max-width:45rem){body{padding:1rem 1rem 3rem}.claims thead{display:none}"
         ".claims,.claims tbody,.claims tr,.claims th,.claims td{display:block;min-width:0;border:0;padding:.1rem 0}"
         ".claims tr{padding:.8rem 0;border-bottom:1px solid var(--line)}.claims th br{display:none}.claims th "
         ".small{margin-left:.6em}"
@@ -67,16 +67,14 @@ void page_style(FILE *stream) {
         ".pair{grid-template-columns:1fr}dl{grid-template-columns:1fr;gap:0}dd{margin-bottom:.4rem}ul{padding-left:1."
         "2rem}}",
         "@media print{:root{color-scheme:light;--paper:#fff;--ink:#000;--soft:#444;--line:#bbb;--wash:#fff;--link:#000;"
-        "--good:#00664a;--half:#8a5a00;--bad:#a63a00}body{font-size:10pt;max-width:none;padding:0}h2{break-before:page}"
-        "h2:first-of-type{break-before:auto}figure,tr{break-inside:avoid}h3,h4,h3+p,h4+p,thead{break-after:avoid}nav,"
-        "summary{"
-        "display:none}"
-        "a{text-decoration:none}figure "
-        "img{width:auto;max-width:14cm;max-height:10.5cm;border:0}figure{margin:.6rem 0 1rem}figcaption "
-        ".soft{display:none}.pair{display:block}.scroll{overflow:visible}"
-        ".claims td,.why,.wide{min-width:0}table{font-size:7.5pt}th,td{padding:.16rem .5rem .16rem "
-        "0}pre{font-size:7pt;white-space:"
-        "pre-wrap}}",
+        "--good:#00664a;--half:#8a5a00;--bad:#a63a00}body{font-size:10pt;max-width:none;padding:0}section+section>h2{"
+        "break-before:page}"
+        "figure,tr{break-inside:avoid}h2,h3,h4,h2+p,h3+p,h4+p,thead{break-after:avoid}nav,summary{display:none}"
+        "a{text-decoration:none}figure img{width:auto;max-width:18cm;max-height:9.3cm;border:0}"
+        "figure{margin:.6rem 0 1rem}figcaption .soft{display:none}.pair{display:block}.scroll{overflow:visible}"
+        "dl{display:block}dt{float:left;clear:left;white-space:nowrap;margin-right:.4cm}dd{margin:0 0 .1rem 5.4cm}"
+        ".claims td,.why,.wide{min-width:0}table{font-size:7.5pt}th,td{padding:.16rem .5rem .16rem 0}"
+        "pre{font-size:7pt;white-space:pre-wrap}}",
         "@page{size:A4;margin:16mm 15mm 18mm;@bottom-right{content:counter(page) ' / ' counter(pages);font-size:8pt}}",
     };
     fputs("<style>\n", stream);

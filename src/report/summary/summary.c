@@ -9,7 +9,6 @@
 #include "machine_at.h"
 #include "motions_text.h"
 #include "shown_kinds.h"
-#include "weight.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/findings.h"
@@ -122,17 +121,6 @@ static whirl_status print_table(FILE *out, const whirl_findings *findings, const
     return status;
 }
 
-/// Writes bearings, seals, dampers and supports, for results with machines at rest.
-static whirl_status print_parts(FILE *out, const whirl_result *view, const whirl_findings *findings) {
-    bool any = false;
-    for (size_t t = 0; t < view->table_count; t++) {
-        const whirl_kind *kind = whirl_analysis_kind(view->tables[t].analyses);
-        any = any || !(kind->moves || kind->found);
-    }
-    if (!any || findings_write_table(out, findings, "", MAX_ROWS, MAX_ROWS)) return whirl_ok();
-    return whirl_fail(WHIRL_NO_MEMORY, "no memory for a summary");
-}
-
 whirl_status whirl_result_write_summary(const whirl_result *result, FILE *out) {
     size_t done, total;
     whirl_result *view;
@@ -149,11 +137,6 @@ whirl_status whirl_result_write_summary(const whirl_result *result, FILE *out) {
         fprintf(out, "%s\n", said);
     }
     if (*whirl_result_film_tables(result)) fprintf(out, "film tables: %s\n", whirl_result_film_tables(result));
-    if (weight_heads(result)) {
-        char weight[WEIGHT_SIZE];
-        weight_text(&units, weight, sizeof weight);
-        fprintf(out, "weight: %s\n", weight);
-    }
     const char *const keyphasor = whirl_result_keyphasor(result);
     if (*keyphasor) whirl_write_keyphasor(keyphasor, whirl_result_clock(result), out);
     if (whirl_result_partial(result, &done, &total)) {
@@ -171,7 +154,8 @@ whirl_status whirl_result_write_summary(const whirl_result *result, FILE *out) {
     whirl_case *machine = NULL;
     status = machine_of(view, &machine);
     if (status.code == WHIRL_OK) status = findings_of(view, &units, machine, &findings);
-    if (status.code == WHIRL_OK) status = print_parts(out, view, findings);
+    if (status.code == WHIRL_OK && !findings_write_table(out, findings, "", MAX_ROWS, MAX_ROWS))
+        status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a summary");
     for (size_t i = 0; i < view->table_count && status.code == WHIRL_OK; i++) {
         status = print_table(out, findings, &units, machine, &view->tables[i]);
         print_ranges(out, &units, &view->tables[i]);

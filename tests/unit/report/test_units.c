@@ -12,8 +12,8 @@
 #include "render.h"
 #include "sample.h"
 #include "units.h"
-#include "weight.h"
 #include "whirl/engine/analyze.h"
+#include "whirl/engine/findings.h"
 #include "whirl/engine/result.h"
 #include "whirl/engine/shown.h"
 #include "whirl/status.h"
@@ -153,13 +153,13 @@ static void weight_in_chosen_units(void **state) {
                    {"none: gravity is 0", "US", "none: gravity is 0"}};
     (void)state;
     for (size_t i = 0; i < sizeof weights / sizeof *weights; i++) {
-        char text[WEIGHT_SIZE];
+        char text[256];
         whirl_result *result = sample_result();
         assert_int_equal(whirl_result_add_fact(result, "weight", weights[i].fact).code, WHIRL_OK);
         const whirl_shown_units units = units_for(result, weights[i].units);
-        weight_text(&units, text, sizeof text);
+        whirl_shown_sentence(&units, weights[i].fact, text, sizeof text);
         assert_string_equal(text, weights[i].told);
-        weight_text(&units, text, 8); // what does not fit is cut
+        whirl_shown_sentence(&units, weights[i].fact, text, 8); // what does not fit is cut
         assert_true(strlen(text) < 8);
         whirl_result_free(result);
     }
