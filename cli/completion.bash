@@ -122,7 +122,7 @@ _whirl() {
     --method | integrate.method) _whirl_words "$word" "$(_whirl_names "$whirl" 'methods of integration')"; return ;;
     --threads) _whirl_words "$word" "$(seq "$(nproc 2>/dev/null || echo 1)")"; return ;;
     *.*) [ "$of_key" ] && { _whirl_words "$word" "$(_whirl_choices "$whirl" "$before")"; return; } ;;
-    --format) [[ $command == @(table|balance|bearing) ]] && _whirl_words "$word" 'text csv latex json'; return ;;
+    --format) [[ $command == @(table|balance|bearing) ]] && _whirl_words "$word" 'text csv latex markdown json'; return ;;
     --figure) _whirl_words "$word" 'curves sommerfeld locus'; return ;;
     --at | --points | --revolutions | --refine | --shard | --max-time | --units | --sheet) return ;;
     esac

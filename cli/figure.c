@@ -28,7 +28,7 @@ static const struct argp_option options[] = {
      .key = KEY_FORMAT,
      .arg = "FORMAT",
      .doc = "png, pdf, svg or json (default: by the ending of FILE, else png)"},
-    {.name = "units", .key = KEY_UNITS, .arg = "UNITS", .doc = "Units of the figure, such as 'um, rpm, Hz, p-p'"},
+    {.name = "units", .key = KEY_UNITS, .arg = "UNITS", .doc = "Units of the figure, such as 'um, rpm, Hz, p-p' or US"},
     {.name = "log", .key = KEY_LOG, .arg = "AXES", .doc = "Make these axes logarithmic: x, y or xy"},
     {.name = "panels", .key = KEY_PANELS, .arg = "NAMES", .doc = "These panels alone, such as x,exponent"},
     {.name = "with",

@@ -15,7 +15,7 @@ bool found_take(int key, char *argument, const struct argp_state *state, found_a
         return true;
     case KEY_FOUND_FORMAT:
         if (whirl_sheet_form_of(argument, &arguments->form).code != WHIRL_OK)
-            bad_argument(state, "--format is '%s', expected text, csv, latex or json", argument);
+            bad_argument(state, "--format is '%s', expected text, csv, latex, markdown or json", argument);
         arguments->formed = true;
         return true;
     default:

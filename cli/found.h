@@ -22,7 +22,7 @@ enum { KEY_FOUND_UNITS = 0x200, KEY_FOUND_SHEET, KEY_FOUND_FORMAT };
      .doc = "Units of numbers, such as 'mil, psi' or US; default: those of FILE"},                                     \
         {.name = "sheet", .key = KEY_FOUND_SHEET, .arg = "NAME", .doc = "Print only this table"}, {                    \
         .name = "format", .key = KEY_FOUND_FORMAT, .arg = "FORMAT",                                                    \
-        .doc = "Format of that table: text (default), csv, latex or json"                                              \
+        .doc = "Format of that table: text (default), csv, latex, markdown or json"                                    \
     }
 
 /// Takes one of these options. Returns false for other keys.

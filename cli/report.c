@@ -52,9 +52,9 @@ static const struct argp_option options[] = {
     {.name = "units",
      .key = KEY_UNITS,
      .arg = "LIST",
-     .doc = "Units of figures and pages, such as \"um, rpm, Hz, p-p\" (default: those of the case): scale, m, mm, um, "
-            "in or "
-            "mil; rad/s or rpm; order, Hz or cpm; 0-p, p-p or rms"},
+     .doc =
+         "Units of figures and pages, such as \"um, rpm, Hz, p-p\" or US (default: those of the case); `whirl describe "
+         "study` lists them"},
     {.name = "lateral",
      .key = KEY_LATERAL,
      .doc = "Also write lateral.html and lateral.pdf: a lateral analysis, from the machine to margins and stability"},

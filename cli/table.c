@@ -22,18 +22,19 @@ static const struct argp_option options[] = {
      .key = 'o',
      .arg = "FILE",
      .doc = "File to write, in the format of its ending: .txt, .csv, "
-            ".tex or .json; without it, or -, standard output"},
+            ".tex, .md or .json; without it, or -, standard output"},
     {.name = "format",
      .key = KEY_FORMAT,
      .arg = "FORMAT",
-     .doc = "text, csv, latex or json (default: by the ending of FILE, else text)"},
+     .doc = "text, csv, latex, markdown or json (default: by the ending of FILE, else text)"},
     {.name = "units", .key = KEY_UNITS, .arg = "UNITS", .doc = "Units of numbers, such as 'um, rpm, Hz, p-p' or US"},
     {.name = "force", .key = KEY_FORCE, .doc = "Replace an existing file"},
     {0},
 };
 
 /// The formats, and how files of them end.
-static const char *const formats[][2] = {{"text", ".txt"}, {"csv", ".csv"}, {"latex", ".tex"}, {"json", ".json"}};
+static const char *const formats[][2] = {
+    {"text", ".txt"}, {"csv", ".csv"}, {"latex", ".tex"}, {"markdown", ".md"}, {"json", ".json"}};
 enum { FORMATS = sizeof formats / sizeof *formats };
 
 static error_t table_parse(int key, char *argument, struct argp_state *state) {
@@ -48,7 +49,7 @@ static error_t table_parse(int key, char *argument, struct argp_state *state) {
         return 0;
     case KEY_FORMAT:
         if (whirl_sheet_form_of(argument, &form).code != WHIRL_OK)
-            bad_argument(state, "--format is '%s', expected text, csv, latex or json", argument);
+            bad_argument(state, "--format is '%s', expected text, csv, latex, markdown or json", argument);
         arguments->format = argument;
         return 0;
     case KEY_UNITS:
@@ -96,7 +97,7 @@ static const char *format_of(const table_arguments *arguments, bool printed) {
     const char *const ending = strrchr(slash ? slash : arguments->output, '.');
     for (size_t i = 0; ending && i < FORMATS; i++)
         if (strcmp(ending, formats[i][1]) == 0) return formats[i][0];
-    complain("'%s' ends in no format of sheets, expected .txt, .csv, .tex or .json", arguments->output);
+    complain("'%s' ends in no format of sheets, expected .txt, .csv, .tex, .md or .json", arguments->output);
     return NULL;
 }
 

@@ -235,7 +235,7 @@ whirl_status whirl_result_figures(const whirl_result *result, const char *units,
 
 /// Writes findings on machines at rest, branches, tori and spectra (docs/result-file.md, "Findings as JSON"): the sheet
 /// `sheet` ("peaks", or "TABLE/peaks" if several tables have one), or, if NULL, all statements and sheets. `units` as
-/// in reports, or NULL; `format` is "text" or "json", for a sheet also "csv" or "latex". *text is freed by
+/// in reports, or NULL; `format` is "text" or "json", for a sheet also "csv", "latex" or "markdown". *text is freed by
 /// whirl_text_free. WHIRL_BAD_INPUT with a sentence for an unknown sheet, unit or format.
 whirl_status whirl_result_findings(const whirl_result *result, const char *sheet, const char *units, const char *format,
                                    char **text);

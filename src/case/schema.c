@@ -168,14 +168,6 @@ static const whirl_key fit_data_keys[] = {
                "standard deviation of these numbers, by which they are weighed; absent: all weigh the same"),
 };
 
-#define modes_keys resting_keys
-#define unbalance_keys resting_keys
-#define critical_speeds_keys resting_keys
-#define stability_keys resting_keys
-#define statics_keys resting_keys
-#define torsion_keys resting_keys
-#define runup_keys resting_keys
-
 static const whirl_key motions_keys[] = {
     AXIS_KEYS(false),
     CHOICE_KEY("name", OPTIONAL, "", "name of these motions among several; their table is motions_NAME"),
@@ -338,7 +330,12 @@ const whirl_group schema_map = GROUP("map", "points of a plane of two parameters
 const whirl_group schema_basin =
     GROUP("basin", "starts in a plane, and the motions that they come to rest on", map_keys, NULL);
 const whirl_group schema_axis = GROUP("axis", "the values of a parameter, along x or y of a map", axis_keys, NULL);
-#define GROUP_AT_REST(name, meaning, ...) GROUP(#name, meaning, name##_keys, of_options),
+// Keys of a study at rest, by the last word of its line in WHIRL_STUDIES_AT_REST.
+#define STILL resting_keys
+#define TURNING resting_keys
+#define RUNNING resting_keys
+#define FITTED fit_keys
+#define GROUP_AT_REST(name, meaning, source, keys) GROUP(#name, meaning, keys, of_options),
 #define ADDRESS_AT_REST(name, ...) &schema_at_rest[SCHEMA_AT_REST_##name],
 const whirl_group schema_at_rest[] = {WHIRL_STUDIES_AT_REST(GROUP_AT_REST){.name = NULL}};
 const whirl_group schema_motions =

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "findings_render.h"
 #include "shown_kinds.h"
 #include "whirl/engine/dataset.h"
 #include "whirl/engine/findings.h"
@@ -60,27 +61,6 @@ void whirl_dataset_write_index(const whirl_result *result, FILE *stream) {
 
 // ---------------------------------------------------------------- data sheet
 
-static void put_sheet(FILE *stream, const whirl_sheet *sheet) {
-    char text[WHIRL_MESSAGE_SIZE];
-    if (sheet->rows == 0) return;
-    fprintf(stream, "\n## %s\n\n", sheet->title);
-    if (*sheet->about) fprintf(stream, "%s\n\n", sheet->about);
-    for (size_t c = 0; c < sheet->columns; c++) {
-        whirl_column_heading(&sheet->column[c], text, sizeof text);
-        fprintf(stream, "| %s ", text);
-    }
-    fputs("|\n", stream);
-    for (size_t c = 0; c < sheet->columns; c++) fputs(sheet->column[c].digits > 0 ? "|---:" : "|---", stream);
-    fputs("|\n", stream);
-    for (size_t r = 0; r < sheet->rows; r++) {
-        for (size_t c = 0; c < sheet->columns; c++) {
-            whirl_cell_text(&sheet->column[c], &sheet->cells[r * sheet->columns + c], text, sizeof text);
-            fprintf(stream, "| %s ", text);
-        }
-        fputs("|\n", stream);
-    }
-}
-
 whirl_status whirl_dataset_write_sheet(const whirl_result *result, const char *name, FILE *stream) {
     const whirl_table *table = whirl_result_records(result);
     whirl_findings *findings;
@@ -105,8 +85,12 @@ whirl_status whirl_dataset_write_sheet(const whirl_result *result, const char *n
         whirl_phrase_text(&findings->statements[i].found, text, sizeof text);
         fprintf(stream, "- %c%s.\n", text[0] >= 'a' && text[0] <= 'z' ? text[0] - 'a' + 'A' : text[0], text + 1);
     }
-    for (size_t i = 0; i < findings->sheet_count; i++)
-        if (strcmp(findings->sheets[i].table, table->name) == 0) put_sheet(stream, &findings->sheets[i]);
+    for (size_t i = 0; i < findings->sheet_count; i++) {
+        const whirl_sheet *sheet = &findings->sheets[i];
+        if (strcmp(sheet->table, table->name) != 0 || sheet->rows == 0) continue;
+        fprintf(stream, "\n## %s\n\n%s%s", sheet->title, sheet->about, *sheet->about ? "\n\n" : "");
+        sheet_write_markdown(stream, sheet);
+    }
     fprintf(
         stream,
         "\n## What to know before use\n\n"

@@ -34,6 +34,7 @@ bool sheet_write_text(FILE *stream, const whirl_sheet *sheet, size_t most);
 /// Write a sheet as CSV and as LaTeX, in the form of whirl_sheet_write.
 void sheet_write_csv(FILE *stream, const whirl_sheet *sheet);
 void sheet_write_latex(FILE *stream, const whirl_sheet *sheet);
+void sheet_write_markdown(FILE *stream, const whirl_sheet *sheet);
 
 /// Writes statements and sheets of a table as text: at most `points` rows of sheets of points, at most `rows` of
 /// others. Returns false without memory.

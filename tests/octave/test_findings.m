@@ -23,7 +23,7 @@ assert(sheet.texts(:, at), {'1909.9'; '3019.8'});
 sheet = whirl_table(result, 'modes/critical', 'units', 'rad/s');
 assert(sheet.units{at}, 'rad/s');
 assert(sheet.matrix(:, at), speeds, -1e-9);
-assert(whirl_table('m.h5', 'list'), {'supports'; 'critical'; 'lowest'});
+assert(whirl_table('m.h5', 'list'), {'stations'; 'supports'; 'critical'; 'lowest'});
 statements = whirl_statements(result);
 own = statements(strncmp({statements.what}, 'critical speeds', 15));
 assert(own.found, '1909.9 rpm, 3019.8 rpm');

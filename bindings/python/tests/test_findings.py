@@ -1,6 +1,6 @@
 """Statements and sheets of every shipped case are the same by all renderers, number by number, in the units shown.
 
-Renderers: Python, notebooks, JSON, CSV, LaTeX, text, the summary and HTML of the command, and Octave.
+Renderers: Python, notebooks, JSON, CSV, LaTeX, Markdown, text, the summary and HTML of the command, and Octave.
 """
 
 import csv
@@ -101,7 +101,7 @@ def test_statements_and_sheets_are_those_of_the_command(file):
 
 
 def test_texts_are_the_numbers(file):
-    """CSV has every number as `rows` have it; text and LaTeX as `texts` have it, to their digits."""
+    """CSV has every number as `rows` have it; text, LaTeX and Markdown as `texts` have it, to their digits."""
     result = whirl.open(file)
     once = {sheet.name: (key, sheet) for key, sheet in result.sheets().items()}  # conditions have the same sheets
     for key, sheet in once.values():
@@ -121,6 +121,9 @@ def test_texts_are_the_numbers(file):
                 for number, one in zip(numbers, shown.split(column.between) if column.between else [shown]):
                     assert float(one) == pytest.approx(number, rel=0.51 * 10 ** (1 - column.digits))
         assert latex.count("\\\\\n") == len(sheet) + 1
+        _, _, *lines = result.sheet_text(key, "markdown").splitlines()
+        filled = [texts for texts in zip(*sheet.texts) if any(texts)]
+        assert lines == [f"| {' | '.join(text.replace('|', chr(92) + '|') for text in row)} |" for row in zip(*filled)]
         for cell in (cell for row in sheet.texts for cell in row):
             assert cell in text and re.sub(r"([%&_#$])", r"\\\1", cell).replace("µ", "$\\mu$") in latex
         assert text == command("table", file, key).stdout
@@ -354,7 +357,7 @@ def test_motions_without_spectra_have_those_of_the_machine():
 def test_what_is_wrong_is_said(modes):
     with pytest.raises(whirl.BadInput, match="there is no sheet 'lowst', did you mean lowest"):
         modes.sheet("lowst")
-    with pytest.raises(whirl.BadInput, match="expected text, csv, latex or json"):
+    with pytest.raises(whirl.BadInput, match="expected text, csv, latex, markdown or json"):
         modes.sheet_text("lowest", "xlsx")
     with pytest.raises(whirl.BadInput, match="holds one sheet, expected the name of one"):
         modes.sheet_text(format="csv")

@@ -463,8 +463,8 @@ class Result:
         return sheet_of(self._figured(), " ".join(words), units)
 
     def sheet_text(self, name: str | None = None, format: str = "text", units: str | None = None) -> str:
-        """A sheet as ``whirl table`` writes it: "text", "csv", "latex" (a table with rules of booktabs) or "json". All
-        statements and sheets without a name, as "text" or "json"."""
+        """A sheet as ``whirl table`` writes it: "text", "csv", "latex" (a table with rules of booktabs), "markdown" or
+        "json". All statements and sheets without a name, as "text" or "json"."""
         from .findings import text_of
 
         return text_of(self._figured(), name, units, format)

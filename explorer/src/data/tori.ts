@@ -26,9 +26,8 @@ export class Tori {
 
   /// Returns the tori over a parameter; undefined if the run has none.
   static of(run: Run | undefined, parameter: string): Tori | undefined {
-    const table = run?.tables.find(({ name }) => name === 'tori');
-    if (!table || table.parameter !== parameter || !table.fields.some(({ name }) => name === FIELD.TORUS_ROTATION))
-      return undefined;
+    const table = run?.tables.find(({ fields }) => fields.some(({ name }) => name === FIELD.TORUS_ROTATION));
+    if (!table || table.parameter !== parameter) return undefined;
     const diagram = Diagram.stored(table, run!.length_scale);
     const found = new Map<number, number[]>();
     for (const point of diagram.values.keys()) {

@@ -10,6 +10,10 @@ export function numbersTable(
   rows: readonly (readonly Cell[])[],
   marked = -1,
 ): HTMLElement {
+  // Columns of words are aligned to the left, those of numbers to the right.
+  const side = heading.map((_, column) =>
+    rows.some(({ [column]: cell }) => typeof cell === 'string' && /^\p{L}/u.test(cell)) ? { class: 'words' } : {},
+  );
   const made = el(
     'table',
     {},
@@ -17,17 +21,23 @@ export function numbersTable(
     el(
       'thead',
       {},
-      el('tr', {}, ...heading.map((text) => el('th', { scope: 'col' }, text.replace(/([0p])-p/, '$1\u2011p')))),
+      el(
+        'tr',
+        {},
+        ...heading.map((text, column) =>
+          el('th', { scope: 'col', ...side[column] }, text.replace(/([0p])-p/, '$1\u2011p')),
+        ),
+      ),
     ),
     el(
       'tbody',
       {},
-      ...rows.map(([name = '', ...cells], i) =>
+      ...rows.map(([name = '', ...cells], row) =>
         el(
           'tr',
-          i === marked ? { class: 'marked' } : {},
+          row === marked ? { class: 'marked' } : {},
           el('th', { scope: 'row' }, name),
-          ...cells.map((cell) => el('td', {}, cell)),
+          ...cells.map((cell, i) => el('td', side[i + 1] ?? {}, cell)),
         ),
       ),
     ),

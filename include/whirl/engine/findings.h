@@ -132,10 +132,11 @@ typedef enum whirl_sheet_form {
     WHIRL_SHEET_TEXT,
     WHIRL_SHEET_CSV,
     WHIRL_SHEET_LATEX,
+    WHIRL_SHEET_MARKDOWN,
     WHIRL_SHEET_JSON
 } whirl_sheet_form;
 
-/// Returns the format of a name: "text", "csv", "latex" or "json". WHIRL_BAD_INPUT for any other.
+/// Returns the format of a name: "text", "csv", "latex", "markdown" or "json". WHIRL_BAD_INPUT for any other.
 whirl_status whirl_sheet_form_of(const char *name, whirl_sheet_form *form);
 
 /// Writes a sheet: aligned text, CSV (RFC 4180, numbers in shown units with all their digits), a LaTeX table with rules

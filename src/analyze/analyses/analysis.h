@@ -105,9 +105,10 @@ typedef struct analysis_plan {
 block_view view_of(const analysis_plan *plan, const whirl_layout *layout, double *block);
 
 extern const analysis_plan poincare_analysis, orbit_analysis, rub_analysis, waveform_analysis, spectrum_analysis,
-    lyapunov_analysis, exponents_analysis, regime_analysis, winding_analysis, evidence_analysis, modes_analysis,
-    unbalance_analysis, torsion_analysis, critical_speeds_analysis, stability_analysis, statics_analysis,
-    runup_analysis, fit_analysis, floquet_analysis, trace_analysis, torus_analysis, ranges_analysis;
+    lyapunov_analysis, exponents_analysis, regime_analysis, winding_analysis, evidence_analysis, floquet_analysis,
+    trace_analysis, torus_analysis, ranges_analysis;
+#define PLAN_AT_REST(name, ...) extern const analysis_plan name##_analysis;
+WHIRL_STUDIES_AT_REST(PLAN_AT_REST)
 
 /// The plans, in the order of whirl_analyses().
 extern const analysis_plan *const analysis_plans[];

@@ -10,15 +10,8 @@
 #include "whirl/engine/shown.h"
 #include "whirl/status.h"
 
-static const figure_kind *const kinds[] = {
-    &rotor_figure,       &bifurcation_figure,     &waterfall_figure,    &map_figure,
-    &branch_figure,      &curves_figure,          &torus_figure,        &campbell_figure,
-    &decrement_figure,   &shapes_figure,          &sag_figure,          &deflected_figure,
-    &unbalance_figure,   &critical_speeds_figure, &stability_figure,    &screening_figure,
-    &centreline_figure,  &orbits_figure,          &transient_figure,    &runup_figure,
-    &runup_polar_figure, &runup_spectra_figure,   &runup_motion_figure, &twists_figure,
-    &fit_figure,         &point_figure,           &field_figure,        &tolerances_figure,
-};
+#define KIND_AT(name) &name##_figure,
+static const figure_kind *const kinds[] = {FIGURE_KINDS(KIND_AT)};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 // ---------------------------------------------------------------- the list

@@ -93,11 +93,16 @@ bool table_has(const whirl_table *table, const char *field);
 /// Returns true if a table has the motions of a sweep over one parameter.
 bool table_is_sweep(const drawing *of, const whirl_table *table);
 
-extern const figure_kind rotor_figure, bifurcation_figure, waterfall_figure, map_figure, branch_figure, curves_figure,
-    torus_figure, campbell_figure, decrement_figure, shapes_figure, deflected_figure, sag_figure, unbalance_figure,
-    critical_speeds_figure, stability_figure, screening_figure, centreline_figure, orbits_figure, transient_figure,
-    runup_figure, runup_polar_figure, runup_spectra_figure, runup_motion_figure, twists_figure, fit_figure,
-    point_figure, field_figure, tolerances_figure;
+// clang-format off
+/// The kinds, in the order of lists of figures.
+#define FIGURE_KINDS(kind)                                                                                             \
+    kind(rotor) kind(bifurcation) kind(waterfall) kind(map) kind(branch) kind(curves) kind(torus) kind(campbell)       \
+    kind(decrement) kind(shapes) kind(sag) kind(deflected) kind(unbalance) kind(critical_speeds) kind(stability)       \
+    kind(screening) kind(centreline) kind(orbits) kind(transient) kind(runup) kind(runup_polar) kind(runup_spectra)    \
+    kind(runup_motion) kind(twists) kind(fit) kind(point) kind(field) kind(tolerances)
+// clang-format on
+#define FIGURE_KIND(name) extern const figure_kind name##_figure;
+FIGURE_KINDS(FIGURE_KIND)
 
 /// Colours of amplitudes in waterfalls and spectrograms: viridis from its bright end, so that on white the largest are
 /// the darkest.

@@ -1,4 +1,4 @@
-// Findings as texts: numbers, phrases, headings, and sheets as aligned text, CSV and LaTeX.
+// Findings as texts: numbers, phrases, headings, and sheets as aligned text, CSV, LaTeX and Markdown.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -200,7 +200,7 @@ bool sheet_write_text(FILE *stream, const whirl_sheet *sheet, size_t most) {
     return well;
 }
 
-// ---------------------------------------------------------------- CSV and LaTeX
+// ---------------------------------------------------------------- CSV, LaTeX and Markdown
 
 /// Writes a CSV field (RFC 4180), quoted if necessary.
 static void write_field(FILE *stream, const char *text) {
@@ -259,6 +259,22 @@ void sheet_write_latex(FILE *stream, const whirl_sheet *sheet) {
         if (row == 0) fputs("\\midrule\n", stream);
     }
     fputs("\\bottomrule\n\\end{tabular}\n", stream);
+}
+
+/// Writes a text with Markdown's separators of cells escaped.
+static void write_piped(FILE *stream, const char *text) {
+    for (; *text; text++) fprintf(stream, *text == '|' ? "\\%c" : "%c", *text);
+}
+
+void sheet_write_markdown(FILE *stream, const whirl_sheet *sheet) {
+    for (size_t row = 0; row <= sheet->rows; row++) {
+        fputs("| ", stream);
+        write_cells(stream, sheet, row, write_piped, 0, " | ", " |\n");
+        for (size_t c = 0; c < sheet->columns && row == 0; c++)
+            if (!sheet_column_empty(sheet, c))
+                fputs(sheet->column[c].digits > 0 && !sheet->column[c].between ? "|---:" : "|---", stream);
+        if (row == 0) fputs("|\n", stream);
+    }
 }
 
 void sheet_write_csv(FILE *stream, const whirl_sheet *sheet) {

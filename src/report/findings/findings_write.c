@@ -13,13 +13,13 @@
 #include "whirl/status.h"
 
 whirl_status whirl_sheet_form_of(const char *name, whirl_sheet_form *form) {
-    static const char *const names[] = {"text", "csv", "latex", "json"};
+    static const char *const names[] = {"text", "csv", "latex", "markdown", "json"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         if (strcmp(name, names[i]) != 0) continue;
         *form = (whirl_sheet_form)i;
         return whirl_ok();
     }
-    return whirl_fail(WHIRL_BAD_INPUT, "the format is '%.40s', expected text, csv, latex or json", name);
+    return whirl_fail(WHIRL_BAD_INPUT, "the format is '%.40s', expected text, csv, latex, markdown or json", name);
 }
 
 whirl_status whirl_sheet_write(const whirl_sheet *sheet, whirl_sheet_form form, FILE *stream) {
@@ -28,6 +28,7 @@ whirl_status whirl_sheet_write(const whirl_sheet *sheet, whirl_sheet_form form, 
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for the sheet %.80s", sheet->name);
     if (form == WHIRL_SHEET_CSV) sheet_write_csv(stream, sheet);
     if (form == WHIRL_SHEET_LATEX) sheet_write_latex(stream, sheet);
+    if (form == WHIRL_SHEET_MARKDOWN) sheet_write_markdown(stream, sheet);
     return whirl_ok();
 }
 
@@ -131,7 +132,7 @@ whirl_status whirl_result_findings(const whirl_result *result, const char *sheet
     *text = NULL;
     whirl_status status = whirl_sheet_form_of(format, &asked.form);
     if (status.code != WHIRL_OK) return status;
-    if (!sheet && (asked.form == WHIRL_SHEET_CSV || asked.form == WHIRL_SHEET_LATEX))
+    if (!sheet && asked.form != WHIRL_SHEET_TEXT && asked.form != WHIRL_SHEET_JSON)
         return whirl_fail(WHIRL_BAD_INPUT, "a file of format %.40s holds one sheet, expected the name of one", format);
     const char *const spread = sheet ? findings_asked_spread(sheet) : NULL;
     status =

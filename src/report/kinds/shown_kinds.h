@@ -39,8 +39,14 @@ void find_lines(const finder *of);
 /// Returns the stability of the modes at a point: 1 if one grows, -1 if all decay, 0 if the largest growth is rounding.
 int shown_modes_growing(const whirl_table *table, size_t point);
 
-extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance, shown_critical_speeds,
-    shown_stability, shown_statics, shown_runup, shown_twists, shown_fit, shown_tolerances, shown_records;
+// clang-format off
+/// The kinds. The kind of a table is the first one whose field it has.
+#define SHOWN_KINDS(kind)                                                                                              \
+    kind(tolerances) kind(branches) kind(tori) kind(modes) kind(unbalance) kind(critical_speeds) kind(stability)       \
+    kind(statics) kind(runup) kind(twists) kind(fit) kind(records)
+// clang-format on
+#define SHOWN_KIND(name) extern const shown_kind shown_##name;
+SHOWN_KINDS(SHOWN_KIND)
 
 /// Returns a fact of a data set, such as "label" 2, in parts: its name, and the rest behind the colon ("" for none).
 const char *records_fact(const whirl_result *result, const char *what, size_t number, char name[WHIRL_NAME_SIZE]);

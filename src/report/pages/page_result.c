@@ -161,17 +161,18 @@ void page_parameters(const page *to, size_t index) {
     const whirl_result *result = to->results[index];
     if (result->parameter_count == 0) return;
     html_table(stream, "Parameters", "");
-    fputs("<thead><tr><th>Parameter</th><th>As given</th><th class=\"number\">In SI</th>"
+    fputs("<thead><tr><th>Parameter</th><th>As given</th><th class=\"number\">Value</th>"
           "<th>Unit</th></tr></thead>\n<tbody>\n",
           stream);
     for (size_t i = 0; i < result->parameter_count; i++) {
         const whirl_parameter *parameter = &result->parameters[i];
+        const whirl_unit unit = whirl_shown_parameter(&to->units[index], parameter->name);
         fputs("<tr><th>", stream);
         html_text(stream, parameter->name);
         fputs("</th><td>", stream);
         html_text(stream, parameter->text);
-        fprintf(stream, "</td><td class=\"number\">%.8g</td><td>", parameter->value);
-        html_text(stream, strcmp(parameter->unit, "1") == 0 ? "" : parameter->unit);
+        fprintf(stream, "</td><td class=\"number\">%.8g</td><td>", parameter->value / unit.size);
+        html_text(stream, unit.name);
         fputs("</td></tr>\n", stream);
     }
     fputs("</tbody></table></div>\n", stream);

@@ -26,7 +26,8 @@ void page_style(FILE *stream) {
         "table{border-collapse:collapse;font-size:.86rem;line-height:1.4;margin:.8rem "
         "0;font-variant-numeric:tabular-nums}",
         "th,td{text-align:left;vertical-align:top;padding:.38rem .75rem .38rem 0;border-bottom:1px solid var(--line)}",
-        "thead th{border-bottom:1.5px solid var(--ink);font-weight:600;vertical-align:bottom}",
+        "thead th{border-bottom:1.5px solid var(--ink);font-weight:600;vertical-align:bottom}"
+        "thead .whole{display:inline-block}",
         "tbody th{font-weight:600;white-space:nowrap}",
         ".number{text-align:right;white-space:nowrap}thead "
         ".number{white-space:normal}.whole{white-space:nowrap}.wide{min-width:13rem}",
