@@ -69,7 +69,7 @@ static void machine_find_stations(const finder *of, const whirl_model *model, co
                                   size_t count) {
     // Set up the columns; a single shaft needs no name.
     whirl_sheet *sheet = find_sheet(of, "stations", "Stations");
-    sheet->about = "Masses and inertias besides those of the shaft, at the parameters of the case.";
+    sheet->about = "Masses and inertias in addition to those of the shaft, at the parameters of the case.";
     sheet_texts(of, sheet, "station", "station");
     if (count > 1) sheet_texts(of, sheet, "shaft", "shaft");
     sheet_column(of, sheet, "position", "position along its shaft", WHIRL_QUANTITY_POSITION, 6);
