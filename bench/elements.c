@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "design/laws.h"
+#include "design/black.h"
 #include "element_laws.h"
 #include "elements/films/film_ratio.h"
 #include "isa.h"

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "machines.h"
+#include "pad_table.h"
 #include "pad_tables.h"
 #include "pads.h"
 

@@ -166,7 +166,7 @@ whirl_status whirl_user_system_event(whirl_user_system *system, const char *name
 /// A motion over time.
 typedef struct whirl_user_motion whirl_user_motion;
 
-/// How a motion over time ended.
+/// End of a motion over time.
 typedef enum whirl_user_end {
     WHIRL_USER_DONE,        ///< at its last instant
     WHIRL_USER_EVENT,       ///< at an event that ends it

@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "analysis.h"
 #include "recurrence.h"
 #include "section.h"
 #include "signal_check.h"
+#include "spectrum.h"
 #include "zero_one.h"
 
 _Static_assert((int)WHIRL_SIGNALS_COLUMNS == (int)SPECTRUM_COLUMNS, "rows are handed on as they are");

@@ -6,9 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "file.h"
 #include "input.h"
 #include "keys.h"
+#include "problem.h"
 #include "settings.h"
+#include "table_file.h"
 #include "tree.h"
 
 enum { VERSION = 1, MAX_ROWS = 10000 };

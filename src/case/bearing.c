@@ -4,7 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bearing_oil.h"
+#include "file.h"
 #include "keys.h"
+#include "problem.h"
 #include "settings.h"
 #include "tree.h"
 #include "whirl/engine/bearing_table.h"

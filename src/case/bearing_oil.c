@@ -1,8 +1,10 @@
+#include "bearing_oil.h"
 #include "settings.h"
 
 #include <math.h>
 
 #include "mineral_oil.h"
+#include "problem.h"
 #include "tree.h"
 
 enum { DYNAMIC, KINEMATIC, GRADE, TABLE, WAYS };

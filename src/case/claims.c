@@ -6,7 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "plan.h"
+#include "claims.h"
+#include "file.h"
+#include "problem.h"
+#include "schema.h"
 #include "settings.h"
 #include "tree.h"
 

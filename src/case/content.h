@@ -4,7 +4,7 @@
 
 #include "machine.h"
 #include "parameters.h"
-#include "plan.h"
+#include "schema.h"
 #include "whirl/engine/case.h"
 
 enum { DOCUMENT_TEXT = 160 };

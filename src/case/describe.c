@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "content.h"
+#include "plan.h"
 
 static whirl_status describe_parameters(const case_content *content, whirl_result *result) {
     const parameter_table *parameters = &content->parameters;

@@ -6,6 +6,7 @@
 #include "content.h"
 #include "exhausted.h"
 #include "mapped.h"
+#include "plan.h"
 #include "whirl/engine/running.h"
 
 typedef struct member {

@@ -1,10 +1,14 @@
+#include "file.h"
 #include "settings.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "arena.h"
+#include "excerpt.h"
 #include "exhausted.h"
+#include "problem.h"
+#include "source.h"
 #include "tree.h"
 #include "utf8.h"
 #include "whirl/engine/descriptor.h"

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "exhausted.h"
+#include "plan.h"
 #include "whirl/engine/linear.h"
 
 /// An eigenvalue in SI.

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "plan.h"
+#include "iso_286.h"
 
 enum { RANGES = 13, FINE = 25, GRADES = 18 };
 
@@ -112,7 +112,7 @@ bool iso_286_limits(const char *name, double size, double *lower, double *upper,
         const size_t place = own->fine ? iso_range(fine_ends, millimetres) : range;
         const bool outward = own->letter <= 'h';
         const double near = outward ? own->of[place] : iso_inward(own, hole, grade, range, place);
-        // Of holes K to S `near` is the upper deviation, of shafts up to h the distance below the size.
+        // `near` is the upper deviation for holes K to S, and the distance below the size for shafts up to h.
         const bool up = hole == outward;
         low = up ? near : hole ? near - width : -near - width;
         high = low + width;

@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "plan.h"
+#include "problem.h"
+#include "schema.h"
 #include "tree.h"
 
 size_t named_find(const named_list *in, const char *name) {

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "plan.h"
+#include "schema.h"
 
 enum { MAX_NAMES = WHIRL_MAX_STATIONS + WHIRL_MAX_SHAFTS + WHIRL_MAX_MATERIALS + 64 };
 

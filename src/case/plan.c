@@ -1,11 +1,15 @@
 // Making the batches of a study from its parts.
 #include "plan.h"
+#include "plan_batches.h"
+#include "plan_parts.h"
+#include "schema.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "problem.h"
 #include "tree.h"
 #include "whirl/engine/analyze.h"
 
@@ -510,7 +514,7 @@ static void make_branch(case_reader *reader, valuation *v, const plan_parts *par
     if (settings_yes(&parts->branch, "tori")) make_tori(parts, own, result);
 }
 
-/// As plan_given, for a machine of samples (whirl_batch.sampled).
+/// Like plan_given, for a machine of samples (whirl_batch.sampled).
 static size_t given_of(const whirl_batch *batch, const double values[3], size_t sampled,
                        whirl_given given[PLAN_MAX_GIVEN]) {
     const whirl_given varied[] = {{batch->parameter, values[0]}, {batch->second, values[1]}, {batch->third, values[2]}};

@@ -6,7 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "plan.h"
+#include "plan_batches.h"
+#include "plan_course.h"
+#include "plan_names.h"
+#include "plan_parts.h"
+#include "problem.h"
+#include "schema.h"
+#include "table_file.h"
 #include "tree.h"
 
 /// Keys of the formulas of a run that are no event's, in their order.
@@ -17,7 +23,7 @@ static const char *const of_station[WHIRL_OF_STATION] = {"x", "y", "radius", "vx
 
 // ---------------------------------------------------------------- formulas
 
-/// What names in a formula may be.
+/// Names that a formula may use.
 typedef struct course_names {
     const parameter_table *parameters;
     const machine_parts *machine; ///< with its stations as variables; NULL: time and speed alone
@@ -349,12 +355,12 @@ typedef struct course_values {
     double *time, *value; ///< [count] in one block, which `time` begins
 } course_values;
 
-/// What evaluates the formulas and tables of a run at a point.
+/// Evaluator of the formulas and tables of a run at a point.
 struct course_run {
     whirl_run_course shown;
     expression_evaluator *formulas[WHIRL_FORMULAS]; ///< NULL for those that are not given
     course_values tables[WHIRL_FORMULA_EVENT];
-    double values[]; ///< of parameters, then of variables
+    double values[]; ///< values of parameters, then of variables
 };
 
 /// Returns the value of a table at a time; 0 before and after it, where the ground is at rest.

@@ -4,6 +4,13 @@
 #include <string.h>
 
 #include "plan.h"
+#include "plan_batches.h"
+#include "plan_dataset.h"
+#include "plan_names.h"
+#include "plan_parts.h"
+#include "plan_tolerances.h"
+#include "problem.h"
+#include "schema.h"
 #include "tree.h"
 
 static const double two_pi = 6.283185307179586476925;

@@ -6,7 +6,11 @@
 #include <string.h>
 
 #include "input.h"
-#include "plan.h"
+#include "plan_batches.h"
+#include "plan_fit.h"
+#include "plan_names.h"
+#include "problem.h"
+#include "schema.h"
 #include "tree.h"
 #include "whirl/internal/csv.h"
 

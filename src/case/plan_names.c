@@ -1,11 +1,13 @@
 // Names in studies: stations of the machine, and parameters with values.
-#include "plan.h"
+#include "plan_names.h"
+#include "plan_parts.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "name_list.h"
+#include "problem.h"
 #include "tree.h"
 #include "whirl/engine/descriptor.h"
 

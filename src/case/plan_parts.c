@@ -4,6 +4,9 @@
 #include <string.h>
 
 #include "plan.h"
+#include "plan_parts.h"
+#include "problem.h"
+#include "schema.h"
 #include "tree.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/integrate.h"

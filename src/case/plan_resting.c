@@ -1,12 +1,20 @@
 // Studies that a case may have several of, each at all its conditions: studies of machines at rest, and motions with
 // the unbalances of such a study.
+#include "plan_resting.h"
 #include "plan.h"
+#include "plan_batches.h"
+#include "plan_course.h"
+#include "plan_fit.h"
+#include "plan_names.h"
+#include "plan_parts.h"
+#include "schema.h"
 
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "problem.h"
 #include "tree.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/descriptor.h"

@@ -1,11 +1,12 @@
 // The initial states of the points of a study.
 #include "plan.h"
+#include "schema.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "tree.h"
+#include "problem.h"
 
 /// Returns the scale of a coordinate: the length scale, or a length scale per radian.
 static double state_scale(const whirl_rotor *rotor, const char *key) {

@@ -4,7 +4,13 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "plan.h"
+#include "iso_286.h"
+#include "plan_batches.h"
+#include "plan_names.h"
+#include "plan_parts.h"
+#include "plan_tolerances.h"
+#include "problem.h"
+#include "schema.h"
 #include "tree.h"
 
 // ---------------------------------------------------------------- distributions

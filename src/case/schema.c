@@ -2,7 +2,7 @@
 //
 // A key of kind WHIRL_KEY_CHOICE with "" for its choices holds a text, a name, or a part of the file with keys of its
 // own, as its meaning explains. A number whose unit is "" has the unit of the swept parameter, or is a list.
-#include "plan.h"
+#include "schema.h"
 
 #include <limits.h>
 

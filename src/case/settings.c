@@ -6,9 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "dimension.h"
 #include "number_text.h"
 #include "parameters.h"
-#include "plan.h"
+#include "problem.h"
+#include "quantity.h"
+#include "schema.h"
 #include "tree.h"
 #include "unit_words.h"
 #include "whirl/engine/descriptor.h"

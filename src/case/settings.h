@@ -2,9 +2,9 @@
 #ifndef CASE_SETTINGS_H
 #define CASE_SETTINGS_H
 
+#include "keys.h"
 #include "parameters.h"
-#include "whirl/engine/bearing_table.h"
-#include "whirl/engine/rotor.h"
+#include "quantity.h"
 
 enum { SETTINGS_MAX = 64 };
 
@@ -93,48 +93,5 @@ void settings_units(case_reader *reader, const setting_list *settings, char *tex
 
 /// Writes "did you mean WORD?" with the nearest of the names, or "expected one of ..." with all of them.
 void describe_names(const char *word, const char *const *names, size_t count, char text[WHY_SIZE]);
-
-// ---------------------------------------------------------------- bearing_oil
-// The oil of a bearing by itself: its viscosity, and what makes it warm.
-
-/// Reads the oil; reports incomplete and contradictory keys.
-void bearing_oil_read(case_reader *reader, const setting_list *file, whirl_bearing *out);
-
-// ---------------------------------------------------------------- table_file
-// Tables in files of their own: readings of a file on balancing, laws over the time of a run.
-
-/// Reads comma-separated values (or values separated by semicolons or tabs) under headings that are keys of the group,
-/// with units after them ("amplitude [um]"). Returns the equivalent list of mappings; NULL after a problem. The reader
-/// has no problems before; afterwards it has those of the table.
-const file_node *table_read(case_reader *reader, const char *path, const whirl_group *group);
-
-/// Reports problems of a table where the file names it, each with its line and column in the table.
-void table_take_problems(case_reader *reader, const file_node *where, const whirl_problems *of);
-
-// ---------------------------------------------------------------- file
-// Files that are read by tables of keys: the steps that all of them go through.
-
-/// Makes an object from the root of a file.
-typedef void file_read_fn(case_reader *reader, const file_node *root, void *into);
-
-/// Reads a text with a reader whose arena and problems are set; problems are in the order of the file, with excerpts.
-/// `name` is used in messages.
-whirl_status file_read(case_reader *reader, const char *text, size_t length, const char *name, file_read_fn *read,
-                       void *into);
-
-/// Files other than cases: they have no parameters.
-typedef struct file_kind {
-    const whirl_group *group; ///< group of the file's keys, named after the first key, which holds the version
-    int version;              ///< version that is read
-    size_t size;              ///< size of the object
-    /// Fills the object, all zero before, from the settings of the file.
-    void (*fill)(case_reader *reader, const setting_list *file, void *into);
-    void (*release)(void *made);
-} file_kind;
-
-/// Make the object of a file, from memory or a path: *made, NULL after a failure. `problems` may be NULL.
-whirl_status file_parse(const file_kind *kind, const char *text, size_t length, const char *name,
-                        whirl_problems *problems, void **made);
-whirl_status file_load(const file_kind *kind, const char *path, whirl_problems *problems, void **made);
 
 #endif

@@ -5,7 +5,10 @@
 #include <string.h>
 
 #include "arena.h"
+#include "problem.h"
 #include "settings.h"
+#include "source.h"
+#include "table_file.h"
 #include "tree.h"
 #include "utf8.h"
 #include "whirl/engine/descriptor.h"

@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "plan.h"
 #include "whirl/engine/result.h"
 
 /// A place of a study that represents others, and the result that receives its warnings.

@@ -12,11 +12,13 @@
 #ifndef INTEGRATE_ADAPTIVE_LANES_H
 #define INTEGRATE_ADAPTIVE_LANES_H
 
+#include "dop853_sums.h"
 #include "isa.h"
 #include "lanes.h"
 #include "method.h"
 #include "rk4_lanes.h"
 #include "rodas5p_tableau.h"
+#include "sparsity.h"
 #include "stepper.h"
 #include "vector.h"
 

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "adaptive_lanes.h"
+#include "stepper_parts.h"
 
 enum { MAX_TRIES = 6 };
 

@@ -1,4 +1,4 @@
-// What lies beside the signals of a data set: the table of its records, and its data sheet.
+// Files next to the signals of a data set: the table of its records, and its data sheet.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

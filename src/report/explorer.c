@@ -237,7 +237,7 @@ static bool write_run(FILE *stream, const whirl_result *result, const whirl_case
     script_key(stream, ',', "tables");
     fputc('[', stream);
     const whirl_table *diagram = diagram_of(result);
-    // Of samples the page shows figures and sheets alone.
+    // The page shows only figures and sheets of tables of samples.
     for (size_t t = 0, shown = 0; t < result->table_count; t++) {
         if (result->tables[t].tolerances.samples > 0) continue;
         if (shown++ > 0) fputc(',', stream);

@@ -16,6 +16,7 @@
 
 #include "figure_build.h"
 #include "figure_kinds.h"
+#include "shaft_bends.h"
 #include "shown_kinds.h"
 #include "whirl/engine/figure.h"
 

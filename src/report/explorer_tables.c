@@ -5,8 +5,8 @@
 
 #include "explorer_tables.h"
 #include "figure_build.h"
+#include "mode_lines.h"
 #include "regimes.h"
-#include "shown_kinds.h"
 
 /// Limits of what a browser can load: points of a table, cells of a map, rows of its section, numbers of studies at
 /// rest, nodes of orbits. Beyond them data is thinned evenly. Maps with more cells than MAX_CELLS_IN_FULL have only the

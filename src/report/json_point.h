@@ -4,7 +4,7 @@
 
 #include <jansson.h>
 
-#include "shown_kinds.h"
+#include "mode_lines.h"
 #include "whirl/engine/result.h"
 
 /// Returns the values of given parameters; a varied one has the point's own value. Parameters given by expressions

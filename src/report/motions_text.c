@@ -234,7 +234,7 @@ bool law_range_text(const whirl_shown_units *units, const whirl_table *table, si
     char said[RANGE_TEXT_SIZE];
     if (whirl_table_left(table, index, &left) == 0) return false;
     const char *const law = whirl_result_law_range(units->result, index), *unit = strstr(law, most);
-    // What it reached has the unit of "up to 4e9 Pa, ...".
+    // The reached value has the unit of "up to 4e9 Pa, ...".
     unit = unit ? unit + strlen(most) + strcspn(unit + strlen(most), " ,") : "";
     snprintf(said, sizeof said, "%s; reached %.4g%.*s", law, left.reached, (int)strcspn(unit, ","), unit);
     whirl_shown_sentence(units, said, text, RANGE_TEXT_SIZE);

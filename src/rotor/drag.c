@@ -7,7 +7,7 @@
 #include <math.h>
 
 #include "machine.h"
-#include "pad_tables.h"
+#include "turbulence.h"
 
 void drag_of_film(const element *own, const drag_view *in, double clearance, double torque[2]) {
     const double slip = in->spin[0] - in->spin[1], share = in->distance / clearance;

@@ -70,7 +70,7 @@ typedef struct element {
     size_t first_switch;     ///< index of its first switch, in those of the machine
     size_t station;          ///< index of its station
     size_t ends[2];          ///< stations of an element between two places (GROUND: the ground); else 0
-    fluid_drag fluid;        ///< of films and seals
+    fluid_drag fluid;        ///< drag of films and seals
     double *number;          ///< [type->number_count]
 } element;
 
@@ -117,7 +117,7 @@ typedef struct drag_view {
     double force[2];           ///< N on the journal
 } drag_view;
 
-/// What an element between two twists carries. It is pressed together by a closing, a sum of its ports' places.
+/// Load of an element between two twists. A closing, a sum of its ports' places, presses it together.
 typedef struct element_carried {
     double closing[MAX_PORTS]; ///< closing by the place of each port, in the state's units
     double unit;               ///< m or rad of one unit of closing

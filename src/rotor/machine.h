@@ -2,10 +2,10 @@
 #ifndef ROTOR_MACHINE_H
 #define ROTOR_MACHINE_H
 
+#include "between.h"
 #include "coupling.h"
 #include "element.h"
 #include "lanes.h"
-#include "mesh.h"
 #include "whirl/engine/rotor.h"
 #include "whirl/engine/system.h"
 #include "whirl/internal/model.h"

@@ -56,7 +56,7 @@ typedef struct running_rotor {
     unsigned char *along;  ///< [degrees] 0 of displacements of stations along x, 1 along y, 2 of all others
     double *block;         ///< all arrays from own_cos on
     double *place, *slope; ///< [dimension] workspace
-    double *evaluations;   ///< of the equations, so far
+    double *evaluations;   ///< evaluations of the equations so far
     double *friction;      ///< [contact_count][3] workspace
     /// [degrees] workspace: torques on twists, N m, and the accelerations that they give.
     double *torque, *torque_acceleration;

@@ -3,8 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "format.h"
 #include "items.h"
-#include "store.h"
+#include "shape.h"
+#include "whirl/handles.h"
 
 const char *const format_extents[3] = {
     [WHIRL_PER_POINT] = "point", [WHIRL_PER_STATION] = "station", [WHIRL_PER_CONTACT] = "contact"};

@@ -5,7 +5,7 @@
 #ifndef STORE_ITEMS_H
 #define STORE_ITEMS_H
 
-#include "store.h"
+#include "shape.h"
 #include "whirl/status.h"
 
 #include <hdf5.h>

@@ -1,11 +1,14 @@
 // A result from an HDF5 file, which may come from anywhere: nothing in it is believed before it is checked.
 #include "read.h"
 
+#include "bytes.h"
 #include "exhausted.h"
+#include "format.h"
 #include "h5file.h"
 #include "items.h"
 #include "mapped.h"
-#include "store.h"
+#include "shape.h"
+#include "stored.h"
 #include "whirl/engine/study.h"
 
 #include <limits.h>

@@ -2,7 +2,7 @@
 #ifndef STORE_READ_H
 #define STORE_READ_H
 
-#include "store.h"
+#include "bytes.h"
 #include "whirl/engine/result.h"
 
 /// Receives the blocks of a result's tables, point by point. An error ends the reading. Without `take` no numbers are

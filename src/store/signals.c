@@ -1,6 +1,6 @@
 // Signals of a data set, a few records at a time: they may be larger than the memory.
 #include "items.h"
-#include "store.h"
+#include "stored.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/handles.h"
 

@@ -1,4 +1,6 @@
-#include "store.h"
+#include "stored.h"
+#include "bytes.h"
+#include "shape.h"
 
 #include "exhausted.h"
 #include "h5file.h"

@@ -3,10 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "journal_file.h"
+#include "finished.h"
+#include "format.h"
+#include "identity.h"
 #include "mapped.h"
 #include "read.h"
-#include "store.h"
 
 bool whirl_result_same_study(const whirl_result *earlier, const whirl_result *later, char *difference, size_t size) {
     char *was = NULL, *is = NULL;

@@ -1,9 +1,11 @@
 // A result as an HDF5 file.
+#include "atomic_file.h"
+#include "finished.h"
+#include "format.h"
 #include "h5file.h"
 #include "items.h"
-#include "journal_file.h"
 #include "mapped.h"
-#include "store.h"
+#include "shape.h"
 #include "whirl/engine/shown.h"
 
 #include <math.h>

@@ -9,10 +9,10 @@
 #include "user.h"
 
 /// Instants of a leg at which its motion is looked at, and evaluations of the slopes for which these show every step.
-enum { SAMPLES = 32, MOST_EVALUATIONS = SAMPLES / 2 * 16 };
+enum { SAMPLES = 32, MAX_EVALUATIONS = SAMPLES / 2 * 16 };
 
 /// Most events of a motion.
-enum { MOST_HAPPENED = 1000000 };
+enum { MAX_HAPPENED = 1000000 };
 
 /// Halvings of the time after an event in which its function has left 0; those in a search.
 enum { HALVINGS = 60, SEARCHES = 200 };
@@ -43,7 +43,7 @@ typedef struct follower {
     whirl_system system;
     whirl_integrator *integrator;
     double *parameters;
-    double begin, end;       ///< of the whole time
+    double begin, end;       ///< begin and end of the whole time
     double time, leg;        ///< now, and the length of the next leg
     double origin;           ///< time at which the present integration begins
     long evaluations;        ///< so far
@@ -230,9 +230,9 @@ static const char *follow_happen(follower *f, size_t event) {
                  f->time + left);
         return m->words;
     }
-    if (m->event_count == MOST_HAPPENED) {
+    if (m->event_count == MAX_HAPPENED) {
         m->end = WHIRL_USER_ACCUMULATED;
-        snprintf(m->words, sizeof m->words, "the motion has %d events", MOST_HAPPENED);
+        snprintf(m->words, sizeof m->words, "the motion has %d events", MAX_HAPPENED);
         return m->words;
     }
     if (!own->ends) return NULL;
@@ -268,7 +268,7 @@ static whirl_motion follow_leg(follower *f, double *length, double *next) {
         *length = fmin(f->leg, left);
         memcpy(next, f->x, f->from->dimension * sizeof *next);
         const whirl_motion motion = follow_carry(f, f->time, *length, next, true);
-        const double used = (double)(f->evaluations - before) / MOST_EVALUATIONS;
+        const double used = (double)(f->evaluations - before) / MAX_EVALUATIONS;
         f->leg = *length * fmin(4.0, fmax(0.1, 0.8 / used));
         if (tries == 12 || f->failed || (motion == WHIRL_BOUNDED && used <= 1.5)) return motion;
     }

@@ -82,7 +82,7 @@ static whirl_status record_heading(record *r, size_t column) {
     if (!axis && (end == direction + 1 || *end || !isfinite(degrees)))
         return RECORD_FAIL(r, own->place, "'%.20s' is no direction of a probe, expected x, y or degrees from x",
                            direction + 1);
-    // What stands before it is the station.
+    // The text before it is the station.
     while (direction > text && isspace((unsigned char)direction[-1])) direction--;
     *direction = '\0';
     snprintf(own->station, sizeof own->station, "%.60s", text);

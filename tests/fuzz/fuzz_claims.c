@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "plan.h"
+#include "claims.h"
 #include "whirl/engine/claims.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);

@@ -5,7 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "journal_file.h"
+#include "crc32c.h"
+#include "identity.h"
+#include "journal_scan.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

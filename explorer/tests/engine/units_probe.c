@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "parameters.h"
+#include "quantity.h"
 #include "tree.h"
 
 int main(void) {

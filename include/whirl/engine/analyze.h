@@ -276,7 +276,7 @@ typedef struct whirl_resting {
     const double *rest;             ///< [dimension] equilibrium found from the start; may be NULL without `elsewhere`
     const double *elsewhere;        ///< [dimension] another equilibrium, found from a neighbouring value's; NULL: none
     double elsewhere_growth;        ///< largest real part of all eigenvalues there, per unit of the system's time
-    const whirl_fit *fit;           ///< of fits: what was fitted, with
+    const whirl_fit *fit;           ///< the fit; only of a study of fits, with
     const whirl_fit_solution *solution; ///< its result; the system and all else are NULL
 } whirl_resting;
 

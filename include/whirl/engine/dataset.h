@@ -46,7 +46,7 @@ typedef struct whirl_label {
     const whirl_drawn *varied;  ///< [varied_count] parameters that differ between its records; borrowed
 } whirl_label;
 
-/// What differs between the records of a data set. Parameters that nothing draws have the value of the case; a label's
+/// A data set: variations between its records. Parameters that nothing draws have the value of the case; a label's
 /// own come before those of conditions, and these before those of machines.
 typedef struct whirl_dataset {
     size_t parameter_count, machine_count, condition_count, label_count, channel_count; ///< lengths of the lists
@@ -67,14 +67,14 @@ typedef enum whirl_split { WHIRL_SPLIT_TRAIN, WHIRL_SPLIT_VALIDATION, WHIRL_SPLI
 /// Returns its name: "train", "validation", "test"; static.
 const char *whirl_split_name(whirl_split split);
 
-/// What a record is of.
+/// The machine, faults and condition of a record.
 typedef struct whirl_record_of {
     size_t number;     ///< its number, from 1
     size_t machine;    ///< number of its machine, from 1
     size_t label;      ///< index of its label
     double severity;   ///< above 0, below 1; NaN if the label has none
     whirl_split split; ///< set of its machine
-    uint64_t seed;     ///< of its noise and jitter; below 2^53
+    uint64_t seed;     ///< seed of its noise and jitter; below 2^53
     double begin;      ///< revolutions from the end of the lead to its first sample, below 1
 } whirl_record_of;
 

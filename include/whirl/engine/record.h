@@ -77,7 +77,7 @@ typedef struct whirl_runup_options {
     double loss_moment, loss_angle, loss_time, loss_speed; ///< kg m, rad, s, rad/s
     char change[WHIRL_NAME_SIZE];                          ///< names of parameters that change in the run, or ""
     double change_time, change_speed;                      ///< s and rad/s at which they do; 0: not by this
-    char events[WHIRL_NAME_SIZE];                          ///< how many further events there are, or ""
+    char events[WHIRL_NAME_SIZE];                          ///< number of further events as text, or ""
     int event_count;                  ///< number of events of the course (whirl_run_course), with that change
     char speeds[WHIRL_NAME_SIZE];     ///< text of the speed over the time, or ""
     char rate_law[WHIRL_NAME_SIZE];   ///< formula of the rate, or ""
@@ -116,7 +116,7 @@ whirl_status whirl_runup_check(const whirl_runup_options *options, bool driven, 
 typedef struct whirl_dataset_options {
     int machines;          ///< machines; 0: there is no data set
     int records;           ///< records of a machine with a label
-    int seed;              ///< of all random numbers
+    int seed;              ///< seed of all random numbers
     int only;              ///< number of the only record that is made, from 1; 0: all
     double turns;          ///< revolutions of a record; 0: as many as its samples take
     double per_revolution; ///< samples of a revolution; 0: they are taken at a rate

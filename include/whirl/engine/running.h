@@ -47,7 +47,7 @@ typedef enum whirl_run_formula {
     WHIRL_FORMULA_LOAD,     ///< N m, torque of the load against the rotation
     WHIRL_FORMULA_GROUND_X, ///< m/s2, acceleration of the ground
     WHIRL_FORMULA_GROUND_Y,
-    WHIRL_FORMULA_EVENT, ///< of event 0; formulas of other events follow
+    WHIRL_FORMULA_EVENT, ///< formula of event 0; those of other events follow
     WHIRL_FORMULAS = WHIRL_FORMULA_EVENT + WHIRL_MAX_EVENTS
 } whirl_run_formula;
 
@@ -56,7 +56,7 @@ enum {
     WHIRL_VARIABLE_TIME,  ///< s
     WHIRL_VARIABLE_SPEED, ///< rad/s, of the shaft, or of the station of the motor or of its load
     WHIRL_LAW_VARIABLES,
-    WHIRL_VARIABLE_STATIONS = WHIRL_LAW_VARIABLES, ///< those of every station, in the order of the constants below
+    WHIRL_VARIABLE_STATIONS = WHIRL_LAW_VARIABLES, ///< variables of every station, in the order of the constants below
     WHIRL_OF_STATION_X = 0,                        ///< m, from the centre
     WHIRL_OF_STATION_Y,
     WHIRL_OF_STATION_RADIUS,
@@ -66,7 +66,7 @@ enum {
     WHIRL_OF_STATION
 };
 
-/// What is given of a run besides its options: events, laws of time and speed. Not to be shared between threads.
+/// Events of a run, and its laws of time and speed: given beside its options. Not to be shared between threads.
 typedef struct whirl_run_course {
     size_t event_count;                                             ///< number of events
     whirl_run_event events[WHIRL_MAX_EVENTS];                       ///< [event_count]
@@ -92,9 +92,9 @@ typedef struct whirl_turning {
 
 /// Torques on the shaft, N m, in the sense of the rotation.
 typedef struct whirl_torques {
-    double motor;          ///< of all motors; NaN at a given rate, as the next three
-    double load, friction; ///< of the load and all other torques, and of friction in contacts; below 0 where they brake
-    double drag;           ///< of films and seals
+    double motor;          ///< torque of all motors; NaN at a given rate, like the next three
+    double load, friction; ///< load and all other torques; friction in contacts; below 0 where they brake
+    double drag;           ///< drag of films and seals
     double rotor;          ///< torque of unbalances, by the rotor's motion and by their weight
     double acceleration;   ///< rad/s2
 } whirl_torques;

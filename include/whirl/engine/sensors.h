@@ -65,12 +65,12 @@ typedef struct whirl_channel {
     int bits;            ///< its bits; 0: the signal is not rounded
 } whirl_channel;
 
-/// How a motion is sampled.
+/// Sampling of a motion.
 typedef struct whirl_sampling {
     size_t samples; ///< samples of a channel
     double rate;    ///< Hz
     double from;    ///< revolutions of the record before the first sample
-    uint64_t seed;  ///< of noise and jitter
+    uint64_t seed;  ///< seed of noise and jitter
     double length;  ///< m of one unit of displacement (whirl_machine.length)
     double clock;   ///< rad/s, rate of the system's time (whirl_machine.clock)
 } whirl_sampling;

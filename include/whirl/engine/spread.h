@@ -68,10 +68,10 @@ typedef struct whirl_spread {
     double least, most;                          ///< extremes of all samples
     whirl_estimate mean, variance, deviation;    ///< moments; the deviation is the root of the variance
     whirl_estimate quantiles[WHIRL_QUANTILES];   ///< at whirl_quantiles
-    whirl_probability beyond;                    ///< that the number is not between its limits
+    whirl_probability beyond;                    ///< probability that the number is outside its limits
     size_t index_count;                          ///< number of parameters with indices; 0: none
-    whirl_index indices[WHIRL_MAX_TOLERANCES];   ///< of the number
-    whirl_index beyond_of[WHIRL_MAX_TOLERANCES]; ///< of the probability to be beyond the limits
+    whirl_index indices[WHIRL_MAX_TOLERANCES];   ///< indices of the number
+    whirl_index beyond_of[WHIRL_MAX_TOLERANCES]; ///< indices of the probability to be outside the limits
 } whirl_spread;
 
 /// Place of whirl_table_spread for the worst of all values of the parameter: the largest number of a sample, or with a

@@ -85,7 +85,7 @@ typedef struct whirl_batch {
     /// samples: none.
     whirl_tolerance_options tolerances;
     const whirl_tolerance *tolerated; ///< [tolerances.parameters] these parameters; borrowed
-    const whirl_dataset *dataset;     ///< of a data set, each of whose records is a point; borrowed; else NULL
+    const whirl_dataset *dataset;     ///< data set, each of whose records is a point; borrowed; NULL: none
     /// Requested machine: 1 + index of the machine among those of samples, or of the record; 0: none.
     size_t sampled;
     bool outline;          ///< requested machine: an outline (whirl_rotor_outline)
@@ -102,7 +102,7 @@ typedef struct whirl_batch {
     whirl_integrate_options integrate; ///< method of the motions
     whirl_record_options record;       ///< contents of the records
     whirl_analysis_set analyses;       ///< analyses of the points
-    const whirl_fit *fit;              ///< of a fit: what is fitted to what; borrowed; else NULL
+    const whirl_fit *fit;              ///< fit of parameters to measured numbers; borrowed; NULL: none
     const whirl_mapped *mapped;        ///< NULL, or memory of large `values`; borrowed
     /// Requested machine: its stop (whirl_system.stop), and that of film tables made for it; in the batch itself NULL,
     /// because runs set that of their options. Borrowed.

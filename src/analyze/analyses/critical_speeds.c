@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "analysis.h"
+#include "critical_speeds.h"
 
 enum { SPEED, DIRECTION, RIGID_BODY, SHAPE, BEARINGS, FIELD_COUNT };
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "analysis.h"
+#include "mean_growth.h"
 
 /// Discards exponents whose balance failed; adds the balance's miss to the errors of others.
 static void settle_balance(const growth_balance *balance, whirl_estimate *exponents, size_t count) {

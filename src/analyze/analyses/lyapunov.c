@@ -1,5 +1,6 @@
 // The largest Lyapunov exponent: the mean logarithmic growth of a small perturbation.
 #include "analysis.h"
+#include "mean_growth.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "analysis.h"
+#include "statics.h"
 
 enum { REST, ELSEWHERE, ELSEWHERE_GROWTH, LEFT, REACHED, HELD, FIELD_COUNT };
 

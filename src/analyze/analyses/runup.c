@@ -248,10 +248,10 @@ typedef struct filling {
     size_t rows, contacts, torques;
     double duration, way;
     double *radius, *force; ///< [probes], [contacts] largest since the row before
-    size_t row;             ///< of the last turn
+    size_t row;             ///< row of the last turn
     runup_views views;
     runup_history *histories; ///< [torques]
-    whirl_status status;      ///< of the views and histories
+    whirl_status status;      ///< status of the views and histories
 } filling;
 
 static double *runup_at_row(const filling *f, size_t field, size_t which, size_t columns) {
@@ -349,7 +349,7 @@ static double runup_lowest_speed(const whirl_resting *point, const whirl_runup_o
     return o->rate > 0.0 && o->to == 0.0 ? o->from : fmin(o->from, o->to);
 }
 
-/// Where the run begins: derivatives by time over the unit of speed, start [*count].
+/// Finds the state at which the run begins, start [*count]: derivatives by time over the unit of speed.
 static whirl_status runup_find_start(const whirl_resting *point, const whirl_runup_options *o, double unit,
                                      double *start, size_t *count) {
     whirl_machine machine;
@@ -442,7 +442,7 @@ static void runup_fill_end(const filling *f, const runup_run *run) {
     }
 }
 
-/// What the machine after events is made from.
+/// Input for making the machine after events.
 typedef struct changing {
     const whirl_resting *point;
     double lowest, highest;

@@ -7,7 +7,7 @@
 #include "whirl/signals.h"
 
 /// Most turning points of a torque that are kept; of a run with more no cycles are counted.
-enum { MOST_TURNING = 4000000 };
+enum { MAX_TURNING_POINTS = 4000000 };
 
 /// Appends a value; one that goes on as the two before it replaces the last. Returns false without memory.
 static bool cycles_add(runup_history *to, double value) {
@@ -17,7 +17,7 @@ static bool cycles_add(runup_history *to, double value) {
         to->values[n - 1] = value;
         return true;
     }
-    if (n == MOST_TURNING) {
+    if (n == MAX_TURNING_POINTS) {
         to->full = true;
         return true;
     }

@@ -71,7 +71,7 @@ typedef struct runup_views {
     const whirl_runup_options *options;
     double duration;      ///< s, of the whole run
     bool clockwise;       ///< sense of rotation
-    turn_samples samples; ///< of the turn; numbers are NULL where nothing is wanted
+    turn_samples samples; ///< samples of the turn; numbers are NULL if none are wanted
     turn_history history;
     double *memory;         ///< x and y of a spectrum
     size_t spectra, orbits; ///< done, or passed

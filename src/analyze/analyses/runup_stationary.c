@@ -18,7 +18,7 @@ enum { INSTANTS = 64 };
 typedef struct balancing {
     const whirl_resting *point;
     whirl_running *running;
-    size_t dimension; ///< of the rotor's state
+    size_t dimension; ///< dimension of the rotor's state
     double *rest;     ///< [3][dimension] rest and response
     double *x;        ///< [dimension by the angle] a state by the angle
 } balancing;

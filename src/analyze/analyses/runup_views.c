@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "runup_parts.h"
+#include "spectrum.h"
 
 static const double two_pi = 6.283185307179586476925;
 

@@ -1,5 +1,6 @@
 // Amplitude spectra in orders of the running speed, and the full spectrum of x + iy, which separates forward from
 // backward whirl. The record holds whole revolutions, so whole orders and their fractions 1/record lie on bins.
+#include "spectrum.h"
 #include "analysis.h"
 
 #include <math.h>

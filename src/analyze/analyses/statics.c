@@ -3,6 +3,8 @@
 #include <stdlib.h>
 
 #include "analysis.h"
+#include "critical_speeds.h"
+#include "statics.h"
 
 enum {
     LOAD,

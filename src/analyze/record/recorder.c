@@ -38,7 +38,7 @@ typedef struct motion {
 
 struct whirl_recorder {
     const whirl_integrate_options *integrate;
-    const whirl_stop *stop; ///< that of the system
+    const whirl_stop *stop; ///< stop of the system
     const whirl_record_options *options;
     whirl_ensemble *ensemble;
     whirl_ensemble *variational; ///< carries all perturbations, next to the other one; or NULL

@@ -8,11 +8,11 @@
 
 static const double two_pi = 6.283185307179586476925;
 
-/// What ends a search for an instant: the part of what was to be divided that is left.
+/// A search for an instant ends when the interval has shrunk to this share of its first length.
 static const double located = 1e-14;
 
-/// What a state of the run belongs to: a machine, the time as variable, unbalances that have appeared, and how the
-/// shaft turned.
+/// Setting of a state of the run: its machine, the time as variable, unbalances that have appeared, and how the shaft
+/// turned.
 typedef struct runup_where {
     size_t side;
     bool by_time;
@@ -28,18 +28,18 @@ typedef struct runup_side {
 } runup_side;
 
 typedef struct runner {
-    whirl_running *machine;                   ///< of sides[side]
+    whirl_running *machine;                   ///< machine of sides[side]
     runup_side sides[1 + WHIRL_MAX_EVENTS];   ///< before all changes, after the first, ...
     size_t side, side_count;                  ///< the present one, and how many there are
     unsigned char happened[WHIRL_MAX_EVENTS]; ///< [side_count - 1] events of the course that changed the machine
     whirl_placed lost[RUNUP_EVENTS];          ///< [lost_count] unbalances that have appeared
     size_t lost_count;
-    whirl_status status; ///< of changes
+    whirl_status status; ///< status of changes
     const runup_plan *plan;
     bool by_time;               ///< the variable is the time, not the angle
-    const whirl_system *system; ///< of that variable
+    const whirl_system *system; ///< system of that variable
     size_t rotor;               ///< length of the state before speed and time (and, by time, the angle)
-    size_t dimension, most;     ///< of the state now, and by time
+    size_t dimension, most;     ///< dimension of the state now, and with the time as variable
     size_t probes, contacts, torques;
     double unit;
     whirl_turning how;
@@ -455,26 +455,26 @@ static void runup_show_turn(runner *r, bool whole) {
 
 // ---------------------------------------------------------------- events
 
-/// What happens next.
+/// Kinds of coming events.
 enum {
     EVENT_NONE,
     EVENT_TURN,
     EVENT_END,
     EVENT_DWELL,
-    EVENT_CORNER, ///< of the speed table
+    EVENT_CORNER, ///< corner of the speed table
     EVENT_TORQUE,
     EVENT_FIRST ///< the first of the run's own events; others follow
 };
 
 /// The end by time and by speed, a corner, a turn, a torque; and two conditions of every event besides its formula.
-enum { MOST_COMING = 5 + 3 * RUNUP_EVENTS };
+enum { MAX_COMING = 5 + 3 * RUNUP_EVENTS };
 
 /// Something that happens when a quantity passes a target, rising (1), falling (-1) or both (0).
 typedef struct coming {
     int what; ///< an event
     quantity *of;
     double target;
-    size_t which; ///< of the quantity
+    size_t which; ///< index of the quantity
     int passing;
 } coming;
 
@@ -559,7 +559,7 @@ static size_t runup_next_corner(const runner *r) {
 }
 
 /// All that may come in the state that the run is in.
-static size_t runup_list_coming(const runner *r, coming list[MOST_COMING]) {
+static size_t runup_list_coming(const runner *r, coming list[MAX_COMING]) {
     const whirl_runup_options *o = r->plan->options;
     const whirl_run_course *course = r->plan->course;
     const double torque = r->machine->begins(r->machine, runup_time_of(r, r->x) * (1.0 + 1e-12));
@@ -676,7 +676,7 @@ static bool runup_is_here(const runner *r, const coming *what) {
 static bool runup_happen_now(runner *r) {
     bool ends = false, more = true;
     while (more && r->status.code == WHIRL_OK) {
-        coming list[MOST_COMING];
+        coming list[MAX_COMING];
         const size_t count = runup_list_coming(r, list);
         int what = EVENT_NONE;
         for (size_t i = 0; i < count && what == EVENT_NONE; i++) {
@@ -693,7 +693,7 @@ static bool runup_happen_now(runner *r) {
 /// The first event in the part that was carried last with all samples, of that length from the angle `from` on: where
 /// it is, and the state there.
 static int runup_find_event(runner *r, double from, double length, double *at, double *there) {
-    coming list[MOST_COMING];
+    coming list[MAX_COMING];
     const size_t events = runup_list_coming(r, list), count = (size_t)r->plan->options->samples;
     const double step = length / (double)count;
     int first = EVENT_NONE;
@@ -722,7 +722,7 @@ static int runup_find_event(runner *r, double from, double length, double *at, d
 
 // ---------------------------------------------------------------- turns
 
-/// Whether the shaft stands: it turned and came to rest, or turned back.
+/// Returns true if the shaft stands: it turned and came to rest, or turned back.
 static bool runup_stands(const runner *r, const double *x) {
     const double speed = x[r->rotor];
     return isnan(speed) || speed < -0.02 || (speed < 1e-3 && r->turns >= 1.0);

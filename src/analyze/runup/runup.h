@@ -13,7 +13,7 @@
 /// Orders of the speed whose amplitudes are tracked, from 1 on.
 enum { RUNUP_ORDERS = 4 };
 
-/// How a run came to its end.
+/// End of a run.
 typedef enum runup_end {
     RUNUP_DONE,     ///< at its time or its last speed
     RUNUP_STALLED,  ///< the shaft came to rest, or never turned
@@ -22,10 +22,10 @@ typedef enum runup_end {
     RUNUP_STOPPED   ///< somebody asked for it: what is there means nothing
 } runup_end;
 
-/// What a turn of the shaft shows of a station, lengths in those of the machine.
+/// A station's motion over a turn of the shaft, in the machine's unit of length.
 typedef struct runup_station {
     double radius;                                   ///< largest distance from the centre
-    double mean[2];                                  ///< of x and y over the turn
+    double mean[2];                                  ///< means of x and y over the turn
     double complex x[RUNUP_ORDERS], y[RUNUP_ORDERS]; ///< 2/turn times the integrals of x and y by exp(-i k theta)
 } runup_station;
 
@@ -33,20 +33,20 @@ typedef struct runup_station {
 typedef struct runup_turn {
     double time, speed;            ///< s, rad/s, at its middle
     double end;                    ///< s, at its end
-    double turns;                  ///< of the shaft since the beginning
+    double turns;                  ///< turns of the shaft since the beginning
     bool whole;                    ///< the run does not end within it: means and orders count
     bool parted;                   ///< an event happened in it, such as a trip or the end of a rate
     whirl_torques torques;         ///< at its end
     const runup_station *stations; ///< [probe_count]
     const double *force;           ///< [contact_count] N, largest normal force
     const double *share;           ///< [contact_count] of the turn in contact
-    const double *samples;         ///< of turn_samples; NULL if the run ends within the turn, or the plan has none
+    const double *samples; ///< samples as in turn_samples; NULL if the run ends within the turn, or the plan has none
 } runup_turn;
 
-/// What a contact did over the run. Times in s; NaN where there was none.
+/// A contact over the run. Times in s; NaN if it never closed.
 typedef struct runup_contact {
     double first, last; ///< when it closed first, and opened last
-    double count, time; ///< how often it closed, and how long it was closed
+    double count, time; ///< number of closings, and time in contact
 } runup_contact;
 
 /// The largest distance of a station from the centre.
@@ -96,7 +96,7 @@ typedef void runup_see(void *context, const runup_turn *turn);
 /// Is shown torques [watched_count], N m, and speeds of stations [probe_count], rad/s, at instants that resolve them.
 typedef void runup_watch_at(void *context, double time, const double *torque, const double *speed);
 
-/// How it is run.
+/// Plan of a run.
 typedef struct runup_plan {
     const whirl_runup_options *options;
     const whirl_run_course *course; ///< laws and events, or NULL
@@ -108,7 +108,7 @@ typedef struct runup_plan {
     size_t start_count;
     double angle; ///< rad of the first state
     runup_see *see;
-    runup_watch_at *watch; ///< of machines that are run by time; NULL: nobody
+    runup_watch_at *watch; ///< watcher of machines that are run by time; NULL: none
     void *context;
     turn_samples *samples; ///< filled in before a turn is shown; NULL: none are wanted
 } runup_plan;

@@ -17,7 +17,7 @@ typedef struct turn_instant {
 /// machine.
 typedef struct turn_samples {
     size_t samples, probes, contacts;
-    size_t width;         ///< of a row
+    size_t width;         ///< numbers of a row
     double *numbers;      ///< [samples][width]; one block with those of `ends`
     turn_instant ends[2]; ///< workspace
 } turn_samples;

@@ -95,7 +95,7 @@ static void measure(const whirl_record *record, const whirl_channel *channel, co
     for (size_t i = 0; channel->sensor == WHIRL_SENSOR_PROXIMITY && probe->runout_count > 0 && i < 2 * n; i++)
         x[i] += whirl_probe_runout(probe, i / n, (double)((i % n + 1) % turn) / (double)turn);
     for (size_t j = 0; j < n; j++) x[j] = sampling->length * (c * x[j] + s * y[j]);
-    // What the sensor measures of them, and its electronics.
+    // Apply the sensor's law and its electronics.
     if (channel->sensor == WHIRL_SENSOR_PROXIMITY)
         for (size_t j = 0; j < n; j++) out[j] = channel->gap + x[j];
     else

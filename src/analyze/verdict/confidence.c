@@ -4,10 +4,10 @@
 #include <limits.h>
 #include <math.h>
 
-#include "analysis.h"
 #include "birkhoff.h"
 #include "evidence.h"
 #include "locks.h"
+#include "mean_growth.h"
 #include "multiplier.h"
 #include "recurrence.h"
 #include "section.h"

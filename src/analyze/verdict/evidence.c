@@ -2,8 +2,8 @@
 
 #include <math.h>
 
-#include "analysis.h"
 #include "birkhoff.h"
+#include "mean_growth.h"
 #include "record_block.h"
 #include "recurrence.h"
 #include "section.h"

@@ -17,7 +17,7 @@ enum {
     MAX_BOTH = 4,
     LOW = 3,
     MAX_FITTED = 40,
-    PARTS = 2, ///< those with t and with t^2
+    PARTS = 2, ///< parts with t and with t^2
     MAX_UNKNOWNS = 1 + 2 * MAX_FITTED + 2 * 2 * PARTS,
     ROUNDS = 6,
     MIN_SAMPLES = 16
@@ -227,7 +227,7 @@ line_fit line_fit_record(const whirl_record *record, size_t station, const whirl
         most = fit_refine(&plan, record, station, sums, &fit);
         if (!(most <= farthest)) break;
     }
-    // What lines of constant amplitudes leave.
+    // Compute the remainder of lines with constant amplitudes.
     if (most <= farthest) {
         plan.moves = false;
         plan.unknowns = 1 + 2 * plan.line_count;

@@ -4,10 +4,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "analysis.h"
 #include "line_fit.h"
 #include "main_line.h"
 #include "section.h"
+#include "spectrum.h"
 
 enum { MIN_REVOLUTIONS = 32, MAX_STATIONS = 64, MAX_MULTIPLE = 8, LOW_MULTIPLE = 3 };
 

@@ -3,13 +3,13 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "analysis.h"
 #include "birkhoff.h"
 #include "confidence.h"
 #include "curves.h"
 #include "evidence.h"
 #include "locks.h"
 #include "main_line.h"
+#include "mean_growth.h"
 #include "recurrence.h"
 #include "rotation.h"
 #include "section.h"

@@ -1,4 +1,4 @@
-/// How tables of members are written.
+/// Entries of tables of members.
 #ifndef BASE_MEMBER_TABLE_H
 #define BASE_MEMBER_TABLE_H
 

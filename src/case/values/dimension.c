@@ -1,7 +1,9 @@
 // Dimension of an expression's value. It is measured: with every parameter in units half as large, lengths double and
 // areas quadruple. A value that is neither a product of units nor a plain number ("1 + c" with a length c) changes by
 // another factor.
+#include "dimension.h"
 #include "parameters.h"
+#include "quantity.h"
 
 #include <math.h>
 #include <string.h>

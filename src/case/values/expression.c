@@ -1,4 +1,5 @@
-#include "parameters.h"
+#include "expression.h"
+#include "quantity.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -8,7 +9,7 @@
 #include <string.h>
 
 #include "exhausted.h"
-#include "tree.h"
+#include "problem.h"
 
 /// Functions of muParser, all with radians; log is the natural logarithm, as ln.
 static const char *const words[] = {"sin",   "cos",   "tan",   "asin", "acos",  "atan", "atan2", "sinh", "cosh", "tanh",

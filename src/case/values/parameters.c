@@ -1,10 +1,13 @@
 #include "parameters.h"
+#include "expression.h"
+#include "quantity.h"
 
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "problem.h"
 #include "tree.h"
 
 size_t parameters_find(const parameter_table *parameters, const char *name) {

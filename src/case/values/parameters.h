@@ -3,77 +3,16 @@
 #define CASE_PARAMETERS_H
 
 #include "arena.h"
+#include "expression.h"
+#include "quantity.h"
 #include "tree.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/system.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-
-// ---------------------------------------------------------------- quantity
-// Numbers with units: "12 mm", "6207 rpm", "18 mPa.s". Everything inside whirl is in SI.
-
-enum { WHY_SIZE = 240 };
-
-typedef struct quantity {
-    double value;               ///< in SI
-    char unit[WHIRL_NAME_SIZE]; ///< the SI unit, "1" without one
-} quantity;
-
-/// Reads a number, or a number, a space and a unit. `expected` is the unit it must convert to ("1": a plain number), or
-/// "" for any. Plain numbers are in SI. On failure `why` is the reason: "is 3 kg, expected a number in N s/m".
-bool quantity_read(const char *text, const char *expected, quantity *result, char why[WHY_SIZE]);
-
-/// Returns true if a value in SI unit `unit` is allowed where `expected` is required; if not, `why` continues "is in
-/// s-1, ".
-bool quantity_fits(const char *unit, const char *expected, char why[WHY_SIZE]);
-
-/// Powers of m, kg and s in an SI unit ("N/m": 0, 1, -2). Returns false if it is no unit; all powers are 0 for "1" and
-/// "".
-enum { UNIT_BASES = 3 };
-bool quantity_unit_powers(const char *unit, double powers[UNIT_BASES]);
-
-/// Reads a plain number that ends at *end. No hexadecimal, no nan, no inf, no locale. Returns false if there is none;
-/// overflow gives an infinite value.
-bool quantity_number(const char *text, double *value, const char **end);
-
-// ---------------------------------------------------------------- expression
-// Expressions over parameters: "r_k*k2", by muParser.
-
-enum { EXPRESSION_MAX_LENGTH = 500, EXPRESSION_MAX_DEPTH = 50 };
-
-/// Callback for every name in an expression that is neither a function nor a constant; returns false for an unknown
-/// name.
-typedef bool (*expression_name_fn)(void *context, const char *name, size_t length);
-
-/// Checks all that needs no values: length, depth, characters, names. On failure `why` is the reason; after an unknown
-/// name it is empty, for the caller to fill.
-bool expression_check(const char *text, expression_name_fn known, void *context, char why[WHY_SIZE]);
-
-/// The functions and constants that expressions know; ended by NULL.
-const char *const *expression_words(void);
-bool expression_has_word(const char *name);
-
-/// Evaluates expressions over variables. Each thread needs its own.
-typedef struct expression_evaluator expression_evaluator;
-
-/// Makes an evaluator; `values` [count] are read when an expression is evaluated. Values whose name is NULL have none.
-/// NULL without memory.
-expression_evaluator *evaluator_new(const char *const *names, double *values, size_t count);
-
-/// Evaluates an expression that expression_check has passed. Returns false if it is invalid or not finite; `why` is the
-/// reason.
-bool evaluator_value(expression_evaluator *evaluator, const char *text, double *value, char why[WHY_SIZE]);
-void evaluator_free(expression_evaluator *evaluator);
-
-/// Takes an expression that evaluator_again evaluates. Returns false if it is invalid; `why` is the reason.
-bool evaluator_take(expression_evaluator *evaluator, const char *text, char why[WHY_SIZE]);
-
-/// Returns the value of the expression with the present values; NaN if it has none.
-double evaluator_again(expression_evaluator *evaluator);
 
 /// Evaluating expressions is the longest part of reading a case, hence the second bound.
 enum { PARAMETERS_MAX = 256, EXPRESSIONS_MAX_BYTES = 1 << 16 };
@@ -196,17 +135,5 @@ whirl_status valuation_number(valuation *v, const number_formula *formula, doubl
 /// parameters need no evaluation.
 void formula_settle(valuation *v, number_formula *formula);
 void parameters_settle(valuation *v, parameter_table *parameters);
-
-// ---------------------------------------------------------------- dimension
-// Dimension of an expression's value.
-
-typedef enum value_dimension {
-    DIMENSION_PLAIN,   ///< the same in all units; also 0, and expressions without a value
-    DIMENSION_OF_UNIT, ///< the dimension of the unit in question
-    DIMENSION_OTHER
-} value_dimension;
-
-/// Finds the dimension of an expression over parameters that were read without a problem, compared with an SI unit.
-value_dimension expression_dimension(const parameter_table *parameters, const char *expression, const char *unit);
 
 #endif

@@ -3,7 +3,7 @@
 // UDUNITS treats the radian as dimensionless and reciprocals as convertible: 50 Hz would count as 50 rad/s, and 1 s as
 // 1 Hz. Here a unit fits only when its quotient with the expected one is dimensionless and both or neither hold
 // radians. UDUNITS keeps state of its own and is not thread-safe, hence the lock; the unit system is read once.
-#include "parameters.h"
+#include "quantity.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -17,7 +17,7 @@
 #include "exhausted.h"
 #include "lock.h"
 #include "number_text.h"
-#include "tree.h"
+#include "problem.h"
 #include "whirl/status.h"
 
 enum { LONGEST_NUMBER = 60, LONGEST_UNIT = 60 };

@@ -1,4 +1,4 @@
-#include "tree.h"
+#include "excerpt.h"
 
 #include <stdbool.h>
 #include <stdio.h>

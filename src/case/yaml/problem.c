@@ -1,3 +1,4 @@
+#include "problem.h"
 #include "tree.h"
 
 #include <stdarg.h>

@@ -1,3 +1,5 @@
+#include "source.h"
+#include "problem.h"
 #include "tree.h"
 
 #include <stdbool.h>

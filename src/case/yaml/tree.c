@@ -1,5 +1,7 @@
 // Converts libyaml's events to nodes one by one, so that limits apply during parsing: no input takes long.
 #include "tree.h"
+#include "problem.h"
+#include "source.h"
 
 #include <stdio.h>
 #include <stdlib.h>

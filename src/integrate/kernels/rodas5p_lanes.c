@@ -14,7 +14,7 @@
 // it the step is taken for too long.
 #include "adaptive_lanes.inc"
 
-#include "method.h"
+#include "sparsity.h"
 
 enum { METHOD_DENSE = RODAS5P_DENSE };
 

@@ -8,6 +8,7 @@
 #include "dop853_tableau.h"
 #include "method.h"
 #include "stepper.h"
+#include "stiffest.h"
 
 /// Steps per revolution up to which dop853 is kept: rodas5p takes hundreds of steps at the usual tolerances, each as
 /// costly as several of dop853.

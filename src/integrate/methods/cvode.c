@@ -19,6 +19,7 @@
 
 #include "orthonormal.h"
 #include "stepper.h"
+#include "stepper_parts.h"
 
 enum { MAX_STEPS_A_CALL = 100000, SHORTEST_TOUCH = 256 };
 

@@ -2,7 +2,9 @@
 #include <math.h>
 
 #include "adaptive_lanes.h"
+#include "dop853_sums.h"
 #include "method.h"
+#include "stepper_parts.h"
 
 double dop853_amplification(double real, double imaginary) {
     double re[DOP853_STAGES + 1] = {0}, im[DOP853_STAGES + 1] = {0}, x = 1.0, y = 0.0;

@@ -1,4 +1,4 @@
-#include "method.h"
+#include "dop853_sums.h"
 
 #include <math.h>
 #include <stdbool.h>

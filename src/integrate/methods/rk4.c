@@ -9,6 +9,7 @@
 #include "method.h"
 #include "orthonormal.h"
 #include "stepper.h"
+#include "stepper_parts.h"
 
 /// Computes the slopes of any system; the values of time are the system's own, followed by t.
 static void rk4_system_flow(const lanes_view *view) {

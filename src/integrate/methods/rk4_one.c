@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "stepper.h"
+#include "stepper_parts.h"
 
 rk4_one rk4_one_of(lanes_flow *flow, const void *model, size_t dimension) {
     return (rk4_one){

@@ -1,6 +1,7 @@
 // Steps of RK4 lanes that meet a switch, one lane at a time.
 #include "rk4_lanes.h"
 #include "stepper.h"
+#include "stepper_parts.h"
 
 void rk4_redo(const rk4_lanes *lanes, int n, size_t lane) {
     const lanes_located *own = &lanes->located;

@@ -4,6 +4,8 @@
 
 #include "adaptive_lanes.h"
 #include "method.h"
+#include "sparsity.h"
+#include "stepper_parts.h"
 
 // ---------------------------------------------------------------- perturbations
 

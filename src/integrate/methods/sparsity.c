@@ -1,5 +1,5 @@
 // Finds the entries of a Jacobian and of its factors that can differ from zero.
-#include "method.h"
+#include "sparsity.h"
 
 #include <stdlib.h>
 

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "method.h"
+#include "stiffest.h"
 #include "turns.h"
 
 enum { PHASES = 16 };

@@ -1,4 +1,4 @@
-#include "method.h"
+#include "stiffest.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -6,6 +6,7 @@
 
 #include "matrix.h"
 #include "matrix_balance.h"
+#include "whirl/engine/integrate.h"
 
 /// Largest growth of a perturbation in a step that counts as stable: 1, and a margin for truncation errors of growing
 /// modes.

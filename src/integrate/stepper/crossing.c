@@ -1,7 +1,7 @@
 // The polynomial of degree 8 through nine Chebyshev points in Bernstein form (Ainsworth and Sanchez 2016). Its least
 // coefficient is a lower bound; halving by de Casteljau's rule sharpens the bound until a piece is clear of zero or
 // seen to pass it.
-#include "stepper.h"
+#include "crossing.h"
 
 #include <math.h>
 #include <string.h>

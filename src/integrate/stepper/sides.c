@@ -4,7 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "crossing.h"
 #include "stepper.h"
+#include "stepper_parts.h"
 
 // ---------------------------------------------------------------- switching functions and their derivatives
 

@@ -1,6 +1,9 @@
 // Steps of one motion: slopes, interpolant, and the point at which a step must end. Formulas, error estimates and step
 // lengths are those of the kernels.
 #include "stepper.h"
+#include "bernstein.h"
+#include "crossing.h"
+#include "stepper_parts.h"
 
 #include <float.h>
 #include <math.h>

@@ -8,6 +8,7 @@
 
 #include "method.h"
 #include "stepper.h"
+#include "stepper_parts.h"
 
 static whirl_status stepper_start(whirl_integrator *integrator) {
     integrator->workspace = stepper_new(integrator->method->lanes, integrator->system, &integrator->options);

@@ -5,6 +5,7 @@
 #include "orthonormal.h"
 #include "saltation.h"
 #include "stepper.h"
+#include "stepper_parts.h"
 
 /// Single vectors of the workspace.
 enum { BEFORE, AFTER, GRADIENT, CURVED };

@@ -6,6 +6,7 @@
 
 #include "saltation.h"
 #include "stepper.h"
+#include "stepper_parts.h"
 
 static bool sees(const whirl_system *system) {
     return system->switch_count > 0 && system->switch_gradient && system->rhs_on_sides;

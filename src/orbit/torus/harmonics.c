@@ -1,4 +1,4 @@
-#include "torus_follower.h"
+#include "harmonics.h"
 
 #include <math.h>
 #include <string.h>

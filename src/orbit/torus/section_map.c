@@ -1,4 +1,4 @@
-#include "torus_follower.h"
+#include "section_map.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -6,7 +6,10 @@
 #include <string.h>
 
 #include "newton.h"
-#include "torus_follower.h"
+#include "torus_describe.h"
+#include "torus_equations.h"
+#include "torus_options.h"
+#include "torus_start.h"
 
 whirl_torus_options whirl_torus_default(void) {
     return (whirl_torus_options){.integrate = whirl_orbit_default().integrate,

@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "matrix.h"
+#include "section_map.h"
+#include "torus_equations.h"
 #include "torus_follower.h"
 
 static const double two_pi = 6.283185307179586476925;

@@ -4,6 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "section_map.h"
+#include "torus_describe.h"
+#include "torus_equations.h"
 #include "torus_follower.h"
 
 whirl_torus_branch_options whirl_torus_branch_default(double from, double to) {

@@ -1,5 +1,8 @@
 // Describes a torus that was found.
-#include "torus_follower.h"
+#include "torus_describe.h"
+#include "harmonics.h"
+#include "section_map.h"
+#include "torus_equations.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,4 +1,6 @@
-#include "torus_follower.h"
+#include "torus_equations.h"
+#include "harmonics.h"
+#include "section_map.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,9 @@
 // factor, and the remaining vectors are orthonormalized; the logarithms of their lengths are smooth functions of the
 // angle on a smooth torus, so that their weighted Birkhoff averages converge faster than any power of the walk's
 // length.
-#include "torus_follower.h"
+#include "harmonics.h"
+#include "torus_describe.h"
+#include "torus_equations.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,8 @@
 // Steps shared by beginning a branch of tori and following it.
 #include "torus_follower.h"
+#include "torus_describe.h"
+#include "torus_equations.h"
+#include "torus_options.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,10 @@
 // Weighted Birkhoff averages of x exp(-2 pi i h rho m) over the sections m are the harmonics of the curve, if rho is
 // its rotation number (Das, Saiki, Sander, Yorke 2017). rho is where the average with h = 1 is largest, or a part of
 // that where the largest harmonic is not the first.
-#include "torus_follower.h"
+#include "torus_start.h"
+#include "harmonics.h"
+#include "section_map.h"
+#include "torus_equations.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "torus_follower.h"
+#include "harmonics.h"
 #include "turns.h"
 #include "whirl/engine/torus.h"
 

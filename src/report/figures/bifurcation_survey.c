@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "figure_kinds.h"
+#include "bifurcation.h"
 #include "machine_at.h"
 #include "quantities.h"
 #include "regimes.h"

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "bifurcation.h"
 #include "figure_build.h"
 #include "figure_kinds.h"
 #include "quantities.h"

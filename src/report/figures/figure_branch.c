@@ -6,6 +6,7 @@
 #include "figure_build.h"
 #include "figure_kinds.h"
 #include "quantities.h"
+#include "tori_bands.h"
 
 static const double two_pi = 6.283185307179586476925;
 
@@ -248,7 +249,7 @@ static void add_curves(whirl_figure *figure, whirl_panel *panel, const view *v, 
         lines->dashed = subcritical;
         const bool first = i == 0 || !are_one(table, i - 1, i),
                    last = i + 1 == table->count || !are_one(table, i, i + 1);
-        // Where the sense changes, neighbouring pieces share a point, so that there is no gap.
+        // Neighbouring pieces share the point at which the sense changes, so that there is no gap.
         for (size_t k = first || is_subcritical(table, i - 1) == subcritical ? i : i - 1; k <= i; k++)
             series_add(figure, lines, table->values[k] / v->size,
                        point_number(table, k, WHIRL_FIELD_TRACE_SECOND) / up);

@@ -35,7 +35,7 @@ whirl_panel *figure_panel(whirl_figure *figure, const char *name, double width, 
 whirl_series *panel_series(whirl_figure *figure, whirl_panel *panel, whirl_shape shape, const char *colour,
                            double size);
 
-/// As panel_series, with a name in the legend.
+/// Like panel_series, with a name in the legend.
 whirl_series *panel_named(whirl_figure *figure, whirl_panel *panel, whirl_shape shape, const char *name,
                           const char *colour, double size);
 

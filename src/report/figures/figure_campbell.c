@@ -6,9 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "asked.h"
 #include "figure_build.h"
 #include "figure_kinds.h"
+#include "margins.h"
+#include "mode_lines.h"
 #include "shown_kinds.h"
+#include "speed_unit.h"
 #include "units.h"
 
 enum { MAX_CRITICAL = 256 };

@@ -6,7 +6,7 @@
 
 #include "figure_build.h"
 #include "figure_kinds.h"
-#include "shown_kinds.h"
+#include "margins.h"
 #include "units.h"
 
 static void critical_speeds_list(figure_list *to, const drawing *of, const whirl_table *table) {

@@ -5,7 +5,11 @@
 #include <stdlib.h>
 
 #include "figure_kinds.h"
-#include "shown_kinds.h"
+#include "machine_along.h"
+#include "machine_layout.h"
+#include "margins.h"
+#include "shaft_bends.h"
+#include "speed_unit.h"
 
 // ---------------------------------------------------------------- sag
 

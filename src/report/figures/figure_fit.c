@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "figure_build.h"
 #include "figure_kinds.h"
 #include "shown_kinds.h"
 #include "whirl/engine/fit.h"
@@ -38,8 +39,8 @@ static bool fit_is_line(const double *a, const double *b) {
     return both && (a[FIT_QUANTITY] == WHIRL_FIT_SAMPLE || a[FIT_AT] == b[FIT_AT]);
 }
 
-/// What a panel shows of one row, measured and of the model, in SI. Cosine and sine parts stand one after the other.
-/// False for a row that it does not show.
+/// Finds the numbers of one row in a panel, measured and of the model, in SI. Cosine and sine parts follow one another.
+/// Returns false for a row that the panel does not show.
 static bool fit_seen(const double *row, int panel, double seen[2]) {
     const bool parts = row[FIT_QUANTITY] == WHIRL_FIT_COS;
     const double *sine = row + FIT_NUMBERS;

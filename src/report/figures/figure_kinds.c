@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "figure_build.h"
 #include "machine_at.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/result.h"

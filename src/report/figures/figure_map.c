@@ -7,6 +7,7 @@
 
 #include "figure_build.h"
 #include "figure_kinds.h"
+#include "map_cells.h"
 #include "quantities.h"
 #include "regimes.h"
 #include "whirl/engine/analyze.h"

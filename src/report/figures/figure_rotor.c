@@ -5,7 +5,8 @@
 #include <string.h>
 
 #include "figure_kinds.h"
-#include "shown_kinds.h"
+#include "machine_layout.h"
+#include "margins.h"
 #include "whirl/internal/model.h"
 
 // ---------------------------------------------------------------- drawing

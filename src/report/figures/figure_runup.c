@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "figure_build.h"
 #include "runup_panels.h"
 #include "shown_kinds.h"
 #include "units.h"

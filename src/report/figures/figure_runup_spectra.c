@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "figure_build.h"
 #include "quantities.h"
 #include "runup_panels.h"
 #include "units.h"

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "figure_build.h"
 #include "figure_kinds.h"
 #include "whirl/engine/response_peaks.h"
 

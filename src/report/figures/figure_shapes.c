@@ -4,7 +4,11 @@
 #include <stdlib.h>
 
 #include "figure_kinds.h"
+#include "machine_along.h"
+#include "machine_layout.h"
+#include "shaft_bends.h"
 #include "shown_kinds.h"
+#include "speed_unit.h"
 #include "units.h"
 
 enum { SHAPES = 6 };

@@ -2,8 +2,9 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "asked.h"
+#include "figure_build.h"
 #include "figure_kinds.h"
-#include "shown_kinds.h"
 
 /// Lists a figure for each point, unless there are too many.
 static void stability_list(figure_list *to, const drawing *of, const whirl_table *table) {

@@ -5,8 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "figure_build.h"
 #include "figure_kinds.h"
-#include "shown_kinds.h"
+#include "spread_words.h"
 
 enum { CLASSES = 40 };
 

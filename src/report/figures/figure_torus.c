@@ -1,5 +1,6 @@
 // Tori: the bands that they fill in the figures of branches, and figures of their numbers over the parameter.
 #include "figure_kinds.h"
+#include "tori_bands.h"
 #include "units.h"
 
 #include <math.h>

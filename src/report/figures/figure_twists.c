@@ -2,7 +2,9 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "figure_build.h"
 #include "figure_kinds.h"
+#include "margins.h"
 #include "shown_kinds.h"
 #include "units.h"
 
@@ -20,7 +22,7 @@ static void twists_list(figure_list *to, const drawing *of, const whirl_table *t
     list_figure(to, &place, "torsion-angles", "Twists of the stations over %s", table->parameter);
 }
 
-/// What the lines of a panel show: numbers of a field [rows], from `first` on one for each excitation, and their sum.
+/// Source of the lines of a panel: numbers of a field [rows], one for each excitation from `first` on, and their sum.
 typedef struct twists_source {
     const char *field, *sum;
     size_t which, first, sum_row;

@@ -4,7 +4,7 @@
 
 #include "figure_build.h"
 #include "figure_kinds.h"
-#include "shown_kinds.h"
+#include "margins.h"
 #include "units.h"
 
 static const double two_pi = 6.283185307179586476925;

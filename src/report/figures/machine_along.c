@@ -3,6 +3,9 @@
 #include <stdio.h>
 
 #include "figure_kinds.h"
+#include "machine_along.h"
+#include "machine_layout.h"
+#include "shaft_bends.h"
 
 /// Range of positions covered by the shafts of one axis.
 static span axis_reach(const machine_layout *l, double axis) {

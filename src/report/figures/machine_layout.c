@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "figure_kinds.h"
+#include "machine_layout.h"
 
 /// Density for discs drawn from masses and inertias, kg/m3: steel.
 static const double steel = 7850.0;

@@ -1,5 +1,5 @@
 // Cells of a map: their edges, and the borders between cells of different kinds.
-#include "figure_kinds.h"
+#include "map_cells.h"
 
 #include <math.h>
 #include <stdint.h>

@@ -1,5 +1,6 @@
-// What figures of run-ups share.
+// Panels that several figures of run-ups share.
 #include "runup_panels.h"
+#include "figure_build.h"
 #include "units.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/// What figures of run-ups share.
+/// Panels that several figures of run-ups share.
 #ifndef REPORT_RUNUP_PANELS_H
 #define REPORT_RUNUP_PANELS_H
 

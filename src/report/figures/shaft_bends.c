@@ -5,7 +5,9 @@
 #include <stdlib.h>
 
 #include "figure_kinds.h"
+#include "machine_along.h"
 #include "machine_at.h"
+#include "shaft_bends.h"
 #include "whirl/engine/linear.h"
 
 static const double degree = 3.14159265358979323846 / 180.0;

@@ -64,7 +64,7 @@ void sheet_list(const finder *of, whirl_sheet *sheet, const char *key, const cha
 void sheet_texts(const finder *of, whirl_sheet *sheet, const char *key, const char *heading); ///< texts
 void sheet_values(const finder *of, whirl_sheet *sheet, const char *heading,
                   int digits); ///< values of the parameter, if any
-/// Of a sheet whose two points have the same rows, leaves those of the first, without a value of the parameter; the
+/// Reduces a sheet whose two points have the same rows to those of the first, without a value of the parameter; the
 /// text about the sheet says so. For quantities that usually do not depend on the parameter.
 void sheet_once(const finder *of, whirl_sheet *sheet);
 

@@ -8,7 +8,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "shown_kinds.h"
+#include "asked.h"
+#include "margins.h"
+#include "scaled.h"
 
 const double asked_decrement = 0.1;
 

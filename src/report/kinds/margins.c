@@ -1,4 +1,4 @@
-#include "shown_kinds.h"
+#include "margins.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "mode_lines.h"
 #include "shown_kinds.h"
 #include "units.h"
 #include "whirl/engine/analyze.h"

@@ -1,4 +1,5 @@
-#include "shown_kinds.h"
+#include "scaled.h"
+#include "margins.h"
 
 #include <math.h>
 #include <stdlib.h>

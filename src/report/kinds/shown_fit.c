@@ -268,7 +268,7 @@ static void fit_find_agreement(const shown_fit_of *f) {
     phrase_text(of, &own->judged, "no machine shows them");
 }
 
-/// How many starts led to the same minimum.
+/// Finds how many starts led to the same minimum.
 static void fit_find_starts(const shown_fit_of *f) {
     const finder *of = f->of;
     size_t same = 0, done = 0;

@@ -1,6 +1,7 @@
 // Findings of modes: critical speeds, stability thresholds, and the lowest modes at the ends of the parameter.
 #include <math.h>
 
+#include "mode_lines.h"
 #include "quantities.h"
 #include "shown_kinds.h"
 #include "units.h"

@@ -364,7 +364,7 @@ static void runup_find_worst_damage(const finder *of) {
         phrase_text(of, &own->found, "no damage: all ranges of torques are within their endurance");
 }
 
-/// Where a motor could stay for ever, and by how much its torque must change for that; a run may pass there.
+/// Finds the stationary speeds of a motor, and by how much its torque must change for each; a run may pass them.
 static void runup_find_stationary(const finder *of) {
     const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_STATIONARY);
     if (!rows) return;

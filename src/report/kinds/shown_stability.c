@@ -1,6 +1,7 @@
 // Findings of stability: decrements, the limit of the cross coupling, and whether seals have to be included.
 #include <math.h>
 
+#include "asked.h"
 #include "quantities.h"
 #include "shown_kinds.h"
 

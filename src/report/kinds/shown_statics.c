@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "margins.h"
 #include "shown_kinds.h"
 
 /// Returns a number of a station at a point, in SI if it is a length.

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "shown_kinds.h"
+#include "spread_words.h"
 
 /// Fills the value of the parameter that a row is about; empty: all of them.
 static void cell_place(const finder *of, whirl_sheet *sheet, size_t place) {

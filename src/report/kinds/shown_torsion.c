@@ -2,6 +2,8 @@
 // 617, part 1, and API 684: the user has to check which edition applies), and their shapes.
 #include <math.h>
 
+#include "margins.h"
+#include "mode_lines.h"
 #include "quantities.h"
 #include "shown_kinds.h"
 
@@ -17,7 +19,7 @@ typedef struct separation {
     double frequency; ///< rad/s of the mode, where it is nearest to the excitation
     double speed;     ///< rad/s at which they meet; NaN for the line's
     double had;       ///< %, of the excitation; 0 within
-    const char *side; ///< of the mode: "above", "below", "within"
+    const char *side; ///< side of the mode: "above", "below", "within"
 } separation;
 
 int torsion_excitation_count(const whirl_table *table) {

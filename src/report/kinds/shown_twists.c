@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "margins.h"
 #include "shown_kinds.h"
 #include "whirl/engine/response_peaks.h"
 #include "whirl/engine/torsion.h"
@@ -146,7 +147,7 @@ size_t twists_choose(const whirl_table *table, size_t most, size_t *chosen) {
         for (size_t k = 0; k < paths && own && whirl_table_done(table, point); k++)
             sizes[k] = fmax(sizes[k], isnan(own[k]) ? 0.0 : own[k]);
     }
-    // Of pieces of one stretch the largest.
+    // Keep the largest of the pieces of one stretch.
     for (size_t k = 0; sizes && k < paths; k++)
         for (size_t other = 0; other < k; other++)
             if (sizes[other] >= 0.0 && sizes[k] >= 0.0 && twists_are_one(table, k, other))
@@ -360,7 +361,7 @@ static void twists_find_worst(const finder *of, bool running) {
     size_t path = 0, point = 0;
     if (twists_choose(of->table, 1, &path) == 0) return;
     if (running) {
-        // Of all torques the largest at running speeds.
+        // Find the largest of all torques at running speeds.
         double largest = -1.0;
         for (size_t k = 0; k < twists_rows(of->table, WHIRL_FIELD_TORSION_TORQUE_OF); k++) {
             if (!twists_largest(of, WHIRL_FIELD_TORSION_TORQUE_SUM, 0, k, true, &point)) continue;

@@ -2,6 +2,9 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "asked.h"
+#include "margins.h"
+#include "scaled.h"
 #include "shown_kinds.h"
 
 static const double degree = 3.14159265358979323846 / 180.0;

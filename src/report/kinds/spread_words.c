@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "shown_kinds.h"
+#include "spread_words.h"
 
 void spread_name(const whirl_table *table, const whirl_spread_of *of, char text[SPREAD_NAME]) {
     const whirl_field *field = whirl_layout_field(&table->layout, of->field);

@@ -6,8 +6,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "found.h"
+#include "html.h"
 #include "motions_text.h"
 #include "page.h"
+#include "page_findings.h"
+#include "scaled.h"
 #include "shown_kinds.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/case.h"
@@ -28,7 +32,7 @@ typedef struct chapter {
 /// A document.
 typedef struct analysis_document {
     const char *title;
-    const char *asks; ///< what a result lacks whose findings have no criteria
+    const char *asks; ///< keys that a result without criteria lacks
     size_t count;
     const chapter *chapters; ///< [count]
     bool moves;              ///< with a summary of motions

@@ -5,7 +5,10 @@
 #include <string.h>
 
 #include "findings_render.h"
+#include "found.h"
+#include "html.h"
 #include "page.h"
+#include "page_findings.h"
 #include "quantities.h"
 #include "regimes.h"
 #include "shown_kinds.h"

@@ -1,5 +1,5 @@
+#include "html.h"
 #include "number_shown.h"
-#include "page.h"
 
 #include <math.h>
 #include <stdarg.h>

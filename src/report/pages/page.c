@@ -1,4 +1,6 @@
 #include "page.h"
+#include "html.h"
+#include "page_findings.h"
 
 #include <string.h>
 

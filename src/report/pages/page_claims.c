@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "html.h"
 #include "page.h"
 
 static const struct {

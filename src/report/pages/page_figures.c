@@ -1,4 +1,5 @@
 // The figures with their captions, and the files that they were made from.
+#include "html.h"
 #include "page.h"
 
 static void write_links(const page *to, const drawn_figure *what) {

@@ -3,7 +3,9 @@
 #include <string.h>
 
 #include "findings_render.h"
+#include "html.h"
 #include "page.h"
+#include "page_findings.h"
 
 enum { CELL_SIZE = 1024, MAX_ROWS = 80 };
 

@@ -2,6 +2,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "found.h"
+#include "html.h"
 #include "page.h"
 #include "quantities.h"
 #include "regimes.h"

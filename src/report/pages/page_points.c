@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "html.h"
 #include "machine_at.h"
 #include "number_shown.h"
 #include "number_text.h"

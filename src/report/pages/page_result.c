@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "findings_render.h"
+#include "html.h"
 #include "law_range_text.h"
 #include "page.h"
 #include "quantities.h"

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "html.h"
 #include "page.h"
 #include "regimes.h"
 #include "units.h"

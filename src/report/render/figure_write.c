@@ -3,7 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "render.h"
+#include "gnuplot.h"
+#include "gnuplot_script.h"
 #include "report_file.h"
 #include "whirl/engine/figure.h"
 #include "whirl/status.h"

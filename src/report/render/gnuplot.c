@@ -1,4 +1,5 @@
-#include "render.h"
+#include "gnuplot.h"
+#include "program.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -1,4 +1,5 @@
-#include "render.h"
+#include "gnuplot_script.h"
+#include "gnuplot.h"
 
 #include <math.h>
 #include <string.h>

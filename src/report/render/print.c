@@ -1,12 +1,14 @@
 #include <errno.h>
 #include <fcntl.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "render.h"
+#include "print.h"
+#include "program.h"
 
 enum { COMMAND_MISSING = 127, NAME_SIZE = 64 };
 

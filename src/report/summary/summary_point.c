@@ -85,7 +85,7 @@ static void print_named(FILE *out, const whirl_shown_units *units, const whirl_t
     }
 }
 
-/// As print_named, for the machine at that point.
+/// Like print_named, for the machine at that point.
 static void print_named_of(FILE *out, const whirl_shown_units *units, const whirl_case *machine,
                            const whirl_table *table, size_t point) {
     whirl_machine own;

@@ -4,7 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "between.h"
+#include "bow.h"
 #include "mesh.h"
+#include "reduction.h"
 
 /// Returns the status with the name of the element that it refers to.
 static whirl_status named(const building *b, size_t index, whirl_status status) {

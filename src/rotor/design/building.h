@@ -2,8 +2,10 @@
 #ifndef ROTOR_BUILDING_H
 #define ROTOR_BUILDING_H
 
+#include "between.h"
 #include "design.h"
 #include "mesh.h"
+#include "reduction.h"
 
 /// Axial support of a vertical shaft.
 typedef struct shaft_thrust {

@@ -1,5 +1,7 @@
 // Laws that elements use when a machine is designed.
-#include "laws.h"
+#include "black.h"
+#include "doubts.h"
+#include "hertz.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -1,4 +1,4 @@
-#include "laws.h"
+#include "oil.h"
 
 #include "mineral_oil.h"
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "bracket.h"
-#include "pad_tables.h"
+#include "pad_centred.h"
 #include "reynolds.h"
 #include "whirl/engine/bearing.h"
 

@@ -4,9 +4,13 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "doubts.h"
 #include "elements/films/pads_look_up.h"
-#include "laws.h"
+#include "oil.h"
+#include "pad_centred.h"
+#include "pad_table.h"
 #include "pad_tables.h"
+#include "turbulence.h"
 #include "whirl/engine/bearing.h"
 
 static oil oil_of(const key_value *values) {

@@ -3,7 +3,7 @@
 #define ROTOR_PADS_BUILD_H
 
 #include "element.h"
-#include "laws.h"
+#include "oil.h"
 #include "whirl/engine/bearing.h"
 
 /// Variant of tilting_pad with yielding pivots.

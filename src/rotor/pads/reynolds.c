@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "pad_tables.h"
+#include "turbulence.h"
 
 /// Finest grid without a coarser first guess, and most passes: cavities change by few volumes a pass.
 enum { MIN_AROUND = 24, MIN_ALONG = 3, MAX_PASSES = 200 };

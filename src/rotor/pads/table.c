@@ -1,4 +1,4 @@
-#include "pad_tables.h"
+#include "pad_table.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,6 @@
 // Tables of pads in the user's cache folder.
-#include "pad_tables.h"
+#include "pad_table.h"
+#include "pad_table_file.h"
 
 #include <dirent.h>
 #include <fcntl.h>

@@ -1,4 +1,6 @@
 // Film tables of the process: their holders, and how threads make them together.
+#include "pad_table.h"
+#include "pad_table_file.h"
 #include "pad_tables.h"
 
 #include <math.h>

@@ -1,4 +1,6 @@
+#include "between.h"
 #include "mesh.h"
+#include "reduction.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,3 +1,4 @@
+#include "held.h"
 #include "mesh.h"
 
 #include <stdlib.h>

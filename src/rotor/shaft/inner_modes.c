@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "inner_modes.h"
 #include "lock.h"
-#include "mesh.h"
 
 /// Shafts that are remembered, at most as many, with as many numbers in all (64 MiB). Smaller ones are solved at once.
 enum { MAX_SHAFTS = 16, MAX_NUMBERS = 8 << 20, MIN_INNER = 24 };

@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "building.h"
+#include "held.h"
+#include "shaft_places.h"
 
 /// Least number of places on a shaft.
 enum { LINE_PLACES = 96 };

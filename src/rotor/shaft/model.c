@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "building.h"
-#include "laws.h"
 #include "machine.h"
+#include "oil.h"
 #include "pads_build.h"
 #include "shafts.h"
 

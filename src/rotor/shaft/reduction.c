@@ -1,3 +1,5 @@
+#include "reduction.h"
+#include "inner_modes.h"
 #include "mesh.h"
 
 #include <math.h>

@@ -4,9 +4,11 @@
 #include <string.h>
 
 #include "building.h"
+#include "held.h"
 #include "matrix.h"
 #include "mesh.h"
 #include "name_list.h"
+#include "shaft_places.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/status.h"
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "building.h"
+#include "held.h"
 #include "mesh.h"
 #include "registry.h"
 

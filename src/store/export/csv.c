@@ -1,5 +1,6 @@
 // Results as CSV files (RFC 4180). The files are described in docs/result-file.md.
-#include "store.h"
+#include "atomic_file.h"
+#include "format.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,7 +2,10 @@
 // their content.
 #include "mat.h"
 
-#include "store.h"
+#include "atomic_file.h"
+#include "bytes.h"
+#include "shape.h"
+#include "stored.h"
 #include "utf8.h"
 #include "whirl/engine/result.h"
 #include "whirl/status.h"

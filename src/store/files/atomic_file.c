@@ -1,7 +1,8 @@
-#include "store.h"
+#include "atomic_file.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stddef.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>

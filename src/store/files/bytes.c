@@ -1,4 +1,4 @@
-#include "store.h"
+#include "bytes.h"
 
 #include <errno.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #ifndef STORE_H5FILE_H
 #define STORE_H5FILE_H
 
-#include "store.h"
+#include "bytes.h"
 #include "whirl/status.h"
 
 #include <hdf5.h>

@@ -1,7 +1,8 @@
 // The messages of object headers that whirl's files have: see h5file.h.
 #include "h5file.h"
 
-#include "store.h"
+#include "bytes.h"
+#include "shape.h"
 
 #include <string.h>
 

@@ -1,4 +1,4 @@
-#include "journal_file.h"
+#include "crc32c.h"
 
 /// Remainders of every byte by the polynomial 0x1edc6f41, bits reversed.
 static const uint32_t remainders[256] = {

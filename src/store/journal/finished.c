@@ -1,4 +1,4 @@
-#include "journal_file.h"
+#include "finished.h"
 
 #include <stdlib.h>
 

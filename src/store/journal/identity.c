@@ -1,4 +1,5 @@
-#include "journal_file.h"
+#include "identity.h"
+#include "crc32c.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -6,11 +6,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bytes.h"
 #include "clock.h"
+#include "crc32c.h"
+#include "identity.h"
 #include "journal_file.h"
 #include "journal_frame.h"
+#include "journal_header.h"
+#include "journal_scan.h"
 #include "mapped.h"
-#include "store.h"
+#include "underway.h"
 
 enum { MAX_BATCHES = 128 };
 

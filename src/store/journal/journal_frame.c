@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "journal_file.h"
+#include "crc32c.h"
 
 static const char header_magic[16] = {'w', 'h', 'i', 'r', 'l', ' ', 'j', 'o', 'u', 'r', 'n', 'a', 'l', ' ', '1', '\n'};
 const unsigned char journal_magic[8] = {0xf7, 'p', 'o', 'i', 'n', 't', '\r', '\n'};

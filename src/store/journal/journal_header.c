@@ -1,3 +1,5 @@
+#include "journal_header.h"
+#include "identity.h"
 #include "journal_file.h"
 
 #include <stdlib.h>

@@ -1,4 +1,5 @@
-#include "journal_file.h"
+#include "journal_scan.h"
+#include "crc32c.h"
 
 #include <string.h>
 

@@ -1,4 +1,6 @@
-#include "store.h"
+#include "underway.h"
+#include "atomic_file.h"
+#include "bytes.h"
 
 #include <dirent.h>
 #include <limits.h>
@@ -7,7 +9,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "journal_file.h"
+#include "crc32c.h"
+#include "journal_scan.h"
 
 enum { PATH_SIZE = ATOMIC_PATH_SIZE, REVOLUTIONS = 8 };
 

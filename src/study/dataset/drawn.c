@@ -1,4 +1,4 @@
-// What the records of a data set are of: machines, labels, severities, conditions and seeds.
+// Draws machines, labels, severities, conditions and seeds of the records of a data set.
 #include <math.h>
 
 #include "random.h"

@@ -22,7 +22,7 @@ typedef struct worker {
     study_run *run;
     const pass *pass;
     whirl_batch own;          ///< copy of the batch, with the machine of the sample that is being computed
-    const whirl_batch *batch; ///< that copy, with the placed unbalances
+    const whirl_batch *batch; ///< the copy, with the placed unbalances
     whirl_table *table;
     bool has_modes;
     resting_machine before; ///< the point before, if it is known

@@ -105,7 +105,7 @@ typedef struct drawn {
 
 /// Sums over the samples of one replicate, and of all.
 typedef struct sums {
-    double count, first, second;              ///< of A and B: their number, sum and sum of squares
+    double count, first, second;              ///< values of A and B: their number, sum and sum of squares
     double pairs[WHIRL_MAX_TOLERANCES];       ///< samples with A, B and A with parameter i of B
     double products[WHIRL_MAX_TOLERANCES];    ///< B (A with i of B, less A)
     double differences[WHIRL_MAX_TOLERANCES]; ///< squares of A less A with i of B
@@ -341,7 +341,7 @@ typedef struct wanted {
     const whirl_spread_at *at; ///< NULL: a chance
     whirl_chance chance;
     const whirl_verdict *verdict;
-    bool least; ///< of all values the least number counts
+    bool least; ///< the least of all values counts
 } wanted;
 
 static double wanted_number(const wanted *of, size_t point) {

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "analysis.h"
+#include "mean_growth.h"
 #include "near.h"
 #include "synthetic.h"
 

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "plan.h"
+#include "claims.h"
 #include "whirl/engine/claims.h"
 
 static whirl_claims *load_paper(void) {

@@ -11,6 +11,7 @@
 #include <cmocka.h>
 
 #include "adaptive_lanes.h"
+#include "crossing.h"
 #include "stepper.h"
 
 static const double pi = 3.14159265358979323846;

@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "torus_follower.h"
+#include "harmonics.h"
 
 enum { COUNT = 9, MANY = 31, N = 2 };
 

@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "figure_build.h"
-#include "render.h"
+#include "gnuplot_script.h"
 
 /// Number of the block that the n-th plotted series is drawn from, by the script.
 static long index_of(const char *script, size_t n) {

@@ -15,10 +15,10 @@
 #include <unistd.h>
 
 #include "figure_build.h"
-#include "page.h"
+#include "gnuplot.h"
+#include "html.h"
 #include "quantities.h"
 #include "regimes.h"
-#include "render.h"
 #include "report_file.h"
 #include "sample.h"
 #include "whirl/engine/result.h"

@@ -8,8 +8,8 @@
 #include <cmocka.h>
 
 #include "figure_build.h"
+#include "gnuplot_script.h"
 #include "machine_at.h"
-#include "render.h"
 #include "sample.h"
 #include "units.h"
 #include "whirl/engine/analyze.h"

@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "mesh.h"
+#include "inner_modes.h"
 
 enum { INNER = 30, KEPT = 4, SQUARE = INNER * INNER, BESIDE = INNER * KEPT };
 

@@ -15,6 +15,7 @@
 #include <cmocka.h>
 
 #include "elements/films/pads_look_up.h"
+#include "pad_table_file.h"
 
 static const double pi = 3.14159265358979323846;
 

@@ -2,9 +2,9 @@
 // that grooves press into a gap without a wedge.
 #include <math.h>
 
-#include "pad_tables.h"
 #include "reynolds.h"
 #include "settings.h"
+#include "turbulence.h"
 
 static const double pi = 3.14159265358979323846;
 

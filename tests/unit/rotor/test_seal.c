@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "laws.h"
+#include "black.h"
 #include "whirl/engine/rotor.h"
 
 #define GEOMETRY                                                                                                       \

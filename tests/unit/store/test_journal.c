@@ -12,8 +12,9 @@
 
 #include <cmocka.h>
 
+#include "crc32c.h"
 #include "expect.h"
-#include "journal_file.h"
+#include "journal_frame.h"
 #include "kept.h"
 #include "whole.h"
 

@@ -2,7 +2,7 @@
 #ifndef TEST_STORE_WHOLE_H
 #define TEST_STORE_WHOLE_H
 
-#include "store.h"
+#include "bytes.h"
 
 #include <stdlib.h>
 

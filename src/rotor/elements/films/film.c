@@ -1,9 +1,10 @@
 // The film of a journal bearing: the pass over vectors for short films on the ground, the keys, and the numbers of the
 // kernels. film_finite.c has the pass for all other films.
+#include "doubts.h"
 #include "film_flow.h"
 #include "film_ratio.h"
 #include "film_tangent.h"
-#include "laws.h"
+#include "oil.h"
 #include "registry.h"
 #include "whirl/engine/rotor.h"
 
@@ -31,7 +32,7 @@ const element_kernels ISA(film_kernels) = {.flow = film_element_flow};
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
 
-#include "pad_tables.h"
+#include "turbulence.h"
 
 enum {
     AT,

@@ -22,8 +22,9 @@ enum {
     RING_NUMBERS
 };
 
+#include "doubts.h"
 #include "generic.h"
-#include "laws.h"
+#include "oil.h"
 #include "registry.h"
 
 const element_kernels ISA(floating_ring_kernels) = GENERIC_KERNELS;

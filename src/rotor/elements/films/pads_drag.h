@@ -2,6 +2,7 @@
 #ifndef ROTOR_PADS_DRAG_H
 #define ROTOR_PADS_DRAG_H
 
+#include "turbulence.h"
 #include <math.h>
 
 /// Integrates the shear over a pad, dp/h over its arc with the journal at (x, y) in the frame of its middle, in its

@@ -6,6 +6,7 @@
 
 #include "element.h"
 #include "elementary.h"
+#include "pad_table.h"
 #include "pad_tables.h"
 
 enum { MAX_PADS = WHIRL_MAX_TILTING };

@@ -11,8 +11,9 @@ enum { SQUEEZE_OVER_CLEARANCE, SQUEEZE_STRENGTH, SQUEEZE_NUMBERS };
 /// Bits of the law; without them the short damper with half a film.
 enum { SQUEEZE_LONG = 1, SQUEEZE_FULL = 2 };
 
+#include "doubts.h"
 #include "generic.h"
-#include "laws.h"
+#include "oil.h"
 #include "registry.h"
 
 const element_kernels ISA(squeeze_kernels) = GENERIC_KERNELS;

@@ -134,7 +134,7 @@ static whirl_status gear_check(const key_value *values) {
                               "has %s and no stiffness, without which a mesh is rigid, expected both or "
                               "neither",
                               keys[of_meshes[i]].name);
-    // What varies along a tooth needs their number.
+    // A stiffness, error or profile that varies along a tooth needs the number of teeth.
     const bool varies = values[VARIATION].number > 0.0 || values[ERROR].number > 0.0 || values[PROFILE].given;
     if (varies && !values[TEETH].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has a variation or an error and no teeth, expected their number");

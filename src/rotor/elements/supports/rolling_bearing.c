@@ -8,7 +8,7 @@
 #define KERNEL_SWITCHES 0
 
 #include "generic.h"
-#include "laws.h"
+#include "hertz.h"
 #include "registry.h"
 
 const element_kernels ISA(rolling_bearing_kernels) = GENERIC_KERNELS;

@@ -22,8 +22,8 @@ enum {
 /// Bits of the law: coefficients follow from geometry; which powers are given by keys.
 enum { SEAL_BLACK = 1, SEAL_GROWS = 2, SEAL_SLOWS = 4 };
 
+#include "black.h"
 #include "generic.h"
-#include "laws.h"
 #include "registry.h"
 
 const element_kernels ISA(seal_kernels) = GENERIC_KERNELS;

@@ -1,59 +1,8 @@
-/// Laws that elements use when a machine is designed: seals, contacts, oils, tables, ranges.
-#ifndef ROTOR_LAWS_H
-#define ROTOR_LAWS_H
+/// Oil of a film: dynamic or kinematic viscosity, or viscosity by temperature; and density.
+#ifndef ROTOR_OIL_H
+#define ROTOR_OIL_H
 
 #include "element.h"
-
-// ---------------------------------------------------------------- black
-// A plain annular seal by its geometry, short and turbulent (Black 1969; Black, Jenssen 1970).
-
-/// Geometry of the seal, SI. `pressure` is the drop over the seal, `loss` that at its inlet over rho V^2/2 (without the
-/// velocity head itself), `swirl` the circumferential speed of the entering fluid over that of the shaft's surface.
-typedef struct black_seal {
-    double radius, length, clearance, density, viscosity, pressure, loss, swirl;
-} black_seal;
-
-/// Coefficients in a frame that turns with the fluid, at `ratio` of the shaft's speed; mean axial velocity; Reynolds
-/// number 2 rho c |velocity|/mu of that and half the surface's speed; torque of the walls' shear on the shaft.
-typedef struct black_coefficients {
-    double stiffness, damping, mass, ratio, velocity, reynolds, shear;
-} black_coefficients;
-
-/// Computes the coefficients at a speed of the shaft, rad/s, >= 0.
-black_coefficients black_find(const black_seal *seal, double speed);
-
-// ---------------------------------------------------------------- doubts
-// Doubts about values that several elements share.
-
-/// Doubts an oil film's clearance that is far from a thousandth of the radius, and a radius that no machine has.
-void doubt_clearance(const doubt_teller *to, const char *key, double clearance, double radius);
-
-/// Doubts the length of a film, longer than its radius, whose law ignores circumferential flow. `instead` ends the
-/// sentence.
-void doubt_length(const doubt_teller *to, const char *key, double length, double radius, const char *instead);
-
-/// Doubts a film whose law is for laminar or turbulent flow while the Reynolds number rho Omega R c/mu indicates the
-/// other. Returns true if the flow is turbulent.
-bool doubt_flow(const doubt_teller *to, double reynolds, double radius, double clearance, bool turbulent_law);
-
-// ---------------------------------------------------------------- hertz
-// Contacts of rolling elements of steel: the pressure up to which they are elastic, and the load that causes it.
-
-/// Pa in the middle of the contact, at which rolling elements and races keep a dent of 1e-4 of a rolling element's
-/// diameter: static load ratings of ball and roller bearings, ISO 76.
-#define HERTZ_MAX_BALL 4.2e9
-#define HERTZ_MAX_ROLLER 4.0e9
-
-/// Returns the load, N, at that pressure between a ball and the inner race: diameter and radius of the race in m,
-/// radius of its groove over the diameter (usually 0.52).
-double hertz_ball_load(double diameter, double race, double groove);
-
-/// Returns the load on a roller, whose length follows from its stiffness between both races, N/m^(10/9) (Palmgren
-/// 1959).
-double hertz_roller_load(double diameter, double race, double stiffness);
-
-// ---------------------------------------------------------------- oil
-// Oil of a film: dynamic or kinematic viscosity, or viscosity by temperature; and density.
 
 /// Keys of oil of an element, in this order.
 enum {

@@ -1,0 +1,44 @@
+/// Steps of making the batches of a study.
+#ifndef CASE_PLAN_BATCHES_H
+#define CASE_PLAN_BATCHES_H
+
+#include "plan_parts.h"
+#include "schema.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/study.h"
+
+#include <stddef.h>
+
+/// Evaluates a formula; returns false after a problem.
+bool plan_formula_value(case_reader *reader, valuation *v, const file_node *where, const number_formula *formula,
+                        double *value);
+
+/// Returns the origin of the batch that is added next.
+plan_origin *plan_next_origin(study_plan *result);
+
+/// Adds a batch of one point.
+whirl_batch *plan_add_batch(study_plan *result, whirl_role role, const char *name, const file_node *place);
+
+/// Adds a batch like the one at index `like`, with another role, name and place.
+whirl_batch *plan_add_like(study_plan *result, size_t like, whirl_role role, const char *name, const file_node *place);
+
+/// Adds a batch along an axis, with the name of the axis's group; NULL after a problem.
+whirl_batch *plan_make_axis(case_reader *reader, valuation *v, const axis_parts *axis, whirl_role role,
+                            study_plan *result);
+
+/// Sets the options of all motions of a study.
+void plan_options(valuation *v, const plan_parts *parts, whirl_integrate_options *integrate,
+                  whirl_record_options *record);
+
+/// Extends the spectra of a batch to the orders at which parts of a machine act (plus one sideband), unless `keep` has
+/// a limit, and increases the samples to match, unless `keep` has their number.
+void plan_raise_order(const plan_parts *parts, const whirl_system *system, whirl_batch *batch);
+
+/// Sets the starts of a batch of motions, and their options.
+void plan_finish_points(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *plan,
+                        whirl_batch *batch);
+
+/// Sets the record to what the chosen analyses need; studies at rest and branches record nothing.
+void plan_choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool spectra);
+
+#endif

@@ -1,0 +1,15 @@
+/// Data sets: labels with their faults, and sensors.
+#ifndef CASE_PLAN_DATASET_H
+#define CASE_PLAN_DATASET_H
+
+#include "machine.h"
+#include "plan_parts.h"
+#include "schema.h"
+
+/// Reads the data set of a study, if it has one.
+void dataset_read(case_reader *reader, const machine_parts *machine, plan_parts *parts);
+
+/// Adds the batch of its records, after those of plan_make. Its motions are long and dense enough for the samples.
+void dataset_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result);
+
+#endif

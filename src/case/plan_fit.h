@@ -1,0 +1,42 @@
+/// A fit: unknown parameters, and tables of measured numbers.
+#ifndef CASE_PLAN_FIT_H
+#define CASE_PLAN_FIT_H
+
+#include "machine.h"
+#include "plan_parts.h"
+#include "whirl/engine/study.h"
+
+#include <stddef.h>
+
+/// Most parameters that a table of measured numbers gives.
+enum { FIT_MAX_AT = WHIRL_MAX_GIVEN - WHIRL_MAX_UNKNOWNS - 1 };
+
+typedef struct fit_unknown {
+    const file_node *place;
+    setting_list keys;
+    const parameter *parameter; ///< NULL after a problem
+    number_formula start, low, high;
+} fit_unknown;
+
+typedef struct fit_set {
+    const file_node *place, *file; ///< place of the table in the case, and of its path; NULL after a problem
+    setting_list keys;
+    condition_parts at; ///< parameters with their values in its motions
+} fit_set;
+
+typedef struct fit_parts {
+    setting_list keys;
+    const machine_parts *machine;
+    size_t unknown_count, set_count;
+    fit_unknown unknowns[WHIRL_MAX_UNKNOWNS];
+    fit_set sets[WHIRL_MAX_FIT_SETS];
+} fit_parts;
+
+/// Reads the keys of a fit; NULL without memory.
+const fit_parts *fit_read(case_reader *reader, const machine_parts *machine, const setting_list *keys);
+
+/// Reads the tables, and completes the batch of a fit, whose options are set. Tables that cannot be read are not
+/// reported: the study is refused (whirl_fit.trouble).
+void fit_make(case_reader *reader, valuation *v, const fit_parts *parts, whirl_batch *batch);
+
+#endif

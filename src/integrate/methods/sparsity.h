@@ -1,0 +1,27 @@
+/// Sparsity: entries of a Jacobian, and of the factors of an implicit method's matrix, that can differ from zero: the
+/// same for all lanes, found once for a structure.
+#ifndef INTEGRATE_SPARSITY_H
+#define INTEGRATE_SPARSITY_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/// Columns of row i are in the runs begin[i] to before begin[i + 1], ascending: run r in the columns run[2 r] to before
+/// run[2 r + 1].
+typedef struct sparse_rows {
+    size_t *begin, *run;
+} sparse_rows;
+
+typedef struct sparsity {
+    size_t perturbations;
+    size_t *perturbation;     ///< [dimension] perturbation that determines a column, for positions and rates
+    sparse_rows by_q, by_v;   ///< the Jacobian of the rates by positions and by rates
+    sparse_rows lower, upper; ///< factors of the sum of both
+} sparsity;
+
+/// Finds the sparsity of a machine with `degrees` positions and `rates` rates; depends as in whirl_lanes, NULL: every
+/// rate depends on every coordinate. One block, which the caller frees by free(); NULL without memory.
+sparsity *sparsity_new(size_t degrees, size_t rates, void (*depends)(const void *model, bool *table),
+                       const void *model);
+
+#endif

@@ -1,0 +1,21 @@
+/// Tori in the figures of branches.
+#ifndef REPORT_TORI_BANDS_H
+#define REPORT_TORI_BANDS_H
+
+#include "figure_kinds.h"
+#include "whirl/engine/result.h"
+
+#include <stddef.h>
+
+/// Returns the result's table of tori; NULL if there is none, or it has no torus.
+const whirl_table *tori_table(const whirl_result *result);
+
+/// Adds the bands covered by a coordinate (0: x, 1: y) of a station's section, starting from the orbits where tori
+/// begin; `size` is one unit of the parameter.
+void tori_add_bands(whirl_figure *figure, whirl_panel *panel, const drawing *of, size_t station, size_t column,
+                    double size);
+
+/// Caption of the bands of tori.
+extern const char tori_caption[];
+
+#endif

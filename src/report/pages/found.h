@@ -1,0 +1,21 @@
+/// Findings as sentences, each an item of a list.
+#ifndef REPORT_FOUND_H
+#define REPORT_FOUND_H
+
+#include "page.h"
+#include "whirl/engine/result.h"
+
+/// Function applied to a table.
+typedef void each_table(const page *to, size_t result, const whirl_table *table, void *context);
+
+/// Applies `act` (NULL: nothing) to every table of all results that has points and the field (NULL: whose points are
+/// motions). Returns the number of tables.
+size_t found_each(const page *to, const char *field, each_table *act, void *context);
+
+/// Writes the findings of studies at rest, and the number of criteria that hold; `lacks`: why there may be none.
+void found_at_rest(const page *to, const char *lacks);
+
+/// Writes the summary of a table: kinds of motion with their ranges, confidence, doubts, attractors, jumps.
+void found_table(const page *to, size_t result, const whirl_table *table);
+
+#endif

@@ -1,0 +1,13 @@
+/// Tilt of a pad before a centred journal.
+#ifndef ROTOR_PAD_CENTRED_H
+#define ROTOR_PAD_CENTRED_H
+
+#include "whirl/engine/bearing.h"
+
+#include <stdbool.h>
+
+/// Returns the tilt, R delta/c, at which the film's moment on a pad vanishes, by a coarse grid; 0 if there is none, or
+/// without memory.
+double pad_centred_tilt(const whirl_pad *pad, double ratio, bool gumbel);
+
+#endif

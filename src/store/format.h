@@ -1,0 +1,44 @@
+/// Names and bounds that writing and reading share. The layout of the file is described in docs/result-file.md.
+#ifndef STORE_FORMAT_H
+#define STORE_FORMAT_H
+
+#include "shape.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/descriptor.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#define FORMAT_NAME "whirl result"
+
+enum {
+    FORMAT_VERSION = 2, ///< version 1 had all points of a study, and a mark for finished ones
+    FORMAT_MAX_TABLES = 64,
+    FORMAT_MAX_FACTS = 1024,
+    FORMAT_MAX_PARAMETERS = 100000,
+    FORMAT_MAX_CASE_BYTES = 1 << 20,
+    FORMAT_MAX_MEANING = 512, ///< bytes of a field's meaning with its end
+    FORMAT_MAX_COLUMNS = 32,  ///< largest number of named columns
+    FORMAT_MAX_ANALYSES = 32  ///< bits of a whirl_analysis_set
+};
+
+/// Values of a field's attribute "extent".
+extern const char *const format_extents[3];
+
+/// Groups of a file that are no tables.
+bool format_reserved(const char *name);
+
+/// Returns true for a name of letters, digits, '_', '-' and `slashes` slashes between them: 0 for tables, 1 for fields.
+bool format_is_name(const char *name, int slashes);
+
+/// Dimensions of the dataset of a field: [points][station or contact][rows][columns] without rows and columns that are
+/// 1, or [points][rows][singles]; points of a whole map have two dimensions. Returns their number.
+int format_dimensions(const whirl_field *field, shape points, size_t dimensions[SHAPE_MAX_RANK]);
+
+/// Names of these dimensions ("point", "y", "x", "station", "row", ...), as many.
+int format_dimension_names(const whirl_field *field, shape points, char names[SHAPE_MAX_RANK][WHIRL_NAME_SIZE]);
+
+/// Names of a field's columns, two or more, if its meaning lists them: "x, y" or "x, y, vx, vy (remark)".
+bool format_column_names(const whirl_field *field, char names[FORMAT_MAX_COLUMNS][WHIRL_NAME_SIZE]);
+
+#endif

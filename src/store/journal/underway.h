@@ -1,0 +1,35 @@
+/// States of unfinished points: files JOURNAL-N next to the journal, one a thread, each replaced as a whole every few
+/// seconds.
+///
+/// A state stays valid for its point, so nothing need be removed before the end: of several the furthest one counts.
+/// Frames are those of the journal; their payload begins with the revolutions that were done.
+#ifndef STORE_UNDERWAY_H
+#define STORE_UNDERWAY_H
+
+#include "whirl/engine/study.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef struct underway underway;
+
+/// Opens the states next to the journal at `path` for the study with that hash. States of an earlier run are read if
+/// `resume`, else removed. NULL without memory.
+underway *underway_open(const char *path, uint64_t identity, bool resume);
+
+/// Reads the states next to another journal of the same study, too.
+void underway_take(underway *states, const char *path);
+
+/// Returns true if there are states next to the journal at `path`, of any study.
+bool underway_any(const char *path);
+
+/// Closes; the files stay, or are removed.
+void underway_close(underway *states);
+void underway_remove(underway *states);
+
+/// See whirl_keeper.
+void underway_save(underway *states, size_t worker, const whirl_point_state *kept, size_t count);
+void *underway_saved(const underway *states, size_t batch, size_t slot, double *revolutions, size_t *size);
+
+#endif
