@@ -64,7 +64,7 @@ while read -r line; do
     [ -n "$line" ] && fail "asks by its name what a table is: $line"
 done < <(grep -rnE 'strcmp\([^,]*name, "(sweep|map|basin|branch|curves|tori|motions|modes|unbalance|response|detail)"|whirl_result_table\([^,]+, "|find_batch\([^)]*"' \
     src cli --include=*.c --include=*.h)
-figures=$(sed -n '/^extern const figure_kind/,/;/p' src/report/figures/figure_kinds.h | grep -oE '[a-z_]+_figure\b' | sed 's/_figure$//')
+figures=$(sed -n '/^#define FIGURE_KINDS/,/clang-format on/p' src/report/figures/figure_kinds.h | grep -oE 'kind\([a-z_]+\)' | sed -E 's/kind\((.*)\)/\1/')
 [ -n "$figures" ] || fail "src/report/figures/figure_kinds.h lists no figure: mend this test"
 for name in $figures; do
     while read -r line; do

@@ -210,9 +210,8 @@ static void place_numbers(const fit_place *p, const whirl_system *system, const 
 static whirl_status place_note(const fit_place *p, const whirl_machine *machine, const whirl_orbit *orbit,
                                const whirl_orbit_sensitivity *derived, fit_orbit *out) {
     const size_t n = orbit->dimension, count = p->of->fit->unknown_count;
-    double *numbers = calloc((1 + count) * n + 1, sizeof *numbers);
+    double *numbers = calloc((1 + count) * n + 1, sizeof *numbers), *before = out->node;
     if (!numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of a fit");
-    free(out->node);
     *out = (fit_orbit){.dimension = n,
                        .node = numbers,
                        .slopes = numbers + n,
@@ -221,6 +220,7 @@ static whirl_status place_note(const fit_place *p, const whirl_machine *machine,
     memcpy(out->at, p->values, count * sizeof *p->values);
     memcpy(out->node, orbit->nodes, n * sizeof *numbers);
     memcpy(out->slopes, derived->slopes, count * n * sizeof *numbers);
+    free(before);
     return whirl_ok();
 }
 
