@@ -15,7 +15,7 @@ typedef struct case_content {
     const file_node *root; ///< the file as it was read
     char title[256];
     setting_list document; ///< keys of schema_document; empty if the case has none
-    char units[64];        ///< units of figures (base/words/words.h), "" if the case chooses none
+    char units[64];        ///< units of figures (base/words/unit_words.h), "" if the case chooses none
     parameter_table parameters;
     machine_parts machine;
     study_plan plan;

@@ -15,7 +15,7 @@ command -v node >/dev/null || skip "node is missing (scripts/install-dependencie
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 sources=(explorer/tests/engine/units_probe.c src/case/values/quantity.c src/case/yaml/{problem,node,tree,source}.c
-    src/base/{arena,input,room,status}.c src/base/words/{words,descriptor}.c)
+    src/base/{arena,input,mapped,status}.c src/base/words/{utf8,number_text,name_list,descriptor}.c)
 options=(-std=c17 -O1 -ffp-contract=off -D_POSIX_C_SOURCE=200809L -D_XOPEN_SOURCE=700 -Isrc/case/values -Isrc/case/yaml -Isrc/base
     -Isrc/base/words -Iinclude -Isrc/include
     -I"$build/include")
