@@ -31,7 +31,7 @@ bool sheet_column_empty(const whirl_sheet *sheet, size_t column);
 /// last. Returns false without memory.
 bool sheet_write_text(FILE *stream, const whirl_sheet *sheet, size_t most);
 
-/// Write a sheet as CSV and as LaTeX, in the form of whirl_sheet_write.
+/// Write a sheet as CSV, as LaTeX and as Markdown, in the form of whirl_sheet_write.
 void sheet_write_csv(FILE *stream, const whirl_sheet *sheet);
 void sheet_write_latex(FILE *stream, const whirl_sheet *sheet);
 void sheet_write_markdown(FILE *stream, const whirl_sheet *sheet);

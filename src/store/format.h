@@ -18,7 +18,6 @@ enum {
     FORMAT_MAX_PARAMETERS = 100000,
     FORMAT_MAX_CASE_BYTES = 1 << 20,
     FORMAT_MAX_MEANING = 512, ///< bytes of a field's meaning with its end
-    FORMAT_MAX_COLUMNS = 32,  ///< largest number of named columns
     FORMAT_MAX_ANALYSES = 32  ///< bits of a whirl_analysis_set
 };
 
@@ -37,8 +36,5 @@ int format_dimensions(const whirl_field *field, shape points, size_t dimensions[
 
 /// Names of these dimensions ("point", "y", "x", "station", "row", ...), as many.
 int format_dimension_names(const whirl_field *field, shape points, char names[SHAPE_MAX_RANK][WHIRL_NAME_SIZE]);
-
-/// Names of a field's columns, two or more, if its meaning lists them: "x, y" or "x, y, vx, vy (remark)".
-bool format_column_names(const whirl_field *field, char names[FORMAT_MAX_COLUMNS][WHIRL_NAME_SIZE]);
 
 #endif

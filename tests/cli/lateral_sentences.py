@@ -376,7 +376,7 @@ def tally(result, match):
 
 
 def check_shafts(result):
-    """Sections fill their shafts, have their mass by their own diameters, and shafts have at least that of their sections."""
+    """Sections fill their shafts, add up to its mass, and a shaft with what is on it has at least its own mass."""
     sections = result.sheet("", "sections")
     for shaft in result.sheet("", "shafts"):
         own = [row for row in sections if row["shaft"] == shaft["shaft"]]

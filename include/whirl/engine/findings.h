@@ -140,8 +140,8 @@ typedef enum whirl_sheet_form {
 whirl_status whirl_sheet_form_of(const char *name, whirl_sheet_form *form);
 
 /// Writes a sheet: aligned text, CSV (RFC 4180, numbers in shown units with all their digits), a LaTeX table with rules
-/// of booktabs, or JSON as in whirl_findings_write_json. Text and LaTeX omit empty columns. WHIRL_NO_MEMORY,
-/// WHIRL_IO_ERROR.
+/// of booktabs, a Markdown table, or JSON as in whirl_findings_write_json. Text, LaTeX and Markdown omit empty columns.
+/// WHIRL_NO_MEMORY, WHIRL_IO_ERROR.
 whirl_status whirl_sheet_write(const whirl_sheet *sheet, whirl_sheet_form form, FILE *stream);
 
 /// Writes statements and sheets as lines of text; of statements that repeat for many points ("warning") only the first

@@ -100,9 +100,9 @@ void find_machine(const finder *of) {
     whirl_shown_sentence(of->units, whirl_result_fact(of->result, "weight"), weight, sizeof weight);
     if (*weight) phrase_text(of, &find_statement(of, "weight")->found, "%s", weight);
     if (!of->machine || whirl_case_model(of->machine, &model).code != WHIRL_OK) return;
-    if (whirl_case_shafts(of->machine, shafts, &count).code != WHIRL_OK) count = 0;
-    machine_find_shafts(of, &model, shafts, model.shaft_count == count ? count : 0);
-    if (model.shaft_count == count) machine_find_sections(of, &model, shafts);
+    if (whirl_case_shafts(of->machine, shafts, &count).code != WHIRL_OK || count != model.shaft_count) count = 0;
+    machine_find_shafts(of, &model, shafts, count);
+    if (count > 0) machine_find_sections(of, &model, shafts);
     machine_find_stations(of, &model, shafts, count);
     find_bearings(of, &model);
     find_train(of, &model);

@@ -1,7 +1,5 @@
 #include "html.h"
-#include "number_shown.h"
 
-#include <math.h>
 #include <stdarg.h>
 
 #include "number_text.h"
@@ -52,13 +50,4 @@ void html_table(FILE *stream, const char *label, const char *class) {
     fputs("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"", stream);
     html_text(stream, label);
     fprintf(stream, *class ? "\"><table class=\"%s\">\n" : "\"><table>%s\n", class);
-}
-
-void html_number(FILE *stream, double value) {
-    char text[NUMBER_SIZE];
-    number_shown(value, 6, text, sizeof text);
-    if (isfinite(value))
-        fprintf(stream, "<td class=\"number\">%s</td>", text);
-    else
-        fputs("<td></td>", stream);
 }

@@ -21,7 +21,4 @@ void html_printf(FILE *stream, const char *format, ...)
 /// keyboard can reach. End it with </table></div>.
 void html_table(FILE *stream, const char *label, const char *class);
 
-/// Writes a cell with a number of six digits; empty if it is not finite.
-void html_number(FILE *stream, double value);
-
 #endif

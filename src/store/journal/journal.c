@@ -440,12 +440,6 @@ bool whirl_journal_in_use(const char *path) {
     return used;
 }
 
-static void ignore_frame(void *context, const frame_head *head, uint64_t offset) {
-    (void)context;
-    (void)head;
-    (void)offset;
-}
-
 bool whirl_journal_vacant(const char *path) {
     journal_file file;
     uint64_t size = 0;
@@ -454,7 +448,7 @@ bool whirl_journal_vacant(const char *path) {
     if (journal_file_is_free(&file) && journal_file_size(&file, &size) == 0) {
         const byte_source bytes = {read_file, &file, size};
         const uint64_t from = journal_header_end(&file, size);
-        if (from == 0 || journal_search(&bytes, from, ignore_frame, NULL, &scan) != 0) scan.frames = 1;
+        if (from == 0 || journal_search(&bytes, from, NULL, NULL, &scan) != 0) scan.frames = 1;
     }
     journal_file_close(&file);
     return scan.frames == 0 && scan.damaged == 0 && !underway_any(path);

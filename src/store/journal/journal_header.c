@@ -52,6 +52,13 @@ static bool is_cut(const journal_file *file, const journal_identity *identity, u
     return same;
 }
 
+/// Finds the size of the identity that the lead of a header announces. Returns false if the lead is damaged, or the
+/// file too short for that size.
+static bool header_announced(const unsigned char *lead, uint64_t file_size, uint64_t *size) {
+    return file_size >= JOURNAL_LEAD && header_lead(lead, size) && *size <= file_size - JOURNAL_LEAD &&
+           header_size((size_t)*size) <= file_size;
+}
+
 whirl_status journal_header_look(const journal_file *file, const journal_identity *identity, uint64_t file_size,
                                  header_state *state) {
     unsigned char lead[JOURNAL_LEAD] = {0};
@@ -60,17 +67,15 @@ whirl_status journal_header_look(const journal_file *file, const journal_identit
     const int reason = journal_file_read(file, 0, lead, there);
     if (reason) return journal_file_failed(file, "read", reason);
     *state = is_cut(file, identity, file_size) ? HEADER_CUT : HEADER_DAMAGED;
-    if (*state == HEADER_CUT || there < JOURNAL_LEAD || !header_lead(lead, &size)) return whirl_ok();
-    if (size > file_size - JOURNAL_LEAD || header_size((size_t)size) > file_size) return whirl_ok();
+    if (*state == HEADER_CUT || !header_announced(lead, file_size, &size)) return whirl_ok();
     return compare(file, identity, (size_t)size, state);
 }
 
 uint64_t journal_header_end(const journal_file *file, uint64_t file_size) {
     unsigned char lead[JOURNAL_LEAD];
     uint64_t size = 0;
-    if (file_size < JOURNAL_LEAD || journal_file_read(file, 0, lead, JOURNAL_LEAD) != 0 || !header_lead(lead, &size))
-        return 0;
-    if (size > file_size - JOURNAL_LEAD || header_size((size_t)size) > file_size) return 0;
+    if (file_size < JOURNAL_LEAD || journal_file_read(file, 0, lead, JOURNAL_LEAD) != 0) return 0;
+    if (!header_announced(lead, file_size, &size)) return 0;
     unsigned char *header = malloc(header_size((size_t)size));
     const bool sound = header && journal_file_read(file, 0, header, header_size((size_t)size)) == 0 &&
                        header_is_sound(header, (size_t)size);

@@ -84,7 +84,7 @@ int journal_search(const byte_source *bytes, uint64_t from, journal_found found,
         astray = false;
         const uint64_t next = offset + JOURNAL_HEAD + head.size + JOURNAL_TAIL;
         if (payload_is_sound(&w, offset, head.size)) {
-            found(context, &head, offset + JOURNAL_HEAD);
+            if (found) found(context, &head, offset + JOURNAL_HEAD);
             scan->frames++;
             scan->end = next;
         } else {

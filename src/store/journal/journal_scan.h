@@ -19,7 +19,8 @@ typedef struct journal_scan {
     bool torn;      ///< the last frame is incomplete, as after a kill
 } journal_scan;
 
-/// Looks for frames from `from` on. After a bad one it goes on at the next good one. 0, or the errno of a read.
+/// Looks for frames from `from` on, and counts them; `found` may be NULL. After a bad one it goes on at the next good
+/// one. 0, or the errno of a read.
 int journal_search(const byte_source *bytes, uint64_t from, journal_found found, void *context, journal_scan *scan);
 
 #endif

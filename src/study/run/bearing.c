@@ -14,7 +14,7 @@
 #include "taylor_vortices.h"
 #include "whirl/engine/study.h"
 
-static const double pi = 3.14159265358979323846;
+static const double pi = 3.14159265358979323846, zero_degrees = 273.15;
 
 static void fill_nan(double *out, size_t count) {
     for (size_t i = 0; i < count; i++) out[i] = NAN;
@@ -228,7 +228,8 @@ static whirl_status balance_heat(const whirl_bearing *of, whirl_bearing_point *p
     }
     if (status.code == WHIRL_OK && between.fb < 0.0)
         return whirl_fail(WHIRL_NUMERICAL_FAILURE,
-                          "the oil that leaves does not carry the heat below 200 degC (392 degF)");
+                          "the oil that leaves does not carry the heat below %.4g degC (%.4g degF)",
+                          hottest - zero_degrees, 1.8 * (hottest - zero_degrees) + 32.0);
     // Narrow the bracket, and keep the slope.
     for (int k = 0; k < 60 && status.code == WHIRL_OK && fabs(value) > enough && bracket_width(&between) > 0.1 * enough;
          k++) {
