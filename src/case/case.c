@@ -200,6 +200,7 @@ static void check_layouts(case_reader *reader, case_content *content, const plan
         }
         // Layout, record, initial state and statics of the batch.
         plan_raise_order(parts, whirl_rotor_system(rotor), &content->plan.batches[b]);
+        plan_lower_tolerance(parts, whirl_rotor_system(rotor), &content->plan.batches[b]);
         status = whirl_analysis_check(whirl_rotor_system(rotor), batch->analyses);
         if (status.code == WHIRL_OK)
             status = whirl_layout_new(whirl_rotor_system(rotor), &batch->integrate, &batch->record, batch->analyses,

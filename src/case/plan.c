@@ -56,6 +56,22 @@ void plan_raise_order(const plan_parts *parts, const whirl_system *system, whirl
     record->highest_order = fmax(record->highest_order, fmin(wanted, most));
 }
 
+double plan_smallest_gap(const whirl_system *system) {
+    double smallest = (double)INFINITY;
+    for (size_t i = 0; i < system->probe_count; i++) {
+        const double clearance = system->probes[i].clearance, gap = system->probes[i].gap;
+        if (clearance > 0.0) smallest = fmin(smallest, clearance);
+        if (gap > 0.0) smallest = fmin(smallest, gap);
+    }
+    return smallest;
+}
+
+void plan_lower_tolerance(const plan_parts *parts, const whirl_system *system, whirl_batch *batch) {
+    const double of_gap = 1e-9;
+    if (settings_find(&parts->integrate, "atol")) return;
+    batch->integrate.atol = fmin(batch->integrate.atol, of_gap * plan_smallest_gap(system));
+}
+
 static whirl_record_options detail_options(valuation *v, const plan_parts *parts, const whirl_record_options *rest) {
     whirl_record_options options = *rest;
     settings_take(v, &parts->detail, whirl_record_members(), &options);

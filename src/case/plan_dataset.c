@@ -384,7 +384,7 @@ static void finish_motions(case_reader *reader, valuation *v, const plan_parts *
     if (starts)
         problem_at_key(reader->problems, starts->place, "is given together with dataset, expected one of the two");
     // Samples of a revolution at most and at least.
-    double most = options->per_revolution, least = options->per_revolution;
+    double most = options->per_revolution, least = most;
     if (options->rate > 0.0) {
         const whirl_status status = find_speeds(v, own, batch, speeds);
         if (status.code == WHIRL_OK && !(speeds[0] > 0.0)) return; // reported where the speed is read

@@ -7,6 +7,8 @@
 #include <string.h>
 
 #include "plan.h"
+#include "plan_batches.h"
+#include "whirl/engine/integrate.h"
 #include "whirl/engine/result.h"
 
 /// A place of a study that represents others, and the result that receives its warnings.
@@ -182,6 +184,27 @@ static void warn_of_twisted_unbalances(warner *w, const whirl_batch *batch, cons
             "their station from that mean");
 }
 
+/// Warns of an absolute tolerance that is given in length scales and coarse for the smallest clearance or gap.
+static void warn_of_tolerance(warner *w, const whirl_batch *batch, const whirl_given *given, size_t count) {
+    const double coarse = 1e-4, usual = whirl_integrate_default().atol;
+    char text[WHIRL_MESSAGE_SIZE];
+    valuation v;
+    whirl_rotor *rotor = NULL;
+    if (w->status.code != WHIRL_OK || !plan_moves(batch) || !(batch->integrate.atol > usual)) return;
+    whirl_status status = valuation_open(&v, &w->content->parameters, given, count);
+    if (status.code == WHIRL_OK) status = machine_build(&w->content->machine, &v, true, &rotor);
+    valuation_close(&v);
+    if (status.code == WHIRL_NO_MEMORY) w->status = status;
+    const double share = rotor ? batch->integrate.atol / plan_smallest_gap(whirl_rotor_system(rotor)) : 0.0;
+    whirl_rotor_free(rotor);
+    if (!(share > coarse)) return;
+    snprintf(text, sizeof text,
+             "%.3g length scales are %.3g of the smallest clearance or gap: motions in it are coarse, expected %.0g of "
+             "it or less",
+             batch->integrate.atol, share, coarse);
+    warn(w, "study.integrate.atol", text);
+}
+
 /// Warns about a point of a batch, given by its index among the values of its axes.
 static void warn_of_point(warner *w, const whirl_batch *batch, size_t point) {
     whirl_given given[PLAN_MAX_GIVEN];
@@ -192,6 +215,7 @@ static void warn_of_point(warner *w, const whirl_batch *batch, size_t point) {
     warn_of_rate(w, batch);
     warn_of_drag(w, batch);
     warn_of_twisted_unbalances(w, batch, given, count);
+    warn_of_tolerance(w, batch, given, count);
     if (w->status.code != WHIRL_OK || !plan_moves(batch)) return;
     w->status = case_tell_fits(w->content, given, count, w->result, doubt);
     snprintf(path, sizeof path, "study.%s", batch->name);

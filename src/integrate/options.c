@@ -24,7 +24,9 @@ static const whirl_member members[] = {
            "steps_per_revolution", "", "1", WHIRL_KEY_WHOLE, false, "1024", WHIRL_FROM_TO(1, WHIRL_MAX_STEPS), NULL,
            "number of instants at which a revolution is observed; for rk4 also its steps", ""),
     NUMBER(rtol, "1e-9", WHIRL_ABOVE_TO(0, 1), true, "relative tolerance of adaptive methods"),
-    NUMBER(atol, "1e-12", WHIRL_POSITIVE, true, "absolute tolerance of adaptive methods, in length scales"),
+    NUMBER(atol, "1e-12", WHIRL_POSITIVE, true,
+           "absolute tolerance of adaptive methods, in length scales; absent: 1e-12, and at most 1e-9 of the machine's "
+           "smallest clearance or gap"),
     NUMBER(limit, "1e6", WHIRL_POSITIVE, false,
            "a motion counts as diverged beyond this displacement or velocity, in length scales"),
     {.part = NULL},

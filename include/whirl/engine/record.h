@@ -196,7 +196,8 @@ whirl_status whirl_record_options_check(const whirl_record_options *options);
 whirl_status whirl_record_check(const whirl_system *system, const whirl_integrate_options *integrate,
                                 const whirl_record_options *options);
 
-/// Accuracy of the steps of a fixed-step method for a motion; NaN if they were not checked (methods with a tolerance).
+/// Accuracy of the steps for a motion. Fixed steps are checked by the equations, methods with a tolerance by the
+/// motion's size over the absolute tolerance (growth is NaN, and error where the tolerance is fine).
 typedef struct whirl_step_quality {
     double growth; ///< whirl_step_check.growth of the checked revolutions: above 1 the step is unstable
     double error;  ///< error of a revolution by the steps, over the size of the motion

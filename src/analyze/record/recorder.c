@@ -499,8 +499,8 @@ static whirl_status recorder_complete(const whirl_recorder *r) {
         const motion *m = r->motions[i];
         if (!is_over(r, m)) continue;
         if (m->record->motion == WHIRL_BOUNDED) close_record(r, m);
-        status = steps_look(m->task.system, r->integrate, m->record);
-        if (status.code == WHIRL_OK) status = at_rest_look(m->task.system, r->integrate, m->record);
+        status = at_rest_look(m->task.system, r->integrate, m->record);
+        if (status.code == WHIRL_OK) status = steps_look(m->task.system, r->integrate, m->record);
         record_close_turns(m->record);
     }
     return status;

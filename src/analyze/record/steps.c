@@ -55,8 +55,23 @@ static whirl_status look_at_diverged(const whirl_system *system, const whirl_int
     return status;
 }
 
+/// Checks that a motion is large next to the absolute tolerance, which bounds errors of single steps; those of a
+/// revolution are several times as large. Measured with dop853 and rodas5p on a linear rotor: exponents err by 0.4 and
+/// 4 % where the motion is 110 tolerances large, and the motion is another where it is one tolerance large.
+static void look_at_tolerance(const whirl_integrate_options *integrate, whirl_record *record) {
+    const double in_a_revolution = 10.0, size = motion_size(record);
+    const double error = in_a_revolution * integrate->atol / size;
+    if (record->motion != WHIRL_BOUNDED || record->rest.found || !(error > coarse_error)) return;
+    record->steps.error = error;
+    record->steps.factor = error / good_error;
+}
+
 whirl_status steps_look(const whirl_system *system, const whirl_integrate_options *integrate, whirl_record *record) {
-    if (whirl_method_is_adaptive(integrate->method) || record->motion == WHIRL_STUCK) return whirl_ok();
+    if (record->motion == WHIRL_STUCK) return whirl_ok();
+    if (whirl_method_is_adaptive(integrate->method)) {
+        look_at_tolerance(integrate, record);
+        return whirl_ok();
+    }
     return record->motion == WHIRL_BOUNDED ? look_at_bounded(system, integrate, record)
                                            : look_at_diverged(system, integrate, record);
 }
@@ -75,7 +90,8 @@ void steps_weigh(whirl_verdict *verdict, const whirl_step_quality *steps) {
     }
     if (wrong || steps->error > coarse_error) {
         verdict->agreement = verdict->confidence = WHIRL_LOW;
-        verdict->advice = (whirl_advice){WHIRL_MORE_STEPS, fmax(steps->factor, 2.0)};
+        verdict->advice =
+            (whirl_advice){isnan(steps->growth) ? WHIRL_TIGHTER : WHIRL_MORE_STEPS, fmax(steps->factor, 2.0)};
     }
 }
 
@@ -86,6 +102,11 @@ bool steps_reason(const whirl_verdict *verdict, char *text, size_t size) {
             "the fixed step is unstable: it makes a perturbation %.3g times as large that the machine does not let "
             "grow; what it computed is no motion of the machine",
             verdict->step_growth);
+    else if (verdict->step_error > wrong_error && isnan(verdict->step_growth))
+        snprintf(text, size,
+                 "the absolute tolerance (atol) is coarse for so small a motion: errors of a revolution may be %.2g of "
+                 "its size",
+                 verdict->step_error);
     else if (verdict->step_error > wrong_error)
         snprintf(text, size,
                  "the fixed steps are far too long: a revolution by them ends %.2g of the motion's size from where the "

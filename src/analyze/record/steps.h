@@ -1,4 +1,4 @@
-/// Fixed steps that are too long for a motion, and their effect on its verdict.
+/// Fixed steps that are too long for a motion, tolerances that are too coarse for it, and their effect on its verdict.
 #ifndef ANALYZE_STEPS_H
 #define ANALYZE_STEPS_H
 
@@ -7,7 +7,8 @@
 
 #include "section.h"
 
-/// Fills record->steps of a finished motion, by a few of its revolutions. Methods with a tolerance are skipped.
+/// Fills record->steps of a finished motion whose rest is known: fixed steps by a few of its revolutions, the absolute
+/// tolerance by the motion's size.
 whirl_status steps_look(const whirl_system *system, const whirl_integrate_options *integrate, whirl_record *record);
 
 /// Corrects a verdict for steps that are too long: none if they are unstable or wrong, less confidence if they are

@@ -129,9 +129,11 @@ static const field_plan fields[FIELD_COUNT] = {
                      "evidence: growth of a perturbation in one fixed step that the machine does not have: above 1 the "
                      "step is unstable",
                      WHIRL_PER_POINT, 1, NULL},
-    [STEP_ERROR] = {WHIRL_FIELD_REGIME_STEP_ERROR, "1",
-                    "evidence: error of a revolution by fixed steps, over the size of the motion", WHIRL_PER_POINT, 1,
-                    NULL},
+    [STEP_ERROR] =
+        {WHIRL_FIELD_REGIME_STEP_ERROR, "1",
+         "evidence: error of a revolution by fixed steps, or by an absolute tolerance that is coarse for the motion, "
+         "over the size of the motion",
+         WHIRL_PER_POINT, 1, NULL},
     [SWELLING] = {WHIRL_FIELD_REGIME_SWELLING, "1/revolution",
                   "evidence: rate at which the section grows from half to half of the watched revolutions",
                   WHIRL_PER_POINT, 1, NULL},

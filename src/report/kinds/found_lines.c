@@ -413,22 +413,23 @@ static void tell_jump(const finder *of, const line_side *side, whirl_phrase *fou
     phrase_text(of, found, " on the way %s", jump->rises ? "up" : "down");
 }
 
-/// Adds a row and a statement for a jump on the way up, for one on the way down, or for both with their hysteresis.
-static void jump_row(const finder *of, const line_side *side, whirl_sheet *sheet, const line_jump *up,
-                     const line_jump *down) {
-    const double order = up ? side->seen[up->before].order : down ? side->seen[down->before].order : (double)NAN;
-    const double apart = up && down ? fabs(jump_middle(of, up) - jump_middle(of, down)) : (double)NAN;
+/// Adds a row and a statement for a jump; `back`: the jump the other way at the same place, with which it has a
+/// hysteresis, or NULL.
+static void jump_row(const finder *of, const line_side *side, whirl_sheet *sheet, const line_jump *jump,
+                     const line_jump *back) {
+    const double order = side->seen[jump->before].order;
+    const double apart = back ? fabs(jump_middle(of, jump) - jump_middle(of, back)) : (double)NAN;
     sheet_row(of, sheet);
     cell_number(of, sheet, order);
-    cells_jump(of, side, sheet, up);
-    cells_jump(of, side, sheet, down);
+    cells_jump(of, side, sheet, jump->rises ? jump : back);
+    cells_jump(of, side, sheet, jump->rises ? back : jump);
     cell_number(of, sheet, apart);
-    cell_number(of, sheet, side->seen[up ? up->after : down->after].order);
+    cell_number(of, sheet, side->seen[jump->after].order);
     whirl_phrase *found = &find_statement(of, find_text(of->findings, "line of order %.4g", order))->found;
-    if (up) tell_jump(of, side, found, up);
-    if (up && down) phrase_text(of, found, "; ");
-    if (down) tell_jump(of, side, found, down);
-    if (!up || !down) return;
+    tell_jump(of, side, found, jump);
+    if (!back) return;
+    phrase_text(of, found, "; ");
+    tell_jump(of, side, found, back);
     phrase_text(of, found, ": hysteresis of ");
     phrase_value(of, found, 6, apart);
 }
@@ -444,7 +445,7 @@ static void find_jumps(const finder *of, const line_side *side, whirl_sheet *she
         jump_row(of, side, sheet, &jumps[i], down);
     }
     for (size_t i = 0; i < count; i++)
-        if (!jumps[i].rises && !jumps[i].paired) jump_row(of, side, sheet, NULL, &jumps[i]);
+        if (!jumps[i].rises && !jumps[i].paired) jump_row(of, side, sheet, &jumps[i], NULL);
     free(jumps);
 }
 
