@@ -11,6 +11,9 @@
 enum { DEGREE = CROSSING_DEGREE, CHECKS = 2, SAMPLES = DEGREE + 1 + CHECKS, MAX_DEPTH = 14, MAX_REFINEMENTS = 80 };
 _Static_assert(SAMPLES + 1 == CROSSING_ROWS, "a row for every sample and one for what is refined");
 
+/// Size below which values are underflow: their relative errors are no rounding errors.
+static const double LEAST_SIZE = 0x1p-900;
+
 /// (1 - cos(j pi/8))/2, then two points between them, at which the polynomial is compared with the function.
 static const double places[SAMPLES] = {0.0,
                                        0.038060233744356624,
@@ -156,6 +159,9 @@ static bool search_one(const crossing_search *search, size_t index, double *thet
         values[j] = samples[(size_t)j * search->count] - (search->held[index] > 0 ? s.begin : 0.0);
         size = fabs(values[j]) > size ? fabs(values[j]) : size;
     }
+    // A function that is zero all along, or differs from zero by underflow alone, is not crossed: a station that rests
+    // in the middle of its stator has no slip there.
+    if (size < LEAST_SIZE) return false;
     interpolate(values, c);
     for (int j = DEGREE + 1; j < SAMPLES; j++) {
         const double apart = 4.0 * fabs(values[j] - value_at(DEGREE, c, places[j]));

@@ -186,6 +186,33 @@ static void test_the_zero_at_the_beginning_is_not_counted(void **state) {
     assert_true(theta == 0.0);
 }
 
+/// Size of a function that is constant, and how often it was evaluated.
+typedef struct still {
+    double size;
+    int calls;
+} still;
+
+static void constant(void *context, double theta, double *values) {
+    still *own = context;
+    (void)theta;
+    own->calls++;
+    values[0] = own->size;
+}
+
+static void test_a_function_that_stays_zero_is_not_crossed(void **state) {
+    (void)state;
+    const double sizes[] = {0.0, 5e-324, -5e-324, 1e-310, -1e-310};
+    double work[CROSSING_ROWS];
+    for (int kept = 0; kept <= 2; kept++)
+        for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+            still own = {sizes[i], 0};
+            double theta = NAN;
+            size_t which;
+            assert_false(crossing_first(&(crossing_search){constant, &own, 1, &kept, work}, &theta, &which));
+            assert_in_range(own.calls, 1, CROSSING_ROWS); // samples alone
+        }
+}
+
 // ---------------------------------------------------------------- contacts
 
 /// x'' = -x - stiffness (x - gap) [x > gap].
@@ -413,6 +440,7 @@ int main(void) {
         cmocka_unit_test(test_interpolant_has_order_seven),
         cmocka_unit_test(test_dips_are_found),
         cmocka_unit_test(test_the_zero_at_the_beginning_is_not_counted),
+        cmocka_unit_test(test_a_function_that_stays_zero_is_not_crossed),
         cmocka_unit_test(test_contacts_are_located),
         cmocka_unit_test(test_grazes_are_found),
         cmocka_unit_test(test_friction_brings_to_rest),
