@@ -182,6 +182,10 @@ const char *whirl_table_field_unit(const whirl_table *table, size_t field);    /
 const char *whirl_table_field_meaning(const whirl_table *table, size_t field); ///< One line.
 const char *whirl_table_field_extent(const whirl_table *table, size_t field);  ///< "point", "station" or "contact"
 
+/// Returns the numbers of a row in single precision, two in the place of each column (signals of data sets); 0 for
+/// fields in double precision.
+size_t whirl_table_field_singles(const whirl_table *table, size_t field);
+
 /// Returns true if fields of that name have rows, whatever number of rows the options give (a single row is an array,
 /// too). False for unknown names.
 bool whirl_field_has_rows(const char *name);
@@ -257,6 +261,11 @@ void whirl_text_free(char *text); ///< Frees a text returned by these functions;
 /// whirl_case_check does. *json and *figures are freed by whirl_text_free.
 whirl_status whirl_bearing_json(const char *text, size_t length, const char *name, const char *units, int threads,
                                 char *problems, size_t size, char **json, char **figures);
+
+/// Writes the table of a data set's records as CSV (`what` is "index"), or its data sheet as Markdown ("datasheet"), as
+/// `whirl run` does beside the result. `name`: that of the files, without their endings. *text is freed by
+/// whirl_text_free. WHIRL_BAD_INPUT with a sentence for a result of another study, and for another word.
+whirl_status whirl_result_dataset(const whirl_result *result, const char *what, const char *name, char **text);
 
 /// Reads the size of the signals of a data set's file: [record][channel][sample]. WHIRL_IO_ERROR; WHIRL_BAD_INPUT for
 /// other files.

@@ -5,9 +5,11 @@
 
 #include "findings_render.h"
 #include "shown_kinds.h"
+#include "text_written.h"
 #include "whirl/engine/dataset.h"
 #include "whirl/engine/findings.h"
 #include "whirl/engine/report.h"
+#include "whirl/handles.h"
 
 const whirl_table *whirl_result_records(const whirl_result *result) {
     for (size_t i = 0; i < result->table_count; i++)
@@ -107,4 +109,36 @@ whirl_status whirl_dataset_write_sheet(const whirl_result *result, const char *n
         table->integrate.method, 100.0 * options->train, 100.0 * options->validation, table->record.transient);
     whirl_findings_free(findings);
     return whirl_ok();
+}
+
+// ---------------------------------------------------------------- as texts
+
+/// A data set, and the name of its files.
+typedef struct records_named {
+    const whirl_result *result;
+    const char *name;
+} records_named;
+
+static whirl_status records_write_index(const void *of, FILE *stream) {
+    const records_named *own = of;
+    whirl_dataset_write_index(own->result, stream);
+    return whirl_ok();
+}
+
+static whirl_status records_write_sheet(const void *of, FILE *stream) {
+    const records_named *own = of;
+    return whirl_dataset_write_sheet(own->result, own->name, stream);
+}
+
+whirl_status whirl_result_dataset(const whirl_result *result, const char *what, const char *name, char **text) {
+    const records_named named = {result, name};
+    const bool index = strcmp(what, "index") == 0;
+    *text = NULL;
+    if (!index && strcmp(what, "datasheet") != 0)
+        return whirl_fail(WHIRL_BAD_INPUT, "a data set has no '%.40s', expected index or datasheet", what);
+    if (!whirl_result_records(result))
+        return whirl_fail(WHIRL_BAD_INPUT, "the result of %.200s is no data set, expected one of a study 'dataset'",
+                          result->case_name);
+    return index ? text_written(records_write_index, &named, "for the table of records", text)
+                 : text_written(records_write_sheet, &named, "for the data sheet", text);
 }

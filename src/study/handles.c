@@ -197,6 +197,11 @@ const char *whirl_table_field_extent(const whirl_table *table, size_t field) {
     return found ? extents[found->extent] : NULL;
 }
 
+size_t whirl_table_field_singles(const whirl_table *table, size_t field) {
+    const whirl_field *found = field_at(table, field);
+    return found ? found->singles : 0;
+}
+
 bool whirl_field_has_rows(const char *name) {
     return whirl_analysis_has_rows(name);
 }

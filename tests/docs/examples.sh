@@ -7,7 +7,8 @@
 #                      unless ", not good" follows
 #   ```sh              with "# tested" in the first line are run; the exit status is 0, or the one said there:
 #                      "# tested, exit status 2"
-#   ```python, octave  with "tested" in the first line are run, Octave where it is installed
+#   ```python, octave  with "tested" in the first line are run, Octave where it is installed, Python with the package
+#                      whirl of the sources
 #   ```text            is what the block before prints: each of its lines must begin a line there, numbers within a
 #                      tolerance (compare.py); "# tested, numbers vary" before it leaves these out
 #   ```json            is what the last point.json holds
@@ -30,6 +31,7 @@ library=$(dirname "$(find "$prefix" -name whirl.pc)")
 export PKG_CONFIG_PATH=$library
 export LD_LIBRARY_PATH=${library%/pkgconfig}
 export CMAKE_PREFIX_PATH=$prefix
+export PYTHONPATH=$root/bindings/python WHIRL_LIBRARY=$LD_LIBRARY_PATH/libwhirl.so.1 PYTHONDONTWRITEBYTECODE=1
 unset CMAKE_GENERATOR
 
 failures=0

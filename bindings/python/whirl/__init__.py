@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from .balancing import Balance, balance, readings
     from .bearings import Bearing, bearing
     from .case import Case
+    from .datasets import DataSet, dataset
     from .errors import BadInput, Error, ExistingFile, FileFailure, MissingFile, MissingProgram, NumericalFailure
     from .errors import OutOfMemory, ReadOnlyCopy, Stopped
     from .findings import Column, Sheet, Statement, Statements
@@ -46,6 +47,8 @@ _HOMES = {
     "Fit": "fitting",
     "Estimate": "fitting",
     "tolerances": "sampling",
+    "dataset": "datasets",
+    "DataSet": "datasets",
     "Balance": "balancing",
     "balance": "balancing",
     "readings": "balancing",

@@ -124,6 +124,7 @@ const char *whirl_table_field_name(const whirl_table *table, size_t field);
 const char *whirl_table_field_unit(const whirl_table *table, size_t field);
 const char *whirl_table_field_meaning(const whirl_table *table, size_t field);
 const char *whirl_table_field_extent(const whirl_table *table, size_t field);
+size_t whirl_table_field_singles(const whirl_table *table, size_t field);
 bool whirl_field_has_rows(const char *name);
 double whirl_table_field_si(const whirl_result *result, const whirl_table *table, size_t field, char *name,
                             size_t size);
@@ -140,6 +141,7 @@ whirl_status whirl_nearest_value(const whirl_result *result, const char *paramet
 whirl_status whirl_result_figures(const whirl_result *result, const char *units, char **lines);
 whirl_status whirl_result_findings(const whirl_result *result, const char *sheet, const char *units, const char *format,
                                    char **text);
+whirl_status whirl_result_dataset(const whirl_result *result, const char *what, const char *name, char **text);
 whirl_status whirl_result_sheets(const whirl_result *result, const char *units, char **lines);
 whirl_status whirl_result_warnings(const whirl_result *result, const char *units, char **lines);
 whirl_status whirl_balance_json(const char *text, size_t length, const char *name, const char *units, char *problems,

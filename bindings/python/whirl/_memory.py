@@ -215,6 +215,7 @@ class MemoryTable:
         lib.whirl_table_column(self.handle, i, shape, stride)
         factor = lib.whirl_table_field_si(self.result, self.handle, i, si, 64)
         meaning = text(lib.whirl_table_field_meaning(self.handle, i))
+        singles = lib.whirl_table_field_singles(self.handle, i)
         return dict(
             name=text(lib.whirl_table_field_name(self.handle, i)),
             unit=text(lib.whirl_table_field_unit(self.handle, i)),
@@ -222,7 +223,8 @@ class MemoryTable:
             extent=text(lib.whirl_table_field_extent(self.handle, i)),
             repeat=shape[0],
             rows=shape[1],
-            columns=shape[2],
+            columns=singles or shape[2],
+            singles=singles,
             has_rows=shape[1] != 1 or lib.whirl_field_has_rows(lib.whirl_table_field_name(self.handle, i)),
             si_factor=factor,
             si_unit=text(si),
@@ -239,10 +241,14 @@ class MemoryTable:
                 raise errors.BadInput(f"the table '{self.name}' of an outline has no numbers: run the case")
             lent = np.empty(every)
             check(lib.whirl_table_copy(self.handle, index, ffi.cast("double *", ffi.from_buffer(lent))))
+            lent = lent.view("<f4") if field.singles else lent
+        elif field.singles:
+            every, strides = (*every[:3], field.singles), (8 * stride[0], 8 * rows * columns, 8 * columns, 4)
+            lent = _lend(self.result, first, every, strides, "<f4")
         else:
             strides = (8 * stride[0], 8 * rows * columns, 8 * columns, 8)
             lent = _lend(self.result, first, every, strides)
-        sizes = {field.extent: repeat, "row": rows, "column": columns}
+        sizes = {field.extent: repeat, "row": rows, "column": columns, "channel": rows, "sample": field.singles}
         return self._pick(lent.reshape((self._count, *(sizes[name] for name in field.dimensions))))
 
     def words(self):

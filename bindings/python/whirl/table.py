@@ -37,21 +37,24 @@ class Field:
     extent: str  #: one block for each "point", "station" or "contact"
     repeat: int  #: number of these blocks
     rows: int  #: rows of each block; 1 for single numbers
-    columns: int  #: columns of each row
+    columns: int  #: columns of each row; of signals their samples
     has_rows: bool  #: True if rows are a dimension (as in a section), even if there is only one row
     si_factor: float  #: factor to SI; NaN for lengths if the parameter changes the scale
     si_unit: str  #: name of the SI unit
     column_names: list[str]  #: "x", "y", ...; empty for columns without names
+    singles: int = 0  #: samples of a signal in single precision (float32); 0 for fields in double precision
 
     @property
     def dimensions(self) -> tuple[str, ...]:
         """Names of the dimensions behind those of the points."""
+        if self.singles:
+            return "channel", "sample"
         sizes = (self.extent, self.extent != "point"), ("row", self.has_rows), ("column", self.columns != 1)
         return tuple(name for name, there in sizes if there)
 
     def _shaped(self, numbers: np.ndarray, points: int) -> np.ndarray:
         """Returns numbers in the shape of files, after the dimensions of points: a single row is no dimension there."""
-        if not self.has_rows or self.rows != 1:
+        if not self.has_rows or self.rows != 1 or self.singles:
             return numbers
         before = points + (self.extent != "point")
         return numbers.reshape(numbers.shape[:before] + (1,) + numbers.shape[before:])
@@ -263,7 +266,7 @@ class Table(Mapping):
         if self.has_attractors:
             columns.update(attractor=self.attractors.ravel(), share=self.shares.ravel())
         for name, field in self.fields.items():
-            if field.rows == 1 and name not in (FIELD.MAP_SECOND, FIELD.MAP_THIRD):
+            if field.rows == 1 and not field.singles and name not in (FIELD.MAP_SECOND, FIELD.MAP_THIRD):
                 own = self._columns(name, field)
                 columns.update(own)
                 units.update(dict.fromkeys(own, field.unit))
