@@ -90,6 +90,31 @@ static void go(const search *s, const double *x, double part, double *to) {
     for (size_t i = 0; i < s->mean->count; i++) to[s->mean->kept[i]] += part * s->step[i];
 }
 
+/// Returns what rounding makes of the residual at most, by the terms that it is a sum of. The Jacobian is the one at x.
+static double rounding_at(const search *s, const double *x) {
+    const double of_a_term = 1e-12;
+    const size_t n = s->mean->count;
+    const double scale = 1.0 + size_of(x, s->mean->system->dimension);
+    double squares = 0.0;
+    for (size_t i = 0; i < n; i++) {
+        double terms = 0.0;
+        for (size_t c = 0; c < n; c++) terms += fabs(s->jacobian[i * n + c]);
+        squares += s->weight[i] * s->weight[i] * terms * terms;
+    }
+    return of_a_term * scale * sqrt(squares);
+}
+
+/// Settles x and returns true if it is an equilibrium of the whole load. A search may end where pads jump between two
+/// balances: the forces that it saw there do not return.
+static bool balances(search *s, double *x) {
+    const double of_load = 1e-6;
+    s->share = 1.0;
+    const double left = residual(s, x);
+    if (!isfinite(left)) return false;
+    mean_jacobian(s->mean, x, s->jacobian);
+    return left <= of_load * norm_of(s, s->load) + rounding_at(s, x);
+}
+
 /// Returns true if f at x is rounding of forces that balance each other: near x, f differs from its linear form by as
 /// much. The Jacobian is the one at x.
 static bool is_rounding(search *s, const double *x) {
@@ -114,7 +139,7 @@ static bool is_rounding(search *s, const double *x) {
         }
         noise = fmax(noise, sqrt(square));
     }
-    return norm <= 10.0 * noise;
+    return norm <= 10.0 * fmin(noise, rounding_at(s, x));
 }
 
 /// Takes a step, halved until the residual falls; returns false if it does not fall.
@@ -255,18 +280,89 @@ static void regain_films(search *s, double *x, double *at) {
     mean_settle(s->mean, at);
     for (size_t lost = count_lost(s, at, true), left; lost > 0; lost = left) {
         if (!mean_settle(s->mean, at) || count_lost(s, at, false) >= lost || !equilibrium_solve(s, at)) return;
-        mean_settle(s->mean, at);
-        if (count_lost(s, at, false) >= lost) return;
+        if (!balances(s, at) || count_lost(s, at, false) >= lost) return;
         memcpy(x, at, d * sizeof *x);
         left = count_lost(s, at, true);
     }
 }
 
+// ---------------------------------------------------------------- one of several
+
+/// Returns the largest real part of the eigenvalues at x, without coordinates that are idle; INFINITY if they are not
+/// found. `room` [count][count + 2] is workspace.
+static double growth_at(search *s, double *x, double *room) {
+    const size_t n = s->mean->count;
+    double *real = room + n * n, *imaginary = real + n, growth = -(double)INFINITY, size = 0.0;
+    mean_settle(s->mean, x);
+    mean_jacobian(s->mean, x, room);
+    hold_idle(s->mean, room);
+    for (size_t i = 0; i < n; i++)
+        if (s->mean->settled[s->mean->kept[i]] == WHIRL_IDLE) room[i * n + i] = -1.0;
+    if (!matrix_eigen(n, room, real, imaginary, NULL)) return (double)INFINITY;
+    for (size_t i = 0; i < n; i++) {
+        growth = fmax(growth, real[i]);
+        size = fmax(size, hypot(real[i], imaginary[i]));
+    }
+    return growth > 1e-9 * size ? growth : 0.0; // what nothing holds has rounding of 0
+}
+
+/// Moves journals to a part of their clearances, at an angle from their loads in the direction of rotation, and pads to
+/// a balance with films.
+static bool place_journals(const search *s, const double *start, double part, double angle, double *at) {
+    const mean_system *m = s->mean;
+    memcpy(at, start, m->system->dimension * sizeof *at);
+    for (size_t i = 0; i < m->count; i++)
+        if (m->settled[m->kept[i]] != WHIRL_NOT_SETTLED) at[m->kept[i]] = (double)NAN;
+    for (size_t p = 0; p < m->system->probe_count; p++) {
+        const whirl_probe *probe = &m->system->probes[p];
+        double force[2] = {0};
+        if (!(probe->clearance > 0.0) || probe->x == probe->y) continue;
+        for (size_t i = 0; i < m->count; i++) {
+            if (m->kept[i] == probe->vx) force[0] = s->load[i];
+            if (m->kept[i] == probe->vy) force[1] = s->load[i];
+        }
+        const double size = hypot(force[0], force[1]), turned = whirl_probe_way(probe) * angle;
+        if (!(size > 0.0) || !isfinite(size)) continue;
+        at[probe->x] = part * probe->clearance * (cos(turned) * force[0] - sin(turned) * force[1]) / size;
+        at[probe->y] = part * probe->clearance * (sin(turned) * force[0] + cos(turned) * force[1]) / size;
+    }
+    return mean_settle(s->mean, at);
+}
+
+/// Replaces an equilibrium that is unstable, or none (`found` false), by a stable one if one is found from other places
+/// of the journals, or by any if there was none: pads have several balances, and so have machines on them. Returns true
+/// if x is an equilibrium.
+static bool prefer_stable(search *s, bool found, const double *start, double *x, double *at) {
+    static const double parts[] = {0.3, 0.6, 0.8, 0.9, 0.96},
+                        angles[] = {0.0, 0.2, -0.2, 0.4, -0.4, 0.8, -0.8, 1.4, -1.4};
+    const size_t n = s->mean->count, d = s->mean->system->dimension;
+    double *room = malloc((n * (n + 2) + 1) * sizeof *room);
+    double growth = !room ? 0.0 : found ? growth_at(s, x, room) : (double)INFINITY;
+    s->share = 1.0;
+    for (size_t a = 0; a < sizeof angles / sizeof *angles; a++)
+        for (size_t p = 0; p < sizeof parts / sizeof *parts && growth > 0.0; p++) {
+            if (!place_journals(s, start, parts[p], angles[a], at) || !equilibrium_solve(s, at) || !balances(s, at))
+                continue;
+            double apart = 0.0;
+            for (size_t i = 0; i < d; i++) apart = fmax(apart, fabs(at[i] - x[i]));
+            if (found && apart <= 1e-6) continue;
+            const double own = growth_at(s, at, room);
+            if (own > 0.0 && found) continue;
+            memcpy(x, at, d * sizeof *x);
+            growth = own;
+            found = true;
+        }
+    free(room);
+    return found;
+}
+
+// ---------------------------------------------------------------- the whole
+
 /// Finds the equilibrium from x on, the load applied in shares if need be. *share is the part of the load up to which
 /// the equilibrium was followed.
 static whirl_status rest_follow(mean_system *m, double *x, double *share) {
     const size_t n = m->count, d = m->system->dimension;
-    double *block = calloc(5 * n + n * n + 3 * d + 1, sizeof *block);
+    double *block = calloc(5 * n + n * n + 4 * d + 1, sizeof *block);
     if (!block) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the equilibrium of %zu coordinates", d);
     search s = {.mean = m,
                 .load = block,
@@ -277,8 +373,9 @@ static whirl_status rest_follow(mean_system *m, double *x, double *share) {
                 .jacobian = block + 5 * n,
                 .trial = block + 5 * n + n * n};
     // The load at the start; the weights of all residuals are 1 at first.
-    double *at = s.trial + d, *start = at + d;
+    double *at = s.trial + d, *start = at + d, *begin = start + d;
     memcpy(at, x, d * sizeof *x);
+    memcpy(begin, x, d * sizeof *x);
     mean_settle(m, at);
     for (size_t i = 0; i < n; i++) {
         s.weight[i] = 1.0;
@@ -307,6 +404,8 @@ static whirl_status rest_follow(mean_system *m, double *x, double *share) {
         if (found) memcpy(x, at, d * sizeof *x);
     }
     if (found) regain_films(&s, x, at);
+    found = found && (!m->system->settle || balances(&s, x));
+    if (starts && m->system->settle) found = prefer_stable(&s, found, begin, x, at);
     free(block);
     if (found) return whirl_ok();
     if (!starts)

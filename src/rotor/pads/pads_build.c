@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "doubts.h"
@@ -77,6 +78,13 @@ whirl_status pads_of_keys(const key_value *values, bool tilting, bool clockwise,
         out->pads[i].pivot += values[PADS_TURNED].number;
     }
     return status;
+}
+
+static int by_pivot(const void *a, const void *b) {
+    const double turn = 6.28318530717958647692;
+    const double one = ((const whirl_pad *)a)->pivot, other = ((const whirl_pad *)b)->pivot;
+    const double apart = one - turn * floor(one / turn) - (other - turn * floor(other / turn));
+    return (apart > 0.0) - (apart < 0.0);
 }
 
 /// Writes the numbers of one pad, which may tilt without inertia, with angles for a shaft that turns from x to y.
@@ -204,7 +212,9 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
                               .turbulence = values[PADS_TURBULENCE].choice,
                               .turns = {ratio, 0.0},
                               .housing = GROUND};
-    // Numbers of the pads, their tilts and yields.
+    // Numbers of the pads, their tilts and yields. Pads around the journal, so that no result depends on the order in
+    // which they are given.
+    if (values[PADS_PIVOTS].given) qsort(bearing.pads, bearing.count, sizeof *bearing.pads, by_pivot);
     for (size_t i = 0; i < bearing.count && status.code == WHIRL_OK; i++) {
         whirl_pad pad = bearing.pads[i];
         pad.pivot *= sign;
