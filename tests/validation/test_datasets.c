@@ -1,4 +1,4 @@
-// Data sets: what must not change in their signals, and the lines of a bearing with dents.
+// Data sets: what must not change in their signals, and the lines of bearings with dents.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -103,50 +103,86 @@ static void invariances(void **unused) {
 
 // ---------------------------------------------------------------- a bearing with dents
 
-/// Returns the order of the strongest line of a record's first channel within a band of orders, to 1e-4.
-static double strongest(const whirl_result *result, size_t record, double per_turn, double low, double high) {
+enum { TURNS = 60, PER_TURN = 64, DENT_OUTER = 0, DENT_INNER, DENT_BALL };
+
+/// Returns the order of the strongest line of a record's first channel within `reach` of an order, to 1e-3.
+static double strongest(const whirl_result *result, size_t record, double order, double reach) {
     size_t samples;
     const float *x = signal_of(result, record, 0, &samples);
-    double most = 0.0, at = low;
-    for (int i = 0; low + 1e-4 * i <= high; i++) {
-        const double order = low + 1e-4 * i;
-        const double complex step = cexp(-I * two_pi * order / per_turn);
+    double most = 0.0, at = NAN, mean = 0.0;
+    for (size_t k = 0; k < samples; k++) mean += x[k] / (double)samples;
+    for (int i = 0; i <= (int)(2000.0 * reach); i++) {
+        const double own = order - reach + 1e-3 * i;
+        const double complex step = cexp(-I * two_pi * own / PER_TURN);
         double complex sum = 0.0, turn = 1.0;
         for (size_t k = 0; k < samples; k++, turn *= step)
-            sum += x[k] * (1.0 - cos(two_pi * ((double)k + 0.5) / (double)samples)) * turn;
-        if (cabs(sum) > most) most = cabs(sum), at = order;
+            sum += (x[k] - mean) * (1.0 - cos(two_pi * ((double)k + 0.5) / (double)samples)) * turn;
+        if (cabs(sum) > most) most = cabs(sum), at = own;
     }
     return at;
 }
 
-/// A bearing of type 6205 with 1.5 % of slip: a dent of the outer race shows at BPFO, one of the inner race at BPFI,
-/// and their multiples.
+/// A rolling bearing and the digits of its kinematics without slip, over the speed of the shaft.
+typedef struct known_bearing {
+    const char *name;
+    int balls;
+    double ball, circle;             ///< in, diameters of a ball and of the circle of their centres
+    double cage, outer, inner, spin; ///< FTF, BPFO, BPFI, BSF
+} known_bearing;
+
+static whirl_result *dented(const known_bearing *own, double slip) {
+    char text[SIZE];
+    snprintf(text, sizeof text,
+             "whirl: 1\nparameters: {outer: 0 um, inner: 0 um, ball: 0 um}\nrotor:\n  speed: 1797 rpm\n"
+             "  length_scale: 1 um\n  stations:\n    rotor: {mass: 15 kg}\n  elements:\n    - ball_bearing:\n"
+             "        at: rotor\n        balls: %d\n        stiffness: 8.5e9\n        clearance: 2 um\n"
+             "        inner: %.9f mm\n        outer: %.9f mm\n        slip: %.9f\n        damping: 400 N.s/m\n"
+             "        outer_dent: = outer\n        outer_dent_width: 6 deg\n        outer_dent_angle: -90 deg\n"
+             "        inner_dent: = inner\n        inner_dent_width: 6 deg\n        ball_dent: = ball\n"
+             "        ball_dent_width: 12 deg\n    - gravity: 9.80665 m/s2\nstudy:\n  dataset:\n    machines: 1\n"
+             "    samples_per_revolution: %d\n    revolutions: %d\n    labels:\n"
+             "      outer: {grade: {outer: {from: 4 um, to: 4.1 um}}}\n"
+             "      inner: {grade: {inner: {from: 4 um, to: 4.1 um}}}\n"
+             "      ball: {grade: {ball: {from: 4 um, to: 4.1 um}}}\n"
+             "    channels: [{sensor: accelerometer, at: rotor, angle: 90 deg}]\n  initial: {rotor: {y: -6}}\n"
+             "  integrate: {method: rk4, steps_per_revolution: 2048, transient: 30}\n  analyze: [orbit, regime]\n",
+             own->balls, 12.7 * (own->circle - own->ball), 12.7 * (own->circle + own->ball), slip, PER_TURN, TURNS);
+    return run(text);
+}
+
+/// Dents show at the frequencies with which they are passed, less the slip of the cage and of the balls' spin. A dent
+/// of a ball meets a race twice in a turn of the ball, and more deeply where the bearing carries its load: lines stand
+/// at multiples of twice its spin, with neighbours at the distance of the cage's speed.
 static void dents(void **unused) {
-    static const char text[] =
-        "whirl: 1\nparameters: {outer: 0 um, inner: 0 um}\nrotor:\n  speed: 1797 rpm\n  length_scale: 1 um\n"
-        "  stations:\n    rotor: {mass: 15 kg, eccentricity: 0.5 um}\n  elements:\n    - ball_bearing:\n"
-        "        at: rotor\n        balls: 9\n        stiffness: 8.5e9\n        clearance: 2 um\n"
-        "        inner: 15.54988 mm\n        outer: 23.49012 mm\n        slip: 0.015\n        damping: 400 N.s/m\n"
-        "        outer_dent: = outer\n        outer_dent_width: 6 deg\n        outer_dent_angle: -90 deg\n"
-        "        inner_dent: = inner\n        inner_dent_width: 6 deg\n    - gravity: 9.80665 m/s2\nstudy:\n"
-        "  dataset:\n    machines: 1\n    samples_per_revolution: 64\n    revolutions: 100\n"
-        "    labels: {outer: {grade: {outer: {from: 4 um, to: 4.1 um}}}, inner: {grade: {inner: {from: 4 um, to: 4.1 "
-        "um}}}}\n    channels: [{sensor: accelerometer, at: rotor, angle: 90 deg}]\n"
-        "  initial: {rotor: {y: -6}}\n  integrate: {method: rk4, steps_per_revolution: 2048, transient: 50}\n"
-        "  analyze: [orbit, regime]\n";
-    // Kinematics of 9 balls of .3126 in on a circle of 1.537 in: closed forms, less the slip of the cage.
-    const double ratio = 0.3126 / 1.537, cage = 0.985 * 0.5 * (1.0 - ratio), passing = 9.0 * cage;
+    static const known_bearing bearings[] = {
+        {"6205", 9, 0.3126, 1.537, 0.3983083930, 3.5847755368, 5.4152244632, 2.3567217007},
+        {"6203", 8, 0.2656, 1.122, 0.3816399287, 3.0531194296, 4.9468805704, 1.9938387239}};
+    const double slip = 0.015, rolls = 1.0 - slip;
     (void)unused;
-    whirl_result *result = run(text);
-    for (int k = 1; k <= 4; k++)
-        check_within("data sets", words("dent of the outer race: line at %d BPFO, order", k), k * passing,
-                     strongest(result, 0, 64.0, k * passing - 0.3, k * passing + 0.3), 2e-3);
-    for (int k = 2; k <= 3; k++) {
-        const double order = k * (9.0 - passing);
-        check_within("data sets", words("dent of the inner race: line at %d BPFI, order", k), order,
-                     strongest(result, 1, 64.0, order - 0.3, order + 0.3), 2e-3);
+    for (size_t b = 0; b < sizeof bearings / sizeof *bearings; b++) {
+        const known_bearing *own = &bearings[b];
+        whirl_result *result = dented(own, slip);
+        check_within("data sets", words("%s: BPFO and BPFI make up the passing balls", own->name), own->balls,
+                     own->outer + own->inner, 1e-9);
+        for (int k = 1; k <= 4; k++) {
+            const double order = k * rolls * own->outer;
+            check_within("data sets", words("%s, dent of the outer race: line at %d BPFO, order", own->name, k), order,
+                         strongest(result, DENT_OUTER, order, 0.3), 2e-3);
+        }
+        for (int k = 1; k <= 3; k++) {
+            const double order = k * (own->balls - rolls * own->outer);
+            check_within("data sets", words("%s, dent of the inner race: line at %d BPFI, order", own->name, k), order,
+                         strongest(result, DENT_INNER, order, 0.3), 2e-3);
+        }
+        for (int k = 1; k <= 3; k++)
+            for (int side = -1; side <= 1; side++) {
+                const double order = rolls * (2 * k * own->spin + side * own->cage);
+                check_within("data sets",
+                             words("%s, dent of a ball: line at %d BSF %+d FTF, order", own->name, 2 * k, side), order,
+                             strongest(result, DENT_BALL, order, 0.15), 2e-3);
+            }
+        whirl_result_free(result);
     }
-    whirl_result_free(result);
 }
 
 int main(void) {

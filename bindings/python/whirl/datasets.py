@@ -146,10 +146,8 @@ class _Pool:
         for file, seed, record in zip(of.tolist(), seeds.tolist(), self.columns["record"].tolist()):
             other = seen.setdefault((seed, record), file)
             if other != file:
-                raise BadInput(
-                    f"record {record} of seed {seed} is in '{self.files[other].path}' and in '{self.files[file].path}': "
-                    "make each file with a seed of its own"
-                )
+                both = f"'{self.files[other].path}' and in '{self.files[file].path}'"
+                raise BadInput(f"record {record} of seed {seed} is in {both}: make each file with a seed of its own")
         machines = list(zip(seeds.tolist(), self.columns["machine"].tolist()))
         numbers = {machine: number for number, machine in enumerate(dict.fromkeys(machines), 1)}
         self.columns["machine"] = np.array([numbers[machine] for machine in machines], dtype=np.int64)
