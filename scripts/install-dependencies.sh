@@ -21,7 +21,7 @@ declare -A packages=(
     # clang with its run time: the fuzz target, and a second compiler that must agree; libomp-dev is its OpenMP.
     # auto-07p, which needs gfortran, is a program that is run beside the tests and never linked.
     [test]="libcmocka-dev liblapacke-dev libopenblas-dev clang libclang-rt-14-dev lld libomp-dev valgrind
-            python3-h5py python3-jsonschema python3-scipy auto-07p gfortran libopenmpi-dev openmpi-bin"
+            python3-h5py python3-jsonschema python3-scipy python3-sklearn auto-07p gfortran libopenmpi-dev openmpi-bin"
     # dpkg-dev unpacks the sources of libyaml and muParser, which emscripten compiles.
     [explorer]="emscripten nodejs npm dpkg-dev"
     [browser]="chromium-headless-shell firefox-esr"
