@@ -101,7 +101,8 @@ static void measure(const whirl_record *record, const whirl_channel *channel, co
     else
         derive(grid, channel->sensor == WHIRL_SENSOR_VELOCITY ? 1 : 2, x, out);
     if (channel->resonance > 0.0) resonate(grid, channel->resonance, channel->damping, out);
-    for (size_t j = 0; j < n; j++) out[j] = fmin(fmax(out[j], channel->low), channel->high);
+    const bool limited = isfinite(channel->low) || isfinite(channel->high);
+    for (size_t j = 0; j < n && limited; j++) out[j] = fmin(fmax(out[j], channel->low), channel->high);
     if (channel->high_pass > 0.0) pass_high(grid, channel->high_pass, out);
     for (size_t j = 0; j < n; j++) out[j] *= channel->sensitivity;
 }
@@ -169,8 +170,11 @@ static void weigh(const double *table, double ratio, double place, sample_weight
 /// Returns the share of the angles from `from` to `to`, in turns, that pulses cover.
 static double pulse_share(const whirl_channel *channel, uint64_t seed, size_t index, double from, double to) {
     const double apart = 1.0 / channel->pulses, half = 0.5 * channel->width / two_pi;
+    // Most samples see no pulse, and need no random number: normals of 53 bits are below 9.
+    const double farthest = half + 9.0 * channel->jitter / two_pi;
     double covered = 0.0;
     for (double p = fmax(0.0, floor(from / apart) - 1.0); p * apart <= to + apart; p += 1.0) {
+        if (p * apart > to + farthest || p * apart < from - farthest) continue;
         double normals[2];
         random_normals(seed, 2 * index + 1, (uint64_t)p, normals);
         const double at = p * apart + channel->jitter / two_pi * normals[0];
@@ -227,12 +231,13 @@ static void sample_all(const whirl_channel *channels, size_t count, const whirl_
         weigh(table, at->ratio, at->place + at->ratio * (double)k, &own);
         for (size_t c = 0; c < count; c++) {
             const double *restrict s = signals + c * grid->count + own.first, *restrict w = own.w;
-            double sums[4] = {0.0};
+            double sums[8] = {0.0}; // independent, so that additions need not wait for each other
             if (channels[c].sensor == WHIRL_SENSOR_KEYPHASOR) continue;
             size_t j = 0;
-            for (; j + 4 <= own.count; j += 4)
-                for (size_t i = 0; i < 4; i++) sums[i] += w[j + i] * s[j + i];
+            for (; j + 8 <= own.count; j += 8)
+                for (size_t i = 0; i < 8; i++) sums[i] += w[j + i] * s[j + i];
             for (; j < own.count; j++) sums[0] += w[j] * s[j];
+            for (size_t i = 0; i < 4; i++) sums[i] += sums[i + 4];
             values[c * sampling->samples + k] = (sums[0] + sums[1]) + (sums[2] + sums[3]);
         }
     }
