@@ -1,4 +1,4 @@
-/* The gateway of whirl_machine, whirl_rhs and whirl_element, for mkoctfile --mex and MATLAB's mex alike.
+/* The gateway of whirl_machine, whirl_rhs, whirl_element and whirl_signals, for mkoctfile --mex and MATLAB's mex alike.
  *
  * Machines live here until they or the gateway are cleared. MATLAB has numbers, not pointers, and each number is used
  * only once: the number of a cleared machine never names another one. */
@@ -165,12 +165,41 @@ static void element(mxArray *out[], int count, const mxArray *in[]) {
     mxDestroyArray(all);
 }
 
+/* ---------------------------------------------------------------- signals of data sets */
+
+static size_t whole_of(const mxArray *array) {
+    const double number = mxIsDouble(array) && mxGetNumberOfElements(array) == 1 ? mxGetScalar(array) : -1.0;
+    if (!(number >= 0.0 && number < 9e15)) mexErrMsgIdAndTxt("whirl:badInput", "expected a number of records");
+    return (size_t)number;
+}
+
+/* sizes = whirl_mex('signals', file): records, channels, samples
+ * s = whirl_mex('signals', file, first, count): single [samples][channels][count], as they lie in memory */
+static void signals(mxArray *out[], int count, const mxArray *in[]) {
+    size_t sizes[3];
+    if ((count != 1 && count != 3) || !mxIsChar(in[0])) mexErrMsgIdAndTxt("whirl:badInput", "expected a file");
+    const size_t first = count == 3 ? whole_of(in[1]) : 0, records = count == 3 ? whole_of(in[2]) : 0;
+    char *file = mxArrayToString(in[0]);
+    whirl_status status = whirl_signals_shape(file, sizes);
+    if (status.code == WHIRL_OK && count == 1) {
+        out[0] = mxCreateDoubleMatrix(1, 3, mxREAL);
+        for (size_t i = 0; i < 3; ++i) mxGetPr(out[0])[i] = (double)sizes[i];
+    } else if (status.code == WHIRL_OK) {
+        const mwSize dimensions[] = {sizes[2], sizes[1], records <= sizes[0] ? records : 0};
+        out[0] = mxCreateNumericArray(3, dimensions, mxSINGLE_CLASS, mxREAL);
+        status = whirl_signals_read(file, first, records, (float *)mxGetData(out[0]));
+    }
+    mxFree(file);
+    mex_check(status);
+}
+
 void mexFunction(int out_count, mxArray *out[], int count, const mxArray *in[]) {
     char word[WORD];
     (void)out_count;
     mexAtExit(clear_all);
     if (count < 1)
-        mexErrMsgIdAndTxt("whirl:badInput", "this is the gateway of whirl_machine, whirl_rhs and whirl_element");
+        mexErrMsgIdAndTxt("whirl:badInput",
+                          "this is the gateway of whirl_machine, whirl_rhs, whirl_element and whirl_signals");
     word_of(in[0], "the first argument", word);
     if (strcmp(word, "machine") == 0)
         mex_make(out, count - 1, in + 1);
@@ -180,6 +209,8 @@ void mexFunction(int out_count, mxArray *out[], int count, const mxArray *in[]) 
         rhs(out, count - 1, in + 1);
     else if (strcmp(word, "element") == 0)
         element(out, count - 1, in + 1);
+    else if (strcmp(word, "signals") == 0)
+        signals(out, count - 1, in + 1);
     else if (strcmp(word, "clear") == 0 && count == 2)
         clear(machine_of(in[1]));
     else if (strcmp(word, "clear") == 0)
