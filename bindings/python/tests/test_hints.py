@@ -5,7 +5,7 @@ import inspect
 
 import pytest
 
-MODULES = ("case", "errors", "result", "table", "running", "systems", "signals", "plot", "_signals_plot")
+MODULES = ("case", "errors", "result", "table", "running", "datasets", "systems", "signals", "plot", "_signals_plot")
 
 
 def functions(module):
