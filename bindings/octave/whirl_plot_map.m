@@ -21,7 +21,7 @@ result = result_of(result);
 panel = panel_of(table, places{1});
 if ~isempty(places{2})
     figure_of = field_figure(result, table, places{2}, places{3}, options.column);
-elseif strcmp(name, 'basin')
+elseif strcmp(table.attributes.role, 'basin')
     figure_of = 'basins';
 else
     table_with(result, FIELD.regime_code, 'regime', name);

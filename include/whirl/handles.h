@@ -120,6 +120,9 @@ const char *whirl_table_parameter(const whirl_table *table); ///< The varied par
 const char *whirl_table_varied(const whirl_table *table); ///< The second varied parameter, of a map or curves, or "".
 /// The third varied parameter, from plane to plane of a map, or "".
 const char *whirl_table_stacked(const whirl_table *table);
+/// Returns what the table's points are in the study, whatever its name: "point", "survey", "detail", "map", "basin",
+/// "branches", "curves", "tori", "motions", "rest", "tolerances" or "records".
+const char *whirl_table_role(const whirl_table *table);
 
 size_t whirl_table_points(const whirl_table *table); ///< Number of points, done or not (whirl_table_done).
 

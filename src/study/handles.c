@@ -142,6 +142,10 @@ const char *whirl_table_stacked(const whirl_table *table) {
     return table->third;
 }
 
+const char *whirl_table_role(const whirl_table *table) {
+    return whirl_role_name(table->role);
+}
+
 size_t whirl_table_points(const whirl_table *table) {
     return table->count;
 }

@@ -89,7 +89,7 @@ def share_of(hits):
 def test_attractors_of_a_basin(basin):
     table = basin["basin"]
     number = table.attractors
-    assert number.shape == table.shape == (4, 9)
+    assert number.shape == table.shape == (4, 9) and table.role == "basin"
     assert set(np.unique(number)) == {1, 2} and (number == 1).sum() > (number == 2).sum()
     for of in (1, 2):
         share, error = share_of(number == of)
@@ -126,7 +126,7 @@ def test_attractors_in_files(name, request, tmp_path):
     with whirl.open(tmp_path / "a.h5") as opened:
         for table in result.tables.values():
             of = opened[table.name]
-            assert (of.grid, of.planes) == (table.grid, table.planes)
+            assert (of.grid, of.planes, of.role) == (table.grid, table.planes, table.role)
             for what in ("place", "attractors", "shares", "share_errors"):
                 assert np.array_equal(getattr(of, what), getattr(table, what), equal_nan=True), what
             frame = of.to_pandas()

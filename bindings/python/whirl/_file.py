@@ -175,6 +175,7 @@ class FileTable:
         self.parameter = _word(group.attrs["parameter"])
         self.second = _word(group.attrs.get("second", b""))
         self.third = _word(group.attrs.get("third", b""))
+        self.role = _word(group.attrs["role"])
         self.shape = group["values"].shape
         row = int(group.attrs.get("row", 0))
         self._places = self._count_places()

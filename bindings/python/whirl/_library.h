@@ -108,6 +108,7 @@ const whirl_table *whirl_result_table(const whirl_result *result, const char *na
 const char *whirl_table_parameter(const whirl_table *table);
 const char *whirl_table_varied(const whirl_table *table);
 const char *whirl_table_stacked(const whirl_table *table);
+const char *whirl_table_role(const whirl_table *table);
 size_t whirl_table_points(const whirl_table *table);
 size_t whirl_table_places(const whirl_table *table);
 double whirl_table_clock(const whirl_result *result, const whirl_table *table, size_t point);

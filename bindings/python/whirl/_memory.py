@@ -165,6 +165,7 @@ class MemoryTable:
         self.parameter = text(lib.whirl_table_parameter(self.handle))
         self.second = text(lib.whirl_table_varied(self.handle))
         self.third = text(lib.whirl_table_stacked(self.handle))
+        self.role = text(lib.whirl_table_role(self.handle))
         count = lib.whirl_table_points(self.handle)
         done = np.fromiter((lib.whirl_table_done(self.handle, i) for i in range(count)), bool, count)
         self._chosen = None if done.all() else np.flatnonzero(done)

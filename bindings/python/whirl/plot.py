@@ -338,7 +338,7 @@ class Plots:
             raise BadInput(f"the table '{table.name}' has {table.planes} planes, from 0, and no plane {plane}")
         if field is not None:
             name = self._field_name(table, field, which, column)
-        elif table.name == "basin":
+        elif table.role == "basin":
             name = "basins"
         elif FIELD.REGIME_CODE in table:
             name = "map-regime"
@@ -353,7 +353,7 @@ class Plots:
 
     def _plane(self, table):
         for candidate in self._result.tables.values() if self._named(table) is None else [self._result[table]]:
-            if candidate.name in ("map", "basin"):
+            if candidate.role in ("map", "basin"):
                 return candidate
         raise BadInput("the result has no map: 'study: {map: {x: ..., y: ...}}' in a case computes one")
 

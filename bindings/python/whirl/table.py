@@ -79,6 +79,9 @@ class Table(Mapping):
     def __init__(self, about: Any, source: Any) -> None:
         self._about, self._source = about, source
         self.name = source.name  #: "sweep", "map", "branch", ...
+        #: what the points are in the study, whatever the name: "point", "survey", "detail", "map", "basin", "branches",
+        #: "curves", "tori", "motions", "rest", "tolerances" or "records"
+        self.role = source.role
         self.parameter = source.parameter  #: the varied parameter, "" for a single point
         self.second = source.second  #: the second parameter of a map or of curves, else ""
         self.third = source.third  #: the third parameter, from plane to plane of a map, else ""
@@ -155,7 +158,7 @@ class Table(Mapping):
     @property
     def has_attractors(self) -> bool:
         """True if points are different starts of one machine, as in a basin or with several starts at a place."""
-        return self.name == "basin" or FIELD.STARTS_NUMBER in self.fields
+        return self.role == "basin" or FIELD.STARTS_NUMBER in self.fields
 
     @property
     def attractors(self) -> np.ndarray | None:
