@@ -279,7 +279,7 @@ static void get_length_scales(whirl_status *status, hid_t group, const whirl_res
         column_get(status, &from, &scales[i]);
         const bool own = scales[i] != result->length_scale;
         changes = changes || own;
-        if (own && !(scales[i] > 0.0))
+        if (status->code == WHIRL_OK && own && !(scales[i] > 0.0))
             *status = whirl_fail(WHIRL_BAD_INPUT, "/%s/length_scale holds %g, expected lengths above 0", table->name,
                                  scales[i]);
     }
@@ -530,7 +530,7 @@ static void get_result(whirl_status *status, hid_t file, size_t limit, const blo
     get_contacts(status, file, result);
     get_provenance(status, file, result);
     get_tables(status, file, &how, result);
-    stored_check_texts(status, file);
+    stored_check_unread(status, file);
 }
 
 whirl_status read_result(const byte_source *source, const char *name, const block_taker *taker, whirl_result **result) {

@@ -133,27 +133,32 @@ void stored_visit(whirl_status *status, hid_t object, const stored_visitor *visi
         *status = damaged("an attribute");
 }
 
-// ---------------------------------------------------------------- texts that are not needed otherwise
+// ---------------------------------------------------------------- data that is not needed otherwise
 
-/// Rows of texts that are read at a time.
-enum { SOME_ROWS = 1 << 14 };
+/// Bytes of a dataset that are read at a time, unless a row is longer.
+enum { SOME_BYTES = 1 << 22 };
 
-/// Reads the texts of a dataset, for their checksums.
-static void check_texts(whirl_status *status, hid_t dataset) {
+/// Reads the rows of a dataset for their checksums.
+static void check_rows(whirl_status *status, hid_t dataset) {
     char name[NAME_BYTES];
     stored_array array;
     stored_outline(status, dataset, &array);
-    if (status->code != WHIRL_OK || array.kind != STORED_TEXTS || array.rank != 1 || array.count == 0) return;
+    if (status->code != WHIRL_OK || array.rank == 0) return;
+    // Numbers of points with an extent are fields, which have been read.
+    const hsize_t all = array.sizes[0], row = all > 0 ? array.count / all * array.width : 0;
+    if (row == 0 || H5Aexists(dataset, "extent") > 0) return;
     name_of(dataset, name);
-    const hsize_t some = array.count < SOME_ROWS ? array.count : SOME_ROWS;
+    const hsize_t fit = SOME_BYTES / row, some = fit < 1 ? 1 : fit < all ? fit : all;
     const hid_t type = H5Dget_type(dataset), space = H5Dget_space(dataset);
-    char *rows = malloc(some * array.width);
+    hsize_t first[SHAPE_MAX_RANK] = {0}, count[SHAPE_MAX_RANK];
+    for (int i = 0; i < array.rank; i++) count[i] = array.sizes[i];
+    char *rows = malloc(some * row);
     if (!rows) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the values of %.200s", name);
-    for (hsize_t first = 0; first < array.count && status->code == WHIRL_OK; first += some) {
-        const hsize_t rest = array.count - first, count = rest < some ? rest : some;
-        const hid_t memory = H5Screate_simple(1, &count, NULL);
-        H5Sselect_hyperslab(space, H5S_SELECT_SET, &first, NULL, &count, NULL);
-        if (H5Dread(dataset, type, memory, space, H5P_DEFAULT, rows) < 0) *status = damaged(name);
+    for (; first[0] < all && status->code == WHIRL_OK; first[0] += some) {
+        count[0] = all - first[0] < some ? all - first[0] : some;
+        const hid_t memory = H5Screate_simple(array.rank, count, NULL);
+        H5Sselect_hyperslab(space, H5S_SELECT_SET, first, NULL, count, NULL);
+        if (H5Dread(dataset, memory_type(&array, type), memory, space, H5P_DEFAULT, rows) < 0) *status = damaged(name);
         H5Sclose(memory);
     }
     free(rows);
@@ -167,14 +172,14 @@ static void check_member(whirl_status *status, void *context, const char *name, 
     if (stored_is_group(object))
         stored_visit(status, object, again);
     else
-        check_texts(status, object);
+        check_rows(status, object);
 }
 
 static void check_attribute(whirl_status *status, void *context, const char *name, const stored_array *array) {
     (void)status, (void)context, (void)name, (void)array;
 }
 
-void stored_check_texts(whirl_status *status, hid_t file) {
+void stored_check_unread(whirl_status *status, hid_t file) {
     stored_visitor visitor = {check_member, check_attribute, &visitor};
     const hid_t root = status->code == WHIRL_OK ? H5Gopen2(file, "/", H5P_DEFAULT) : H5I_INVALID_HID;
     if (root < 0) return;

@@ -38,9 +38,9 @@ void stored_outline(whirl_status *status, hid_t dataset, stored_array *outline);
 void stored_read(whirl_status *status, hid_t dataset, stored_array *array);
 void stored_free(stored_array *array);
 
-/// Reads all texts and attributes of a result: those that are not needed otherwise (a verdict's name and reason follow
-/// from numbers) may be damaged, too. WHIRL_BAD_INPUT.
-void stored_check_texts(whirl_status *status, hid_t file);
+/// Reads all datasets but the fields of tables, and all attributes: those that are not needed otherwise (a verdict's
+/// name and the shares of attractors follow from other numbers) may be damaged, too. WHIRL_BAD_INPUT.
+void stored_check_unread(whirl_status *status, hid_t file);
 
 /// Opens a result that has been read through before (see whirl_result_read_outline), calls `write` with its root, and
 /// closes it.

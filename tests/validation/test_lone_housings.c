@@ -193,6 +193,8 @@ static void those_that_need_a_plane(void **state) {
     } wrong[] = {
         {"film: {at: ped, clearance: 1e-4, " FILM "}", "needs a station that moves along x, and 'ped' does not"},
         {"shaft: {between: [disc, ped], k1: 1e6}", "needs a station that moves along x, and 'ped' does not"},
+        {"stage: {at: ped, power: 1e5, diameter: 0.3, width: 0.02}",
+         "needs a station that moves along x, and 'ped' does not"},
         {"rub: {at: ped, gap: 1e-4, stiffness: 1e6}", "needs a station that moves along x, and 'ped' does not"},
         {"spring: {between: [ped, ground], along: x, stiffness: 1e6}",
          "needs a station that moves along x, and 'ped' does not"}};
