@@ -28,10 +28,7 @@ end
 text = given_case;
 name = 'case';
 if ~any(given_case == 10)
-    if ~exist(given_case, 'file')
-        error('whirl:badInput', 'there is no file %s', given_case);
-    end
-    text = fileread(given_case);
+    text = '';   % the gateway reads the file
     name = given_case;
 end
 settings = cell(1, numel(varargin) / 2);

@@ -84,18 +84,28 @@ static void set_all(machine *one, int count, const mxArray *const settings[]) {
     }
 }
 
-/* id = whirl_mex('machine', text, name, 'r_k=0.5', ...) */
+/* Reads the case of a text, or of the file where the text is empty. */
+static void read_case(machine *one, const mxArray *given, const char *name) {
+    char sentences[2000] = "";
+    whirl_problems problems = {0};
+    char *text = mxArrayToString(given);
+    const whirl_status read = text && text[0] ? whirl_case_parse(text, strlen(text), name, &problems, &one->given)
+                                              : whirl_case_load(name, &problems, &one->given);
+    mxFree(text);
+    if (problems.count > 0) whirl_problems_text(&problems, sentences, sizeof sentences);
+    whirl_problems_free(&problems);
+    if (read.code == WHIRL_BAD_INPUT && sentences[0]) mexErrMsgIdAndTxt("whirl:badInput", "%s", sentences);
+    mex_check(read);
+}
+
+/* id = whirl_mex('machine', text, name, 'r_k=0.5', ...); an empty text: the case is in the file of that name */
 static void mex_make(mxArray *out[], int count, const mxArray *in[]) {
-    char name[WORD], problems[2000];
+    char name[WORD];
     machine *one = free_place();
     if (count < 2 || !mxIsChar(in[0])) mexErrMsgIdAndTxt("whirl:badInput", "the case is no text");
     for (int i = 1; i < count; ++i) word_of(in[i], "a setting", name);
     word_of(in[1], "the name of the case", name);
-    char *text = mxArrayToString(in[0]);
-    const whirl_status read = whirl_case_check(text, strlen(text), name, problems, sizeof problems, &one->given);
-    mxFree(text);
-    if (read.code == WHIRL_BAD_INPUT && problems[0]) mexErrMsgIdAndTxt("whirl:badInput", "%s", problems);
-    mex_check(read);
+    read_case(one, in[0], name);
     set_all(one, count - 2, in + 2);
     const whirl_status built = whirl_case_rotor(one->given, NULL, 0.0, &one->rotor);
     if (built.code != WHIRL_OK) clear(one);

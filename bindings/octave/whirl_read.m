@@ -26,6 +26,10 @@ if numel(file) > 4 && strcmp(file(end - 3:end), '.mat')
     if ~exist(file, 'file')
         error('whirl:badInput', 'there is no file %s', file);
     end
+    about = dir(file);
+    if numel(about) ~= 1 || about.bytes == 0   % load would wait for ever at a pipe or a device
+        error('whirl:badInput', '%s holds nothing, expected a MAT file', file);
+    end
     result = load(file);
     return
 end

@@ -44,6 +44,14 @@ wrong(@() whirl_element(3, m, t, x), 'no text');
 wrong(@() whirl_machine(case_text, 'kapa', 3), 'kappa');
 wrong(@() whirl_machine(sprintf('%srotr: 3\n', case_text)), 'rotr');
 wrong(@() whirl_machine('nowhere.yaml'), 'nowhere.yaml');
+assert(system('mkfifo pipe.yaml pipe.mat pipe.h5 && mkdir folder.yaml'), 0);
+for reads = {@whirl_machine, @whirl_run, @whirl_bearing, @whirl_balance}
+  wrong(@() reads{1}('pipe.yaml'), 'is a pipe');
+  wrong(@() reads{1}('/dev/zero'), 'is a device');
+  wrong(@() reads{1}('folder.yaml'), 'folder');
+end
+wrong(@() whirl_read('pipe.h5'), 'is a pipe');
+wrong(@() whirl_read('pipe.mat'), 'expected a MAT file');
 wrong(@() whirl_mex(), 'gateway');
 wrong(@() whirl_mex('machine', 3, 4), 'no text');
 wrong(@() whirl_mex('rhs', NaN, 1, 1), 'no such machine');
