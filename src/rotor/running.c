@@ -27,11 +27,12 @@ static const double slowest = 1e-6;
 /// Speed, over the unit, below which dry friction of a load yields, for machines that may stand while torques pulsate.
 static const double slipping = 1e-4;
 
-/// A number of the machine that changes with the speed w: the sum of power[k] w^(k - 2), or a spline over w^2.
+/// A number of the machine that changes with the speed w: the sum of power[k] w^(k - 2), or a spline over w^lift.
 typedef struct number_of_speed {
     size_t index;
     double power[POWERS];
-    double *value, *curvature; ///< [SPLINE_NODES] spline of w^2 times the number; NULL: the sum of powers holds
+    double *value, *curvature; ///< [SPLINE_NODES] spline of w^lift times the number; NULL: the sum of powers holds
+    int lift;                  ///< 0, 1 or 2: w^lift times the number has a limit at low speeds
 } number_of_speed;
 
 /// A rotor whose speed changes.
@@ -144,9 +145,14 @@ static double spline_at(const running_rotor *r, const number_of_speed *of, doubl
            ((a * a * a - a) * of->curvature[i] + (b * b * b - b) * of->curvature[i + 1]) * h * h / 6.0;
 }
 
+/// Returns w^lift.
+static double spline_lift(int lift, double w) {
+    return lift == 0 ? 1.0 : lift == 1 ? w : w * w;
+}
+
 static double running_number_at(const running_rotor *r, const number_of_speed *of, double w) {
     const double *c = of->power;
-    if (of->value) return spline_at(r, of, w) / (w * w);
+    if (of->value) return spline_at(r, of, w) / spline_lift(of->lift, w);
     return ((c[0] / w + c[1]) / w + c[2]) + w * (c[3] + w * c[4]);
 }
 
@@ -249,11 +255,19 @@ static whirl_status running_sample(const running_rotor *r, whirl_machine_at *mak
     return status;
 }
 
+/// Returns the lift of a number by its values at the two lowest speeds, w [2]: stiffnesses grow as 1/w^2 towards low
+/// speeds, dampings as 1/w, ratios not at all. Below its first node a spline keeps its value, so that with another lift
+/// a number would vanish or grow without end there.
+static int spline_find_lift(const double *w, double lowest, double next) {
+    const double growth = log(fabs(lowest / next)) / log(w[1] / w[0]);
+    return growth > 1.5 ? 2 : growth > 0.5 ? 1 : 0; // 0 also where it is not a number
+}
+
 /// Fits splines to the numbers that are not sums of powers, from y [SPLINE_SPEEDS][number_count], and notes the largest
 /// error half way between nodes.
 static void running_fit_splines(running_rotor *r, const double *w, const double *y) {
     const size_t numbers = r->rotor->lanes.number_count;
-    double *next = r->splines;
+    double *next = r->splines, lifted[SPLINE_SPEEDS];
     for (size_t v = 0; v < r->varying_count; v++) {
         number_of_speed *own = &r->varying[v];
         double largest = 0.0;
@@ -261,14 +275,15 @@ static void running_fit_splines(running_rotor *r, const double *w, const double 
         own->value = next;
         own->curvature = next + SPLINE_NODES;
         next += SPLINE_NUMBERS;
-        for (size_t i = 0; i < SPLINE_NODES; i++) own->value[i] = w[2 * i] * w[2 * i] * y[2 * i * numbers + own->index];
-        spline_bend(r->node_distance, own->value, own->curvature);
-        for (size_t i = 0; i < SPLINE_SPEEDS; i++)
-            largest = fmax(largest, fabs(w[i] * w[i] * y[i * numbers + own->index]));
-        for (size_t i = 1; i < SPLINE_SPEEDS; i += 2) {
-            const double miss = spline_at(r, own, w[i]) - w[i] * w[i] * y[i * numbers + own->index];
-            r->shown.error = fmax(r->shown.error, fabs(miss) / largest);
+        own->lift = spline_find_lift(w, y[own->index], y[numbers + own->index]);
+        for (size_t i = 0; i < SPLINE_SPEEDS; i++) {
+            lifted[i] = spline_lift(own->lift, w[i]) * y[i * numbers + own->index];
+            largest = fmax(largest, fabs(lifted[i]));
         }
+        for (size_t i = 0; i < SPLINE_NODES; i++) own->value[i] = lifted[2 * i];
+        spline_bend(r->node_distance, own->value, own->curvature);
+        for (size_t i = 1; i < SPLINE_SPEEDS; i += 2)
+            r->shown.error = fmax(r->shown.error, fabs(spline_at(r, own, w[i]) - lifted[i]) / largest);
     }
 }
 

@@ -438,6 +438,44 @@ static void slow_runs_meet_the_response(void **state) {
     check_holds("Run-up", "a slower run is nearer to the response", misses[1] < 0.5 * misses[0]);
 }
 
+/// From standstill, through speeds at which dimensionless numbers, dampings and stiffnesses of a part grow differently
+/// over the speed: below its critical speed a machine never moves further than its response at the highest speed.
+static void parts_over_the_speed_from_standstill(void **state) {
+    static const char *const parts[] = {
+        "seal: {at: disc, law: black, clearance: 0.3 mm, radius: 40 mm, length: 30 mm, density: 1000, viscosity: 1e-3, "
+        "pressure: 1e6}",
+        "seal: {at: disc, law: black, clearance: 0.3 mm, radius: 40 mm, length: 30 mm, density: 1000, viscosity: 1e-3, "
+        "pressure: 1e4}",
+        "bearing: {at: disc, speeds: [0.1, 20, 60, 200], kxx: [2e6, 1e6, 1.5e6, 2e6], cxx: [9e3, 8e3, 6e3, 5e3]}"};
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(parts); i++) {
+        char machine[SIZE / 2], text[SIZE];
+        snprintf(machine, sizeof machine,
+                 "whirl: 1\n"
+                 "parameters: {omega: 200}\n"
+                 "rotor:\n"
+                 "  speed: = omega\n"
+                 "  length_scale: 1e-4\n"
+                 "  stations: {disc: {mass: 10, damping: 200, eccentricity: 5e-6}}\n"
+                 "  elements:\n"
+                 "    - spring: {between: [disc, ground], stiffness: 1e6}\n"
+                 "    - %s\n"
+                 "study:\n",
+                 parts[i]);
+        snprintf(text, sizeof text, "%s  runup: {rate: 500, speed_to: 200, method: rodas5p}\n", machine);
+        whirl_result *run = result_of_text(text);
+        snprintf(text, sizeof text, "%s  unbalance: {parameter: omega, values: [200]}\n", machine);
+        whirl_result *steady = result_of_text(text);
+        const double *response = whirl_table_field(&steady->tables[0], 0, WHIRL_FIELD_UNBALANCE_AMPLITUDE, 0);
+        assert_non_null(response);
+        const double largest = first_number(run, WHIRL_FIELD_RUNUP_PEAK, 0, 0);
+        check_within("Run-up", words("from standstill, largest radius over the response, %.40s", parts[i]), 1.0,
+                     largest / response[0], 0.05);
+        whirl_result_free(steady);
+        whirl_result_free(run);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(sensitive_runs),
                                        cmocka_unit_test(two_discs_on_one_shaft),
@@ -451,6 +489,7 @@ int main(void) {
                                        cmocka_unit_test(blade_loss_and_trip),
                                        cmocka_unit_test(eccentricity_appears),
                                        cmocka_unit_test(events_at_one_instant),
-                                       cmocka_unit_test(slow_runs_meet_the_response)};
+                                       cmocka_unit_test(slow_runs_meet_the_response),
+                                       cmocka_unit_test(parts_over_the_speed_from_standstill)};
     return cmocka_run_group_tests_name("run-ups", tests, NULL, NULL);
 }
