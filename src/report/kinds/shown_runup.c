@@ -175,6 +175,95 @@ static void runup_find_peaks(const finder *of) {
     find_sheet_end(of);
 }
 
+/// Begins a statement on a run, with the value of its parameter.
+static whirl_phrase *runup_state(const finder *of, const char *what, size_t point) {
+    whirl_statement *own = find_statement(of, what);
+    if (*of->table->parameter) phrase_value(of, &own->at, 6, of->table->values[point]);
+    return &own->found;
+}
+
+/// States the largest motion of all stations and runs.
+static void runup_find_largest_motion(const finder *of) {
+    double largest = -1.0;
+    size_t at = 0, which = 0;
+    for (size_t point = 0; point < of->table->count; point++)
+        for (size_t station = 0; station < of->result->station_count; station++) {
+            const double peak = runup_number_of(of, point, WHIRL_FIELD_RUNUP_PEAK, station) *
+                                whirl_result_length_scale(of->result, of->table, point);
+            if (!whirl_table_done(of->table, point) || of->result->stations[station].twists || !(peak > largest))
+                continue;
+            largest = peak;
+            at = point;
+            which = station;
+        }
+    if (largest < 0.0) return;
+    whirl_phrase *found = runup_state(of, "largest motion", at);
+    phrase_number(of, found, WHIRL_QUANTITY_LENGTH, 5, largest);
+    phrase_text(of, found, " from the centre at %s, at ", of->result->stations[which].name);
+    phrase_number(of, found, WHIRL_QUANTITY_TIME, 6, runup_number_of(of, at, WHIRL_FIELD_RUNUP_PEAK_TIME, which));
+    phrase_text(of, found, " and ");
+    phrase_number(of, found, WHIRL_QUANTITY_SPEED, 6, runup_number_of(of, at, WHIRL_FIELD_RUNUP_PEAK_SPEED, which));
+}
+
+/// Returns the largest normal force of a contact over all instants of a run, N.
+static double runup_largest_force(const finder *of, size_t point, size_t contact, size_t rows) {
+    const double *force = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_FORCE, contact);
+    double largest = 0.0;
+    for (size_t row = 0; force && row < rows; row++) largest = fmax(largest, force[row]);
+    return of->result->force_scale * largest;
+}
+
+/// States for each contact how often it closes in the run in which its force is largest.
+static void runup_find_touches(const finder *of) {
+    const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_FORCE);
+    for (size_t c = 0; c < of->result->contact_count && rows; c++) {
+        double largest = -1.0;
+        size_t at = 0;
+        for (size_t point = 0; point < of->table->count; point++) {
+            const double force = runup_largest_force(of, point, c, rows->rows);
+            if (isnan(runup_number_of(of, point, WHIRL_FIELD_RUNUP_CONTACT_NUMBER, c)) || !(force > largest)) continue;
+            largest = force;
+            at = point;
+        }
+        if (largest < 0.0) continue;
+        whirl_phrase *found = runup_state(of, find_text(of->findings, "%s", of->result->contacts[c]), at);
+        const double count = runup_number_of(of, at, WHIRL_FIELD_RUNUP_CONTACT_NUMBER, c);
+        if (!(count > 0.0)) {
+            phrase_text(of, found, "does not close");
+            continue;
+        }
+        phrase_text(of, found, "closes %.6g %s, first at ", count, count == 1.0 ? "time" : "times");
+        phrase_number(of, found, WHIRL_QUANTITY_TIME, 6, *runup_numbers_of(of, at, WHIRL_FIELD_RUNUP_CONTACT, c));
+        phrase_text(of, found, ", with up to ");
+        phrase_number(of, found, WHIRL_QUANTITY_FORCE, 5, largest);
+    }
+}
+
+/// States the largest torque of motors and between twists, of whichever sign.
+static void runup_find_largest_torque(const finder *of) {
+    const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_TORQUE_OF);
+    const double *own = NULL, *of_what = NULL;
+    size_t at = 0;
+    for (size_t point = 0; rows && point < of->table->count; point++) {
+        const double *names = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_TORQUE_OF, 0);
+        const double *extremes = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_TORQUE_EXTREME, 0);
+        for (size_t row = 0; names && extremes && row < 2 * rows->rows; row++) {
+            const double *extreme = extremes + 2 * row;
+            if (isnan(names[3 * (row / 2)]) || (own && !(fabs(*extreme) > fabs(*own)))) continue;
+            own = extreme;
+            of_what = names + 3 * (row / 2);
+            at = point;
+        }
+    }
+    if (!own) return;
+    char name[2 * WHIRL_NAME_SIZE + 40];
+    torque_name(of->result, of_what, name, sizeof name);
+    whirl_phrase *found = runup_state(of, "largest torque", at);
+    phrase_number(of, found, WHIRL_QUANTITY_MOMENT, 6, own[0]);
+    phrase_text(of, found, ", %s, at ", name);
+    phrase_number(of, found, WHIRL_QUANTITY_TIME, 6, own[1]);
+}
+
 static void runup_find_contacts(const finder *of) {
     // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "contacts", "Contacts of a run");
@@ -190,17 +279,14 @@ static void runup_find_contacts(const finder *of) {
     for (size_t point = 0; point < of->table->count && rows; point++)
         for (size_t c = 0; c < of->result->contact_count; c++) {
             const double *own = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_CONTACT, c);
-            const double *force = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_FORCE, c);
-            double largest = 0.0;
             const double count = runup_number_of(of, point, WHIRL_FIELD_RUNUP_CONTACT_NUMBER, c);
-            if (!own || !force || isnan(count)) continue;
-            for (size_t row = 0; row < rows->rows; row++) largest = fmax(largest, force[row]);
+            if (!own || isnan(count)) continue;
             sheet_row(of, sheet);
             cell_value(of, sheet, point);
             cell_text(of, sheet, of->result->contacts[c]);
             cell_number(of, sheet, count);
             for (size_t i = 0; i < 3; i++) cell_number(of, sheet, own[i]);
-            cell_number(of, sheet, of->result->force_scale * largest);
+            cell_number(of, sheet, runup_largest_force(of, point, c, rows->rows));
         }
     find_sheet_end(of);
 }
@@ -432,6 +518,9 @@ static void runup_find(const finder *of) {
     runup_find_error(of);
     runup_find_sensitivity(of);
     runup_find_capture(of);
+    runup_find_largest_motion(of);
+    runup_find_touches(of);
+    runup_find_largest_torque(of);
     runup_find_slow_roll(of);
     runup_find_runs(of);
     runup_find_events(of);
