@@ -222,6 +222,13 @@ whirl_status whirl_running_check_change(const whirl_system *system, const whirl_
                                        "other numbers of the same parts");
 }
 
+/// Returns true if masses between the same coordinates of both machines differ.
+static bool running_couples_otherwise(const whirl_rotor *one, const whirl_rotor *other) {
+    const coupling *a = &one->coupled, *b = &other->coupled;
+    return a->count > 0 && a->count == b->count &&
+           memcmp(a->share, b->share, a->count * a->count * sizeof *a->share) != 0;
+}
+
 static whirl_status running_check_machine(const running_rotor *r, const whirl_machine *machine) {
     const whirl_status status = whirl_running_check(machine->system, r->driven);
     if (status.code != WHIRL_OK) return status;
@@ -230,6 +237,11 @@ static whirl_status running_check_machine(const running_rotor *r, const whirl_ma
         return whirl_fail(
             WHIRL_BAD_INPUT,
             "a bearing has coefficients over frequencies of whirl, expected a machine that moves in time");
+    if (r->rotor && running_couples_otherwise(r->rotor, rotor))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "masses between stations (the fluid of a seal in a housing that moves) differ between %.6g "
+                          "and %.6g rad/s, expected the same at all speeds of a run, or a housing that stands",
+                          rotor->speed, r->rotor->speed);
     if (r->rotor && !r->rotor->lanes.alike(r->rotor, rotor))
         return whirl_fail(WHIRL_BAD_INPUT,
                           "the machine has other parts at %.6g rad/s than at %.6g rad/s, expected the same at all "
