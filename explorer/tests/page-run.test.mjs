@@ -91,6 +91,24 @@ test('a stored run is shown over time and speed, with one cursor', async () => {
   await close();
 });
 
+test('stations that twist are shown in degrees, without an orbit', async () => {
+  const train = makePage('train', readFileSync(new URL('../../cases/motor-start.yaml', import.meta.url), 'utf8'));
+  const { page, complaints, close } = await opened(`${train}#t=0.4&units=um,rpm,order,0-p`);
+  const { heading, rows } = await table(page, card('The run over the time'));
+  assert.deepEqual(heading.slice(3, 5), ['twist at 1X (\u00b0 0-p)', 'largest twist (\u00b0)']);
+  // The file has displacements of points 1 m from the axis, in mm, of the motor first.
+  const radius = exported('train', 'radius').rows.map((row) => (row.at(-1) * 1e-3 * 180) / Math.PI);
+  rows.forEach((row, i) => assert.ok(Math.abs(row[4] - radius[i]) <= 1e-6 * radius[0], `row ${i}`));
+  assert.ok(radius[0] > 3);
+  const numbers = await page.textContent('.run .numbers');
+  assert.match(numbers, /twist at 1X/);
+  assert.doesNotMatch(numbers, /\u00b5m|mean y/);
+  assert.equal(await page.isVisible('.panel-run-orbit'), false);
+  assert.equal(await page.isVisible('.panel-run-spectrum'), false);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('a moved rate gives the run that the command gives', async () => {
   const { page, complaints, close } = await opened(`${ramp}#t=80&units=scale,rad/s,order,0-p`);
   assert.deepEqual(await page.$$eval('.run .parameter label', (labels) => labels.map((label) => label.textContent)), [

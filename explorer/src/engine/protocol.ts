@@ -76,6 +76,8 @@ export interface StationInfo {
   /// Number of its shaft of finite elements, from 1 (0: none), and its position along the shaft, m.
   readonly shaft: number;
   readonly position: number;
+  /// True if it only turns about the shaft's axis: its lengths are those of a point 1 m from the axis.
+  readonly twists: boolean;
   /// True if the rotor turns from y to x.
   readonly clockwise: boolean;
 }

@@ -6,14 +6,14 @@ import type { Range } from '../figure/chart';
 import { shortName } from '../model/machine';
 import type { Session } from '../model/session';
 import { markField, typedQuantity } from '../model/typed';
-import { amplitudeMeasure, lengthMeasure, parameterMeasure, shown, written } from '../model/units';
+import { parameterMeasure, shown, written } from '../model/units';
 import { chartFrame, dragModes } from './chart_frame';
 import { numbersTable } from './numbers';
 import type { Panel } from './panel';
 import { keyElements } from './rest_subject';
 import { RunOverSpeed, RunOverTime, type RunChart } from './run_charts';
 import { RunOrbitPanel, RunSpectrumPanel, RunWaterfallPanel } from './run_panels';
-import type { RunSubject } from './run_subject';
+import { motionMeasures, type RunSubject } from './run_subject';
 import { SettingsCard, type SettingsListener } from './settings_card';
 
 export interface RunListener {
@@ -272,8 +272,17 @@ export class RunView {
     const speed = parameterMeasure('rad/s', units);
     this.state.textContent = row < 0 ? '' : `${shown(run.speed[row]! * speed.factor, 5)} ${speed.unit}`;
     for (const chart of [this.overTime, this.overSpeed]) chart.cursor(subject);
-    for (const panel of this.panels) panel.update(subject);
-    this.numbers.replaceChildren(stationsTable(subject), ...contactsTable(subject), turnTable(subject));
+    // A station that twists has neither an orbit nor spectra of one.
+    for (const panel of this.panels) {
+      panel.root.hidden = subject.info.twists;
+      if (!subject.info.twists) panel.update(subject);
+    }
+    this.numbers.replaceChildren(
+      ...stationsTable(subject, false),
+      ...stationsTable(subject, true),
+      ...contactsTable(subject),
+      turnTable(subject),
+    );
   }
 }
 
@@ -287,11 +296,35 @@ function firstTime(run: RunUp): number {
   return run.time[best] ?? 0;
 }
 
-function stationsTable({ run, row, station, units, scales }: RunSubject): HTMLElement {
-  const length = lengthMeasure(units, scales);
-  const amplitude = amplitudeMeasure(units, scales);
-  const number = (field: string, which: number, column: number, factor: number) =>
-    shown((run.column(field, which, column)[row] ?? NaN) * factor);
+/// The stations that twist, or those that move across the shaft; nothing if there are none.
+function stationsTable({ run, row, station, units, scales }: RunSubject, twists: boolean): HTMLElement[] {
+  const which = Array.from(run.stations.keys()).filter((i) => run.stations[i]!.twists === twists);
+  if (which.length === 0) return [];
+  const { length, amplitude } = motionMeasures(run.stations[which[0]!]!, units, scales);
+  const number = (field: string, of: number, column: number, factor: number) =>
+    shown((run.column(field, of, column)[row] ?? NaN) * factor);
+  const marked = which.indexOf(station);
+  if (twists)
+    return [
+      numbersTable(
+        'Twist at the cursor',
+        [
+          'station',
+          `twist at 1X (${amplitude.unit})`,
+          'lag (\u00b0)',
+          `largest (${length.unit})`,
+          `mean (${length.unit})`,
+        ],
+        which.map((i) => [
+          run.stations[i]!.name,
+          number(FIELD.RUNUP_AMPLITUDE, i, 0, amplitude.factor),
+          number(FIELD.RUNUP_LAG, i, 0, 1),
+          number(FIELD.RUNUP_RADIUS, i, 0, length.factor),
+          number(FIELD.RUNUP_CENTRE, i, 0, length.factor),
+        ]),
+        marked,
+      ),
+    ];
   const heading = [
     'station',
     `x at 1X (${amplitude.unit})`,
@@ -302,8 +335,8 @@ function stationsTable({ run, row, station, units, scales }: RunSubject): HTMLEl
     `mean x (${length.unit})`,
     `mean y (${length.unit})`,
   ];
-  const rows = run.stations.map(({ name }, i) => [
-    name,
+  const rows = which.map((i) => [
+    run.stations[i]!.name,
     ...[0, 1].flatMap((axis) => [
       number(FIELD.RUNUP_AMPLITUDE, i, axis, amplitude.factor),
       number(FIELD.RUNUP_LAG, i, axis, 1),
@@ -312,7 +345,7 @@ function stationsTable({ run, row, station, units, scales }: RunSubject): HTMLEl
     number(FIELD.RUNUP_CENTRE, i, 0, length.factor),
     number(FIELD.RUNUP_CENTRE, i, 1, length.factor),
   ]);
-  return numbersTable('Motion at the cursor', heading, rows, station);
+  return [numbersTable('Motion at the cursor', heading, rows, marked)];
 }
 
 function contactsTable({ run, row }: RunSubject): HTMLElement[] {

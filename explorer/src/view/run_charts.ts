@@ -6,10 +6,10 @@ import { Chart, type Frame, type Range } from '../figure/chart';
 import type { Picture } from '../figure/figure';
 import type { Pen } from '../figure/pen';
 import type { Theme } from '../figure/theme';
-import { amplitudeMeasure, labelled, lengthMeasure, parameterMeasure } from '../model/units';
+import { labelled, parameterMeasure } from '../model/units';
 import type { Table } from './panel';
 import { lineKey, pictureOf, type Key } from './rest_subject';
-import { drawRows, scaled, spanOf, type RunSubject } from './run_subject';
+import { drawRows, motionMeasures, scaled, spanOf, type RunSubject } from './run_subject';
 import { Stack, type StackListener } from './stack';
 
 /// A line over the rows, in shown units.
@@ -40,20 +40,24 @@ function keyOf({ text, dash, colour }: Curve, index: number): Key {
   return lineKey(SIGNS[style]!, KINDS[style]!, text, dash, colour);
 }
 
-/// Largest radius, and amplitudes of x and y at the speed, of a station.
-function motionCurves({ run, station, units, scales }: RunSubject): readonly Curve[] {
-  const length = lengthMeasure(units, scales).factor;
-  const amplitude = amplitudeMeasure(units, scales);
+/// Largest radius, and amplitudes of x and y at the speed, of a station; of one that twists its largest twist, and the
+/// twist's amplitude.
+function motionCurves({ run, station, info, units, scales }: RunSubject): readonly Curve[] {
+  const { length, amplitude } = motionMeasures(info, units, scales);
   const at = (axis: number) => scaled(run.column(FIELD.RUNUP_AMPLITUDE, station, axis), amplitude.factor);
+  const largest = scaled(run.column(FIELD.RUNUP_RADIUS, station), length.factor);
+  if (info.twists)
+    return [curve(`twist at 1X (${amplitude.unit})`, at(0), 0), curve(`largest twist (${length.unit})`, largest, 1)];
   return [
     curve(`x at 1X (${amplitude.unit})`, at(0), 0),
     curve(`y at 1X (${amplitude.unit})`, at(1), 1),
-    curve(
-      `largest radius (${lengthMeasure(units, scales).unit})`,
-      scaled(run.column(FIELD.RUNUP_RADIUS, station), length),
-      2,
-    ),
+    curve(`largest radius (${length.unit})`, largest, 2),
   ];
+}
+
+/// The label of the chart of motions.
+function motionLabel({ info, units, scales }: RunSubject): string {
+  return labelled(info.twists ? 'twist' : 'motion', motionMeasures(info, units, scales).length.unit);
 }
 
 /// What the lower chart over the time shows.
@@ -281,13 +285,7 @@ export class RunOverTime extends RunPair {
     );
     this.upperCurves = motionCurves(subject);
     this.lowerCurves = below.curves(subject);
-    this.showPair(
-      subject,
-      range,
-      labelled('motion', lengthMeasure(subject.units, subject.scales).unit),
-      below.axis,
-      false,
-    );
+    this.showPair(subject, range, motionLabel(subject), below.axis, false);
   }
 
   whole(run: RunUp): Range {
@@ -327,11 +325,13 @@ export class RunOverSpeed extends RunPair {
   }
 
   show(subject: RunSubject, range: Range): void {
-    const { run, station, units, scales } = subject;
+    const { run, station, info } = subject;
     const lag = (axis: number) => run.column(FIELD.RUNUP_LAG, station, axis);
     this.upperCurves = motionCurves(subject);
-    this.lowerCurves = [curve('lag of x (\u00b0)', lag(0), 0), curve('lag of y (\u00b0)', lag(1), 1)];
-    this.showPair(subject, range, labelled('motion', lengthMeasure(units, scales).unit), 'lag at 1X (\u00b0)', true);
+    this.lowerCurves = info.twists
+      ? [curve('lag of the twist (\u00b0)', lag(0), 0)]
+      : [curve('lag of x (\u00b0)', lag(0), 0), curve('lag of y (\u00b0)', lag(1), 1)];
+    this.showPair(subject, range, motionLabel(subject), 'lag at 1X (\u00b0)', true);
   }
 
   whole(run: RunUp): Range {
@@ -356,13 +356,13 @@ function stepped({ run }: RunSubject, time: number, steps: number): number {
 }
 
 /// Words of a slider in addition to its value.
-function wordsOf({ run, row, station, units, scales }: RunSubject): string {
+function wordsOf({ run, row, station, info, units, scales }: RunSubject): string {
   if (row < 0) return '';
-  const { factor, unit } = amplitudeMeasure(units, scales);
+  const { factor, unit } = motionMeasures(info, units, scales).amplitude;
   const speed = parameterMeasure('rad/s', units);
   const size = (run.column(FIELD.RUNUP_AMPLITUDE, station, 0)[row] ?? NaN) * factor;
   const at = `${run.time[row]!.toPrecision(4)} s, ${(run.speed[row]! * speed.factor).toPrecision(4)} ${speed.unit}`;
-  return `${at}, x ${size.toPrecision(3)} ${unit}`;
+  return `${at}, ${info.twists ? 'twist' : 'x'} ${size.toPrecision(3)} ${unit}`;
 }
 
 /// Sets the choices of a list, unless they are the same.

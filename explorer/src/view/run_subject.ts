@@ -3,7 +3,23 @@ import type { RunUp } from '../data/runup';
 import type { StationInfo } from '../engine/protocol';
 import type { Frame } from '../figure/chart';
 import type { Pen } from '../figure/pen';
-import type { Scales, Units } from '../model/units';
+import { amplitudeMeasure, lengthMeasure, type Measure, type Scales, type Units } from '../model/units';
+
+/// The measures of a station's displacements and amplitudes: lengths, or angles of a station that only twists.
+export function motionMeasures(
+  { twists }: StationInfo,
+  units: Units,
+  scales: Scales,
+): { readonly length: Measure; readonly amplitude: Measure } {
+  if (!twists) return { length: lengthMeasure(units, scales), amplitude: amplitudeMeasure(units, scales) };
+  // A unit of length at 1 m from the axis is a radian.
+  const degrees = { factor: (scales.length * 180) / Math.PI, unit: '\u00b0' };
+  const { factor } = amplitudeMeasure({ ...units, length: 'scale' }, scales);
+  return {
+    length: degrees,
+    amplitude: { factor: factor * degrees.factor, unit: `\u00b0 ${units.amplitude}` },
+  };
+}
 
 export interface RunSubject {
   readonly run: RunUp;
