@@ -154,7 +154,7 @@ static void phrase_reason(const balance_view *v, size_t n, whirl_phrase *phrase)
     const finder *to = &v->to;
     const whirl_balance_proposal *own = &v->found->proposals[n];
     if (own->reason == WHIRL_TRIAL_BY_NOTHING) {
-        phrase_text(to, phrase, "nothing that was read near its speed vibrates");
+        phrase_text(to, phrase, "no vibration was read near its speed");
         return;
     }
     // Say what set the size: a force, the least clear change, the largest change, or a limit.
@@ -172,7 +172,7 @@ static void phrase_reason(const balance_view *v, size_t n, whirl_phrase *phrase)
         phrase_row(v, phrase, row->probe, row->speed);
         phrase_text(to, phrase, "%s",
                     own->reason == WHIRL_TRIAL_BY_LEAST  ? ""
-                    : own->reason == WHIRL_TRIAL_BY_MOST ? " by more than it is"
+                    : own->reason == WHIRL_TRIAL_BY_MOST ? " by more than its vibration"
                                                          : " beyond its limit");
     }
     // Add the expected change at that row.

@@ -131,7 +131,7 @@ static whirl_status load_scale(const key_value *values, const assembly *to, doub
     // By the viscosity at the film's temperature.
     if (!viscous || !values[RADIUS].given || !values[LENGTH].given)
         return whirl_fail(WHIRL_BAD_INPUT,
-                          "has no complete film strength, expected load, or viscosity, radius and length");
+                          "has neither load nor all of viscosity, radius and length, expected one of the two");
     const whirl_status status = oil_viscosity(&own, &viscosity);
     const double length = values[LENGTH].number, clearance = values[CLEARANCE].number;
     *load = viscosity * to->pace * values[RADIUS].number * length * length * length / (4.0 * clearance * clearance);
