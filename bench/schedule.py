@@ -75,7 +75,7 @@ def main():
     sums = [0.0, *itertools.accumulate(costs)]
     mean, longest = sums[-1] / len(costs), max(costs)
     print(f"{len(costs)} points, {mean * 1e3:.3g} ms each, the longest {longest / mean:.2f} times that")
-    print("| ranks | seconds | questions | efficiency |\n|---:|---:|---:|---:|")
+    print("| ranks | seconds | requests | efficiency |\n|---:|---:|---:|---:|")
     for ranks in (1, 10, 100, 1000, 3000, 10000):
         end, questions = simulate(sums, ranks, options)
         print(f"| {ranks:,} | {end:,.3g} | {questions:,} | {sums[-1] / (ranks * end):.3f} |")
