@@ -60,7 +60,10 @@ static void note_machine(note_list *notes, const char *text, size_t length, cons
     if (status.code == WHIRL_OK) status = whirl_case_rotor_outline(object, NULL, 0.0, &rotor);
     notes->no_memory = notes->no_memory || status.code == WHIRL_NO_MEMORY;
     for (size_t i = 0; rotor && whirl_rotor_note(rotor, i, sentence); i++)
-        note_add(notes, "Motions at the speed of the case have, of a table over frequencies of whirl, %s.", sentence);
+        note_add(notes,
+                 "In motions at the speed of the case a rational function replaces a table over frequencies of "
+                 "whirl: %s.",
+                 sentence);
     if (problems.count > 0)
         note_add(notes, "Motions at the speed of the case are refused: %s.", problems.items[0].message);
     whirl_problems_free(&problems);
@@ -68,7 +71,7 @@ static void note_machine(note_list *notes, const char *text, size_t length, cons
     whirl_case_free(object);
 }
 
-/// The same with a motion for the study of the case.
+/// Notes what a study of motions would have in place of the tables: parses the case again with `response` as its study.
 static void note_in_time(note_list *notes, const whirl_imported *made, const char *file) {
     static const char study[] = "\nstudy:\n", response[] = "  response: {}\n";
     const char *const place = strstr(made->text, study);

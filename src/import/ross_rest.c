@@ -4,10 +4,13 @@
 
 #include "ross.h"
 
+/// Longest name of a key and its section, in bytes; notes show no more of it.
+enum { MAX_SHOWN = 96 };
+
 /// Keys of drawings.
 static const char *const drawing_keys[] = {"color", "scale_factor"};
 
-/// Keys that are read where needed, and never noted.
+/// Keys that count as read in every section, so that they are never noted as unknown.
 static const char *const other_keys[] = {"tag", "material", "n"};
 
 void ross_note_rest(field_section *section, const char *tag, bool computed) {
@@ -19,21 +22,18 @@ void ross_note_rest(field_section *section, const char *tag, bool computed) {
     for (size_t i = 0; i < sizeof other_keys / sizeof *other_keys; i++)
         (void)value_member(section->table, other_keys[i]);
     if (drawn) note_of(notes, NOTE_DRAWING, tag);
-    // Count the keys that nothing has read.
-    size_t left = 0;
-    const value *first = NULL;
+    // Note the keys that nothing has read.
     for (const value *one = section->table->first; one; one = one->next) {
         if (one->seen || one->kind == VALUE_NOTHING) continue;
-        if (!first) first = one;
-        left++;
+        if (computed) {
+            note_of(notes, NOTE_EXTRA, tag);
+            return;
+        }
+        const size_t whole = strlen(one->key) + strlen(section->name) + sizeof " of ";
+        const size_t size = whole < MAX_SHOWN ? whole : MAX_SHOWN;
+        char *const which = field_memory(section->reader, size);
+        if (!which) return;
+        snprintf(which, size, "%s of %s", one->key, section->name);
+        note_of(notes, NOTE_UNKNOWN, which);
     }
-    if (left == 0) return;
-    if (computed) {
-        note_of(notes, NOTE_EXTRA, tag);
-        return;
-    }
-    const size_t size = strlen(first->key) + strlen(section->name) + 16;
-    char *const which = field_memory(section->reader, size);
-    if (which) snprintf(which, size, "%s of %s", first->key, section->name);
-    for (size_t i = 0; which && i < left; i++) note_of(notes, NOTE_UNKNOWN, which);
 }

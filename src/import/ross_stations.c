@@ -90,7 +90,7 @@ static void ross_collect(ross_rotor *rotor) {
     station_of(rotor, rotor->last_node, "right end");
 }
 
-/// Checks ends that no piece of shaft touches: their inertia is only that of the listed parts.
+/// Refuses an end of a coupling that no shaft reaches if the parts there have no mass or no diametral inertia.
 static void check_free_ends(ross_rotor *rotor) {
     static const char *const masses[] = {"m_l", "m_r"}, *const inertias[] = {"Ip_l", "Ip_r"};
     for (size_t i = 0; i < 2 * rotor->coupling_count; i++) {

@@ -354,11 +354,12 @@ static void expect_of_3(const char *table, const char *line, const char *message
 static void in_time(void **state) {
     static const struct {
         const char *table, *note;
-    } tables[] = {{"frequency = [ 0, 100, 200, 400, 600, 800,]\nkxx = [ 1e6, 1.01e6, 1.02e6, 1.03e6, 1.035e6, 1.04e6,]",
-                   "Motions at the speed of the case have, of a table over frequencies of whirl, bearing at bearing_0: "
-                   "in time 4 poles, off its table by "},
-                  {"frequency = [ 0, 100, 400,]\nkxx = [ 1e6, 8e6, 3e6,]",
-                   "Motions at the speed of the case are refused: bearing differs from its table by "}};
+    } tables[] = {
+        {"frequency = [ 0, 100, 200, 400, 600, 800,]\nkxx = [ 1e6, 1.01e6, 1.02e6, 1.03e6, 1.035e6, 1.04e6,]",
+         "In motions at the speed of the case a rational function replaces a table over frequencies of whirl: "
+         "bearing at bearing_0: in time 4 poles, off its table by "},
+        {"frequency = [ 0, 100, 400,]\nkxx = [ 1e6, 8e6, 3e6,]",
+         "Motions at the speed of the case are refused: bearing differs from its table by "}};
     (void)state;
     for (size_t i = 0; i < 2; i++) {
         static const char old[] = "frequency = [ 0.0, 100.0, 400.0,]\nkxx = [ 1e6, 2e6, 3e6,]\nkxy = [ 5.0,]\ncxx = [ "
@@ -477,6 +478,9 @@ static void test_notes(void **state) {
         "Keys that say how coefficients were found are left out, the coefficients are as they stand: 'Support'.");
     expect_note("m = 30.0", "m = 30.0\nbore = 1",
                 "Keys that are not known here are left out: 'bore of DiskElement_Disk 0'.");
+    expect_note("m = 30.0", "m = 30.0\nbore = 1\nkeyway = 2\nhub = 3\nrim = 4",
+                "Keys that are not known here are left out: 'bore of DiskElement_Disk 0', 'keyway of DiskElement_Disk "
+                "0', 'hub of DiskElement_Disk 0' and 1 more.");
     expect_note(
         "my = 25.0", "my = 25.0\nmz = 7",
         "Masses along the shaft (mz) that differ from mx are left out, for motions here are lateral: 'Pedestal'.");
