@@ -93,7 +93,7 @@ static whirl_status find_station(const whirl_system *system, const char *station
         if (strcmp(system->probes[*index].name, station) == 0) return whirl_ok();
     for (size_t i = 0; i < system->probe_count; i++) names[i] = system->probes[i].name;
     describe_names(station, names, system->probe_count, advice);
-    return whirl_fail(WHIRL_BAD_INPUT, "%s '%.63s' is at station '%.63s', which the model has not, %.200s", what, name,
+    return whirl_fail(WHIRL_BAD_INPUT, "%s '%.63s' is at station '%.63s', which the model has not, %s", what, name,
                       station, advice);
 }
 

@@ -38,6 +38,16 @@ static void place(whirl_problem *problem, const file_node *where, bool at_key) {
     node_path(where, problem->key, sizeof problem->key);
 }
 
+/// Writes the message; one that is too long ends with a whole word and "...".
+static void write_message(whirl_problem *problem, const char *format, va_list arguments) {
+    const size_t size = sizeof problem->message, room = size - sizeof "...";
+    const int length = vsnprintf(problem->message, size, format, arguments);
+    if (length < 0 || (size_t)length < size) return;
+    size_t end = room;
+    while (end > 0 && problem->message[end - 1] != ' ') end--;
+    snprintf(problem->message + end, size - end, "...");
+}
+
 void problem_in_file(whirl_problems *problems, int line, int column, const char *format, ...) {
     whirl_problem *problem = add_problem(problems);
     if (!problem) return;
@@ -45,7 +55,7 @@ void problem_in_file(whirl_problems *problems, int line, int column, const char 
     problem->column = column;
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(problem->message, sizeof problem->message, format, arguments);
+    write_message(problem, format, arguments);
     va_end(arguments);
 }
 
@@ -55,7 +65,7 @@ void problem_at(whirl_problems *problems, const file_node *where, const char *fo
     place(problem, where, false);
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(problem->message, sizeof problem->message, format, arguments);
+    write_message(problem, format, arguments);
     va_end(arguments);
 }
 
@@ -65,7 +75,7 @@ void problem_at_key(whirl_problems *problems, const file_node *where, const char
     place(problem, where, true);
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(problem->message, sizeof problem->message, format, arguments);
+    write_message(problem, format, arguments);
     va_end(arguments);
 }
 
@@ -77,7 +87,7 @@ void problem_missing(whirl_problems *problems, const file_node *mapping, const c
     snprintf(problem->key + used, sizeof problem->key - used, "%s%s", used ? "." : "", key);
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(problem->message, sizeof problem->message, format, arguments);
+    write_message(problem, format, arguments);
     va_end(arguments);
 }
 

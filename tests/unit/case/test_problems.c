@@ -464,6 +464,46 @@ static void too_much(void **state) {
     free(text);
 }
 
+/// Returns the first problem of the good case with one more key in its study.
+static void problem_of_key(const char *key, char message[sizeof(whirl_problem)]) {
+    char line[256];
+    whirl_problems problems = {0};
+    whirl_case *object = NULL;
+    snprintf(line, sizeof line, "study:\n  %s: 1", key);
+    char *text = edited(good_case, "study:", line);
+    whirl_case_parse(text, strlen(text), "t", &problems, &object);
+    snprintf(message, sizeof(whirl_problem), "%s", problems.count > 0 ? problems.items[0].message : "");
+    whirl_problems_free(&problems);
+    whirl_case_free(object);
+    free(text);
+}
+
+/// A list of keys that does not fit into a message ends with a whole key and "...", wherever it is cut.
+static void long_lists(void **state) {
+    (void)state;
+    char key[64] = "", message[sizeof(whirl_problem)], other[sizeof(whirl_problem)], expected[128];
+    for (size_t length = 4; length < sizeof key - 4; length++) {
+        memset(key, 'z', length);
+        problem_of_key(key, message);
+        char *names = strstr(message, ", expected one of ");
+        assert_non_null(names);
+        names += strlen(", expected one of ");
+        const size_t used = strlen(names);
+        assert_true(used > 5);
+        assert_string_equal(names + used - 5, ", ...");
+        names[used - 5] = '\0';
+        // Every name of the list is a key of the study.
+        for (char *name = names; name;) {
+            char *const end = strstr(name, ", ");
+            if (end) *end = '\0';
+            snprintf(expected, sizeof expected, "has no key %s,", name);
+            problem_of_key(name, other);
+            assert_null(strstr(other, expected));
+            name = end ? end + 2 : NULL;
+        }
+    }
+}
+
 static void too_many(void **state) {
     (void)state;
     char *text = malloc(1 << 20);
@@ -565,12 +605,12 @@ static void files(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(numbers),   cmocka_unit_test(sweeps),          cmocka_unit_test(starts),
-        cmocka_unit_test(units),     cmocka_unit_test(units_of_sweeps), cmocka_unit_test(single_analyses),
-        cmocka_unit_test(angles),    cmocka_unit_test(names),           cmocka_unit_test(expressions),
-        cmocka_unit_test(structure), cmocka_unit_test(ends_of_sweeps),  cmocka_unit_test(no_yaml),
-        cmocka_unit_test(too_much),  cmocka_unit_test(too_many),        cmocka_unit_test(many_problems_at_once),
-        cmocka_unit_test(files),
+        cmocka_unit_test(numbers),    cmocka_unit_test(sweeps),          cmocka_unit_test(starts),
+        cmocka_unit_test(units),      cmocka_unit_test(units_of_sweeps), cmocka_unit_test(single_analyses),
+        cmocka_unit_test(angles),     cmocka_unit_test(names),           cmocka_unit_test(expressions),
+        cmocka_unit_test(structure),  cmocka_unit_test(ends_of_sweeps),  cmocka_unit_test(no_yaml),
+        cmocka_unit_test(too_much),   cmocka_unit_test(too_many),        cmocka_unit_test(many_problems_at_once),
+        cmocka_unit_test(long_lists), cmocka_unit_test(files),
     };
     return cmocka_run_group_tests_name("problems", tests, NULL, NULL);
 }
