@@ -8,17 +8,22 @@
 /// Writes the `count` values of functions that are positive until they are crossed, at `theta` of the step, 0 to 1.
 typedef void crossing_values(void *context, double theta, double *values);
 
+enum { CROSSING_ROWS = 12, CROSSING_DEGREE = 8 };
+
+/// Functions that begin at zero, by the number of leading terms that vanish there. The zero at theta = 0 is ignored.
+enum {
+    CROSSING_STEEP = 1,                  ///< the function is zero, its derivative is not
+    CROSSING_LEVEL = 2,                  ///< its derivative is zero too
+    CROSSING_ALONG = CROSSING_DEGREE + 1 ///< all zeros of the function are ignored
+};
+
 typedef struct crossing_search {
     crossing_values *values;
     void *context;
     size_t count;
-    /// [count] 0; 1 for a function that begins at zero, 2 if its derivative begins at zero too: the zero at theta = 0
-    /// is ignored. CROSSING_ALONG: all zeros of this function are ignored.
-    const int *held;
-    double *work; ///< [CROSSING_ROWS][count]
+    const int *held; ///< [count] 0, or a CROSSING_ number for a function that begins at zero
+    double *work;    ///< [CROSSING_ROWS][count]
 } crossing_search;
-
-enum { CROSSING_ROWS = 12, CROSSING_DEGREE = 8, CROSSING_ALONG = CROSSING_DEGREE + 1 };
 
 /// Finds the first zero: returns true with its theta and the function's index. Two zeros in one step, where a function
 /// only dips below zero, are found too: every function is replaced by a polynomial, which its Bernstein coefficients

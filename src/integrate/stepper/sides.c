@@ -30,8 +30,8 @@ double stepper_rate(const stepper *c, size_t which, double t, const double *x, c
     return (rate - sides_value(c, which, t - step, c->work)) / (2.0 * step);
 }
 
-/// Returns the change of a switching function if every coordinate changes by `absolute` plus `relative` times itself;
-/// without a gradient, a unit of the function for a unit of the state.
+/// Returns the change of a switching function if every coordinate changes by `absolute` plus `relative` times itself.
+/// Without a gradient it assumes that the function changes by one when a coordinate does.
 static double change_by(const stepper *c, size_t which, double t, const double *x, double absolute, double relative) {
     double *gradient = c->work, by_time, change = 0.0;
     if (!c->system->switch_gradient) {
@@ -62,7 +62,6 @@ static void slope_on(const stepper *c, double t, const double *x, const double *
 /// Solves the n by n equations matrix out = right by elimination with the largest pivot; returns false if they are
 /// singular.
 bool stepper_solve(size_t n, double matrix[MAX_SLIDING][MAX_SLIDING], double *right) {
-    // Elimination with the largest pivot of the column.
     for (size_t k = 0; k < n; k++) {
         size_t pivot = k;
         for (size_t i = k + 1; i < n; i++)
@@ -177,7 +176,8 @@ static departure depart(stepper *c, size_t which, double side) {
     stepper_slope(c, c->t + step, later, slope);
     out.bend = (stepper_rate(c, which, c->t + step, later, slope) - out.rate) / step;
     c->sides[which] = kept;
-    // Before it turns, the function would pass zero by rate^2/(2 bend): level if that is within rounding.
+    // A function with this rate and bend turns at rate^2/(2 bend) beyond zero. If that is within rounding, the rate
+    // says nothing: level.
     out.level = out.rate * out.rate <= 16.0 * DBL_EPSILON * size * fabs(out.bend);
     return out;
 }
@@ -203,8 +203,8 @@ static void trial_step(stepper *c, double t, double h, double *x, double *rows) 
         for (size_t d = 0; d < n; d++) x[d] += weights[k] * h * rows[k * n + d];
 }
 
-/// If first and second derivatives are inconclusive: returns true if the function moves to `side` a little later, after
-/// so many steps.
+/// If first and second derivatives are inconclusive: returns true if the function is on `side` after TRIAL_STEPS steps,
+/// and is farther there than after half of them.
 static bool goes_later(stepper *c, size_t which, double side, double *rows) {
     const size_t n = c->dimension;
     const double h = c->system->period / (64.0 * TRIAL_STEPS), kept = c->sides[which];
@@ -220,8 +220,8 @@ static bool goes_later(stepper *c, size_t which, double side, double *rows) {
     return whole > half && half > 0.0;
 }
 
-/// Sets the side on which the motion will be. If it is so near to the switch that rounding decides, it counts as on
-/// that side for the length of a step.
+/// Sets the side to which trial steps lead; if they lead to neither, the side stays. In the next step zeros of this
+/// switch are ignored.
 static void try_sides(stepper *c, size_t which) {
     double *rows = calloc(TRIAL_ROWS * c->dimension, sizeof *rows);
     c->held[which] = CROSSING_ALONG;
@@ -252,7 +252,7 @@ static void let_go(stepper *c, size_t which) {
     c->sides[which] = share[at] > 0.5 ? 1.0 : -1.0;
     c->sliding[which] = false;
     c->sliding_count--;
-    c->held[which] = 2; // the function and its derivative are both zero here
+    c->held[which] = CROSSING_LEVEL;
 }
 
 /// Returns true if both sides push onto the switch.
@@ -272,9 +272,9 @@ void stepper_cross(stepper *c, size_t which) {
         slide(c, which);
     } else if (goes(onward, -from)) {
         c->sides[which] = -from;
-        c->held[which] = onward->level ? 2 : 1;
+        c->held[which] = onward->level ? CROSSING_LEVEL : CROSSING_STEEP;
     } else if (goes(back, from)) {
-        c->held[which] = back->level ? 2 : 1;
+        c->held[which] = back->level ? CROSSING_LEVEL : CROSSING_STEEP;
     } else {
         try_sides(c, which);
     }
@@ -290,7 +290,8 @@ void stepper_find_sides(stepper *c) {
     system->switches(system->model, c->t, c->x, values);
     // Switches away from zero have the side of their sign.
     for (size_t i = 0; i < system->switch_count; i++) c->sides[i] = values[i] > 0.0 ? 1.0 : -1.0;
-    // At a switch near zero the motion slides, leaves to one side, or tries both.
+    // At a switch near zero the motion slides or leaves to one side; if derivatives do not tell, trial steps on both
+    // sides do.
     for (size_t i = 0; i < system->switch_count; i++) {
         if (fabs(values[i]) > change_by(c, i, c->t, c->x, 0.0, 16.0 * DBL_EPSILON)) continue;
         const departure below = depart(c, i, -1.0), above = depart(c, i, 1.0);
@@ -299,7 +300,7 @@ void stepper_find_sides(stepper *c) {
         } else if (goes(&above, 1.0) || goes(&below, -1.0)) {
             const departure *taken = goes(&above, 1.0) ? &above : &below;
             c->sides[i] = taken == &above ? 1.0 : -1.0;
-            c->held[i] = taken->level ? 2 : 1;
+            c->held[i] = taken->level ? CROSSING_LEVEL : CROSSING_STEEP;
         } else {
             try_sides(c, i);
         }
