@@ -23,13 +23,9 @@ enum { PATH_SIZE = 4096 };
 // ---------------------------------------------------------------- computing
 
 static int set_budget(const study_arguments *arguments, whirl_case *object) {
-    whirl_study study;
-    whirl_budget budget = arguments->budget;
-    const whirl_status status = whirl_case_study(object, &study);
-    if (status.code != WHIRL_OK) return complain_of(&status);
-    if (budget.revolutions == 0 && budget.seconds == 0) budget.revolutions = whirl_study_revolutions(&study);
-    whirl_case_refine(object, budget);
-    return EXIT_DONE;
+    const whirl_budget *budget = &arguments->budget;
+    const whirl_status status = whirl_case_spend(object, budget->revolutions, budget->seconds);
+    return status.code == WHIRL_OK ? EXIT_DONE : complain_of(&status);
 }
 
 static int load(const study_arguments *arguments, whirl_case **object) {
