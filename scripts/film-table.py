@@ -215,16 +215,16 @@ def main():
     found = [[r, *errors(parts, r)] for r in np.geomspace(LEAST, MOST, 27)]
     count = len(parts[0]) + len(parts[1])
     print(
-        f"""/// What films of finite length have over short ones (film_ratio.h), written by scripts/film-table.py.
+        f"""/// Coefficients of the ratio of finite to short films (film_ratio.h), written by scripts/film-table.py.
 #ifndef ROTOR_FILM_TABLE_H
 #define ROTOR_FILM_TABLE_H
 
-/// L/D from which to which it goes; of s = r/(FILM_SHIFT + r), r = L/D, the coefficients are Chebyshev series.
+/// Range of L/D of the table. The coefficients are Chebyshev series in s = r/(FILM_SHIFT + r), r = L/D.
 #define FILM_SHORTEST {LEAST}
 #define FILM_LONGEST {MOST}
 #define FILM_SHIFT {SHIFT}
 
-/// Degrees in p and b; how many coefficients there are; the terms of their series over s.
+/// Degrees in p and b; number of coefficients; terms of their series over s.
 enum {{ FILM_IN_P = {IN_P}, FILM_IN_B = {IN_B}, FILM_COEFFICIENTS = {count}, FILM_TERMS = {PLACES} }};
 
 /// Coefficients of p^2 and b^2 in the denominator.
@@ -233,13 +233,14 @@ static const double film_denominator[FILM_DENOMINATOR][FILM_DENOMINATOR_TERMS] =
 {rows(parts[2])}
 }};
 
-/// 1 + r^2 times the coefficients of p^i b^j, i/FILM_IN_P + j/FILM_IN_B <= 1, j innermost: i even, of the real part,
-/// then i odd, of the imaginary one.
+/// A row for each p^i b^j with i/FILM_IN_P + j/FILM_IN_B <= 1, first even i (of R), then odd i (of I), j fastest: the
+/// Chebyshev series of its coefficient times 1 + r^2.
 static const double film_table[FILM_COEFFICIENTS][FILM_TERMS] = {{
 {rows(np.concatenate(parts[:2]))}
 }};
 
-/// Of 1127 states at some L/D the largest error over the force, to e = .9 and from there to .95.
+/// A row for each L/D tried: L/D, and the largest relative error of the force over 1127 states, up to an eccentricity
+/// ratio of .9 and from .9 to .95.
 enum {{ FILM_TRIED = {len(found)} }};
 static const double film_errors[FILM_TRIED][3] = {{"""
     )

@@ -30,7 +30,8 @@ whirl_status whirl_case_spend(whirl_case *object, double revolutions, double sec
     whirl_study study;
     whirl_budget budget = {.revolutions = revolutions, .seconds = seconds};
     if (!(revolutions >= 0.0) || !(seconds >= 0.0))
-        return whirl_fail(WHIRL_BAD_INPUT, "a budget is %g revolutions and %g s, expected numbers of at least 0",
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "the budget of %g revolutions and %g s is invalid, expected numbers of at least 0",
                           revolutions, seconds);
     const whirl_status status = whirl_case_study(object, &study);
     if (status.code != WHIRL_OK) return status;

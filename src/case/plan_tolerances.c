@@ -15,7 +15,7 @@
 
 // ---------------------------------------------------------------- distributions
 
-/// The difference that a text such as "0.01 mm" or "5 degC" means.
+/// Reads a difference such as "0.01 mm" or "5 degC": the zero of a temperature unit does not count.
 static bool difference_read(const char *text, const char *unit, double *value, char why[WHY_SIZE]) {
     quantity read, zero = {.value = 0.0};
     const char *space = strchr(text, ' ');
@@ -203,7 +203,7 @@ static void read_spread(case_reader *reader, const file_node *where, tolerance_p
     setting_list keys = {.name = schema_limit.name, .group = &schema_limit, .place = where};
     settings_read(reader, where, &schema_limit, &keys);
     if (parts->spread_count == PLAN_MAX_SPREADS) {
-        problem_at(reader->problems, where, "is one number too many, expected at most %d", PLAN_MAX_SPREADS);
+        problem_at(reader->problems, where, "asks for one more number than the %d that are possible", PLAN_MAX_SPREADS);
         return;
     }
     const size_t index = parts->spread_count++;
@@ -219,7 +219,7 @@ static void read_spread(case_reader *reader, const file_node *where, tolerance_p
     of->below = read_limit(reader, &keys, "below", INFINITY, &parts->units[index]);
     if (!(of->above < of->below))
         problem_at(reader->problems, settings_find(&keys, "below")->place,
-                   "is a limit not above that of `above`, expected room between the two");
+                   "is not above the limit `above`, expected a larger number");
 }
 
 void tolerances_read(case_reader *reader, plan_parts *parts) {
@@ -234,11 +234,12 @@ void tolerances_read(case_reader *reader, plan_parts *parts) {
     }
     // Read the distributions of all parameters.
     const setting *all = settings_find(&own->keys, "parameters"), *of = settings_find(&own->keys, "of");
-    if (all && (all->place->kind != NODE_MAPPING || all->place->count == 0 || all->place->count > WHIRL_MAX_TOLERANCES))
+    if (all && (all->place->kind != NODE_MAPPING || all->place->count == 0))
         problem_at(reader->problems, all->place, "is %s, expected 1 to %d parameters with their tolerances",
-                   all->place->kind == NODE_MAPPING ? all->place->count ? "a longer list" : "empty"
-                                                    : node_shown(all->place, shown),
-                   WHIRL_MAX_TOLERANCES);
+                   all->place->kind == NODE_MAPPING ? "empty" : node_shown(all->place, shown), WHIRL_MAX_TOLERANCES);
+    else if (all && all->place->count > WHIRL_MAX_TOLERANCES)
+        problem_at(reader->problems, all->place, "has %zu parameters, expected 1 to %d with their tolerances",
+                   all->place->count, WHIRL_MAX_TOLERANCES);
     else
         for (const file_node *one = all ? all->place->first : NULL; one; one = one->next)
             own->count += distribution_read(reader, one, &own->distributions[own->count]);
@@ -294,7 +295,7 @@ bool distribution_make(case_reader *reader, valuation *v, const distribution_par
     return good;
 }
 
-/// Returns true if batches of samples are made of a batch.
+/// Returns true for a batch whose points tolerances sample.
 static bool is_sampled(const whirl_batch *batch) {
     static const whirl_role roles[] = {WHIRL_ROLE_POINT, WHIRL_ROLE_SURVEY, WHIRL_ROLE_REST, WHIRL_ROLE_MOTIONS};
     for (size_t i = 0; i < sizeof roles / sizeof *roles; i++)
@@ -325,7 +326,8 @@ static const double *repeat_values(case_reader *reader, const whirl_batch *batch
     return values;
 }
 
-/// Adds the samples of a batch. "tolerances" is their name, or "tolerances_SWEEP" among several.
+/// Adds a batch that computes the points of another batch for all sampled machines. It is called "tolerances", or
+/// "tolerances_SWEEP" if several batches are sampled.
 static void make_samples(case_reader *reader, const plan_parts *parts, const whirl_tolerance_options *options,
                          size_t index, bool several, study_plan *result) {
     const whirl_batch *of = &result->batches[index];
@@ -362,7 +364,7 @@ static void make_samples(case_reader *reader, const plan_parts *parts, const whi
         batch->analyses = whirl_analysis_fit(batch->analyses, &batch->record);
         plan_choose_analyses(batch, batch->analyses, false);
     }
-    // Samples are not places of the file: their failures are told at the key.
+    // A sample has no line in the case, so that its problems are reported at the key `tolerances`.
     plan_origin *origin = &result->origins[result->batch_count - 1];
     origin->each = NULL;
     origin->first = origin->last = origin->across = keys->place;

@@ -26,12 +26,14 @@ struct whirl_ensemble {
     adaptive_lanes *adaptive;  ///< NULL for rk4
     stepper *stepper;          ///< for steps near switches; NULL: not needed
     whirl_perturbations along; ///< perturbations of the stepper
-    double *room, *parts; ///< workspace of the stepper; [lane_count][2] parts of the period that lanes go over; NULL:
-                          ///< whole periods
-    alone_lanes *alone;   ///< lanes that integrators carry; NULL: kernels carry all lanes
-    double *ended;        ///< [lane] whirl_motion
-    const double
-        *shown; ///< [dimension] states that whirl_ensemble_coordinate returns: a sample's; NULL: the present ones
+    double *room;              ///< workspace of the stepper
+    /// [lane_count][2] beginning and end, in the period, of the part that each lane goes over; NULL: whole periods
+    double *parts;
+    alone_lanes *alone; ///< lanes that integrators carry; NULL: kernels carry all lanes
+    double *ended;      ///< [lane] whirl_motion
+    /// [dimension] sample that the observer looks at, whose states whirl_ensemble_coordinate returns; NULL: the present
+    /// states
+    const double *shown;
     const whirl_system **machines; ///< [lane_count] machine of every lane; NULL: empty
     whirl_perturbations **beside;  ///< [lane_count] perturbations carried in the next revolution; NULL: none
     size_t *contact_probe;
@@ -210,8 +212,9 @@ static bool attach_location(whirl_ensemble *e, const whirl_integrate_options *op
     return e->stepper != NULL;
 }
 
-/// Returns the number of vectors that hide each other's latency, at most 8. Their numbers and stages, and with
-/// rk4_instance.inc their observations too, must fit into the first cache. Measured with 512 bits: 6 for disc and
+/// Returns how many vectors rk4 carries together, so that each hides the latency of others: as many of 8, 6, 4, 3 and 2
+/// as fit with their numbers and stages into the first cache, else 1. With loops of the structure's own
+/// (rk4_instance.inc) their observations must fit too. The fastest numbers measured, with 512 bits: 6 for disc and
 /// journal, 4 for ten equal stations, 3 for a shaft of 22 coordinates, 1 for fifty stations; with 256 bits 8, 8, 6 and
 /// 1.
 static size_t fast_vectors(const whirl_ensemble *e) {
@@ -228,8 +231,8 @@ static size_t fast_vectors(const whirl_ensemble *e) {
     return choices[i];
 }
 
-/// Returns the number of lanes with times of their own: several for each slot, so that few slots are idle while the
-/// last lanes finish.
+/// Returns the number of lanes that is fastest. Adaptive methods: ROUNDS for each slot, so that few slots are idle
+/// while the last lanes finish. rk4: the vectors that hide each other's latency.
 static size_t fast_lanes(const whirl_ensemble *e) {
     enum { ROUNDS = 8 };
     return e->adaptive ? e->adaptive->slots * ROUNDS : fast_vectors(e) * e->isa->lanes;
@@ -420,10 +423,10 @@ static whirl_status load_numbers(whirl_ensemble *e, size_t lane, const whirl_sys
 
 whirl_status whirl_ensemble_load(whirl_ensemble *e, size_t lane, const whirl_system *system, const double *x) {
     if (!is_of_structure(e, system))
-        return whirl_fail(WHIRL_BAD_INPUT,
-                          "the machine has another structure than the ensemble, expected the same stations and "
-                          "elements and, on shafts "
-                          "of finite elements, the same masses (method cvode-bdf takes machines one by one)");
+        return whirl_fail(
+            WHIRL_BAD_INPUT,
+            "the machine has another structure than the ensemble, expected the same stations and "
+            "elements and, on shafts of finite elements, the same masses (method cvode-bdf takes machines one by one)");
     const whirl_status status = e->alone ? alone_lanes_load(e->alone, lane, system) : load_numbers(e, lane, system);
     if (status.code != WHIRL_OK) return status;
     e->machines[lane] = system;
@@ -576,7 +579,8 @@ static void end_perturbations(whirl_ensemble *e, size_t count) {
     }
 }
 
-/// Orders lanes, observed ones first, since steps cost more while these have slots. Returns how many are observed.
+/// Orders lanes, observed ones first: as long as one of them is in a slot, every step also computes its interpolant.
+/// Returns how many are observed.
 static size_t put_in_order(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
     const bool *which = observe ? observe->lanes : NULL;
     size_t observed = 0;
@@ -692,7 +696,8 @@ static void note_contacts(const whirl_ensemble *e, size_t lane) {
     }
 }
 
-/// Computes the largest force of contacts that depend on displacement alone: at the largest radius.
+/// Computes the normal forces at the largest radii, which are the largest if forces depend on the displacement alone.
+/// (max_radius holds squares.)
 static void largest_forces(const whirl_ensemble *e, size_t lane, double *force) {
     const lanes_observe *w = &e->lanes.observe;
     memset(e->state, 0, e->system->dimension * sizeof *e->state);

@@ -1,4 +1,5 @@
-/// A system without what drives it in time: the forcing at zero amplitude, turning phases at their mean.
+/// The mean of a system over time: forcing that varies is set to zero, and the right-hand side is averaged over the
+/// phases of turning parts, or over the period if the system lists no forcing.
 #ifndef LINEAR_MEAN_H
 #define LINEAR_MEAN_H
 
@@ -7,7 +8,7 @@
 /// A system with workspace.
 typedef struct mean_system {
     const whirl_system *system;
-    size_t count;           ///< coordinates that do not turn on and on
+    size_t count;           ///< coordinates other than angles of turning parts (whirl_system.turns)
     whirl_settled *settled; ///< [dimension] coordinates that mean_settle sets to a balance of their own
     size_t *kept;           ///< [count] coordinates of the state
     int samples;            ///< phases over which the mean is taken
@@ -15,7 +16,7 @@ typedef struct mean_system {
     double *slope;          ///< [dimension]
     double *unit;           ///< [count][dimension]
     double *rows;           ///< [count][dimension]
-    /// Values of time that are constant; 0 for the others.
+    /// Values of the forcing that do not change with time; 0 for those that do.
     double steady[WHIRL_MAX_FORCING];
 } mean_system;
 

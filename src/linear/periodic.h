@@ -5,9 +5,10 @@
 #include "mean.h"
 
 /// Finds the periodic motion near x [dimension], which becomes its state at t = 0, and its monodromy matrix
-/// [count][count] over *period, for the coordinates that do not turn on and on. Without `closed` it is enough that the
-/// matrix no longer changes: the matrix of a linear machine is the same for all motions, and its periodic motion may be
-/// unbounded. WHIRL_BAD_INPUT if no motion is found, or the coefficients do not repeat after a number of revolutions.
+/// [count][count] over *period, for the coordinates other than angles of turning parts (mean_system.kept). Without
+/// `closed` it is enough that the matrix no longer changes: the matrix of a linear machine is the same for all motions,
+/// and its periodic motion may be unbounded. WHIRL_BAD_INPUT if no motion is found, or the coefficients do not repeat
+/// after a number of revolutions.
 whirl_status periodic_find(const mean_system *m, double *x, bool closed, double *monodromy, double *period);
 
 /// Writes the mean [dimension] and the first harmonic [dimension][2] of the periodic motion that starts at x, as

@@ -1,4 +1,4 @@
-/// Output of functions as texts, for programs in other languages.
+/// What a function writes to a stream, as a text in memory, for programs in other languages.
 #ifndef REPORT_TEXT_WRITTEN_H
 #define REPORT_TEXT_WRITTEN_H
 

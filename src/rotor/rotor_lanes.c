@@ -1,4 +1,4 @@
-// Functions of lanes.h for a rotor's structure and numbers.
+// The rotor's functions in whirl_lanes (base/lanes.h): its structure and its numbers.
 #include <string.h>
 
 #include "machine.h"
@@ -39,8 +39,8 @@ static bool lane_alike(const void *one, const void *other) {
     return couplings_alike(&a->coupled, &b->coupled);
 }
 
-/// Gives a part a place of its own for `count` numbers that begin at `own` if they differ from those that it shares;
-/// returns how many it then has.
+/// If the `count` numbers from `own` on differ from those at *place, which are shared, the part gets its own: *place =
+/// own. Returns the count of own numbers, else 0.
 static size_t part_from(const double *number, size_t own, size_t count, size_t *place) {
     if (memcmp(number + own, number + *place, count * sizeof *number) != 0) *place = own;
     return *place == own ? count : 0;

@@ -1,5 +1,5 @@
-/// Elimination with row exchanges that skips zeros, for mostly zero matrices (those of an orbit's segments, one after
-/// the other), and for many right-hand sides one after the other.
+/// Elimination with row exchanges that skips zeros, for matrices that are mostly zero, such as those of shooting over
+/// several segments of an orbit. A matrix is decomposed once for any number of right-hand sides.
 #ifndef BASE_ELIMINATION_H
 #define BASE_ELIMINATION_H
 

@@ -127,8 +127,8 @@ static bool same_dimension(const ut_unit *a, const ut_unit *b) {
     return same && (ut_is_dimensionless(a) || has_radian(a) == has_radian(b));
 }
 
-/// Returns the number that is read where the exponent of `value` is `power` higher: 80 um, 0.08 mm and 8e-5 m are one
-/// double, so that a machine is the same to the bit in whichever of these units its lengths are written.
+/// Multiplies by 10^power by changing the decimal exponent of the text, so that 80 um, 0.08 mm and 8e-5 m become the
+/// same double: a machine is the same to the bit in whichever of these units its lengths are written.
 static double shift_decimals(double value, int power) {
     char text[NUMBER_SIZE], shifted[2 * NUMBER_SIZE];
     const char *end;
@@ -199,7 +199,8 @@ static bool to_si(ut_unit *unit, quantity *result) {
     return done;
 }
 
-/// Writes the expectation: "a number in kg", "a plain number", "a number with or without a unit".
+/// Writes the expectation: "a number in kg", "a plain number", "a number in rad/s or rpm", "a number, or a number and a
+/// unit".
 static void describe_expected(const char *expected, char text[WHY_SIZE / 2]) {
     if (expected[0] == '\0')
         snprintf(text, WHY_SIZE / 2, "a number, or a number and a unit");
@@ -211,7 +212,7 @@ static void describe_expected(const char *expected, char text[WHY_SIZE / 2]) {
         snprintf(text, WHY_SIZE / 2, "a number in %.60s", expected);
 }
 
-/// Writes advice for a unit that does not fit. A frequency is no angular speed: the message gives the factor 2 pi.
+/// Writes advice for a unit that does not fit. A frequency is no angular speed: the message proposes rpm.
 static void describe_misfit(const ut_unit *unit, const char *expected, char text[WHY_SIZE / 2]) {
     ut_unit *hertz = ut_parse(units, "1/s", UT_ASCII), *kinematic = ut_parse(units, "m2/s", UT_ASCII);
     if (hertz && strcmp(expected, "rad/s") == 0 && same_dimension(unit, hertz))
@@ -280,21 +281,22 @@ static bool read_unit(const char *text, const char *unit_text, const char *expec
     ut_unit *unit = parse_unit(unit_text);
     ut_unit *wanted = unit && expected[0] ? parse_unit(expected) : NULL;
     bool done = false;
-    // Explain a unit that does not exist.
     if (!unit) {
+        // Explain a unit that does not exist.
         describe_expected(expected, expectation);
         const char *usual = usual_spelling(unit_text);
         snprintf(why, WHY_SIZE, "is %s, expected %s (no unit is called %.40s%s%s%s)", text_shown(text, shown),
                  expectation, unit_text, *usual ? ", did you mean " : "", usual, *usual ? "?" : "");
-        // Without an expected unit, convert to SI.
     } else if (!expected[0]) {
+        // Without an expected unit, convert to SI.
         done = to_si(unit, result);
         if (!done) snprintf(why, WHY_SIZE, "is %s, expected a unit that converts to SI", text_shown(text, shown));
-        // Convert to the expected unit, or say why that is impossible.
     } else if (wanted && same_dimension(unit, wanted) && convert(unit, wanted, &result->value)) {
+        // The number is converted to the expected unit.
         snprintf(result->unit, sizeof result->unit, "%.63s", expected);
         done = true;
     } else {
+        // Say why the unit does not fit.
         describe_misfit(unit, expected, expectation);
         snprintf(why, WHY_SIZE, "is in %.40s, %s", unit_text, expectation);
     }

@@ -1,6 +1,7 @@
 // The method of Dormand and Prince for x'' = f(t, x, x') over vector lanes, compiled once for every instruction set.
 //
-// Slopes are innermost.
+// A sum of slopes is computed for a few rows at a time: the partial sums stay in registers, and a slope's weight is
+// loaded once for these rows.
 #include "adaptive_lanes.inc"
 
 /// Vectors in the sums of slopes at a time: two, or all of a structure with loops of its own.
@@ -15,8 +16,8 @@ static inline set_place place_of_set(const adaptive_lanes *lanes, size_t set) {
     return (set_place){set * lanes->degrees * lanes->stride, set * lanes->rates * lanes->stride};
 }
 
-/// Computes `count` vectors from the first, `step` apart, of the set at which slope `number` is taken. The last slope
-/// contributes to velocities only.
+/// Computes, for a set, the state at which slope `number` is taken: `count` vectors from `first` on, `step` apart. The
+/// last slope contributes to velocities only.
 VECTOR_INLINE void take_stage(const adaptive_lanes *lanes, int number, set_place set, size_t first, size_t step,
                               size_t count, vec *out_q, vec *out_v) {
     const slope_sums *sums = &lanes->dop853.sums.stage[number];
@@ -216,7 +217,8 @@ static vec error_of_perturbation(const adaptive_lanes *lanes, set_place set, siz
     return v_div(v_mul(v_mul(h, h), v_mul(square5, square5)), v_max(some, v_set(0x1p-960)));
 }
 
-/// Includes the errors of perturbations, which are as exact as the state. If they are NaN the state decides.
+/// Raises each step's error to that of the worst perturbation, measured by its own, looser tolerance (LOOSER). A NaN of
+/// a perturbation is ignored.
 static void take_errors_of_perturbations(const adaptive_lanes *lanes, vec *q5, vec *v5, vec *q3, vec *v3) {
     for (size_t n = 1; n <= lanes->tangents; n++) {
         const set_place set = place_of_set(lanes, n);
@@ -354,9 +356,9 @@ static void take_polynomials(const adaptive_lanes *lanes) {
 
 // ---------------------------------------------------------------- lengths of steps
 
-/// Powers for errors of order 8: proportional and integral control (Gustafsson 1991), err^(-3/32) times the error
-/// before to the power 1/16, which settles at 0.92^32 = 0.07 of the tolerance; roots alone, so that it is the same
-/// everywhere.
+/// Powers for errors of order 8: proportional and integral control (Gustafsson 1991). The step grows by err^(-3/32)
+/// times err_before^(1/16) times 0.92, so that errors settle at 0.92^32 = 0.07 of the tolerance. Only square roots are
+/// used, no pow(), so that the result has the same bits on every platform.
 static inline error_powers powers_of(vec square) {
     vec p = v_max(v_min(square, v_set(1e16)), v_set(1e-16));
     for (int i = 0; i < 5; i++) p = rough_inverse_root(p); // err^-1, err^1/2, err^-1/4, err^1/8, err^-1/16

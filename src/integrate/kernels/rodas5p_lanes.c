@@ -10,8 +10,8 @@
 //
 // equations for one number a degree. States of first order are velocities without positions: they have columns of B
 // alone, and the matrix has a row for each of the rates, velocities and states. It is decomposed without a change of
-// rows, all lanes alike: s^2 on its diagonal outgrows all else as steps become short, and where a pivot falls far below
-// it the step is taken for too long.
+// rows, all lanes alike: s^2 on its diagonal outgrows all else as steps become short. A pivot far below s^2 counts as a
+// sign that the step is too long, and its error is set to at least 1e8.
 #include "adaptive_lanes.inc"
 
 #include "sparsity.h"
@@ -38,8 +38,8 @@ static void take_jacobian(const adaptive_lanes *lanes, vectors of) {
     lanes->flow(&view);
 }
 
-/// Places and weights of the forcing's time derivative: the difference of order 4 (for a harmonic of order 4 exact to
-/// 1e-12, rounding 1e-12).
+/// Places and weights of the forcing's time derivative: a difference formula of fourth order. For cos 4t its error is
+/// 1e-12, that of rounding the same.
 static const struct {
     double offset, weight;
 } beside[] = {{0x1p-11, 0x1p11 * 8.0 / 12.0},
@@ -382,8 +382,8 @@ static void try_step(const adaptive_lanes *lanes) {
     FOR_SOME(of) take_error(lanes, k);
 }
 
-/// Computes the interpolant of rows from their values at both ends and their increments u; its own rows are those from
-/// `first` on.
+/// Computes the interpolant of rows from their values at both ends and their increments u. The interpolant is written
+/// into rows `first` and following.
 static void take_polynomials_of(const adaptive_lanes *lanes, size_t first, size_t rows, double *const *u,
                                 const vec *begin, const vec *end) {
     for (size_t i = 0, j = first * lanes->stride; i < rows * lanes->stride; i++, j++) {
@@ -404,8 +404,8 @@ static void take_polynomials(const adaptive_lanes *lanes) {
     take_polynomials_of(lanes, n, lanes->rates, lanes->rodas5p.u_v, VECTORS(v), VECTORS(end_v));
 }
 
-/// Powers for errors of order 5: err^(-1/8) times the error before to the power 1/16, which settles at 0.92^16 = 0.26
-/// of the tolerance.
+/// Powers for errors of order 5. The step grows by err^(-1/8) times err_before^(1/16) times 0.92, so that errors settle
+/// at 0.92^16 = 0.26 of the tolerance.
 static inline error_powers powers_of(vec square) {
     vec p = v_max(v_min(square, v_set(1e16)), v_set(1e-16));
     for (int i = 0; i < 5; i++) p = rough_inverse_root(p); // err^-1, err^1/2, err^-1/4, err^1/8, err^-1/16

@@ -36,7 +36,8 @@ VECTOR_INLINE vec watched_with(whirl_fold fold, vec value, vec so_far) {
                                     : v_add(so_far, value);
 }
 
-/// Adds a contact that is closed `now` (1 or 0) for `part` of the time, counted in instants of 1/per.
+/// Adds a contact that is closed `now` (1 or 0) for a time `part`. The share counts instants; per: instants per unit of
+/// time.
 VECTOR_INLINE void watch_contact(vec now, vec part, vec per, vec *before, vec *share, vec *number) {
     *share = v_fma(v_mul(now, part), per, *share);
     *number = v_fma(now, v_sub(v_set(1.0), *before), *number);

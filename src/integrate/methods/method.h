@@ -14,8 +14,9 @@ struct whirl_integrator {
     const struct method *method;
     void *workspace; ///< workspace of the method
     size_t most_perturbations;
-    size_t most_steps; ///< most steps that the adaptive methods of rotors try in all: then revolutions end early; 0:
-                       ///< any number
+    /// Limit of the steps tried since the start, for adaptive methods of rotors; at the limit a revolution ends early.
+    /// 0: no limit.
+    size_t most_steps;
     /// [method->rows][1 + most_perturbations][dimension], then [SPARE_ROWS][dimension]: workspace for the state and its
     /// perturbations
     double *slopes;

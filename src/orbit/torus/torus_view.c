@@ -21,7 +21,7 @@ static const double two_pi = 6.283185307179586476925;
 /// with as many harmonics as that of the nodes.
 typedef struct grid {
     size_t dimension, nodes, instants, angles;
-    double *states;   ///< [instants][nodes][dimension]; instant 0 follows the beginning, the last one is at T
+    double *states;   ///< [instants][nodes][dimension]; instant m is at (m + 1) T/instants
     size_t seen;      ///< states that were stored
     double *series;   ///< [nodes][dimension] scratch
     double *curve;    ///< [angles][dimension] scratch: the closed curve of an instant
@@ -78,8 +78,8 @@ static void find_bounds(const grid *g, size_t coordinate, whirl_torus_view *view
 
 // ---------------------------------------------------------------- lines
 
-/// Size of a coordinate's line at `whole` + rotation turns in all revolutions: `turn` [instants] are exp(-2 pi i
-/// m/instants), `slow` [instants] those of the rotation at instant m + 1.
+/// Size of a coordinate's line at `whole` + rotation turns in all revolutions. turn[m] = exp(-2 pi i m/instants);
+/// slow[m] = exp(-2 pi i rotation (m + 1)/instants), the same for the rotation number.
 static double size_at(const grid *g, size_t coordinate, size_t whole, const number *turn, const number *slow) {
     number line = 0.0;
     for (size_t m = 0; m < g->instants; m++)
@@ -87,7 +87,8 @@ static double size_at(const grid *g, size_t coordinate, size_t whole, const numb
     return cabs(line) / (double)g->instants;
 }
 
-/// Finds the strongest line. Whole turns run from -instants/2 on, which are those from 0 on in another order.
+/// Finds the strongest line. Goes through the whole numbers from -instants/2 to instants/2 - 1 (a discrete transform
+/// knows a whole number modulo instants).
 static void find_strongest(const grid *g, size_t coordinate, const whirl_torus *torus, whirl_torus_view *view) {
     const number *turn = g->turn, *slow = turn + g->instants;
     const size_t half = g->instants / 2;
@@ -178,8 +179,8 @@ whirl_status whirl_torus_line(const whirl_system *system, const whirl_torus *tor
     *frequency = *amplitude = NAN;
     if (coordinate >= system->dimension || turns_on(system->turns, coordinate))
         return whirl_fail(WHIRL_BAD_INPUT,
-                          "a line of coordinate %zu, expected one below %zu that does not turn on and on", coordinate,
-                          system->dimension);
+                          "a line of coordinate %zu, expected one below %zu that is no angle of a turning part",
+                          coordinate, system->dimension);
     const whirl_status status = whirl_torus_look(system, torus, options, &view);
     if (status.code != WHIRL_OK) return status;
     *frequency = view->frequency[coordinate];

@@ -64,8 +64,8 @@ typedef struct view {
     span range;             ///< range of the parameter in the figure
 } view;
 
-/// Returns the number of lines of a point: one a revolution for a forced orbit, the two bounds of the motion for
-/// others.
+/// Returns the number of lines of a point: one for each revolution of a forced orbit, two (the bounds) of a motion with
+/// a period of its own, one of an equilibrium, and one if the multiplier is shown.
 static size_t lines_of(const view *v, size_t point) {
     const double revolutions = point_number(v->table, point, WHIRL_FIELD_TRACE_REVOLUTIONS);
     if (v->column == 2) return 1;
@@ -209,8 +209,8 @@ static void branch_describe(const drawing *of, const figure_place *place, whirl_
     for (size_t i = 0; sweep && i < sweep->count; i++) span_widen(&v.range, sweep->values[i] / v.size);
     snprintf(figure->caption, sizeof figure->caption,
              "Periodic orbits of %s over %s, once a revolution (of motions with a time of their own: largest and "
-             "smallest values): solid where they are stable, dashed where not.%s%s Marks: where they change, as the "
-             "table tells. Below: the largest modulus of a Floquet multiplier.",
+             "smallest values): solid where they are stable, dashed where not.%s%s Marks: special points, which the "
+             "table lists. Below: the largest modulus of a Floquet multiplier.",
              of->result->stations[place->station].name, table->parameter,
              sweep ? " Grey: the section of the motions that the sweep settled on." : "",
              tori_table(of->result) ? tori_caption : "");

@@ -13,7 +13,7 @@
 #include "whirl/engine/result.h"
 #include "whirl/engine/shown.h"
 
-/// Units that no word of `units` names.
+/// Units that sentences of the engine have, and that the list of `--units` words (unit_words) lacks.
 static const unit_word sentence_units[] = {{"Pa s", "Pa s", UNIT_VISCOSITY, 1.0}, {"kg m", "kg m", UNIT_UNBALANCE, 1.0},
                                            {"m3/s", "m3/s", UNIT_FLOW, 1.0},      {"m/s", "m/s", UNIT_SYSTEM, 1.0},
                                            {"m/s2", "m/s2", UNIT_SYSTEM, 1.0},    {NULL, NULL, UNIT_KINDS, 0.0}};

@@ -28,8 +28,9 @@ typedef struct whirl_model_mass {
     size_t shaft;                  ///< index in the design; WHIRL_MODEL_NONE for a station on no shaft
     double position;               ///< along that shaft, m
     bool unbalanced;               ///< true if it has an eccentricity, or an element with an unbalance
-    /// kg m2 against twist, with its part of the shaft, and its speed over that of the rotor; NaN: it does not twist.
-    double twist, turns;
+    /// polar inertia that turns with the station, its part of the shaft included, kg m2; NaN if it does not twist
+    double twist;
+    double turns; ///< speed of the station over that of the rotor; NaN if it does not twist
 } whirl_model_mass;
 
 /// A joint of the twists of two stations: a coupling, a gear, or pieces of a shaft in series. SI.

@@ -17,8 +17,8 @@ static const double film_denominator[FILM_DENOMINATOR][FILM_DENOMINATOR_TERMS] =
     {0.974174014547, 1.39400139284, 0.57582849153, -0.0716432649761, -0.286251373022, -0.10673335437},
 };
 
-/// 1 + r^2 times the coefficients of p^i b^j, i/FILM_IN_P + j/FILM_IN_B <= 1, j innermost: i even, of the real part,
-/// then i odd, of the imaginary one.
+/// A row for each p^i b^j with i/FILM_IN_P + j/FILM_IN_B <= 1, first even i (of R), then odd i (of I), j fastest: the
+/// Chebyshev series of its coefficient times 1 + r^2.
 static const double film_table[FILM_COEFFICIENTS][FILM_TERMS] = {
     {1.3048604568, 0.434853645066, 0.169149753344, 0.0359580349034, 0.00123695369105, -0.00238081842126,
      -0.00105057051543, -0.000217752446799, 5.98531237434e-06, 2.32458670219e-05, 9.38724430428e-06},
@@ -248,7 +248,8 @@ static const double film_table[FILM_COEFFICIENTS][FILM_TERMS] = {
      0.000352836012065, -0.000624406764164, 0.000508234801421, -0.00122866201331, 0.000472587282596},
 };
 
-/// Largest error over the force of 1127 states at some L/D, to e = .9 and from there to .95.
+/// A row for each L/D tried: L/D, and the largest relative error of the force over 1127 states, up to an eccentricity
+/// ratio of .9 and from .9 to .95.
 enum { FILM_TRIED = 27 };
 static const double film_errors[FILM_TRIED][3] = {
     {0.1, 9.1e-05, 3.7e-04},    {0.1122, 1.0e-04, 4.1e-04}, {0.1259, 1.1e-04, 4.9e-04}, {0.1413, 1.3e-04, 5.5e-04},
