@@ -149,6 +149,12 @@ static void problems_of_distributions(void **state) {
                  "t:13:38: study.tolerances.parameters.k.mean: has a meaning only with distribution: normal");
     expect_wrong("    parameters: {}\n",
                  "t:13:5: study.tolerances.parameters: is empty, expected 1 to 16 parameters with their tolerances");
+    char lines[1024];
+    size_t used = (size_t)snprintf(lines, sizeof lines, "    parameters: {");
+    for (int i = 0; i < 17; i++)
+        used += (size_t)snprintf(lines + used, sizeof lines - used, "p%d: 1%s", i, i < 16 ? ", " : "}\n");
+    expect_wrong(lines,
+                 "t:13:5: study.tolerances.parameters: has 17 parameters, expected 1 to 16 with their tolerances");
 }
 
 static void problems_of_samples(void **state) {
@@ -166,6 +172,14 @@ static void problems_of_samples(void **state) {
                  "t:14:10: study.tolerances.of[1]: has `at`, which names no station");
     expect_wrong("    parameters: {k: +- 5 %}\n    of: [{field: unbalance/axes, at: disc, below: 3 kg}]\n",
                  "t:14:10: study.tolerances.of[1]: has a limit in kg, expected the unit of unbalance/axes: m");
+    expect_wrong("    parameters: {k: +- 5 %}\n    of: [{field: unbalance/axes, at: disc, above: 2 mm, below: 1 mm}]\n",
+                 "t:14:64: study.tolerances.of[1].below: is not above the limit `above`, expected a larger number");
+    char lines[2048];
+    size_t used = (size_t)snprintf(lines, sizeof lines, "    parameters: {k: +- 5 %%}\n    of: [");
+    for (int i = 0; i < 17; i++)
+        used += (size_t)snprintf(lines + used, sizeof lines - used, "{field: unbalance/axes, at: disc}%s",
+                                 i < 16 ? ", " : "]\n");
+    expect_wrong(lines, "t:14:570: study.tolerances.of[17]: asks for one more number than the 16 that are possible");
     // Machines that cannot be are named before the run.
     static const char begins[] = "t:12:3: study.tolerances: gives no machine at omega = 90 rad/s and n = -0.";
     char problem[1024];
