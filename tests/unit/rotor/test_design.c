@@ -197,7 +197,10 @@ static void test_contradictions(void **state) {
         const char *words;
     } cases[] = {
         {"shaft", {{"between", 0, "disc,disc"}, {"k1", 1, NULL}}, 2, "twice"},
-        {"film", {{"at", 0, "disc"}, {"clearance", 1e-4, NULL}}, 2, "load, or viscosity"},
+        {"film",
+         {{"at", 0, "disc"}, {"clearance", 1e-4, NULL}},
+         2,
+         "neither load nor all of viscosity, radius and length"},
         {"film", {{"at", 0, "disc"}, {"clearance", 1e-4, NULL}, {"load", 1, NULL}, {"radius", 1, NULL}}, 4, "both"},
         {"rub", {{"at", 0, "disc"}, {"gap", 1, NULL}, {"stiffness", 1, NULL}, {"law", 0, "slip"}}, 4, "radius"},
         {"crack", {{"between", 0, "disc,disc"}, {"stiffness", 1, NULL}, {"loss", 0.1, NULL}}, 3, "twice"},
