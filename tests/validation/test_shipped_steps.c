@@ -53,9 +53,6 @@ static double worst_of(whirl_case *object) {
         const whirl_batch *batch = &study.batches[b];
         if (whirl_method_is_adaptive(batch->integrate.method) || !whirl_analysis_kind(batch->analyses)->settles)
             continue;
-        // Each record of a data set has its own check: film whirl near the wall of fault-records.yaml is undetermined,
-        // since its steps are too long.
-        if (batch->role == WHIRL_ROLE_RECORDS) continue;
         for (size_t point = 0; point<batch->count; point += batch->count> 1 ? batch->count - 1 : 1)
             worst = fmax(worst, growth_after(GROWN, &study, batch, point));
     }

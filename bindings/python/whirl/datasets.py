@@ -43,6 +43,11 @@ def _text_of(result: MemorySource, what: str, name: str) -> str:
     return taken(out)
 
 
+def _records_of(result: Result) -> Any:
+    """The table of a data set's records; None of another study's result."""
+    return next((table for table in result.tables.values() if table.role == "records"), None)
+
+
 def _columns_of(text: str) -> dict[str, np.ndarray]:
     """The columns of a table of records by their names."""
     names, *rows = csv.reader(io.StringIO(text, newline=""))
@@ -69,7 +74,8 @@ class _File:
         source = MemorySource.read(self.path)
         self.columns = _columns_of(_text_of(source, "index", Path(self.path).stem))
         self.sheet = _text_of(source, "datasheet", Path(self.path).stem)
-        table = next(table for table in Result(source).tables.values() if FIELD.DATASET_RECORD in table)
+        table = _records_of(Result(source))
+        self.table = table.name
         self.options = {name[8:]: value for name, value in table.options.items() if name.startswith("dataset_")}
         self.case_text, self.case_name, self.title = source.case_text, source.case_name, source.title
         facts = source.facts()
@@ -88,7 +94,7 @@ class _File:
 
             try:
                 file = h5py.File(self.path, "r")
-                signals = file["records"][FIELD.DATASET_SIGNALS]
+                signals = file[self.table][FIELD.DATASET_SIGNALS]
             except (OSError, KeyError) as failure:
                 raise FileFailure(f"cannot read the signals of '{self.path}': {failure}") from None
             if signals.shape != self.shape:
@@ -153,6 +159,10 @@ class _Pool:
         self.columns["machine"] = np.array([numbers[machine] for machine in machines], dtype=np.int64)
         self.columns["file"] = of
 
+    def file_of(self, row: int) -> int:
+        """The number of the file that has a row."""
+        return int(np.searchsorted(self.starts, row, "right")) - 1
+
     def read(self, rows: np.ndarray) -> np.ndarray:
         """The signals of rows in any order: neighbours in a file are read at once."""
         order = np.argsort(rows, kind="stable")
@@ -160,7 +170,7 @@ class _Pool:
         begin = 0
         while begin < len(order):
             end, row = begin + 1, int(rows[order[begin]])
-            file = int(np.searchsorted(self.starts, row, "right")) - 1
+            file = self.file_of(row)
             last = int(self.starts[file + 1]) - 1
             while end < len(order) and rows[order[end]] == row + end - begin <= last:
                 end += 1
@@ -330,12 +340,11 @@ class DataSet:
         """Computes the signals of a record anew, from its case and its number alone: the same bits on the same
         instruction set."""
         row = int(self.rows[i])
-        file = self._pool.files[int(np.searchsorted(self._pool.starts, row, "right")) - 1]
+        file = self._pool.files[self._pool.file_of(row)]
         case = Case(text=file.case_text, name=file.case_name)
         case.set("dataset.only", int(self._pool.columns["record"][row]))
         result = run(case, threads=threads, progress=False)
-        table = next(table for table in result.tables.values() if FIELD.DATASET_SIGNALS in table)
-        return np.array(table[FIELD.DATASET_SIGNALS][0])
+        return np.array(_records_of(result)[FIELD.DATASET_SIGNALS][0])
 
     def close(self) -> None:
         """Closes the files; they are opened again where signals are read."""
@@ -393,16 +402,16 @@ def dataset(
         pool = _Pool(files)
         return DataSet(pool, np.arange(pool.starts[-1]))
     case = source if isinstance(source, Case) else Case(source)
-    if not any(FIELD.DATASET_RECORD in table for table in case.outline().tables.values()):
+    if _records_of(case.outline()) is None:
         raise BadInput(f"the case {case.name} has no study 'dataset'")
     stem = os.fspath(path)
     stem = stem[:-3] if stem.endswith(".h5") else stem
     beside = {"index": f"{stem}-records.csv", "datasheet": f"{stem}-datasheet.md"}
     for name in (path, *beside.values()):
         keep_file(name, overwrite)
-    run(case, **options).save(path, overwrite=overwrite)
-    made = MemorySource.read(os.fspath(path))
+    made = run(case, **options)
+    made.save(path, overwrite=overwrite)
     for what, name in beside.items():
         with open(name, "w", encoding="utf-8", newline="") as file:
-            file.write(_text_of(made, what, os.path.basename(stem)))
+            file.write(_text_of(made._source, what, os.path.basename(stem)))
     return dataset(path)
