@@ -34,7 +34,8 @@ void plan_options(valuation *v, const plan_parts *parts, whirl_integrate_options
 /// a limit, and increases the samples to match, unless `keep` has their number.
 void plan_raise_order(const plan_parts *parts, const whirl_system *system, whirl_batch *batch);
 
-/// Returns the smallest clearance of a film or gap of a stator in length scales; INFINITY if there is none.
+/// Returns the smallest clearance of a film in a housing that stands, or gap of a stator, in length scales; INFINITY if
+/// there is none.
 double plan_smallest_gap(const whirl_system *system);
 
 /// Lowers the absolute tolerance of a batch to 1e-9 of the machine's smallest gap, unless `integrate` gives one: a

@@ -61,13 +61,13 @@ static double residual(search *s, double *x) {
     return norm_of(s, s->f);
 }
 
-/// Keeps idle coordinates where they are: no equation determines them.
-static void hold_idle(const mean_system *m, double *jacobian) {
+/// Keeps idle coordinates where they are, as no equation determines them: `own` is the eigenvalue of each.
+static void hold_idle(const mean_system *m, double own, double *jacobian) {
     const size_t n = m->count;
     for (size_t i = 0; i < n; i++) {
         if (m->settled[m->kept[i]] != WHIRL_IDLE) continue;
         for (size_t k = 0; k < n; k++) jacobian[i * n + k] = jacobian[k * n + i] = 0.0;
-        jacobian[i * n + i] = 1.0;
+        jacobian[i * n + i] = own;
     }
 }
 
@@ -76,7 +76,7 @@ static void hold_idle(const mean_system *m, double *jacobian) {
 static bool find_step(search *s, const double *x, bool *leads) {
     const size_t n = s->mean->count;
     mean_jacobian(s->mean, x, s->jacobian);
-    hold_idle(s->mean, s->jacobian);
+    hold_idle(s->mean, 1.0, s->jacobian);
     for (size_t i = 0; i < n; i++) s->step[i] = -s->f[i];
     const double reach = 1e6 * (1.0 + size_of(x, s->mean->system->dimension));
     *leads = matrix_solve(n, s->jacobian, 1, s->step) && size_of(s->step, n) < reach;
@@ -213,20 +213,27 @@ static bool bring_load_on(search *s, double *x, double *at) {
     return true;
 }
 
+/// Writes the load of a probe's station; returns its size, 0 if it is not finite.
+static double load_at(const mean_system *m, const double *load, const whirl_probe *probe, double force[2]) {
+    force[0] = force[1] = 0.0;
+    for (size_t i = 0; i < m->count; i++) {
+        if (m->kept[i] == probe->vx) force[0] = load[i];
+        if (m->kept[i] == probe->vy) force[1] = load[i];
+    }
+    const double size = hypot(force[0], force[1]);
+    return isfinite(size) ? size : 0.0;
+}
+
 /// Moves journals out of the exact centre of their films, along their loads: the film's force has a kink in the centre,
 /// so that Newton's method has no direction there.
 static void leave_centres(const mean_system *m, const double *load, double *x) {
     const double away = 0.3, quarter = 0.7071067811865475;
     for (size_t p = 0; p < m->system->probe_count; p++) {
         const whirl_probe *probe = &m->system->probes[p];
-        double force[2] = {0};
+        double force[2];
         if (!(probe->clearance > 0.0) || x[probe->x] != 0.0 || x[probe->y] != 0.0) continue;
-        for (size_t i = 0; i < m->count; i++) {
-            if (m->kept[i] == probe->vx) force[0] = load[i];
-            if (m->kept[i] == probe->vy) force[1] = load[i];
-        }
-        const double size = hypot(force[0], force[1]);
-        if (!(size > 0.0) || !isfinite(size)) continue;
+        const double size = load_at(m, load, probe, force);
+        if (size == 0.0) continue;
         const double way = whirl_probe_way(probe);
         x[probe->x] += away * probe->clearance * quarter * (force[0] - way * force[1]) / size;
         x[probe->y] += away * probe->clearance * quarter * (way * force[0] + force[1]) / size;
@@ -295,9 +302,7 @@ static double growth_at(search *s, double *x, double *room) {
     double *real = room + n * n, *imaginary = real + n, growth = -(double)INFINITY, size = 0.0;
     mean_settle(s->mean, x);
     mean_jacobian(s->mean, x, room);
-    hold_idle(s->mean, room);
-    for (size_t i = 0; i < n; i++)
-        if (s->mean->settled[s->mean->kept[i]] == WHIRL_IDLE) room[i * n + i] = -1.0;
+    hold_idle(s->mean, -1.0, room);
     if (!matrix_eigen(n, room, real, imaginary, NULL)) return (double)INFINITY;
     for (size_t i = 0; i < n; i++) {
         growth = fmax(growth, real[i]);
@@ -315,14 +320,10 @@ static bool place_journals(const search *s, const double *start, double part, do
         if (m->settled[m->kept[i]] != WHIRL_NOT_SETTLED) at[m->kept[i]] = (double)NAN;
     for (size_t p = 0; p < m->system->probe_count; p++) {
         const whirl_probe *probe = &m->system->probes[p];
-        double force[2] = {0};
+        double force[2];
         if (!(probe->clearance > 0.0) || probe->x == probe->y) continue;
-        for (size_t i = 0; i < m->count; i++) {
-            if (m->kept[i] == probe->vx) force[0] = s->load[i];
-            if (m->kept[i] == probe->vy) force[1] = s->load[i];
-        }
-        const double size = hypot(force[0], force[1]), turned = whirl_probe_way(probe) * angle;
-        if (!(size > 0.0) || !isfinite(size)) continue;
+        const double size = load_at(m, s->load, probe, force), turned = whirl_probe_way(probe) * angle;
+        if (size == 0.0) continue;
         at[probe->x] = part * probe->clearance * (cos(turned) * force[0] - sin(turned) * force[1]) / size;
         at[probe->y] = part * probe->clearance * (sin(turned) * force[0] + cos(turned) * force[1]) / size;
     }
@@ -404,8 +405,7 @@ static whirl_status rest_follow(mean_system *m, double *x, double *share) {
         if (found) memcpy(x, at, d * sizeof *x);
     }
     if (found) regain_films(&s, x, at);
-    found = found && (!m->system->settle || balances(&s, x));
-    if (starts && m->system->settle) found = prefer_stable(&s, found, begin, x, at);
+    if (starts && m->system->settle) found = prefer_stable(&s, found && balances(&s, x), begin, x, at);
     free(block);
     if (found) return whirl_ok();
     if (!starts)

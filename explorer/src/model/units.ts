@@ -94,11 +94,14 @@ export function lengthMeasure(units: Units, scales: Scales): Measure {
   }
 }
 
+/// Returns the measure of amplitudes given zero to peak, from that of the displacements.
+export function amplitudeOf({ factor, unit }: Measure, { amplitude }: Units): Measure {
+  return { factor: factor * { '0-p': 1, 'p-p': 2, rms: Math.SQRT1_2 }[amplitude], unit: `${unit} ${amplitude}` };
+}
+
 /// Returns the measure of a component's amplitude given zero to peak.
 export function amplitudeMeasure(units: Units, scales: Scales): Measure {
-  const length = lengthMeasure(units, scales);
-  const factor = { '0-p': 1, 'p-p': 2, rms: Math.SQRT1_2 }[units.amplitude];
-  return { factor: length.factor * factor, unit: `${length.unit} ${units.amplitude}` };
+  return amplitudeOf(lengthMeasure(units, scales), units);
 }
 
 /// Returns the measure of a field's lengths. In its meaning "0-p amplitude" marks sinusoids; "0-p" marks distances from

@@ -6,7 +6,7 @@ import type { Range } from '../figure/chart';
 import { shortName } from '../model/machine';
 import type { Session } from '../model/session';
 import { markField, typedQuantity } from '../model/typed';
-import { parameterMeasure, shown, written } from '../model/units';
+import { parameterMeasure, shown, written, type Measure } from '../model/units';
 import { chartFrame, dragModes } from './chart_frame';
 import { numbersTable } from './numbers';
 import type { Panel } from './panel';
@@ -296,56 +296,36 @@ function firstTime(run: RunUp): number {
   return run.time[best] ?? 0;
 }
 
-/// The stations that twist, or those that move across the shaft; nothing if there are none.
+/// Makes a table of the stations that only twist, or of the others; none without such stations.
 function stationsTable({ run, row, station, units, scales }: RunSubject, twists: boolean): HTMLElement[] {
   const which = Array.from(run.stations.keys()).filter((i) => run.stations[i]!.twists === twists);
   if (which.length === 0) return [];
   const { length, amplitude } = motionMeasures(run.stations[which[0]!]!, units, scales);
-  const number = (field: string, of: number, column: number, factor: number) =>
-    shown((run.column(field, of, column)[row] ?? NaN) * factor);
-  const marked = which.indexOf(station);
-  if (twists)
-    return [
-      numbersTable(
-        'Twist at the cursor',
-        [
-          'station',
-          `twist at 1X (${amplitude.unit})`,
-          'lag (\u00b0)',
-          `largest (${length.unit})`,
-          `mean (${length.unit})`,
-        ],
-        which.map((i) => [
-          run.stations[i]!.name,
-          number(FIELD.RUNUP_AMPLITUDE, i, 0, amplitude.factor),
-          number(FIELD.RUNUP_LAG, i, 0, 1),
-          number(FIELD.RUNUP_RADIUS, i, 0, length.factor),
-          number(FIELD.RUNUP_CENTRE, i, 0, length.factor),
-        ]),
-        marked,
-      ),
-    ];
-  const heading = [
-    'station',
-    `x at 1X (${amplitude.unit})`,
-    'lag (\u00b0)',
-    `y at 1X (${amplitude.unit})`,
-    'lag (\u00b0)',
-    `largest radius (${length.unit})`,
-    `mean x (${length.unit})`,
-    `mean y (${length.unit})`,
-  ];
+  const lag: Measure = { factor: 1, unit: '\u00b0' };
+  // Heading, field and its column, measure.
+  const columns: readonly (readonly [string, string, number, Measure])[] = twists
+    ? [
+        ['twist at 1X', FIELD.RUNUP_AMPLITUDE, 0, amplitude],
+        ['lag', FIELD.RUNUP_LAG, 0, lag],
+        ['largest', FIELD.RUNUP_RADIUS, 0, length],
+        ['mean', FIELD.RUNUP_CENTRE, 0, length],
+      ]
+    : [
+        ['x at 1X', FIELD.RUNUP_AMPLITUDE, 0, amplitude],
+        ['lag', FIELD.RUNUP_LAG, 0, lag],
+        ['y at 1X', FIELD.RUNUP_AMPLITUDE, 1, amplitude],
+        ['lag', FIELD.RUNUP_LAG, 1, lag],
+        ['largest radius', FIELD.RUNUP_RADIUS, 0, length],
+        ['mean x', FIELD.RUNUP_CENTRE, 0, length],
+        ['mean y', FIELD.RUNUP_CENTRE, 1, length],
+      ];
+  const heading = columns.map(([text, , , { unit }]) => `${text} (${unit})`);
   const rows = which.map((i) => [
     run.stations[i]!.name,
-    ...[0, 1].flatMap((axis) => [
-      number(FIELD.RUNUP_AMPLITUDE, i, axis, amplitude.factor),
-      number(FIELD.RUNUP_LAG, i, axis, 1),
-    ]),
-    number(FIELD.RUNUP_RADIUS, i, 0, length.factor),
-    number(FIELD.RUNUP_CENTRE, i, 0, length.factor),
-    number(FIELD.RUNUP_CENTRE, i, 1, length.factor),
+    ...columns.map(([, field, column, { factor }]) => shown((run.column(field, i, column)[row] ?? NaN) * factor)),
   ]);
-  return [numbersTable('Motion at the cursor', heading, rows, marked)];
+  const caption = twists ? 'Twist at the cursor' : 'Motion at the cursor';
+  return [numbersTable(caption, ['station', ...heading], rows, which.indexOf(station))];
 }
 
 function contactsTable({ run, row }: RunSubject): HTMLElement[] {

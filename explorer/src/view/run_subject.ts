@@ -3,7 +3,7 @@ import type { RunUp } from '../data/runup';
 import type { StationInfo } from '../engine/protocol';
 import type { Frame } from '../figure/chart';
 import type { Pen } from '../figure/pen';
-import { amplitudeMeasure, lengthMeasure, type Measure, type Scales, type Units } from '../model/units';
+import { amplitudeOf, lengthMeasure, type Measure, type Scales, type Units } from '../model/units';
 
 /// The measures of a station's displacements and amplitudes: lengths, or angles of a station that only twists.
 export function motionMeasures(
@@ -11,14 +11,9 @@ export function motionMeasures(
   units: Units,
   scales: Scales,
 ): { readonly length: Measure; readonly amplitude: Measure } {
-  if (!twists) return { length: lengthMeasure(units, scales), amplitude: amplitudeMeasure(units, scales) };
-  // A unit of length at 1 m from the axis is a radian.
-  const degrees = { factor: (scales.length * 180) / Math.PI, unit: '\u00b0' };
-  const { factor } = amplitudeMeasure({ ...units, length: 'scale' }, scales);
-  return {
-    length: degrees,
-    amplitude: { factor: factor * degrees.factor, unit: `\u00b0 ${units.amplitude}` },
-  };
+  // A twist is the displacement of a point 1 m from the axis: a metre is a radian.
+  const length = twists ? { factor: (scales.length * 180) / Math.PI, unit: '\u00b0' } : lengthMeasure(units, scales);
+  return { length, amplitude: amplitudeOf(length, units) };
 }
 
 export interface RunSubject {

@@ -93,6 +93,12 @@ whirl_statement *find_judgement(const finder *of, const char *what, const char *
     return own;
 }
 
+whirl_phrase *find_at(const finder *of, size_t point, const char *what) {
+    whirl_statement *own = find_statement(of, what);
+    statement_value(of, own, point);
+    return &own->found;
+}
+
 static whirl_piece *phrase_piece(const finder *of, whirl_phrase *phrase) {
     if (phrase->count < WHIRL_PHRASE_PIECES) return &phrase->pieces[phrase->count++];
     return &find_lost(of)->piece;
@@ -125,6 +131,10 @@ void phrase_number(const finder *of, whirl_phrase *phrase, whirl_quantity quanti
 void phrase_value(const finder *of, whirl_phrase *phrase, int digits, double value) {
     const whirl_unit unit = whirl_shown_parameter(of->units, of->table->parameter);
     phrase_unit(of, phrase, &unit, digits, value);
+}
+
+void statement_value(const finder *of, whirl_statement *statement, size_t point) {
+    if (*of->table->parameter) phrase_value(of, &statement->at, 6, of->table->values[point]);
 }
 
 // ---------------------------------------------------------------- sheets

@@ -38,6 +38,9 @@ const char *find_text(whirl_findings *findings, const char *format, ...) __attri
 /// Begins a statement; never NULL. The texts are static, or from find_text. It lives until the next one is begun.
 whirl_statement *find_statement(const finder *of, const char *what);
 
+/// Begins a statement about a point, with the value of the parameter there; returns its phrase `found`.
+whirl_phrase *find_at(const finder *of, size_t point, const char *what);
+
 /// Begins a statement with a verdict, the first word of its phrase `judged`.
 whirl_statement *find_judgement(const finder *of, const char *what, const char *clause, whirl_judgement judgement);
 
@@ -47,6 +50,9 @@ void phrase_text(const finder *of, whirl_phrase *phrase, const char *format, ...
 void phrase_number(const finder *of, whirl_phrase *phrase, whirl_quantity quantity, int digits, double value);
 void phrase_unit(const finder *of, whirl_phrase *phrase, const whirl_unit *unit, int digits, double value);
 void phrase_value(const finder *of, whirl_phrase *phrase, int digits, double value);
+
+/// Says for which value of the parameter a statement holds; nothing in a table without a parameter.
+void statement_value(const finder *of, whirl_statement *statement, size_t point);
 
 /// Begins a sheet; never NULL. It lives until the next one is begun.
 whirl_sheet *find_sheet(const finder *of, const char *name, const char *title);

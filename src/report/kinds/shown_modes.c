@@ -36,13 +36,6 @@ int shown_modes_growing(const whirl_table *table, size_t point) {
 
 // ---------------------------------------------------------------- statements of a point
 
-/// Begins a statement about a point.
-static whirl_phrase *find_at(const finder *of, size_t point, const char *what) {
-    whirl_statement *own = find_statement(of, what);
-    if (*of->table->parameter) phrase_value(of, &own->at, 6, of->table->values[point]);
-    return &own->found;
-}
-
 /// Reports the sensitivity peak of control loops and its zone; an unstable machine has no zone.
 static void find_sensitivity(const finder *of, size_t point) {
     const double peak = point_number(of->table, point, WHIRL_FIELD_MODES_SENSITIVITY);

@@ -27,7 +27,7 @@ static void runup_find_failures(const finder *of) {
         const double end = runup_number_of(of, point, WHIRL_FIELD_RUNUP_END, 0);
         if (!whirl_table_done(of->table, point) || !(end > 0.0)) continue;
         whirl_statement *own = find_judgement(of, "run", "", WHIRL_NOT_KNOWN);
-        if (*of->table->parameter) phrase_value(of, &own->at, 6, of->table->values[point]);
+        statement_value(of, own, point);
         phrase_text(of, &own->asked, "runs to its end");
         phrase_text(of, &own->found, "%s at ", runup_ended(end));
         phrase_number(of, &own->found, WHIRL_QUANTITY_TIME, 6,
@@ -55,15 +55,14 @@ static void runup_find_sensitivity(const finder *of) {
     for (size_t point = 0; point < of->table->count; point++) {
         const double *own = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_SENSITIVITY, 0);
         if (!own || isnan(own[3])) continue;
-        whirl_statement *statement = find_statement(of, "sensitive");
-        if (*of->table->parameter) phrase_value(of, &statement->at, 6, of->table->values[point]);
-        phrase_text(of, &statement->found, "small changes grow by 1e%.0f from ", own[0] / log(10.0));
-        phrase_number(of, &statement->found, WHIRL_QUANTITY_TIME, 6, own[1]);
-        phrase_text(of, &statement->found, " to ");
-        phrase_number(of, &statement->found, WHIRL_QUANTITY_TIME, 6, own[2]);
-        phrase_text(of, &statement->found, ": from ");
-        phrase_number(of, &statement->found, WHIRL_QUANTITY_TIME, 6, own[3]);
-        phrase_text(of, &statement->found, " on numbers of contacts and places hold for this tolerance alone");
+        whirl_phrase *found = find_at(of, point, "sensitive");
+        phrase_text(of, found, "small changes grow by 1e%.0f from ", own[0] / log(10.0));
+        phrase_number(of, found, WHIRL_QUANTITY_TIME, 6, own[1]);
+        phrase_text(of, found, " to ");
+        phrase_number(of, found, WHIRL_QUANTITY_TIME, 6, own[2]);
+        phrase_text(of, found, ": from ");
+        phrase_number(of, found, WHIRL_QUANTITY_TIME, 6, own[3]);
+        phrase_text(of, found, " on numbers of contacts and places hold for this tolerance alone");
     }
 }
 
@@ -75,14 +74,13 @@ static void runup_find_slow_roll(const finder *of) {
         for (size_t station = 0; station < of->result->station_count && whirl_table_done(of->table, point); station++) {
             const double change = runup_number_of(of, point, WHIRL_FIELD_RUNUP_SLOW_ROLL_CHANGE, station);
             if (change <= WHIRL_MAX_SLOW_ROLL_CHANGE || of->result->stations[station].twists) continue;
-            whirl_statement *own = find_statement(of, "slow roll");
-            if (*of->table->parameter) phrase_value(of, &own->at, 6, of->table->values[point]);
-            phrase_text(of, &own->found, "of %s at ", of->result->stations[station].name);
-            phrase_number(of, &own->found, WHIRL_QUANTITY_SPEED, 6, speed);
+            whirl_phrase *found = find_at(of, point, "slow roll");
+            phrase_text(of, found, "of %s at ", of->result->stations[station].name);
+            phrase_number(of, found, WHIRL_QUANTITY_SPEED, 6, speed);
             if (isnan(change))
-                phrase_text(of, &own->found, " is not subtracted: the run has no such speed");
+                phrase_text(of, found, " is not subtracted: the run has no such speed");
             else
-                phrase_text(of, &own->found,
+                phrase_text(of, found,
                             " is not subtracted: the motion at 1X changes there by %.2g %% of its largest within 10 %% "
                             "of the speed, expected at most 5 %%",
                             100.0 * change);
@@ -175,13 +173,6 @@ static void runup_find_peaks(const finder *of) {
     find_sheet_end(of);
 }
 
-/// Begins a statement on a run, with the value of its parameter.
-static whirl_phrase *runup_state(const finder *of, const char *what, size_t point) {
-    whirl_statement *own = find_statement(of, what);
-    if (*of->table->parameter) phrase_value(of, &own->at, 6, of->table->values[point]);
-    return &own->found;
-}
-
 /// States the largest motion of all stations and runs.
 static void runup_find_largest_motion(const finder *of) {
     double largest = -1.0;
@@ -197,7 +188,7 @@ static void runup_find_largest_motion(const finder *of) {
             which = station;
         }
     if (largest < 0.0) return;
-    whirl_phrase *found = runup_state(of, "largest motion", at);
+    whirl_phrase *found = find_at(of, at, "largest motion");
     phrase_number(of, found, WHIRL_QUANTITY_LENGTH, 5, largest);
     phrase_text(of, found, " from the centre at %s, at ", of->result->stations[which].name);
     phrase_number(of, found, WHIRL_QUANTITY_TIME, 6, runup_number_of(of, at, WHIRL_FIELD_RUNUP_PEAK_TIME, which));
@@ -226,7 +217,7 @@ static void runup_find_touches(const finder *of) {
             at = point;
         }
         if (largest < 0.0) continue;
-        whirl_phrase *found = runup_state(of, find_text(of->findings, "%s", of->result->contacts[c]), at);
+        whirl_phrase *found = find_at(of, at, find_text(of->findings, "%s", of->result->contacts[c]));
         const double count = runup_number_of(of, at, WHIRL_FIELD_RUNUP_CONTACT_NUMBER, c);
         if (!(count > 0.0)) {
             phrase_text(of, found, "does not close");
@@ -258,7 +249,7 @@ static void runup_find_largest_torque(const finder *of) {
     if (!own) return;
     char name[2 * WHIRL_NAME_SIZE + 40];
     torque_name(of->result, of_what, name, sizeof name);
-    whirl_phrase *found = runup_state(of, "largest torque", at);
+    whirl_phrase *found = find_at(of, at, "largest torque");
     phrase_number(of, found, WHIRL_QUANTITY_MOMENT, 6, own[0]);
     phrase_text(of, found, ", %s, at ", name);
     phrase_number(of, found, WHIRL_QUANTITY_TIME, 6, own[1]);
@@ -376,9 +367,8 @@ static void runup_find_uncounted(const finder *of) {
             if (!isnan(cycles[2 * t * (rows->rows / torques->rows)]) || !(extremes[4 * t] > extremes[4 * t + 2]))
                 continue;
             torque_name(of->result, names + 3 * t, name, sizeof name);
-            whirl_statement *own = find_statement(of, "cycles");
-            if (*of->table->parameter) phrase_value(of, &own->at, 6, of->table->values[point]);
-            phrase_text(of, &own->found,
+            whirl_phrase *found = find_at(of, point, "cycles");
+            phrase_text(of, found,
                         "of %s are not counted: the run has more than 4000000 turning points of this "
                         "torque, expected a shorter run",
                         name);
@@ -439,15 +429,14 @@ static void runup_find_worst_damage(const finder *of) {
     // State what it means for the number of runs.
     char name[2 * WHIRL_NAME_SIZE + 40];
     torque_name(of->result, runup_numbers_of(of, at, WHIRL_FIELD_RUNUP_TORQUE_OF, 0) + 3 * which, name, sizeof name);
-    whirl_statement *own = find_statement(of, "fatigue");
-    if (*of->table->parameter) phrase_value(of, &own->at, 6, of->table->values[at]);
+    whirl_phrase *found = find_at(of, at, "fatigue");
     if (!isfinite(largest))
-        phrase_text(of, &own->found, "not known for %s: ranges of its torque are above its S-N curve", name);
+        phrase_text(of, found, "not known for %s: ranges of its torque are above its S-N curve", name);
     else if (largest > 0.0)
-        phrase_text(of, &own->found, "%s fails after %.4g such runs (Miner's sum of one: %.4g)", name, 1.0 / largest,
+        phrase_text(of, found, "%s fails after %.4g such runs (Miner's sum of one: %.4g)", name, 1.0 / largest,
                     largest);
     else
-        phrase_text(of, &own->found, "no damage: all ranges of torques are within their endurance");
+        phrase_text(of, found, "no damage: all ranges of torques are within their endurance");
 }
 
 /// Finds the stationary speeds of a motor, and by how much its torque must change for each; a run may pass them.
@@ -503,7 +492,7 @@ static void runup_find_capture(const finder *of) {
             const bool passed = end > 1.02 * speed;
             if (!(speeds[3 * row + 2] > 0.0) || end < 0.98 * speed) continue;
             whirl_statement *own = find_judgement(of, "passage of a resonance", "", passed ? WHIRL_HOLDS : WHIRL_FAILS);
-            if (*of->table->parameter) phrase_value(of, &own->at, 6, of->table->values[point]);
+            statement_value(of, own, point);
             phrase_text(of, &own->asked, "above ");
             phrase_number(of, &own->asked, WHIRL_QUANTITY_SPEED, 6, speed);
             phrase_text(of, &own->asked, ", where the drive could stay");

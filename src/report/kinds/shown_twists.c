@@ -393,10 +393,9 @@ static void twists_find_unbalanced(const finder *of) {
     for (size_t point = 0; point < of->table->count; point++) {
         const double *left = twists_numbers(of, point, WHIRL_FIELD_TORSION_UNBALANCED, 0);
         if (!left || !(fabs(*left) > 0.0)) continue;
-        whirl_statement *own = find_statement(of, "steady torques");
-        if (*of->table->parameter) phrase_value(of, &own->at, 6, of->table->values[point]);
-        phrase_number(of, &own->found, WHIRL_QUANTITY_MOMENT, 5, *left);
-        phrase_text(of, &own->found,
+        whirl_phrase *found = find_at(of, point, "steady torques");
+        phrase_number(of, found, WHIRL_QUANTITY_MOMENT, 5, *left);
+        phrase_text(of, found,
                     " are taken up by nothing (referred to the speed of the shaft): steady torques of "
                     "shafts are not known; expected steady torques that balance, or an element drive "
                     "whose motor takes up the others");

@@ -212,9 +212,9 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
                               .turbulence = values[PADS_TURBULENCE].choice,
                               .turns = {ratio, 0.0},
                               .housing = GROUND};
-    // Numbers of the pads, their tilts and yields. Pads around the journal, so that no result depends on the order in
-    // which they are given.
+    // Pads are sorted around the journal, so that no result depends on the order in which they are given.
     if (values[PADS_PIVOTS].given) qsort(bearing.pads, bearing.count, sizeof *bearing.pads, by_pivot);
+    // Numbers of the pads, their tilts and yields.
     for (size_t i = 0; i < bearing.count && status.code == WHIRL_OK; i++) {
         whirl_pad pad = bearing.pads[i];
         pad.pivot *= sign;
