@@ -11,10 +11,12 @@
 #include "file.h"
 #include "path.h"
 #include "plan.h"
+#include "plan_asked.h"
 #include "plan_batches.h"
 #include "plan_dataset.h"
 #include "plan_parts.h"
 #include "plan_resting.h"
+#include "plan_sensitivity.h"
 #include "plan_tolerances.h"
 #include "problem.h"
 #include "schema.h"
@@ -181,9 +183,10 @@ static bool is_weighed(const study_plan *plan, size_t index) {
 }
 
 /// Checks layouts of the analyses (too many fields, missing records), and the behaviour of moving machines.
-static void check_layouts(case_reader *reader, case_content *content, const plan_parts *parts, valuation *v) {
+static void check_layouts(case_reader *reader, case_content *content, plan_parts *parts, valuation *v) {
     whirl_rotor *rotor = NULL;
-    bool built_to_move = false, spreads[PLAN_MAX_SPREADS] = {false};
+    bool built_to_move = false;
+    asked_parts *limits = &parts->tolerances.asked, *derived = &parts->sensitivity.asked;
     for (size_t b = 0; b < content->plan.batch_count; b++) {
         whirl_layout layout;
         const whirl_batch *batch = &content->plan.batches[b];
@@ -208,15 +211,19 @@ static void check_layouts(case_reader *reader, case_content *content, const plan
         if (status.code == WHIRL_OK)
             status = whirl_record_check(whirl_rotor_system(rotor), &batch->integrate, &batch->record);
         if (status.code != WHIRL_OK) problem_at(reader->problems, content->plan.origins[b].place, "%s", status.message);
-        if (status.code == WHIRL_OK) tolerances_check(reader, parts, batch, &layout, &content->machine, rotor, spreads);
+        if (status.code == WHIRL_OK && batch->role == WHIRL_ROLE_TOLERANCES)
+            asked_check(reader, limits, batch, &layout, &content->machine, rotor, false);
+        if (status.code == WHIRL_OK && batch->derivatives)
+            asked_check(reader, derived, batch, &layout, &content->machine, rotor, true);
         if (!batch->values) plan_check_start(reader, &content->plan, b, v, &content->machine, rotor);
         if (tells_weight(batch) && !is_weighed(&content->plan, b)) check_statics(reader, content, b, v);
     }
-    tolerances_unfound(reader, parts, spreads);
+    if (parts->tolerances.keys.place) asked_report_unfound(reader, limits);
+    if (parts->sensitivity.keys.place) asked_report_unfound(reader, derived);
     whirl_rotor_free(rotor);
 }
 
-static void check_with_values(case_reader *reader, case_content *content, const plan_parts *parts) {
+static void check_with_values(case_reader *reader, case_content *content, plan_parts *parts) {
     // Evaluate the parameters.
     valuation v;
     const whirl_status status = valuation_open(&v, &content->parameters, NULL, 0);
@@ -228,6 +235,7 @@ static void check_with_values(case_reader *reader, case_content *content, const 
         resting_make(reader, &v, parts, &content->plan);
         dataset_make(reader, &v, parts, &content->plan);
         tolerances_make(reader, &v, parts, &content->plan);
+        sensitivity_make(reader, &v, parts, &content->plan);
         check_basin(reader, content, parts);
         parameters_settle(&v, &content->parameters);
         machine_settle(&v, &content->machine);
@@ -302,6 +310,7 @@ static void read_content(case_reader *reader, const file_node *root, void *into)
     if (study && !reader->no_memory) resting_read(reader, &content->machine, &parts);
     if (study && !reader->no_memory) dataset_read(reader, &content->machine, &parts);
     if (study && !reader->no_memory) tolerances_read(reader, &parts);
+    if (study && !reader->no_memory) sensitivity_read(reader, &parts);
     if (study && !reader->no_memory) settings_units(reader, &parts.study, content->units, sizeof content->units);
     if (reader->no_memory) return;
     // Checks with values, or without if some values are unknown.

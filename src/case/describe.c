@@ -192,6 +192,23 @@ static whirl_status describe_tolerances(const case_content *content, whirl_resul
     return status;
 }
 
+/// Adds the parameters by which numbers are derived, "sensitivity 1", and the numbers that are asked for, "derived 1".
+static whirl_status describe_derivatives(const case_content *content, whirl_result *result) {
+    const whirl_derivatives *own = content->plan.derivatives;
+    char name[WHIRL_NAME_SIZE], text[WHIRL_SPREAD_TEXT];
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; own && i < own->parameter_count && status.code == WHIRL_OK; i++) {
+        snprintf(name, sizeof name, "sensitivity %zu", i + 1);
+        status = whirl_result_add_fact(result, name, own->parameters[i].name);
+    }
+    for (size_t i = 0; own && i < own->number_count && status.code == WHIRL_OK; i++) {
+        snprintf(name, sizeof name, "derived %zu", i + 1);
+        whirl_spread_text(&own->numbers[i], text);
+        status = whirl_result_add_fact(result, name, text);
+    }
+    return status;
+}
+
 /// Adds a fact of a data set, "dataset machines 1".
 static void dataset_fact(whirl_status *status, whirl_result *result, const char *what, size_t number,
                          const char *text) {
@@ -491,6 +508,7 @@ whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *
         if (status.code == WHIRL_OK) status = describe_given(&object->content, batch, result);
     }
     if (status.code == WHIRL_OK) status = describe_tolerances(&object->content, result);
+    if (status.code == WHIRL_OK) status = describe_derivatives(&object->content, result);
     if (status.code == WHIRL_OK) status = describe_dataset(&object->content, result);
     if (status.code == WHIRL_OK && *object->content.units)
         status = whirl_result_add_fact(result, "units", object->content.units);

@@ -5,6 +5,7 @@
 #include "machine.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/descriptor.h"
+#include "whirl/engine/sensitivity.h"
 #include "whirl/engine/spread.h"
 #include "whirl/engine/study.h"
 
@@ -59,15 +60,30 @@ typedef struct distribution_parts {
     number_formula from, to, mean, deviation; ///< if their keys are given
 } distribution_parts;
 
+/// Numbers of every point that a part of the study asks for.
+typedef struct asked_parts {
+    size_t count;
+    whirl_spread_of spreads[PLAN_MAX_SPREADS];
+    const file_node *places[PLAN_MAX_SPREADS];
+    const char *units[PLAN_MAX_SPREADS]; ///< SI unit of the limits, "1" for plain numbers
+    bool found[PLAN_MAX_SPREADS];        ///< some table of the study has the number
+} asked_parts;
+
+/// Parameters by which numbers are derived.
+typedef struct sensitivity_parts {
+    setting_list keys; ///< without a place: nothing is derived
+    size_t count;
+    const parameter *parameters[WHIRL_MAX_SENSITIVITIES];
+    const file_node *places[WHIRL_MAX_SENSITIVITIES];
+    asked_parts asked;
+} sensitivity_parts;
+
 /// Parameters with tolerances, and the numbers that are asked of all samples.
 typedef struct tolerance_parts {
     setting_list keys; ///< without a place: there is no study of tolerances
     size_t count;
     distribution_parts distributions[WHIRL_MAX_TOLERANCES];
-    size_t spread_count;
-    whirl_spread_of spreads[PLAN_MAX_SPREADS];
-    const file_node *spread_places[PLAN_MAX_SPREADS];
-    const char *units[PLAN_MAX_SPREADS]; ///< SI unit of the limits, "1" for plain numbers
+    asked_parts asked;
 } tolerance_parts;
 
 /// Distributions of several parameters.
@@ -121,6 +137,7 @@ typedef struct dataset_parts {
 typedef struct plan_parts {
     setting_list study, integrate, keep, detail, branch, curves, map, starts;
     tolerance_parts tolerances;
+    sensitivity_parts sensitivity;
     dataset_parts dataset;
     size_t resting_count, condition_count;
     /// Studies at rest, in the order of the registry and of the file, then motions next to them.

@@ -1,10 +1,11 @@
-// Studies of tolerances: distributions of parameters, what is asked of the samples, and their batches.
+// Studies of tolerances: distributions of parameters, and the batches of samples.
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "iso_286.h"
+#include "plan_asked.h"
 #include "plan_batches.h"
 #include "plan_names.h"
 #include "plan_parts.h"
@@ -168,59 +169,7 @@ bool distribution_read(case_reader *reader, const file_node *where, distribution
     return true;
 }
 
-// ---------------------------------------------------------------- what is asked
-
-/// Reads a limit, whose unit is checked when the field is known.
-static double read_limit(case_reader *reader, const setting_list *keys, const char *name, double none,
-                         const char **unit) {
-    const setting *given = settings_find(keys, name);
-    char why[WHY_SIZE], shown[SHOWN_SIZE];
-    quantity read;
-    if (!given) return none;
-    if (given->place->kind != NODE_TEXT)
-        problem_at(reader->problems, given->place, "is %s, expected a number", node_shown(given->place, shown));
-    else if (!quantity_read(given->place->text, "", &read, why))
-        problem_at(reader->problems, given->place, "%s", why);
-    else {
-        *unit = arena_text(reader->arena, read.unit, strlen(read.unit));
-        reader->no_memory = reader->no_memory || !*unit;
-        return read.value;
-    }
-    return none;
-}
-
-static void take_name(case_reader *reader, const setting_list *keys, const char *name, char text[WHIRL_NAME_SIZE]) {
-    const setting *given = settings_find(keys, name);
-    char shown[SHOWN_SIZE];
-    if (!given) return;
-    if (given->place->kind != NODE_TEXT || strlen(given->place->text) >= WHIRL_NAME_SIZE)
-        problem_at(reader->problems, given->place, "is %s, expected a name", node_shown(given->place, shown));
-    else
-        snprintf(text, WHIRL_NAME_SIZE, "%s", given->place->text);
-}
-
-static void read_spread(case_reader *reader, const file_node *where, tolerance_parts *parts) {
-    setting_list keys = {.name = schema_limit.name, .group = &schema_limit, .place = where};
-    settings_read(reader, where, &schema_limit, &keys);
-    if (parts->spread_count == PLAN_MAX_SPREADS) {
-        problem_at(reader->problems, where, "asks for one more number than the %d that are possible", PLAN_MAX_SPREADS);
-        return;
-    }
-    const size_t index = parts->spread_count++;
-    whirl_spread_of *of = &parts->spreads[index];
-    const setting *row = settings_find(&keys, "row");
-    *of = (whirl_spread_of){.row = row && row->good && row->value.number >= 1.0 ? (size_t)row->value.number - 1 : 0};
-    parts->spread_places[index] = where;
-    parts->units[index] = "1";
-    take_name(reader, &keys, "field", of->field);
-    take_name(reader, &keys, "column", of->column);
-    take_name(reader, &keys, "at", of->at);
-    of->above = read_limit(reader, &keys, "above", -INFINITY, &parts->units[index]);
-    of->below = read_limit(reader, &keys, "below", INFINITY, &parts->units[index]);
-    if (!(of->above < of->below))
-        problem_at(reader->problems, settings_find(&keys, "below")->place,
-                   "is not above the limit `above`, expected a larger number");
-}
+// ---------------------------------------------------------------- reading the case
 
 void tolerances_read(case_reader *reader, plan_parts *parts) {
     // Find the part; without it there are no tolerances.
@@ -244,12 +193,7 @@ void tolerances_read(case_reader *reader, plan_parts *parts) {
         for (const file_node *one = all ? all->place->first : NULL; one; one = one->next)
             own->count += distribution_read(reader, one, &own->distributions[own->count]);
     // Read the numbers that are asked of all samples.
-    if (of && (of->place->kind != NODE_LIST || of->place->count == 0))
-        problem_at(reader->problems, of->place,
-                   "is %s, expected a list of numbers: [{field: orbit/max_radius, at: disc}]",
-                   of->place->kind == NODE_LIST ? "an empty list" : node_shown(of->place, shown));
-    else
-        for (const file_node *one = of ? of->place->first : NULL; one; one = one->next) read_spread(reader, one, own);
+    asked_read(reader, of, &schema_limit, &own->asked);
 }
 
 // ---------------------------------------------------------------- batches
@@ -384,14 +328,14 @@ void tolerances_make(case_reader *reader, valuation *v, const plan_parts *parts,
     if (starts)
         problem_at_key(reader->problems, starts->place, "is given together with tolerances, expected one of the two");
     result->tolerated = arena_take(reader->arena, (own->count + 1) * sizeof *result->tolerated);
-    result->spreads = arena_take(reader->arena, (own->spread_count + 1) * sizeof *result->spreads);
+    result->spreads = arena_take(reader->arena, (own->asked.count + 1) * sizeof *result->spreads);
     reader->no_memory = reader->no_memory || !result->tolerated || !result->spreads;
     if (reader->no_memory) return;
     for (size_t i = 0; i < own->count; i++)
         if (!distribution_make(reader, v, &own->distributions[i], &result->tolerated[i])) return;
-    memcpy(result->spreads, own->spreads, own->spread_count * sizeof *result->spreads);
+    memcpy(result->spreads, own->asked.spreads, own->asked.count * sizeof *result->spreads);
     result->tolerated_count = own->count;
-    result->spread_count = own->spread_count;
+    result->spread_count = own->asked.count;
     // Batches.
     size_t sampled = 0;
     const size_t count = result->batch_count;
@@ -404,39 +348,4 @@ void tolerances_make(case_reader *reader, valuation *v, const plan_parts *parts,
         check_parameters(reader, parts, &result->batches[i]);
         make_samples(reader, parts, &options, i, sampled > 1, result);
     }
-}
-
-// ---------------------------------------------------------------- fields
-
-void tolerances_check(case_reader *reader, const plan_parts *parts, const whirl_batch *batch,
-                      const whirl_layout *layout, const machine_parts *machine, const whirl_rotor *rotor,
-                      bool found[PLAN_MAX_SPREADS]) {
-    const whirl_system *system = whirl_rotor_system(rotor);
-    char why[WHY_SIZE];
-    if (batch->role != WHIRL_ROLE_TOLERANCES) return;
-    for (size_t i = 0; i < parts->tolerances.spread_count; i++) {
-        const whirl_spread_of *of = &parts->tolerances.spreads[i];
-        whirl_spread_at at;
-        const char *lacks = whirl_spread_find(of, layout, machine->stations.names, machine->stations.count,
-                                              whirl_rotor_contact_names(rotor), system->contact_count, &at);
-        if (found[i] || !whirl_layout_field(layout, of->field)) continue;
-        found[i] = true;
-        const char *unit = lacks ? "1" : whirl_column_unit(at.field, at.index % at.field->columns);
-        const char *si = strcmp(unit, "length") == 0 ? "m" : strcmp(unit, "force") == 0 ? "N" : unit;
-        const bool plain = strcmp(parts->tolerances.units[i], "1") == 0;
-        if (lacks)
-            problem_at(reader->problems, parts->tolerances.spread_places[i], "%s", lacks);
-        else if (!plain && (strcmp(si, "1") == 0 || !quantity_fits(parts->tolerances.units[i], si, why)))
-            problem_at(reader->problems, parts->tolerances.spread_places[i],
-                       "has a limit in %.40s, expected the unit of %s: %s", parts->tolerances.units[i], of->field, si);
-    }
-}
-
-void tolerances_unfound(case_reader *reader, const plan_parts *parts, const bool found[PLAN_MAX_SPREADS]) {
-    char shown[SHOWN_SIZE];
-    for (size_t i = 0; i < parts->tolerances.spread_count && parts->tolerances.keys.place; i++)
-        if (!found[i])
-            problem_at(reader->problems, parts->tolerances.spread_places[i],
-                       "asks for %s, which is no field of the points of this study",
-                       text_shown(parts->tolerances.spreads[i].field, shown));
 }

@@ -20,10 +20,4 @@ void tolerances_read(case_reader *reader, plan_parts *parts);
 /// Adds a batch of samples for every batch of points, motions or machines at rest, after all others.
 void tolerances_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result);
 
-/// Notes which of the numbers that are asked for a batch of samples has; then reports those that none has.
-void tolerances_check(case_reader *reader, const plan_parts *parts, const whirl_batch *batch,
-                      const whirl_layout *layout, const machine_parts *machine, const whirl_rotor *rotor,
-                      bool found[PLAN_MAX_SPREADS]);
-void tolerances_unfound(case_reader *reader, const plan_parts *parts, const bool found[PLAN_MAX_SPREADS]);
-
 #endif

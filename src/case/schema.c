@@ -84,6 +84,9 @@ static const whirl_key study_keys[] = {
     CHOICE_KEY("tolerances", OPTIONAL, "",
                "parameters with distributions: every point of a response or sweep, of motions, and of studies of "
                "machines at rest is computed at many samples of them, too: see tolerances"),
+    CHOICE_KEY("sensitivity", OPTIONAL, "",
+               "derivatives of the numbers of every point of a response, a sweep and studies of machines at rest by "
+               "parameters: see sensitivity"),
     CHOICE_KEY("dataset", OPTIONAL, "", "labelled records of machines with faults, as sensors see them: see dataset"),
     CHOICE_KEY("integrate", OPTIONAL, "", "method and length of the integration: see integrate"),
     CHOICE_KEY("keep", OPTIONAL, "", "parts of waveforms and spectra that are kept: see keep"),
@@ -295,11 +298,24 @@ static const whirl_key channel_keys[] = {
     NUMBER_KEY("jitter", "", "rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "standard deviation of the angle of each pulse"),
 };
 
+// Keys that say which number of a point is meant.
+#define NUMBER_KEYS                                                                                                    \
+    CHOICE_KEY("field", REQUIRED, "", "a field of the results, such as unbalance/axes or orbit/max_radius"),           \
+        CHOICE_KEY("column", OPTIONAL, "", "name of its column, such as major; absent: the first"),                    \
+        WHOLE_KEY("row", "", DEFAULT("1"), WHIRL_FROM_TO(1, 100000), "its row, such as the number of a mode, from 1"), \
+        CHOICE_KEY("at", OPTIONAL, "", "the station or contact of the number; needed where the field has several")
+
+static const whirl_key sensitivity_keys[] = {
+    CHOICE_KEY("parameters", REQUIRED, "",
+               "a list of names of parameters, each with a number of its own other than 0 in the case"),
+    CHOICE_KEY("of", OPTIONAL, "",
+               "a list of numbers of every point: see number; absent: the usual ones of each study"),
+};
+
+static const whirl_key number_keys[] = {NUMBER_KEYS};
+
 static const whirl_key limit_keys[] = {
-    CHOICE_KEY("field", REQUIRED, "", "a field of the results, such as unbalance/axes or orbit/max_radius"),
-    CHOICE_KEY("column", OPTIONAL, "", "name of its column, such as major; absent: the first"),
-    WHOLE_KEY("row", "", DEFAULT("1"), WHIRL_FROM_TO(1, 100000), "its row, such as the number of a mode, from 1"),
-    CHOICE_KEY("at", OPTIONAL, "", "the station or contact of the number; needed where the field has several"),
+    NUMBER_KEYS,
     NUMBER_KEY("below", "", "", OPTIONAL, WHIRL_ANY,
                "upper limit, in the unit of the field; plain numbers are in SI, lengths in m"),
     NUMBER_KEY("above", "", "", OPTIONAL, WHIRL_ANY, "lower limit"),
@@ -355,6 +371,9 @@ const whirl_group schema_distribution =
     GROUP("distribution", "the distribution of a parameter with a tolerance", distribution_keys, NULL);
 const whirl_group schema_limit =
     GROUP("limit", "a number of every point of a study of tolerances, and its limits", limit_keys, NULL);
+const whirl_group schema_sensitivity =
+    GROUP("sensitivity", "derivatives of the numbers of every point by parameters", sensitivity_keys, NULL);
+const whirl_group schema_number = GROUP("number", "a number of every point that is derived", number_keys, NULL);
 const whirl_group schema_dataset =
     GROUP("dataset", "labelled records of machines with faults, as sensors see them", dataset_keys, of_dataset);
 const whirl_group schema_label =
@@ -382,7 +401,8 @@ const whirl_group *const *whirl_case_groups(void) {
         &schema_branch,     &schema_curves,
         &schema_initial,    &schema_starts,
         &schema_tolerances, &schema_distribution,
-        &schema_limit,      &schema_dataset,
+        &schema_limit,      &schema_sensitivity,
+        &schema_number,     &schema_dataset,
         &schema_label,      &schema_grade,
         &schema_channel,    &schema_integrate,
         &schema_keep,       &schema_detail,

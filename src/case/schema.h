@@ -17,7 +17,8 @@ extern const whirl_group schema_still_rotor;
 extern const whirl_group schema_case, schema_document, schema_rotor, schema_study, schema_response, schema_sweep,
     schema_map, schema_basin, schema_axis, schema_motions, schema_branch, schema_curves, schema_initial, schema_starts,
     schema_integrate, schema_keep, schema_detail, schema_event, schema_fit_unknown, schema_fit_data, schema_tolerances,
-    schema_distribution, schema_limit, schema_dataset, schema_label, schema_grade, schema_channel;
+    schema_distribution, schema_limit, schema_sensitivity, schema_number, schema_dataset, schema_label, schema_grade,
+    schema_channel;
 
 #define SCHEMA_INDEX_AT_REST(name, ...) SCHEMA_AT_REST_##name,
 
@@ -67,9 +68,10 @@ typedef struct study_plan {
     size_t range_count;
     plan_range *ranges; ///< ranges of further starts, in the order of the file
     size_t tolerated_count, spread_count;
-    whirl_tolerance *tolerated;   ///< parameters with tolerances
-    whirl_spread_of *spreads;     ///< numbers that are asked of all samples
-    const whirl_dataset *dataset; ///< data set, or NULL
+    whirl_tolerance *tolerated;                  ///< parameters with tolerances
+    whirl_spread_of *spreads;                    ///< numbers that are asked of all samples
+    const struct whirl_derivatives *derivatives; ///< what is derived, or NULL
+    const whirl_dataset *dataset;                ///< data set, or NULL
 } study_plan;
 
 #endif

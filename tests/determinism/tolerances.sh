@@ -1,6 +1,6 @@
 #!/bin/bash
-# Samples of tolerances, in motion and at rest: the same bits by any number of threads, in shards that are merged, and in a
-# run that was stopped and resumed:  tolerances.sh WHIRL
+# Samples of tolerances and derivatives by parameters, in motion and at rest: the same bits by any number of threads, in
+# shards that are merged, and in a run that was stopped and resumed:  tolerances.sh WHIRL
 set -euo pipefail
 whirl=$(realpath "$1")
 tests=$(dirname "$(realpath "$0")")/../cli
@@ -34,6 +34,7 @@ study:
       mu: +- 50 %
     samples: 64
     indices: yes
+  sensitivity: {parameters: [gap, k, mu]}
 END
 
 for threads in 1 2 3 8; do "$whirl" run case.yaml -q --threads $threads -o threads-$threads.h5; done

@@ -326,6 +326,10 @@
 #define WHIRL_FIELD_STARTS_STATE "starts/state"
 #define WHIRL_FIELD_STARTS_NEIGHBOUR "starts/neighbour"
 
+#define WHIRL_FIELD_SENSITIVITY_PARAMETERS "sensitivity/parameters"
+#define WHIRL_FIELD_SENSITIVITY_NUMBERS "sensitivity/numbers"
+#define WHIRL_FIELD_SENSITIVITY_SLOPES "sensitivity/slopes"
+
 #define WHIRL_FIELD_TOLERANCES_SAMPLE "tolerances/sample"
 #define WHIRL_FIELD_TOLERANCES_MACHINE "tolerances/machine"
 #define WHIRL_FIELD_TOLERANCES_VALUES "tolerances/values"

@@ -93,6 +93,24 @@ whirl_status whirl_orbit_sensitivity_new(const whirl_extended *extended, const w
 /// Frees derivatives of an orbit; accepts NULL.
 void whirl_orbit_sensitivity_free(whirl_orbit_sensitivity *sensitivity);
 
+/// Most numbers of a point that are derived.
+enum { WHIRL_MAX_DERIVED = 64 };
+
+/// Numbers of every point of a batch that are derived by parameters of the case. At each point the blocks hold the
+/// parameters' values ("sensitivity/parameters"), the numbers ("sensitivity/numbers"), and for each number the
+/// derivative by each parameter with its error ("sensitivity/slopes"), all in SI.
+///
+/// Numbers of machines at rest are differenced and extrapolated as above; a mode is followed by its shape, and a
+/// critical speed or threshold v, where g(v, p) = 0, changes by -g_p/g_v. Numbers of motions are those of the periodic
+/// orbit on which the motion settles, from its exact derivative; its largest multiplier is differenced. Motions that
+/// are not periodic have no derivatives. Errors are estimates of extrapolation and rounding; 0 for exact ones.
+typedef struct whirl_derivatives {
+    size_t parameter_count;                ///< number of parameters, at most WHIRL_MAX_SENSITIVITIES
+    const whirl_given *parameters;         ///< [parameter_count] with their values in the case; borrowed
+    size_t number_count;                   ///< number of chosen numbers; 0: the usual ones of each table
+    const struct whirl_spread_of *numbers; ///< [number_count], without limits; borrowed
+} whirl_derivatives;
+
 #ifdef __cplusplus
 }
 #endif

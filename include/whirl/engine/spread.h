@@ -103,6 +103,13 @@ whirl_status whirl_table_chance(const whirl_table *table, whirl_chance chance, c
 /// table has, or the usual ones. Returns false past the last.
 bool whirl_table_asked(const whirl_result *result, const whirl_table *table, size_t index, whirl_spread_of *of);
 
+/// Gives the numbers of a table whose derivatives are in the field "sensitivity/slopes", by index from 0: those of the
+/// case (facts "derived 1", ...) that the table has, or the usual ones. Returns false past the last.
+bool whirl_table_derived(const whirl_result *result, const whirl_table *table, size_t index, whirl_spread_of *of);
+
+/// Returns true for a field of motions whose numbers have derivatives.
+bool whirl_motion_is_derived(const char *field);
+
 /// Returns the name of a parameter with a tolerance, by index from 0 (facts "tolerance 1", ...); "" past the last.
 /// Writes it to name.
 const char *whirl_result_tolerance(const whirl_result *result, size_t index, char name[WHIRL_NAME_SIZE]);

@@ -99,11 +99,12 @@ typedef struct whirl_batch {
     /// Compute every motion again from the same start with errors of a step 16 times smaller (twice the steps of a
     /// fixed-step method), to confirm its verdict. Needs the analysis "regime".
     bool confirm;
-    whirl_integrate_options integrate; ///< method of the motions
-    whirl_record_options record;       ///< contents of the records
-    whirl_analysis_set analyses;       ///< analyses of the points
-    const whirl_fit *fit;              ///< fit of parameters to measured numbers; borrowed; NULL: none
-    const whirl_mapped *mapped;        ///< NULL, or memory of large `values`; borrowed
+    whirl_integrate_options integrate;           ///< method of the motions
+    whirl_record_options record;                 ///< contents of the records
+    whirl_analysis_set analyses;                 ///< analyses of the points
+    const struct whirl_derivatives *derivatives; ///< derivatives of every point's numbers; borrowed; NULL: none
+    const whirl_fit *fit;                        ///< fit of parameters to measured numbers; borrowed; NULL: none
+    const whirl_mapped *mapped;                  ///< NULL, or memory of large `values`; borrowed
     /// Requested machine: its stop (whirl_system.stop), and that of film tables made for it; in the batch itself NULL,
     /// because runs set that of their options. Borrowed.
     const whirl_stop *stop;

@@ -23,6 +23,7 @@ static void find_table(const finder *of) {
         find_lines(of);
     else if (of->table->count > 0 || whirl_analysis_kind(of->table->analyses)->found)
         kind->find(of);
+    find_derivatives(of);
 }
 
 whirl_status findings_of(const whirl_result *view, const whirl_shown_units *units, const whirl_case *machine,

@@ -29,6 +29,9 @@ void find_bearings(const finder *of, const whirl_model *model);
 /// "indices".
 void find_spread_of(const finder *of, const whirl_spread_of *number);
 
+/// Finds the derivatives of a table's numbers by parameters, if it has some.
+void find_derivatives(const finder *of);
+
 /// Finds the inertias and joints of stations that twist.
 void find_train(const finder *of, const whirl_model *model);
 

@@ -4,18 +4,44 @@
 
 #include "spread_words.h"
 
+/// Names of usual numbers; a name that ends with a blank gets the row's number.
+static const struct {
+    const char *field, *column, *name;
+} spread_names[] = {
+    {WHIRL_FIELD_MODES_FREQUENCY, "", "frequency of mode "},
+    {WHIRL_FIELD_MODES_DAMPING_RATIO, "", "damping ratio of mode "},
+    {WHIRL_FIELD_MODES_DECREMENT, "", "decrement of mode "},
+    {WHIRL_FIELD_MODES_CRITICAL, "value", "critical speed or threshold "},
+    {WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, "", "critical speed "},
+    {WHIRL_FIELD_UNBALANCE_AXES, "major", "largest response"},
+    {WHIRL_FIELD_ORBIT_MAX_RADIUS, "", "largest radius"},
+    {WHIRL_FIELD_ORBIT_MIN_RADIUS, "", "smallest radius"},
+    {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, "forward", "forward 1X"},
+    {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, "backward", "backward 1X"},
+    {WHIRL_FIELD_FLOQUET_MODULUS, "", "largest multiplier"},
+};
+
 void spread_name(const whirl_table *table, const whirl_spread_of *of, char text[SPREAD_NAME]) {
-    const whirl_field *field = whirl_layout_field(&table->layout, of->field);
-    const char *last = strrchr(of->field, '/'), *own = last ? last + 1 : of->field;
-    const size_t group = strcspn(of->field, "/");
-    // The group says what "speed" or "frequency" is of, and a mode has its number.
-    snprintf(text, SPREAD_NAME, "%s%s%.*s %s", of->column, *of->column ? " of " : "", (int)group, of->field, own);
-    for (char *c = text; *c; c++)
-        if (*c == '_') *c = ' ';
-    const size_t used = strlen(text);
-    if (field && field->rows > 1) snprintf(text + used, SPREAD_NAME - used, " %zu", of->row + 1);
-    const size_t now = strlen(text);
-    if (*of->at) snprintf(text + now, SPREAD_NAME - now, " at %s", of->at);
+    size_t i = 0, used;
+    while (i < sizeof spread_names / sizeof *spread_names &&
+           (strcmp(spread_names[i].field, of->field) != 0 || strcmp(spread_names[i].column, of->column) != 0))
+        i++;
+    if (i < sizeof spread_names / sizeof *spread_names) {
+        used = (size_t)snprintf(text, SPREAD_NAME, "%s", spread_names[i].name);
+        if (text[used - 1] == ' ') snprintf(text + used, SPREAD_NAME - used, "%zu", of->row + 1);
+    } else {
+        // The group says what "speed" or "angle" is of.
+        const whirl_field *field = whirl_layout_field(&table->layout, of->field);
+        const char *last = strrchr(of->field, '/'), *own = last ? last + 1 : of->field;
+        const size_t group = strcspn(of->field, "/");
+        snprintf(text, SPREAD_NAME, "%s%s%.*s %s", of->column, *of->column ? " of " : "", (int)group, of->field, own);
+        for (char *c = text; *c; c++)
+            if (*c == '_') *c = ' ';
+        used = strlen(text);
+        if (field && field->rows > 1) snprintf(text + used, SPREAD_NAME - used, " %zu", of->row + 1);
+    }
+    used = strlen(text);
+    if (*of->at) snprintf(text + used, SPREAD_NAME - used, " at %s", of->at);
 }
 
 /// Returns the index of the column of a number.

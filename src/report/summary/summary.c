@@ -95,17 +95,14 @@ static whirl_status print_table(FILE *out, const whirl_findings *findings, const
     const bool single = !*table->parameter && whirl_table_planned(table) == 1;
     // Say which method was chosen.
     if (table->integrate.chosen) fprintf(out, "method auto took %s for the %s\n", table->integrate.method, table->name);
-    // A single motion is summarized by its verdict and its numbers.
-    if (!kind && single && !motions_beside(table)) {
-        const whirl_status status = summarize_response(out, units, machine, table);
-        summarize_refinement(out, table->source ? table->source : table);
-        return status;
+    // Head tables with their parameters; a single motion is headed by its verdict.
+    const bool alone = !kind && single && !motions_beside(table);
+    if (!alone) {
+        summarize_heading(out, table);
+        print_given(out, units, table);
+        if (table->count > 0 && table->row == 0)
+            whirl_result_write_end(units->result, table->name, table->parameter, table->values[0], out);
     }
-    // Head other tables with their parameters.
-    summarize_heading(out, table);
-    print_given(out, units, table);
-    if (table->count > 0 && table->row == 0)
-        whirl_result_write_end(units->result, table->name, table->parameter, table->values[0], out);
     // Summarize motions and points.
     whirl_status status = whirl_ok();
     if (!kind && motions_beside(table)) summarize_motions(out, units, machine, table);
@@ -115,6 +112,7 @@ static whirl_status print_table(FILE *out, const whirl_findings *findings, const
         fputs("  no point was computed\n", out);
         return status;
     }
+    if (alone) summarize_refinement(out, table->source ? table->source : table);
     // Write the statements and sheets of the table.
     if (status.code == WHIRL_OK && !findings_write_table(out, findings, table->name, MAX_POINTS, MAX_ROWS))
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a summary");

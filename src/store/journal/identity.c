@@ -73,6 +73,15 @@ static void put_dataset(FILE *out, const whirl_result *outline) {
             fprintf(out, " (%s: %s)", outline->facts[i].name, outline->facts[i].value);
 }
 
+/// Writes the parameters by which numbers are derived, and the numbers that are asked for.
+static void put_derivatives(FILE *out, const whirl_result *outline) {
+    fputs(", with derivatives", out);
+    for (size_t i = 0; i < outline->fact_count; ++i)
+        if (strncmp(outline->facts[i].name, "sensitivity ", 12) == 0 ||
+            strncmp(outline->facts[i].name, "derived ", 8) == 0)
+            fprintf(out, " (%s: %s)", outline->facts[i].name, outline->facts[i].value);
+}
+
 static void put_points(FILE *out, const whirl_result *outline, const whirl_table *table) {
     char first[NUMBER_SIZE], last[NUMBER_SIZE];
     uint32_t sum = 0;
@@ -102,6 +111,7 @@ static void put_points(FILE *out, const whirl_result *outline, const whirl_table
         snprintf(fact, sizeof fact, "tolerance %d", i + 1);
         fprintf(out, " (%s)", whirl_result_fact(outline, fact));
     }
+    if (whirl_layout_field(&table->layout, WHIRL_FIELD_SENSITIVITY_SLOPES)) put_derivatives(out, outline);
     if (table->role == WHIRL_ROLE_RECORDS) put_dataset(out, outline);
     if (table->starts > 1) fprintf(out, ", from %zu starts each", table->starts);
     if (table->neighbours > 0) fprintf(out, ", and from neighbours in up to %zu rounds", table->neighbours);

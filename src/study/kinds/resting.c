@@ -9,6 +9,7 @@
 
 #include "batch_points.h"
 #include "deal.h"
+#include "derived.h"
 #include "run_journal.h"
 #include "study_run.h"
 #include "tracker.h"
@@ -99,6 +100,8 @@ static whirl_status resting_analyze(worker *w, size_t slot, const resting_machin
         status = whirl_analyze_resting(&point, &w->pass->record, w->batch->analyses, &w->table->layout,
                                        resting_block_of(w, slot));
     free(elsewhere);
+    if (status.code == WHIRL_OK)
+        status = derived_at_rest(w->run->study, w->batch, own, &w->table->layout, resting_block_of(w, slot));
     sample_note(w->batch, slot, &w->table->layout, resting_block_of(w, slot));
     // A machine that could not be built has already named its place.
     if (status.code == WHIRL_BAD_INPUT && *w->batch->parameter && strncmp(status.message, "at ", 3) != 0)

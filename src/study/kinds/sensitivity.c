@@ -2,12 +2,13 @@
 // states.
 #include "whirl/engine/sensitivity.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { LEVELS = 7, MACHINES = 1 + 2 * LEVELS, MAX_HALVINGS = 40 };
+#include "richardson.h"
+
+enum { LEVELS = RICHARDSON_LEVELS, MACHINES = 1 + 2 * LEVELS, MAX_HALVINGS = 40 };
 
 struct whirl_sensitivity {
     double value, reach;
@@ -33,15 +34,11 @@ static size_t sensitivity_width(const whirl_sensitivity *s) {
     return system->dimension > system->switch_count ? system->dimension : system->switch_count;
 }
 
-static double sensitivity_step(const whirl_sensitivity *s, size_t level) {
-    return ldexp(s->reach, -(int)level);
-}
-
 static whirl_status sensitivity_build(whirl_sensitivity *s, const whirl_study *study, const whirl_batch *batch,
                                       double value) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < MACHINES && status.code == WHIRL_OK; i++) {
-        const double h = i == 0 ? 0.0 : sensitivity_step(s, (i - 1) / 2);
+        const double h = i == 0 ? 0.0 : richardson_step(s->reach, (i - 1) / 2);
         status = study->machine(study->family, batch, i % 2 ? value + h : value - h, &s->machines[i]);
         if (status.code == WHIRL_OK && (system_of(s, i)->dimension != system_of(s, 0)->dimension ||
                                         system_of(s, i)->switch_count != system_of(s, 0)->switch_count))
@@ -123,37 +120,6 @@ static void slope_of(const whirl_sensitivity *s, size_t index, double t, const d
     for (size_t i = 0; i < system->dimension; i++) slope[i] *= longer;
 }
 
-/// Adds level k to Neville's table of entry i of the rows, whose last line is `line` [LEVELS]. The derivative is the
-/// entry that differs least from its neighbours; off its error. Returns true if that is rounding, so that further
-/// levels add nothing.
-static bool sensitivity_extrapolate(const whirl_sensitivity *s, size_t i, size_t k, double line[LEVELS],
-                                    double *derivative, double *off) {
-    // The first column has differences over twice the step; rounding limits what they can show.
-    const size_t n = sensitivity_width(s);
-    const double above = s->rows[(2 * k + 1) * n + i], below = s->rows[(2 * k + 2) * n + i];
-    const double rounding = 8.0 * DBL_EPSILON * fmax(fabs(above), fabs(below)) / sensitivity_step(s, k);
-    double before = line[0], entry = (above - below) / (2.0 * sensitivity_step(s, k));
-    line[0] = entry;
-    if (k == 0) {
-        *derivative = entry;
-        *off = INFINITY;
-    }
-    // Extrapolate to a step of 0, and keep the entry that changes least.
-    for (size_t j = 1; j <= k; j++) {
-        const double less = ldexp(1.0, 2 * (int)j) - 1.0, next = entry + (entry - before) / less;
-        const double own = fmax(fabs(next - entry), fabs(next - before)) + rounding;
-        if (own < *off) {
-            *derivative = next;
-            *off = own;
-        }
-        before = line[j];
-        line[j] = entry = next;
-    }
-    // Without a finite estimate take the last entry.
-    if (k + 1 == LEVELS && !isfinite(*off)) *derivative = entry;
-    return *off <= 2.0 * rounding;
-}
-
 /// Extrapolates the first `count` entries of the rows, which `fill` writes for one machine: derivatives [count], and
 /// unless NULL their errors. Levels are computed until all entries are known to rounding.
 static void sensitivity_derive(const whirl_sensitivity *s, size_t count,
@@ -164,8 +130,11 @@ static void sensitivity_derive(const whirl_sensitivity *s, size_t count,
         fill(s, 2 * k + 1, at);
         fill(s, 2 * k + 2, at);
         known = k > 0;
+        const double *above = s->rows + (2 * k + 1) * sensitivity_width(s), *below = above + sensitivity_width(s);
         for (size_t i = 0; i < count; i++)
-            known = sensitivity_extrapolate(s, i, k, s->lines + LEVELS * i, &derivatives[i], &s->errors[i]) && known;
+            known = richardson_add(above[i], below[i], richardson_step(s->reach, k), k, s->lines + LEVELS * i,
+                                   &derivatives[i], &s->errors[i]) &&
+                    known;
     }
     if (errors) memcpy(errors, s->errors, count * sizeof *errors);
 }

@@ -7,6 +7,7 @@
 
 #include "batch_points.h"
 #include "batch_slots.h"
+#include "derived_fields.h"
 #include "journal_blocks.h"
 #include "mapped.h"
 #include "record_fields.h"
@@ -41,6 +42,7 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     if (status.code != WHIRL_OK) return status;
     status = whirl_layout_new(machine.system, &batch->integrate, &batch->record, batch->analyses, &table->layout);
     const size_t stations = machine.system->probe_count;
+    if (status.code == WHIRL_OK) status = derived_add_fields(batch, machine.system, &table->layout);
     if (machine.release) machine.release(machine.owner);
     if (status.code == WHIRL_OK) status = starts_add_fields(batch, stations, &table->layout);
     if (status.code == WHIRL_OK) status = map_add_field(batch, &table->layout);

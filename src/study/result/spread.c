@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "spread_usual.h"
+
 const double whirl_quantiles[WHIRL_QUANTILES] = {0.05, 0.25, 0.5, 0.75, 0.95};
 
 // ---------------------------------------------------------------- numbers
@@ -463,44 +465,72 @@ const char *whirl_result_tolerance(const whirl_result *result, size_t index, cha
 static const struct {
     const char *field, *column;
     size_t rows;
+    bool derived; ///< only of derivatives
 } usual[] = {
-    {WHIRL_FIELD_ORBIT_MAX_RADIUS, "", 1},
-    {WHIRL_FIELD_UNBALANCE_AXES, "major", 1},
-    {WHIRL_FIELD_MODES_FREQUENCY, "", 4},
-    {WHIRL_FIELD_MODES_DAMPING_RATIO, "", 4},
-    {WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, "", 4},
-    {WHIRL_FIELD_STABILITY_COMPLETE, "", 1},
-    {WHIRL_FIELD_STATICS_ECCENTRICITY, "", 1},
-    {WHIRL_FIELD_TORSION_ANGLE_SUM, "", 1},
-    {WHIRL_FIELD_RUNUP_PEAK, "", 1},
+    {WHIRL_FIELD_ORBIT_MAX_RADIUS, "", 1, false},   {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, "forward", 1, true},
+    {WHIRL_FIELD_FLOQUET_MODULUS, "", 1, true},     {WHIRL_FIELD_UNBALANCE_AXES, "major", 1, false},
+    {WHIRL_FIELD_MODES_FREQUENCY, "", 4, false},    {WHIRL_FIELD_MODES_DAMPING_RATIO, "", 4, false},
+    {WHIRL_FIELD_MODES_CRITICAL, "value", 1, true}, {WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, "", 4, false},
+    {WHIRL_FIELD_STABILITY_COMPLETE, "", 1, false}, {WHIRL_FIELD_STATICS_ECCENTRICITY, "", 1, false},
+    {WHIRL_FIELD_TORSION_ANGLE_SUM, "", 1, false},  {WHIRL_FIELD_RUNUP_PEAK, "", 1, false},
 };
 
-bool whirl_table_asked(const whirl_result *result, const whirl_table *table, size_t index, whirl_spread_of *of) {
+bool spread_usual(const whirl_layout *layout, bool derived, size_t index, whirl_spread_of *of, size_t *which) {
+    for (size_t u = 0; u < sizeof usual / sizeof *usual; u++) {
+        const whirl_field *field = whirl_layout_field(layout, usual[u].field);
+        if (usual[u].derived && !derived) continue;
+        for (size_t k = 0; field && k < field->repeat * usual[u].rows; k++) {
+            const size_t row = k % usual[u].rows;
+            if (row >= field->rows || index-- > 0) continue;
+            *of = (whirl_spread_of){.row = row, .above = -INFINITY, .below = INFINITY};
+            *which = k / usual[u].rows;
+            snprintf(of->field, sizeof of->field, "%s", field->name);
+            snprintf(of->column, sizeof of->column, "%s", usual[u].column);
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Gives the numbers that facts ("limit 1", ...) ask of a table, or the usual ones, by index.
+static bool asked_number(const whirl_result *result, const whirl_table *table, const char *asks, bool derived,
+                         size_t index, whirl_spread_of *of) {
+    // Count the numbers that the case asks for.
     char fact[WHIRL_NAME_SIZE];
     whirl_spread_at at;
     whirl_status status = whirl_ok();
-    // Count the numbers that the case asks for.
-    const bool some = *whirl_result_fact(result, "limit 1") != '\0';
+    snprintf(fact, sizeof fact, "%s 1", asks);
+    const bool some = *whirl_result_fact(result, fact) != '\0';
     for (size_t i = 0; some; i++) {
-        snprintf(fact, sizeof fact, "limit %zu", i + 1);
+        snprintf(fact, sizeof fact, "%s %zu", asks, i + 1);
         if (!whirl_spread_read(whirl_result_fact(result, fact), of)) return false;
         if (!find_in_result(result, table, of, &at, &status) && index-- == 0) return true;
     }
     // Without any, count the usual fields of each station or contact.
-    for (size_t u = 0; u < sizeof usual / sizeof *usual; u++) {
-        const whirl_field *field = whirl_layout_field(&table->layout, usual[u].field);
-        for (size_t k = 0; field && k < field->repeat * usual[u].rows; k++) {
-            const size_t which = k / usual[u].rows, row = k % usual[u].rows;
-            if (row >= field->rows || index-- > 0) continue;
-            *of = (whirl_spread_of){.row = row, .above = -INFINITY, .below = INFINITY};
-            snprintf(of->field, sizeof of->field, "%s", field->name);
-            snprintf(of->column, sizeof of->column, "%s", usual[u].column);
-            if (field->extent == WHIRL_PER_STATION && which < result->station_count)
-                snprintf(of->at, sizeof of->at, "%s", result->stations[which].name);
-            else if (field->extent == WHIRL_PER_CONTACT && which < result->contact_count)
-                snprintf(of->at, sizeof of->at, "%s", result->contacts[which]);
-            return true;
-        }
-    }
+    size_t which;
+    if (!spread_usual(&table->layout, derived, index, of, &which)) return false;
+    const whirl_extent extent = whirl_layout_field(&table->layout, of->field)->extent;
+    if (extent == WHIRL_PER_STATION && which < result->station_count)
+        snprintf(of->at, sizeof of->at, "%s", result->stations[which].name);
+    else if (extent == WHIRL_PER_CONTACT && which < result->contact_count)
+        snprintf(of->at, sizeof of->at, "%s", result->contacts[which]);
+    return true;
+}
+
+bool whirl_table_asked(const whirl_result *result, const whirl_table *table, size_t index, whirl_spread_of *of) {
+    return asked_number(result, table, "limit", false, index, of);
+}
+
+bool whirl_table_derived(const whirl_result *result, const whirl_table *table, size_t index, whirl_spread_of *of) {
+    const whirl_field *numbers = whirl_layout_field(&table->layout, WHIRL_FIELD_SENSITIVITY_NUMBERS);
+    return numbers && index < numbers->rows && asked_number(result, table, "derived", true, index, of);
+}
+
+bool whirl_motion_is_derived(const char *field) {
+    static const char *const all[] = {
+        WHIRL_FIELD_ORBIT_MAX_RADIUS,     WHIRL_FIELD_ORBIT_MIN_RADIUS,         WHIRL_FIELD_ORBIT_MEAN,
+        WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS_LAG, WHIRL_FIELD_FLOQUET_MODULUS};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        if (strcmp(field, all[i]) == 0) return true;
     return false;
 }

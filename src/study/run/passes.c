@@ -13,6 +13,7 @@
 #include "passes.h"
 #include "batch_points.h"
 #include "deal.h"
+#include "derived.h"
 #include "kinds.h"
 #include "pass.h"
 #include "record_fields.h"
@@ -343,6 +344,9 @@ static whirl_status worker_analyze(const worker *w, const point *p, const whirl_
     sample_note(work->batch, p->slot % work->batch->count, layout, block);
     if (status.code == WHIRL_OK)
         status = records_note(work->batch, p->slot % work->batch->count, &p->machine, record, layout, block);
+    if (status.code == WHIRL_OK)
+        status = derived_of_motion(work->run->study, work->batch, work->table->values[p->slot], &p->machine,
+                                   record->end, layout, block);
     starts_note(work->batch, &start, p->machine.system, layout, block);
     refine_note(layout, block, own, spent);
     return status;

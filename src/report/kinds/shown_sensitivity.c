@@ -1,0 +1,142 @@
+// Findings of derivatives: which parameter changes a number most, and a row for every number, point and parameter.
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "sensitivity_view.h"
+#include "shown_kinds.h"
+#include "spread_words.h"
+
+size_t sensitivity_parameters(const whirl_table *table) {
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_SENSITIVITY_PARAMETERS);
+    return field ? field->rows : 0;
+}
+
+const char *sensitivity_parameter(const whirl_result *result, size_t index) {
+    char fact[WHIRL_NAME_SIZE];
+    snprintf(fact, sizeof fact, "sensitivity %zu", index + 1);
+    return whirl_result_fact(result, fact);
+}
+
+sensitivity_at sensitivity_of(const whirl_table *table, size_t point, size_t number, size_t parameter) {
+    const size_t count = sensitivity_parameters(table);
+    const double *parameters = whirl_table_field(table, point, WHIRL_FIELD_SENSITIVITY_PARAMETERS, 0);
+    const double *numbers = whirl_table_field(table, point, WHIRL_FIELD_SENSITIVITY_NUMBERS, 0);
+    const double *slopes = whirl_table_field(table, point, WHIRL_FIELD_SENSITIVITY_SLOPES, 0);
+    sensitivity_at at = {NAN, NAN, NAN, NAN, NAN};
+    if (!parameters || !numbers || !slopes) return at;
+    const double *row = slopes + 2 * (number * count + parameter);
+    at = (sensitivity_at){numbers[number], parameters[parameter], row[0], row[1], NAN};
+    if (at.number != 0.0) at.change = at.slope * at.parameter / at.number;
+    return at;
+}
+
+size_t sensitivity_largest(const whirl_table *table, size_t number) {
+    size_t at = table->count;
+    double most = -INFINITY;
+    for (size_t p = 0; p < table->count; p++) {
+        const double size = whirl_table_done(table, p) ? fabs(sensitivity_of(table, p, number, 0).number) : NAN;
+        if (!(size > most)) continue;
+        most = size;
+        at = p;
+    }
+    return at;
+}
+
+size_t sensitivity_order(const whirl_table *table, size_t point, size_t number, size_t order[WHIRL_MAX_SENSITIVITIES]) {
+    const size_t count = sensitivity_parameters(table);
+    double changes[WHIRL_MAX_SENSITIVITIES];
+    size_t known = 0;
+    for (size_t i = 0; i < count && i < WHIRL_MAX_SENSITIVITIES; i++) {
+        const sensitivity_at at = sensitivity_of(table, point, number, i);
+        changes[i] = fabs(at.change);
+        if (!isfinite(at.change) || fabs(at.slope) <= at.error) continue;
+        size_t k = known++;
+        for (; k > 0 && changes[order[k - 1]] < changes[i]; k--) order[k] = order[k - 1];
+        order[k] = i;
+    }
+    return known;
+}
+
+/// States which parameters change a number most, where it is largest.
+static void state_number(const finder *of, const whirl_spread_of *own, size_t number) {
+    enum { NAMED = 3 };
+    size_t order[WHIRL_MAX_SENSITIVITIES];
+    char name[SPREAD_NAME];
+    const size_t point = sensitivity_largest(of->table, number);
+    const size_t known = point < of->table->count ? sensitivity_order(of->table, point, number, order) : 0;
+    if (known == 0) return;
+    spread_name(of->table, own, name);
+    whirl_statement *statement = find_statement(of, "sensitivity");
+    if (*of->table->parameter) statement_value(of, statement, point);
+    phrase_text(of, &statement->found, "%s changes", name);
+    for (size_t k = 0; k < known && k < NAMED; k++) {
+        phrase_text(of, &statement->found, k == 0 ? " by " : ", ");
+        phrase_number(of, &statement->found, WHIRL_QUANTITY_PERCENT, 3,
+                      sensitivity_of(of->table, point, number, order[k]).change);
+        phrase_text(of, &statement->found, " for 1 %% more %s", sensitivity_parameter(of->result, order[k]));
+    }
+}
+
+/// Returns the SI unit of a number, "1" for none.
+static const char *number_unit(const whirl_table *table, const whirl_spread_of *own) {
+    const whirl_field *field = whirl_layout_field(&table->layout, own->field);
+    whirl_spread_at at = {.field = field};
+    char names[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE];
+    if (!field) return "1";
+    if (*own->column && whirl_field_column_names(field, names))
+        while (at.index + 1 < field->columns && strcmp(names[at.index], own->column) != 0) at.index++;
+    const char *unit = whirl_column_unit(field, at.index);
+    return strcmp(unit, "length") == 0 ? "m" : strcmp(unit, "force") == 0 ? "N" : unit;
+}
+
+/// Returns the unit of a derivative in words: "rad/s per N/m", "m per 1".
+static const char *slope_unit(const finder *of, const whirl_spread_of *own, const char *parameter) {
+    const char *unit = number_unit(of->table, own), *by = "1";
+    if (strcmp(unit, "parameter") == 0) unit = "1";
+    for (size_t i = 0; i < of->result->parameter_count; i++)
+        if (strcmp(of->result->parameters[i].name, parameter) == 0) by = of->result->parameters[i].unit;
+    return find_text(of->findings, "%s per %s", unit, by);
+}
+
+void find_derivatives(const finder *of) {
+    const whirl_table *table = of->table;
+    const size_t parameters = sensitivity_parameters(table);
+    whirl_spread_of own;
+    if (parameters == 0) return;
+    for (size_t i = 0; whirl_table_derived(of->result, table, i, &own); i++) state_number(of, &own, i);
+    // Set up the columns.
+    whirl_sheet *sheet = find_sheet(of, "sensitivity", "Sensitivity to parameters");
+    sheet->about =
+        "The change is that of the number if the parameter grows by 1 %. The derivative and its error are in "
+        "SI; an error of 0 stands for an exact derivative.";
+    sheet->of_points = true;
+    sheet_texts(of, sheet, "what", "of");
+    sheet_values(of, sheet, "", 6);
+    sheet_texts(of, sheet, "parameter", "parameter");
+    sheet_column(of, sheet, "change", "change", WHIRL_QUANTITY_PERCENT, 4);
+    sheet_column(of, sheet, "derivative", "derivative", WHIRL_QUANTITY_NUMBER, 8);
+    sheet_column(of, sheet, "error", "error", WHIRL_QUANTITY_NUMBER, 2);
+    sheet_texts(of, sheet, "unit", "unit");
+    // Add a row for each number, point and parameter.
+    for (size_t i = 0; whirl_table_derived(of->result, table, i, &own); i++) {
+        char name[SPREAD_NAME];
+        spread_name(table, &own, name);
+        const char *what = find_text(of->findings, "%s", name);
+        for (size_t point = 0; point < table->count; point++)
+            for (size_t p = 0; p < parameters && whirl_table_done(table, point); p++) {
+                const sensitivity_at at = sensitivity_of(table, point, i, p);
+                const char *parameter = find_text(of->findings, "%s", sensitivity_parameter(of->result, p));
+                if (!isfinite(at.slope)) continue;
+                sheet_row(of, sheet);
+                cell_text(of, sheet, what);
+                cell_value(of, sheet, point);
+                cell_text(of, sheet, parameter);
+                cell_number(of, sheet, at.change);
+                cell_number(of, sheet, at.slope);
+                cell_number(of, sheet, at.error);
+                cell_text(of, sheet, slope_unit(of, &own, parameter));
+            }
+    }
+    find_sheet_end(of);
+}

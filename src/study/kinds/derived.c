@@ -1,0 +1,560 @@
+// Derivatives of a point's numbers by parameters of the case: at rest by extrapolated differences of machines, of
+// motions by the derivative of their periodic orbit.
+#include "derived.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "derived_fields.h"
+#include "resting_point.h"
+#include "richardson.h"
+
+static const double two_pi = 6.283185307179586476925;
+
+/// A point, the numbers that are derived there, and where the derivatives go.
+typedef struct derived {
+    const whirl_study *study;
+    const whirl_batch *batch;
+    const whirl_derivatives *by;
+    const whirl_layout *layout;
+    double value;                               ///< value of the batch's parameter
+    size_t count;                               ///< number of numbers
+    whirl_spread_at numbers[WHIRL_MAX_DERIVED]; ///< their places in blocks
+    double *parameters, *found, *slopes;        ///< the fields in the block
+} derived;
+
+/// Begins the derivatives of a point, all missing; false if the layout has no fields for them.
+static bool derived_begin(derived *d, const whirl_study *study, const whirl_batch *batch, double value,
+                          const whirl_system *system, const whirl_layout *layout, double *block) {
+    const whirl_field *parameters = whirl_layout_field(layout, WHIRL_FIELD_SENSITIVITY_PARAMETERS);
+    const whirl_field *numbers = whirl_layout_field(layout, WHIRL_FIELD_SENSITIVITY_NUMBERS);
+    const whirl_field *slopes = whirl_layout_field(layout, WHIRL_FIELD_SENSITIVITY_SLOPES);
+    if (!batch->derivatives || !parameters || !numbers || !slopes) return false;
+    *d = (derived){.study = study,
+                   .batch = batch,
+                   .by = batch->derivatives,
+                   .layout = layout,
+                   .value = value,
+                   .parameters = block + parameters->offset,
+                   .found = block + numbers->offset,
+                   .slopes = block + slopes->offset};
+    d->count = derived_list(d->by, system, layout, d->numbers);
+    for (size_t i = 0; i < d->count; i++) d->found[i] = NAN;
+    for (size_t i = 0; i < 2 * d->count * d->by->parameter_count; i++) d->slopes[i] = NAN;
+    // A parameter has the value of the case, of the condition, or the varied one.
+    for (size_t p = 0; p < d->by->parameter_count; p++) {
+        const char *name = d->by->parameters[p].name;
+        d->parameters[p] = d->by->parameters[p].value;
+        for (size_t i = 0; i < batch->given_count; i++)
+            if (strcmp(batch->given[i].name, name) == 0) d->parameters[p] = batch->given[i].value;
+        if (strcmp(batch->parameter, name) == 0) d->parameters[p] = value;
+    }
+    return true;
+}
+
+/// Notes a derivative. A change of the number by less than NOISE of the parameter's own is rounding, and counts as 0.
+static void derived_note(derived *d, size_t number, size_t parameter, double slope, double error) {
+    const double noise = 1e-9 * fabs(d->found[number] / d->parameters[parameter]);
+    double *row = d->slopes + 2 * (number * d->by->parameter_count + parameter);
+    row[0] = fabs(slope) <= noise ? 0.0 : slope;
+    row[1] = fabs(slope) <= noise && error > 0.0 ? fmax(error, noise) : error;
+}
+
+/// Room for the parameters that a batch gives, and one more.
+typedef whirl_given derived_given[WHIRL_MAX_GIVEN + 1];
+
+/// Returns a batch whose machines have a parameter at `x`, where `*value`, that of the batch's own parameter, is
+/// replaced if it is the same one.
+static whirl_batch derived_batch(const derived *d, size_t parameter, double x, derived_given given, double *value) {
+    whirl_batch batch = *d->batch;
+    const char *name = d->by->parameters[parameter].name;
+    if (strcmp(batch.parameter, name) == 0) {
+        *value = x;
+        return batch;
+    }
+    batch.given_count = 0;
+    for (size_t i = 0; i < d->batch->given_count; i++)
+        if (strcmp(d->batch->given[i].name, name) != 0) given[batch.given_count++] = d->batch->given[i];
+    given[batch.given_count++] = (whirl_given){name, x};
+    batch.given = given;
+    return batch;
+}
+
+/// Returns true for a failure of one machine, which leaves its derivative missing.
+static bool derived_is_missing(const whirl_status *status) {
+    return status->code == WHIRL_BAD_INPUT || status->code == WHIRL_NUMERICAL_FAILURE;
+}
+
+/// Computes numbers [count] at a distance h from the value of a parameter. Failures of one machine count as below.
+typedef whirl_status derived_fn(const void *of, double h, double *numbers);
+
+/// Derives numbers [count] by levels of distances from `reach` on, until all errors are below 1e-10 of the slope; a
+/// slope is replaced if the new error is smaller.
+static whirl_status derived_levels(double reach, size_t count, derived_fn *compute, const void *of, double *slopes,
+                                   double *errors) {
+    double lines[WHIRL_MAX_DERIVED][RICHARDSON_LEVELS] = {{0.0}}, above[WHIRL_MAX_DERIVED], below[WHIRL_MAX_DERIVED];
+    double slope[WHIRL_MAX_DERIVED] = {0.0}, error[WHIRL_MAX_DERIVED] = {0.0};
+    bool known = false;
+    for (size_t k = 0; k < RICHARDSON_LEVELS && !known; k++) {
+        const double step = richardson_step(reach, k);
+        whirl_status status = compute(of, step, above);
+        if (status.code == WHIRL_OK) status = compute(of, 0.0 - step, below);
+        if (status.code != WHIRL_OK) return status;
+        known = k > 1;
+        for (size_t i = 0; i < count; i++) {
+            const bool rounded = richardson_add(above[i], below[i], step, k, lines[i], &slope[i], &error[i]);
+            known = known && (rounded || error[i] <= 1e-10 * fabs(slope[i]) || isnan(slope[i]) || errors[i] == 0.0);
+        }
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (!isfinite(error[i]) || error[i] >= errors[i]) continue;
+        slopes[i] = slope[i];
+        errors[i] = error[i];
+    }
+    return whirl_ok();
+}
+
+/// Derives numbers [count] at h = 0: slopes and their errors, NaN if they cannot be found. Distances begin at `reach`;
+/// nearer if machines there are impossible or have no place of rest, and once more nearer if some slope is known to
+/// less than 1e-8: a number that is not smooth a little further away, as near a double mode, is smooth here.
+static whirl_status derived_extrapolate(double reach, size_t count, derived_fn *compute, const void *of, double *slopes,
+                                        double *errors) {
+    enum { TRIES = 7 };
+    whirl_status status = whirl_ok();
+    bool found = false, again = true;
+    for (size_t i = 0; i < count; i++) {
+        slopes[i] = NAN;
+        errors[i] = INFINITY;
+    }
+    for (int tries = 0; tries < TRIES && again; tries++) {
+        status = derived_levels(reach, count, compute, of, slopes, errors);
+        if (status.code != WHIRL_OK && !derived_is_missing(&status)) return status;
+        again = !found;
+        if (status.code == WHIRL_OK) {
+            again = false;
+            for (size_t i = 0; i < count && !found; i++) again = again || errors[i] > 1e-8 * fabs(slopes[i]);
+            found = true;
+            reach *= 0.25;
+        }
+        reach *= 0.25;
+    }
+    for (size_t i = 0; i < count; i++)
+        if (isinf(errors[i])) errors[i] = NAN;
+    return whirl_ok();
+}
+
+// ---------------------------------------------------------------- machines at rest
+
+/// A machine at rest whose numbers are derived by one parameter.
+typedef struct derived_rest {
+    derived *of;
+    const resting_machine *own; ///< the machine at the parameter's value, whose modes are followed
+    size_t parameter;           ///< which one; ALONG: the batch's own
+    double *block;              ///< [layout->size] workspace
+} derived_rest;
+
+enum { ALONG = WHIRL_MAX_SENSITIVITIES };
+
+/// Another machine, with its batch.
+typedef struct derived_other {
+    whirl_batch batch;
+    derived_given given;
+    resting_machine machine;
+} derived_other;
+
+/// Makes the machine at the distance h from the value of the parameter, and follows the modes to it.
+static whirl_status derived_machine(const derived_rest *r, double h, derived_other *out) {
+    const derived *d = r->of;
+    double value = r->own->value;
+    if (r->parameter == ALONG) {
+        out->batch = *d->batch;
+        value += h;
+    } else {
+        out->batch = derived_batch(d, r->parameter, d->parameters[r->parameter] + h, out->given, &value);
+    }
+    out->machine = (resting_machine){.value = value};
+    if (!r->own->modes) return d->study->machine(d->study->family, &out->batch, value, &out->machine.machine);
+    const whirl_status status = resting_new(d->study, &out->batch, value, &out->machine);
+    return status.code == WHIRL_OK ? resting_follow(r->own, &out->machine) : status;
+}
+
+/// Returns the row of a mode's number in another machine's block; SIZE_MAX if the mode is lost.
+static size_t derived_row(const whirl_spread_at *at, const resting_machine *to) {
+    static const char *const of_modes[] = {WHIRL_FIELD_MODES_FREQUENCY, WHIRL_FIELD_MODES_NATURAL,
+                                           WHIRL_FIELD_MODES_GROWTH,    WHIRL_FIELD_MODES_DAMPING_RATIO,
+                                           WHIRL_FIELD_MODES_DECREMENT, WHIRL_FIELD_MODES_TORSION};
+    bool follows = false;
+    for (size_t i = 0; i < sizeof of_modes / sizeof *of_modes; i++)
+        follows = follows || strcmp(at->field->name, of_modes[i]) == 0;
+    if (!follows || !to->before) return at->index;
+    for (size_t i = 0; i < to->modes->count; i++)
+        if (to->before[i] == at->index + 1) return i < at->field->rows ? i : SIZE_MAX;
+    return SIZE_MAX;
+}
+
+/// Reads the numbers of a block, in SI.
+static void derived_read(const derived *d, const resting_machine *of, const double *block, double *numbers) {
+    for (size_t i = 0; i < d->count; i++) {
+        const whirl_spread_at *at = &d->numbers[i];
+        const whirl_field *field = at->field;
+        const size_t index = derived_row(at, of);
+        const bool is_length = strcmp(whirl_column_unit(field, at->index % field->columns), "length") == 0;
+        numbers[i] = index == SIZE_MAX ? (double)NAN
+                                       : block[field->offset + at->which * field->rows * field->columns + index] *
+                                             (is_length ? of->machine.length : 1.0);
+    }
+}
+
+static whirl_status derived_rest_numbers(const void *of, double h, double *numbers) {
+    const derived_rest *r = of;
+    const derived *d = r->of;
+    derived_other other;
+    whirl_status status = derived_machine(r, h, &other);
+    if (status.code == WHIRL_OK) {
+        const resting_place at = {d->study, &other.batch, other.machine.value};
+        whirl_resting point = resting_point_of(&at, &other.machine.machine);
+        point.modes = other.machine.modes;
+        point.before = other.machine.before;
+        status = whirl_analyze_resting(&point, &d->batch->record, d->batch->analyses, d->layout, r->block);
+    }
+    if (status.code == WHIRL_OK) derived_read(d, &other.machine, r->block, numbers);
+    resting_free(&other.machine);
+    return status;
+}
+
+// ---------------------------------------------------------------- located critical speeds and thresholds
+
+/// A critical speed or threshold: the zero of the frequency of a mode less the speed, or of its growth.
+typedef struct derived_zero {
+    derived_rest rest; ///< `own` is the machine at the critical value
+    size_t mode;       ///< the mode there
+    bool growth;
+} derived_zero;
+
+static double zero_of(const derived_zero *z, const resting_machine *at, size_t mode) {
+    const whirl_mode *own = &at->modes->modes[mode];
+    return at->machine.clock * (z->growth ? own->real : own->imaginary) - (z->growth ? 0.0 : fabs(at->machine.speed));
+}
+
+static whirl_status derived_zero_number(const void *of, double h, double *number) {
+    const derived_zero *z = of;
+    derived_other other;
+    const whirl_status status = derived_machine(&z->rest, h, &other);
+    const resting_machine *own = &other.machine;
+    *number = NAN;
+    for (size_t i = 0; status.code == WHIRL_OK && own->before && i < own->modes->count; i++)
+        if (own->before[i] == z->mode + 1) *number = zero_of(z, own, i);
+    resting_free(&other.machine);
+    return status;
+}
+
+/// Derives the value of a critical speed or threshold, a row of the field modes/critical, by one parameter.
+static whirl_status derived_critical(derived *d, const double *row, size_t parameter, double *slope, double *error) {
+    // The machine there, and the mode whose function is 0.
+    resting_machine own;
+    *slope = *error = NAN;
+    whirl_status status = resting_new(d->study, d->batch, row[1], &own);
+    if (status.code != WHIRL_OK) return derived_is_missing(&status) ? whirl_ok() : status;
+    derived_zero z = {.rest = {.of = d, .own = &own}, .growth = row[0] == WHIRL_ONSET || row[0] == WHIRL_RECOVERY};
+    for (size_t i = 1; i < own.modes->count; i++)
+        if (fabs(zero_of(&z, &own, i)) < fabs(zero_of(&z, &own, z.mode))) z.mode = i;
+    // g_p at the parameter, g_v along the batch's own one.
+    double by[2] = {NAN, NAN}, off[2] = {NAN, NAN};
+    if (own.modes->count > 0 && own.modes->period == 0.0) {
+        const double reach[2] = {0.125 * fabs(d->parameters[parameter]), 0.125 * fabs(row[1])};
+        for (size_t i = 0; i < 2 && status.code == WHIRL_OK; i++) {
+            z.rest.parameter = i == 0 ? parameter : ALONG;
+            status = derived_extrapolate(reach[i], 1, derived_zero_number, &z, &by[i], &off[i]);
+        }
+        *slope = 0.0 - by[0] / by[1];
+        *error = (off[0] + fabs(*slope) * off[1]) / fabs(by[1]);
+    }
+    resting_free(&own);
+    return status;
+}
+
+static bool derived_is_critical(const whirl_spread_at *at) {
+    return strcmp(at->field->name, WHIRL_FIELD_MODES_CRITICAL) == 0 && at->index % at->field->columns == 1;
+}
+
+whirl_status derived_at_rest(const whirl_study *study, const whirl_batch *batch, const resting_machine *own,
+                             const whirl_layout *layout, double *block) {
+    derived d;
+    if (!derived_begin(&d, study, batch, own->value, own->machine.system, layout, block)) return whirl_ok();
+    derived_rest r = {.of = &d, .own = own, .block = calloc(layout->size + 1, sizeof *r.block)};
+    if (!r.block) return whirl_fail(WHIRL_NO_MEMORY, "no memory for derivatives of a point");
+    whirl_status status = whirl_ok();
+    // The numbers themselves are in the block.
+    const resting_machine here = {.machine = own->machine};
+    derived_read(&d, &here, block, d.found);
+    for (size_t p = 0; p < d.by->parameter_count && status.code == WHIRL_OK; p++) {
+        double slopes[WHIRL_MAX_DERIVED], errors[WHIRL_MAX_DERIVED];
+        r.parameter = p;
+        status = derived_extrapolate(0.125 * fabs(d.parameters[p]), d.count, derived_rest_numbers, &r, slopes, errors);
+        for (size_t i = 0; i < d.count && status.code == WHIRL_OK; i++) {
+            const whirl_spread_at *at = &d.numbers[i];
+            if (derived_is_critical(at) && isfinite(d.found[i]))
+                status = derived_critical(&d, block + at->field->offset + at->index - 1, p, &slopes[i], &errors[i]);
+            if (isfinite(d.found[i])) derived_note(&d, i, p, slopes[i], errors[i]);
+        }
+    }
+    free(r.block);
+    return status;
+}
+
+// ---------------------------------------------------------------- periodic motions
+
+/// A periodic motion whose numbers are derived.
+typedef struct derived_motion {
+    derived *of;
+    whirl_orbit_options options;
+    whirl_orbit *orbit;
+    whirl_orbit_sensitivity *slopes;
+    double lengths[1 + WHIRL_MAX_SENSITIVITIES]; ///< metres of a unit of displacement, and their derivatives
+} derived_motion;
+
+/// A station's path over the orbit's instants, in metres, and its derivatives: x, y [all][1 + parameters].
+typedef struct derived_path {
+    size_t all, width;
+    double *x, *y;
+} derived_path;
+
+/// Makes the path; `x` is NULL without memory.
+static void path_make(const derived_motion *m, const whirl_probe *probe, derived_path *path) {
+    const whirl_orbit_sensitivity *s = m->slopes;
+    *path = (derived_path){.all = s->revolutions * s->instants, .width = 1 + s->count};
+    path->x = calloc(2 * path->all * path->width, sizeof *path->x);
+    if (!path->x) return;
+    path->y = path->x + path->all * path->width;
+    for (size_t k = 0; k < path->all; k++)
+        for (size_t c = 0; c < 2; c++) {
+            double *to = (c == 0 ? path->x : path->y) + k * path->width;
+            const double value = whirl_probe_value(probe, s->states + k * s->dimension, c);
+            to[0] = m->lengths[0] * value;
+            for (size_t p = 0; p < s->count; p++)
+                to[1 + p] = m->lengths[0] * whirl_probe_value(probe, s->slopes + (k * s->count + p) * s->dimension, c) +
+                            m->lengths[1 + p] * value;
+        }
+}
+
+/// The mean over the orbit of one coordinate and its derivatives, out [width].
+static void path_mean(const derived_path *path, const double *of, double *out) {
+    for (size_t i = 0; i < path->width; i++) {
+        out[i] = 0.0;
+        for (size_t k = 0; k < path->all; k++) out[i] += of[k * path->width + i] / (double)path->all;
+    }
+}
+
+/// Writes the polynomial through five neighbouring instants of the numbers f [5] at the distance t from the middle one:
+/// its value, and unless NULL its first two derivatives.
+static double five_points(const double f[5], double t, double *first, double *second) {
+    const double d1 = (f[0] - 8.0 * f[1] + 8.0 * f[3] - f[4]) / 12.0;
+    const double d2 = (0.0 - f[0] + 16.0 * f[1] - 30.0 * f[2] + 16.0 * f[3] - f[4]) / 12.0;
+    const double d3 = (f[4] - 2.0 * f[3] + 2.0 * f[1] - f[0]) / 2.0;
+    const double d4 = f[0] - 4.0 * f[1] + 6.0 * f[2] - 4.0 * f[3] + f[4];
+    if (first) *first = d1 + t * (d2 + t * (d3 / 2.0 + t * d4 / 6.0));
+    if (second) *second = d2 + t * (d3 + t * d4 / 2.0);
+    return f[2] + t * (d1 + t * (d2 / 2.0 + t * (d3 / 6.0 + t * d4 / 24.0)));
+}
+
+/// The largest (sign 1) or smallest (-1) radius of the path between instants, and its derivatives at that place, which
+/// are those of the radius there: out [width].
+static void path_extreme(const derived_path *path, double sign, double *out) {
+    // The instant nearest to the extreme.
+    const size_t all = path->all, width = path->width;
+    size_t at = 0;
+    double best = -INFINITY, f[5], first, second, t = 0.0;
+    for (size_t k = 0; k < all; k++) {
+        const double radius = sign * hypot(path->x[k * width], path->y[k * width]);
+        if (radius > best) at = k;
+        best = fmax(best, radius);
+    }
+    // The extreme of the square of the radius near it, by Newton's method.
+    size_t near[5];
+    for (size_t i = 0; i < 5; i++) near[i] = (at + all + i - 2) % all;
+    for (size_t i = 0; i < 5; i++) {
+        const double x = path->x[near[i] * width], y = path->y[near[i] * width];
+        f[i] = x * x + y * y;
+    }
+    for (int i = 0; i < 8; i++) {
+        five_points(f, t, &first, &second);
+        if (sign * second < 0.0) t = fmin(fmax(t - first / second, -1.0), 1.0);
+    }
+    const double square = five_points(f, t, NULL, NULL);
+    out[0] = sqrt(fmax(square, 0.0));
+    for (size_t p = 1; p < width; p++) {
+        for (size_t i = 0; i < 5; i++) {
+            const double *x = path->x + near[i] * width, *y = path->y + near[i] * width;
+            f[i] = 2.0 * (x[0] * x[p] + y[0] * y[p]);
+        }
+        out[p] = five_points(f, t, NULL, NULL) / (2.0 * out[0]);
+    }
+}
+
+/// The synchronous part of the path along x, along y, forward or backward: its amplitude or, `lags`, its lag in
+/// degrees, with derivatives, out [width].
+static void path_synchronous(const derived_path *path, size_t instants, size_t part, bool lags, double *out) {
+    double real = 0.0, imaginary = 0.0;
+    for (size_t p = 0; p < path->width; p++) {
+        // Sums of z exp(-i tau) for x, y, and (x + iy)/2, (x - iy)/2.
+        double xr = 0.0, xi = 0.0, yr = 0.0, yi = 0.0;
+        for (size_t k = 0; k < path->all; k++) {
+            const double tau = two_pi * (double)(k % instants) / (double)instants, weight = 2.0 / (double)path->all;
+            const double x = weight * path->x[k * path->width + p], y = weight * path->y[k * path->width + p];
+            xr += x * cos(tau);
+            xi -= x * sin(tau);
+            yr += y * cos(tau);
+            yi -= y * sin(tau);
+        }
+        const double sign = part == 2 ? 1.0 : -1.0;
+        const double r = part == 0 ? xr : part == 1 ? yr : 0.5 * (xr - sign * yi);
+        const double i = part == 0 ? xi : part == 1 ? yi : 0.5 * (xi + sign * yr);
+        if (p == 0) {
+            real = r;
+            imaginary = i;
+            out[0] = lags ? fmod(360.0 - 360.0 / two_pi * atan2(i, r), 360.0) : hypot(r, i);
+        } else if (lags) {
+            out[p] = 360.0 / two_pi * (imaginary * r - real * i) / (real * real + imaginary * imaginary);
+        } else {
+            out[p] = (real * r + imaginary * i) / hypot(real, imaginary);
+        }
+    }
+}
+
+/// Computes a number of a station, and its derivatives, out [1 + parameters].
+static whirl_status motion_number(const derived_motion *m, const whirl_system *system, const whirl_spread_at *at,
+                                  double *out) {
+    derived_path path;
+    path_make(m, &system->probes[at->which], &path);
+    if (!path.x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for derivatives of a motion");
+    const char *name = at->field->name;
+    if (strcmp(name, WHIRL_FIELD_ORBIT_MEAN) == 0)
+        path_mean(&path, at->index == 0 ? path.x : path.y, out);
+    else if (strcmp(name, WHIRL_FIELD_ORBIT_MAX_RADIUS) == 0 || strcmp(name, WHIRL_FIELD_ORBIT_MIN_RADIUS) == 0)
+        path_extreme(&path, strcmp(name, WHIRL_FIELD_ORBIT_MAX_RADIUS) == 0 ? 1.0 : -1.0, out);
+    else
+        path_synchronous(&path, m->slopes->instants, at->index, strcmp(name, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS_LAG) == 0,
+                         out);
+    free(path.x);
+    return whirl_ok();
+}
+
+/// An orbit whose largest multiplier is differenced by one parameter.
+typedef struct derived_multiplier {
+    const derived_motion *of;
+    size_t parameter;
+} derived_multiplier;
+
+static whirl_status derived_multiplier_number(const void *of, double h, double *number) {
+    const derived_multiplier *m = of;
+    const derived *d = m->of->of;
+    const whirl_orbit *own = m->of->orbit;
+    const size_t n = own->dimension;
+    derived_given given;
+    double value = d->value;
+    const whirl_batch batch = derived_batch(d, m->parameter, d->parameters[m->parameter] + h, given, &value);
+    whirl_machine machine = {.system = NULL};
+    whirl_orbit *orbit = NULL;
+    double *x = calloc(n + 1, sizeof *x);
+    whirl_status status = x ? d->study->machine(d->study->family, &batch, value, &machine)
+                            : whirl_fail(WHIRL_NO_MEMORY, "no memory for derivatives of a motion");
+    for (size_t i = 0; i < n && status.code == WHIRL_OK; i++)
+        x[i] = own->nodes[i] + h * m->of->slopes->slopes[m->parameter * n + i];
+    if (status.code == WHIRL_OK)
+        status = whirl_orbit_find(machine.system, x, own->revolutions, &m->of->options, &orbit);
+    if (status.code == WHIRL_OK) *number = whirl_orbit_largest(orbit);
+    whirl_orbit_free(orbit);
+    if (machine.release) machine.release(machine.owner);
+    free(x);
+    return status;
+}
+
+/// Returns the batch with a parameter in place of its own one, which all machines then have at its value.
+static whirl_batch varied_batch(const derived *d, size_t parameter, derived_given given) {
+    double value = d->value;
+    whirl_batch batch = derived_batch(d, parameter, d->parameters[parameter], given, &value);
+    if (batch.given == given) {
+        // The parameter itself comes last.
+        batch.given_count--;
+        if (*batch.parameter) given[batch.given_count++] = (whirl_given){d->batch->parameter, d->value};
+    }
+    snprintf(batch.parameter, sizeof batch.parameter, "%s", d->by->parameters[parameter].name);
+    return batch;
+}
+
+/// Finds the orbit of the motion, and derives its states by all parameters.
+static whirl_status motion_derive(derived_motion *m, const whirl_system *system, const double *end, size_t period) {
+    enum { MOST_INSTANTS = 512, LEAST_INSTANTS = 128, ROOM = 1 << 25 };
+    derived *d = m->of;
+    const size_t parameters = d->by->parameter_count;
+    whirl_sensitivity *by[WHIRL_MAX_SENSITIVITIES] = {NULL};
+    whirl_extended *extended = NULL;
+    whirl_status status = whirl_orbit_find(system, end, period, &m->options, &m->orbit);
+    for (size_t p = 0; p < parameters && status.code == WHIRL_OK; p++) {
+        derived_given given;
+        const whirl_batch batch = varied_batch(d, p, given);
+        status = whirl_sensitivity_new(d->study, &batch, d->parameters[p], 0.0, &by[p]);
+        if (status.code == WHIRL_OK) m->lengths[1 + p] = whirl_sensitivity_length(by[p], &m->lengths[0]);
+    }
+    if (status.code == WHIRL_OK) status = whirl_extended_new(parameters, by, &extended);
+    // Large machines have fewer instants, so that their perturbations fit in memory.
+    size_t instants = MOST_INSTANTS;
+    const size_t numbers = system->dimension * (system->dimension + parameters) * period;
+    while (instants > LEAST_INSTANTS && numbers * instants > ROOM) instants /= 2;
+    if (status.code == WHIRL_OK)
+        status = whirl_orbit_sensitivity_new(extended, m->orbit, &m->options, instants, &m->slopes);
+    whirl_extended_free(extended);
+    for (size_t p = 0; p < parameters; p++) whirl_sensitivity_free(by[p]);
+    return status;
+}
+
+/// Fills in all numbers of a motion.
+static whirl_status motion_fill(derived_motion *m, const whirl_system *system) {
+    derived *d = m->of;
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < d->count && status.code == WHIRL_OK; i++) {
+        const whirl_spread_at *at = &d->numbers[i];
+        if (strcmp(at->field->name, WHIRL_FIELD_FLOQUET_MODULUS) != 0) {
+            double numbers[1 + WHIRL_MAX_SENSITIVITIES] = {NAN};
+            status = motion_number(m, system, at, numbers);
+            if (status.code != WHIRL_OK || !isfinite(numbers[0])) continue;
+            d->found[i] = numbers[0];
+            for (size_t p = 0; p < d->by->parameter_count; p++) derived_note(d, i, p, numbers[1 + p], 0.0);
+            continue;
+        }
+        d->found[i] = whirl_orbit_largest(m->orbit);
+        for (size_t p = 0; p < d->by->parameter_count && status.code == WHIRL_OK; p++) {
+            double slope, error;
+            const derived_multiplier own = {m, p};
+            status =
+                derived_extrapolate(fabs(d->parameters[p]) / 256.0, 1, derived_multiplier_number, &own, &slope, &error);
+            derived_note(d, i, p, slope, error);
+        }
+    }
+    return status;
+}
+
+whirl_status derived_of_motion(const whirl_study *study, const whirl_batch *batch, double value,
+                               const whirl_machine *machine, const double *end, const whirl_layout *layout,
+                               double *block) {
+    // Only a periodic motion has derivatives.
+    derived d;
+    if (!derived_begin(&d, study, batch, value, machine->system, layout, block)) return whirl_ok();
+    const whirl_verdict verdict = whirl_block_verdict(layout, block);
+    if (verdict.regime != WHIRL_PERIODIC || verdict.period < 1) return whirl_ok();
+    // Tolerances are as fine for the batch's smallest lengths as usual ones are for the unit.
+    derived_motion m = {.of = &d, .options = whirl_orbit_default()};
+    if (batch->integrate.atol < 1e-9) m.options.integrate.atol *= batch->integrate.atol / 1e-9;
+    if (strcmp(batch->integrate.method, "rodas5p") == 0) {
+        strcpy(m.options.integrate.method, "rodas5p");
+        m.options.integrate.rtol = 1e-10;
+        m.options.integrate.atol *= 1e3;
+        m.options.tolerance = 1e-9;
+    }
+    whirl_status status = motion_derive(&m, machine->system, end, (size_t)verdict.period);
+    if (status.code == WHIRL_OK) status = motion_fill(&m, machine->system);
+    whirl_orbit_sensitivity_free(m.slopes);
+    whirl_orbit_free(m.orbit);
+    return derived_is_missing(&status) ? whirl_ok() : status;
+}

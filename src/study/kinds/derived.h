@@ -1,0 +1,21 @@
+/// Derivatives of a point's numbers by parameters of the case (whirl_derivatives).
+#ifndef STUDY_DERIVED_H
+#define STUDY_DERIVED_H
+
+#include "kinds.h"
+#include "whirl/engine/sensitivity.h"
+#include "whirl/engine/study.h"
+
+/// Fills in the fields "sensitivity/..." in the block of a machine at rest, whose other fields are filled in: `own` is
+/// the machine, with its modes if the analyses need them. Does nothing if the layout has no such fields. Derivatives
+/// that cannot be found are NaN. WHIRL_NO_MEMORY, WHIRL_STOPPED.
+whirl_status derived_at_rest(const whirl_study *study, const whirl_batch *batch, const resting_machine *own,
+                             const whirl_layout *layout, double *block);
+
+/// Does the same for a motion that ends at state `end` at a section, by its verdict; `value` is that of the batch's
+/// parameter.
+whirl_status derived_of_motion(const whirl_study *study, const whirl_batch *batch, double value,
+                               const whirl_machine *machine, const double *end, const whirl_layout *layout,
+                               double *block);
+
+#endif
