@@ -95,6 +95,9 @@ whirl_unit whirl_shown_parameter(const whirl_shown_units *units, const char *nam
 /// for none. Returns the index-th, or NULL behind the last. Static text.
 const char *whirl_shown_si(const whirl_shown_units *units, size_t index, whirl_unit *unit);
 
+/// Returns the unit that is chosen for numbers in an SI unit of that list; of size 0 if none is.
+whirl_unit whirl_shown_chosen(const whirl_shown_units *units, const char *si);
+
 #ifdef __cplusplus
 }
 #endif

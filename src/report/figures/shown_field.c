@@ -41,7 +41,8 @@ static measure measure_of(const figure_place *place) {
     static const char *const units[] = {
         [OF_LENGTH] = "length", [OF_VELOCITY] = "length/radian", [OF_PARAMETER] = "parameter", [OF_SPEED] = "rad/s"};
     const char *unit = whirl_column_unit(place->field, place->column);
-    if (strstr(place->field->meaning, "in SI")) return OF_PARAMETER;
+    const char *meaning = place->field->meaning;
+    if (strncmp(meaning, "value of the ", 13) == 0 && strstr(meaning, "in SI")) return OF_PARAMETER;
     for (measure how = OF_LENGTH; how <= OF_SPEED; how++)
         if (strcmp(unit, units[how]) == 0) return how;
     return PLAIN;
@@ -69,8 +70,9 @@ static whirl_unit unit_of(const drawing *of, const figure_place *place) {
     whirl_unit unit = {.size = 1.0};
     if (how == OF_SPEED) return speed_unit_beside(of, place->table);
     if (how == OF_PARAMETER)
-        return whirl_shown_parameter(of->units, strstr(field->meaning, "second parameter") ? place->table->second
-                                                                                           : place->table->parameter);
+        return whirl_shown_parameter(of->units, strstr(field->meaning, "second parameter")  ? place->table->second
+                                                : strstr(field->meaning, "third parameter") ? place->table->third
+                                                                                            : place->table->parameter);
     for (size_t i = 0; i < sizeof kept / sizeof *kept; i++)
         if (strcmp(field->unit, kept[i]) == 0) {
             snprintf(unit.name, sizeof unit.name, "%s", kept[i]);
@@ -79,6 +81,8 @@ static whirl_unit unit_of(const drawing *of, const figure_place *place) {
     const whirl_unit si = whirl_field_si(of->result, place->table, field);
     if (strcmp(field->unit, "length") != 0 && strcmp(si.name, "1") != 0 && isfinite(si.size))
         snprintf(unit.name, sizeof unit.name, "%s", si.name), unit.size = 1.0 / si.size;
+    const whirl_unit chosen = whirl_shown_chosen(of->units, si.name);
+    if (chosen.size > 0.0) unit = chosen, unit.size /= si.size;
     return unit;
 }
 

@@ -104,7 +104,11 @@ void find_derivatives(const finder *of) {
     const size_t parameters = sensitivity_parameters(table);
     whirl_spread_of own;
     if (parameters == 0) return;
-    for (size_t i = 0; whirl_table_derived(of->result, table, i, &own); i++) state_number(of, &own, i);
+    // State the numbers that the case asks for, or some of the usual ones.
+    enum { STATED = 4 };
+    const bool asked = *whirl_result_fact(of->result, "derived 1") != '\0';
+    for (size_t i = 0; (asked || i < STATED) && whirl_table_derived(of->result, table, i, &own); i++)
+        state_number(of, &own, i);
     // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "sensitivity", "Sensitivity to parameters");
     sheet->about =

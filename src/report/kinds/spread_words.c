@@ -63,6 +63,8 @@ whirl_unit spread_unit(const whirl_shown_units *units, const whirl_table *table,
     if (strcmp(unit, "force") == 0) return units->of[WHIRL_QUANTITY_FORCE];
     if (strcmp(unit, "rad/s") == 0)
         return units->of[strstr(of->field, "speed") ? WHIRL_QUANTITY_SPEED : WHIRL_QUANTITY_FREQUENCY];
+    const whirl_unit chosen = whirl_shown_chosen(units, unit);
+    if (chosen.size > 0.0) return chosen;
     if (strcmp(unit, "1") != 0) snprintf(plain.name, sizeof plain.name, "%s", unit);
     return plain;
 }

@@ -210,11 +210,17 @@ const char *whirl_shown_si(const whirl_shown_units *units, size_t index, whirl_u
     return shown_parameters[index].si;
 }
 
-whirl_unit whirl_shown_parameter(const whirl_shown_units *units, const char *name) {
-    const char *const own = whirl_result_parameter_unit(units->result, name), *si;
+whirl_unit whirl_shown_chosen(const whirl_shown_units *units, const char *si) {
+    const char *own;
     whirl_unit unit;
-    for (size_t i = 0; (si = whirl_shown_si(units, i, &unit)) != NULL; i++)
-        if (strcmp(own, si) == 0 && unit.size > 0.0) return unit;
+    for (size_t i = 0; (own = whirl_shown_si(units, i, &unit)) != NULL; i++)
+        if (strcmp(own, si) == 0) return unit;
+    return (whirl_unit){.size = 0.0};
+}
+
+whirl_unit whirl_shown_parameter(const whirl_shown_units *units, const char *name) {
+    whirl_unit unit = whirl_shown_chosen(units, whirl_result_parameter_unit(units->result, name));
+    if (unit.size > 0.0) return unit;
     unit = whirl_result_unit(units->result, name);
     if (strcmp(unit.name, "um") == 0) snprintf(unit.name, sizeof unit.name, "%s", shown_name("um"));
     return unit;
