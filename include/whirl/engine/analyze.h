@@ -257,7 +257,8 @@ typedef struct whirl_resting {
     /// Errors as those of machines.
     whirl_status (*at_speed)(const void *context, double speed, whirl_variant variant, double value,
                              whirl_machine *machine);
-    /// Makes the same machine with its coefficients at a frequency of whirl, rad/s.
+    /// Makes the same machine at its own speed, with coefficients at a frequency of whirl, rad/s, where they depend on
+    /// it; the caller releases it.
     whirl_status (*at_frequency)(const void *context, double frequency, whirl_variant variant, double value,
                                  whirl_machine *machine);
     /// Makes the same machine with a speed that changes between two (rad/s), by its torques or not, after events

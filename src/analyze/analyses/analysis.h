@@ -85,7 +85,8 @@ typedef struct analysis_plan {
     whirl_growth uses_growth; ///< growth that is followed for it (whirl_analysis_needs); with less it has fewer results
     bool uses_orbits;         ///< orbits are searched for it; without them it has fewer results
     whirl_status (*compute)(const whirl_record *record, const whirl_record_options *options, const block_view *view);
-    /// For machines at rest, called instead of `compute`.
+    /// For machines at rest, called instead of `compute`. WHIRL_NUMERICAL_FAILURE: the point has no place of rest, and
+    /// its numbers are missing; WHIRL_BAD_INPUT ends the run, and `whirl check` says so first.
     whirl_status (*compute_resting)(const whirl_resting *point, const whirl_record_options *options,
                                     const block_view *view);
     /// For points of branches, likewise.

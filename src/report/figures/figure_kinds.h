@@ -1,4 +1,4 @@
-/// Kinds of figures of results: one file for each kind in this folder, a line in the registry and one below.
+/// Kinds of figures of results: one file for each kind in this folder, and a word in FIGURE_KINDS.
 #ifndef REPORT_FIGURE_KINDS_H
 #define REPORT_FIGURE_KINDS_H
 

@@ -1,4 +1,4 @@
-/// Views of tables whose points are not motions: one file for each kind in this folder, one line in the registry.
+/// Views of tables whose points are not motions: one file for each kind in this folder, one word in SHOWN_KINDS.
 /// Tables of motions are shown by summary, figures and pages.
 #ifndef REPORT_SHOWN_KINDS_H
 #define REPORT_SHOWN_KINDS_H

@@ -113,7 +113,7 @@ void find_derivatives(const finder *of) {
     whirl_sheet *sheet = find_sheet(of, "sensitivity", "Sensitivity to parameters");
     sheet->about =
         "The change is that of the number if the parameter grows by 1 %. The derivative and its error are in "
-        "SI; an error of 0 stands for an exact derivative.";
+        "SI; an error of 0 means that it is exact.";
     sheet->of_points = true;
     sheet_texts(of, sheet, "what", "of");
     sheet_values(of, sheet, "", 6);

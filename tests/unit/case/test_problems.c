@@ -2,7 +2,12 @@
 #include "case_support.h"
 
 #include <stdio.h>
+#include <string.h>
 #include <unistd.h>
+
+#include "whirl/engine/analyze.h"
+
+#define NAME_OF(name, ...) #name,
 
 static void numbers(void **state) {
     (void)state;
@@ -354,10 +359,14 @@ static void structure(void **state) {
                    "parameters");
     expect_problem("  sweep: {", "  response: {}\n  sweep: {",
                    "t:19:3: study.response: is given together with sweep, expected one of the two");
-    expect_problem(
-        "  sweep: {parameter: kappa, from: 1, to: 20, points: 5, start: state}\n", "",
-        "t:18:1: study: has none of response, sweep, map, basin, dataset, branch, modes, unbalance, critical_speeds, "
-        "stability, statics, torsion, runup and fit, expected one of them");
+    // All studies at rest are named, the last one after "and".
+    static const char *const at_rest[] = {WHIRL_STUDIES_AT_REST(NAME_OF)};
+    enum { AT_REST = sizeof at_rest / sizeof *at_rest };
+    char none[512] = "t:18:1: study: has none of response, sweep, map, basin, dataset, branch";
+    for (size_t i = 0; i < AT_REST; i++)
+        snprintf(none + strlen(none), sizeof none - strlen(none), "%s%s", i + 1 < AT_REST ? ", " : " and ", at_rest[i]);
+    snprintf(none + strlen(none), sizeof none - strlen(none), ", expected one of them");
+    expect_problem("  sweep: {parameter: kappa, from: 1, to: 20, points: 5, start: state}\n", "", none);
     expect_problem("  sweep: {parameter: kappa, from: 1, to: 20, points: 5, start: state}\n",
                    "  response:\n  detail: {at: [1]}\n",
                    "t:20:3: study.detail: needs a sweep, whose parameter it gives values to");
