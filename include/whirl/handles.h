@@ -35,12 +35,12 @@ whirl_status whirl_result_read(const char *path, whirl_result **result);
 /// Reads all of a result file except the blocks of its points. Errors as whirl_result_read.
 whirl_status whirl_result_read_outline(const char *path, whirl_result **outline);
 
-/// Reads a measured record as a result: comma-separated values (or separated by semicolons or tabs) over the time
-/// become a run as the study `runup` has it, whose rows, spectra and orbits are those of the measured turns. Headings
-/// are `time [s]`; `keyphasor`, whose rising pulses are the mark, or `speed [rpm]`, whose integral is the angle from
-/// the first sample on; and two probes a station by their directions, `de x [um]`, or degrees from the x axis in the
-/// sense of rotation, `de 45 [mil]`. Lines after # are left out, the first of them is the title. WHIRL_BAD_INPUT names
-/// file, line and column. The turn before the second pulse is left out.
+/// Reads a measured record as a result: a table over the time, with commas, semicolons or tabs between values. The
+/// result is that of a study `runup`, whose rows, spectra and orbits are those of the measured turns. Headings are
+/// `time [s]`; `keyphasor`, whose rising pulses are the mark, or `speed [rpm]`, whose integral is the angle from the
+/// first sample on; and two probes a station by their directions, `de x [um]`, or degrees from the x axis in the sense
+/// of rotation, `de 45 [mil]`. Lines that begin with # are comments, the first of which is the title. WHIRL_BAD_INPUT
+/// names file, line and column. The turn before the second pulse is left out.
 whirl_status whirl_result_read_record(const char *path, whirl_result **result);
 
 /// Writes the result as an HDF5 file: to a temporary name in the folder of `path`, synced, then renamed, so that no
@@ -120,8 +120,8 @@ const char *whirl_table_parameter(const whirl_table *table); ///< The varied par
 const char *whirl_table_varied(const whirl_table *table); ///< The second varied parameter, of a map or curves, or "".
 /// The third varied parameter, from plane to plane of a map, or "".
 const char *whirl_table_stacked(const whirl_table *table);
-/// Returns what the table's points are in the study, whatever its name: "point", "survey", "detail", "map", "basin",
-/// "branches", "curves", "tori", "motions", "rest", "tolerances" or "records".
+/// Returns the role of the table's points in the study, independent of its name: "point", "survey", "detail", "map",
+/// "basin", "branches", "curves", "tori", "motions", "rest", "tolerances" or "records".
 const char *whirl_table_role(const whirl_table *table);
 
 size_t whirl_table_points(const whirl_table *table); ///< Number of points, done or not (whirl_table_done).
@@ -198,9 +198,9 @@ bool whirl_field_has_rows(const char *name);
 double whirl_table_field_si(const whirl_result *result, const whirl_table *table, size_t field, char *name,
                             size_t size);
 
-/// Returns the numbers of a field. Those of a point are contiguous, `shape` = {stations or contacts (1: of the point),
-/// rows, columns}; those of the next point follow `stride` doubles later. NULL if the table's blocks are not in memory
-/// (whirl_table_copy), as in an outline.
+/// Returns the numbers of a field at all points. The numbers of one point are contiguous, `shape` = {stations or
+/// contacts (1: of the point), rows, columns}; those of the next point follow `stride` doubles later. NULL if the
+/// table's blocks are not in memory (whirl_table_copy), as in an outline.
 const double *whirl_table_column(const whirl_table *table, size_t field, size_t shape[3], size_t *stride);
 
 /// Copies a field at all points into numbers [points][shape]. WHIRL_IO_ERROR if a block is lost.
@@ -260,13 +260,13 @@ void whirl_text_free(char *text); ///< Frees a text returned by these functions;
 /// Answers a bearing file as `whirl bearing` does (docs/guide/15-bearings.md), as a JSON document, and writes its
 /// figures (curves, sommerfeld, locus) as a list of the documents of docs/figures.md; figures NULL: not wanted. `name`
 /// is the file's name in messages; findings, warnings and figures are in `units`, or (NULL) those of the file; threads
-/// 0: one a core. Writes every problem of the file to `problems` as
-/// whirl_case_check does. *json and *figures are freed by whirl_text_free.
+/// 0: one per core. Writes every problem of the file to `problems` as whirl_case_check does. *json and *figures are
+/// freed by whirl_text_free.
 whirl_status whirl_bearing_json(const char *text, size_t length, const char *name, const char *units, int threads,
                                 char *problems, size_t size, char **json, char **figures);
 
 /// Writes the table of a data set's records as CSV (`what` is "index"), or its data sheet as Markdown ("datasheet"), as
-/// `whirl run` does beside the result. `name`: that of the files, without their endings. *text is freed by
+/// `whirl run` writes them next to the result. `name`: name of the files without their extensions. *text is freed by
 /// whirl_text_free. WHIRL_BAD_INPUT with a sentence for a result of another study, and for another word.
 whirl_status whirl_result_dataset(const whirl_result *result, const char *what, const char *name, char **text);
 

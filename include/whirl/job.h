@@ -55,8 +55,8 @@ void whirl_case_free(whirl_case *object);
 typedef struct whirl_job whirl_job;
 
 /// Receives the progress of a run a few times a second, from one thread at a time, and at the end. `stage` is one word:
-/// "compute", "confirm", "neighbours", "follow" or "refine"; or "tables" while film tables are built before the points,
-/// which are then counted in place of points. The other arguments are as in whirl_progress.
+/// "compute", "confirm", "neighbours", "follow" or "refine"; or "tables" while film tables are built before the points;
+/// points_done and points_total then count tables. The other arguments are as in whirl_progress.
 typedef void (*whirl_job_progress_fn)(void *context, const char *stage, double points_done, double points_total,
                                       double revolutions_done, double revolutions_total, double seconds);
 

@@ -1,4 +1,4 @@
-/// Measured signals: the analyses that whirl makes of computed motions, of arrays of numbers from a machine.
+/// Measured signals: the analyses of computed motions, applied to arrays of numbers from a machine.
 ///
 /// Pulses of a keyphasor mark each turn of the shaft; signals sampled in time become sections (a point a revolution)
 /// and samples at equal angles, of which spectra have orders as their axis, also while the speed changes.
@@ -11,9 +11,9 @@
 /// Units are the caller's: time in any unit (speeds are rad per unit of it), signals in any unit (amplitudes are in it,
 /// zero to peak). Angles are in rad. Channels lie one after the other, values [channels][count]; points of a section
 /// likewise, points [count][dimension]. All arrays belong to the caller. Samples, channels, pulses and points are
-/// counted from 0. What is not finite (a gap), does not grow in time, is too short, or is more than
-/// WHIRL_SIGNALS_MAX numbers gives WHIRL_BAD_INPUT with a sentence; then nothing was written that counts. Every
-/// function may be called on several threads at once.
+/// counted from 0. Functions return WHIRL_BAD_INPUT with a sentence for numbers that are not finite (gaps), times that
+/// do not grow, records that are too short, and arrays of more than WHIRL_SIGNALS_MAX numbers; the outputs are then
+/// meaningless. Every function may be called on several threads at once.
 ///
 /// Stable interface: docs/abi.md says for how long.
 #ifndef WHIRL_SIGNALS_H
@@ -76,9 +76,9 @@ whirl_status whirl_signals_resample(const double *time, const double *values, si
                                     const double *instants, size_t pulses, size_t samples, int order,
                                     double *resampled);
 
-/// Tracks orders over the turns of a record: amplitudes a with the part Re a e^(i order angle) of every `revolutions`
-/// turns, by the exact integral 2/angle int z e^(-i order angle) d angle over them. No other whole multiple of
-/// 1/revolutions leaks into it; of order 0 it is the mean, imaginary part 0.
+/// Tracks orders over the turns of a record: the complex amplitude a of the part Re a e^(i order angle) in every block
+/// of `revolutions` turns, by the exact integral 2/angle int z e^(-i order angle) d angle. Other multiples of
+/// 1/revolutions do not leak into it. For order 0 it is the mean, with imaginary part 0.
 /// - `resampled` [channels][turns samples]: samples at equal angles of whirl_signals_resample.
 /// - `orders` [count], 0 or multiples of 1/revolutions, below samples/2.
 /// - `vectors` [channels][count][turns/revolutions][2], real and imaginary part, zero to peak: a peak lags behind the
@@ -152,15 +152,16 @@ size_t whirl_signals_frequencies(size_t window);
 
 /// Computes spectra of windows over time of samples at a constant rate: Hann window, its weighted mean removed. `rows`
 /// [(count - window)/step + 1][whirl_signals_frequencies][4]: amplitudes, zero to peak, of x, of y, and of the circular
-/// motions with the rotation and against it. Row i begins at sample i step. `y` may be NULL: one signal, x. What an
-/// order loses while it sweeps is whirl_signals_sweep. WHIRL_BAD_INPUT for a window of fewer than 8 samples or more
-/// than there are, and for a step of 0.
+/// motions with the rotation and against it. Row i begins at sample i step. `y` may be NULL: one signal, x.
+/// whirl_signals_sweep gives the loss of amplitude of an order whose frequency changes. WHIRL_BAD_INPUT for a window of
+/// fewer than 8 samples or more than there are, and for a step of 0.
 whirl_status whirl_signals_spectrogram(const double *x, const double *y, size_t count, size_t window, size_t step,
                                        double *rows);
 
-/// Computes what a Hann window of the duration T keeps of the amplitude of a sinusoid whose frequency changes by `rate`
-/// a unit of time, read at its frequency in the middle: |int w e^(i pi rate t^2) dt|/int w dt, a function of `sweep`,
-/// rate T^2. For order k of a shaft the rate is k times that of its turns. WHIRL_BAD_INPUT for a |sweep| above 1e6.
+/// Computes the share of the amplitude of a sinusoid that a Hann window of the duration T keeps if the frequency
+/// changes by `rate` per unit of time, read at its frequency in the middle: |int w e^(i pi rate t^2) dt|/int w dt, a
+/// function of `sweep`, rate T^2. For order k of a shaft the rate is k times that of the turns. WHIRL_BAD_INPUT for
+/// |sweep| above 1e6.
 whirl_status whirl_signals_sweep(double sweep, double *kept);
 
 /// Computes the size of a motion: half the diagonal of the bounding box of the channels. The functions below compare

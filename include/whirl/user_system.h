@@ -77,8 +77,9 @@ whirl_status whirl_user_system_scale(whirl_user_system *system, size_t index, do
 whirl_status whirl_user_system_station(whirl_user_system *system, const char *name, size_t x, size_t y, size_t vx,
                                        size_t vy);
 
-/// Declares the first `displacements` coordinates to be displacements whose velocities are the next as many; others
-/// follow. Machines then run in lanes. Stations are of displacements. 0 takes the declaration back.
+/// Declares the first `displacements` coordinates to be displacements, and the same number of next ones their
+/// velocities; other coordinates follow. Machines then run in lanes. Stations are of displacements. 0 takes the
+/// declaration back.
 whirl_status whirl_user_system_oscillates(whirl_user_system *system, size_t displacements);
 
 /// Sets a function of the slopes of one machine; of this call and the next function, the last call counts. `context` is
@@ -100,9 +101,9 @@ whirl_status whirl_user_system_period(whirl_user_system *system, double period);
 whirl_status whirl_user_system_speed(whirl_user_system *system, const char *parameter);
 
 /// Declares that the slopes have kinks (contact with springs, dry friction smoothed over a short way). The growth of
-/// perturbations is then computed from the derivative, because two motions followed together would part by the
-/// differences of their steps. Slopes that jump (contact with dampers) have no derivative: if differences meet a jump
-/// in such a system, or in one whose exponents are computed, the run ends with WHIRL_NUMERICAL_FAILURE and reports the
+/// perturbations is then computed from the derivative, because two neighbouring motions would diverge by the different
+/// errors of their steps. Slopes that jump (contact with dampers) have no derivative: if differences meet a jump in
+/// such a system, or in one whose exponents are computed, the run ends with WHIRL_NUMERICAL_FAILURE and reports the
 /// place.
 whirl_status whirl_user_system_kinked(whirl_user_system *system);
 
@@ -178,9 +179,9 @@ typedef enum whirl_user_end {
 
 /// Follows one motion from its start at times[0], at instants [count] that rise. The system needs no period; its slopes
 /// may depend on time in any way. Options: `method` (an adaptive one; dop853 in place of others), `rtol`, `atol`,
-/// `limit`. Angles are not brought back. Events are looked for twice a step of the method or oftener: two that cancel
-/// between two looks are missed. WHIRL_BAD_INPUT for instants that do not rise; WHIRL_NUMERICAL_FAILURE with a sentence
-/// if a function fails; WHIRL_NO_MEMORY. Freed by whirl_user_motion_free.
+/// `limit`. Angles are not brought back. Events are searched for at least twice in each step of the method: two that
+/// cancel between two searches are missed. WHIRL_BAD_INPUT for instants that do not rise; WHIRL_NUMERICAL_FAILURE with
+/// a sentence if a function fails; WHIRL_NO_MEMORY. Freed by whirl_user_motion_free.
 whirl_status whirl_user_system_follow(const whirl_user_system *system, const double *times, size_t count,
                                       whirl_user_motion **out);
 void whirl_user_motion_free(whirl_user_motion *motion); ///< Frees a motion; accepts NULL.
@@ -189,16 +190,16 @@ void whirl_user_motion_free(whirl_user_motion *motion); ///< Frees a motion; acc
 /// They last as long as the motion.
 const double *whirl_user_motion_states(const whirl_user_motion *motion, size_t *count);
 
-/// Returns how many events happened.
+/// Returns the number of events that happened.
 size_t whirl_user_motion_events(const whirl_user_motion *motion);
 
-/// Gives event `index` of the motion: which event of the system it was, counted from 0, when it happened, and the
-/// states [dimension] before and after it, which last as long as the motion. Returns 0 past the last, else 1.
+/// Writes event `index` of the motion: its number among the events of the system, from 0, its time, and the states
+/// [dimension] before and after it, which last as long as the motion. Returns 0 past the last event, else 1.
 int whirl_user_motion_event(const whirl_user_motion *motion, size_t index, size_t *which, double *time,
                             const double **before, const double **after);
 
-/// Returns how the motion ended (whirl_user_end), when, and in words ("" at its last instant), which last as long as
-/// the motion.
+/// Returns the end of the motion (whirl_user_end), and writes its time and a sentence ("" at the last instant), which
+/// lasts as long as the motion.
 int whirl_user_motion_end(const whirl_user_motion *motion, double *time, const char **words);
 
 #ifdef __cplusplus

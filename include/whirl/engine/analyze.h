@@ -34,7 +34,7 @@ typedef enum whirl_role {
     WHIRL_ROLE_BASIN,      ///< starts of one machine: "basin"
     WHIRL_ROLE_BRANCHES,   ///< orbits along a parameter: "branch"
     WHIRL_ROLE_CURVES,     ///< special points over two parameters: "curves"
-    WHIRL_ROLE_TORI,       ///< "tori"
+    WHIRL_ROLE_TORI,       ///< points of branches of tori: "tori"
     WHIRL_ROLE_MOTIONS,    ///< motions that accompany studies at rest: "motions"
     WHIRL_ROLE_REST,       ///< machines at rest: "modes", "statics", ...
     WHIRL_ROLE_TOLERANCES, ///< samples of parameters with tolerances, in motion or at rest
@@ -58,8 +58,8 @@ typedef struct whirl_field {
     size_t rows, columns; ///< size of the array
     size_t repeat;        ///< 1, or the number of stations or contacts
     size_t offset;        ///< index of its first number in the block; the next repetition follows after rows * columns
-    /// 0, or a row has so many numbers in single precision, two in the place of one of its columns. Files of results
-    /// keep them apart (whirl_signals_read); tables, exports and documents leave them out.
+    /// 0; or the number of single-precision numbers in a row, two in each column. Result files store such fields
+    /// separately (whirl_signals_read); tables, exports and documents leave them out.
     size_t singles;
 } whirl_field;
 
@@ -80,7 +80,7 @@ typedef struct whirl_kind {
     const char *method; ///< the method of finding its points; NULL: integration, by the method of their options
     const char *place; ///< words for the state of points at rest: "about where the machine rests"; NULL for other kinds
     const char *begins; ///< the start from which its points are followed; NULL: values of the parameter
-    const char *beside; ///< remark after the name of that method, or ""
+    const char *beside; ///< remark that follows the name of `method` in texts, or ""
     /// True if its points are motions: with a start, a transient, a record and a verdict, and so with several starts,
     /// confirmation and refinement.
     bool moves;
@@ -239,34 +239,36 @@ typedef enum whirl_variant {
 typedef struct whirl_measured {
     size_t turns, samples; ///< number of turns, samples of a turn
     const double *time;    ///< [turns][samples] s, from the beginning of the record
-    const double *end;     ///< [turns] s, of each turn
+    const double *end;     ///< [turns] s, end of each turn
     const double *x, *y;   ///< [stations][turns][samples] displacements in the unit of length of the block
 } whirl_measured;
 
 /// A machine at rest, for its analyses.
 typedef struct whirl_resting {
     const whirl_system *system;     ///< the machine; for a measured run its stations
-    const whirl_measured *measured; ///< NULL, or what a run-up is read from in place of a machine
+    const whirl_measured *measured; ///< NULL, or the measured run from which a run-up is read; the system then has only
+                                    ///< its stations
     const double *start;            ///< [dimension] start of the search for its equilibrium
-    double clock, speed;            ///< rad/s: of the system's time, and of the shaft
+    double clock, speed;            ///< rates of the system's time and of the shaft, rad/s
     const whirl_modes *modes;       ///< its modes if requested, else NULL
     size_t critical_count;          ///< number of critical points
     const whirl_critical *critical; ///< critical points between the preceding point and this one
     const size_t *before; ///< [modes->count] matching mode of the preceding point, from 1; 0: none; NULL: unknown
-    /// Makes the same machine at another speed (rad/s; 0: its own), which the caller releases; `value` of the variant.
-    /// Errors as those of machines.
+    /// Makes the same machine at another speed (rad/s; 0: its own), which the caller releases. `value`: number that
+    /// some variants need (whirl_variant). Errors as those of machines.
     whirl_status (*at_speed)(const void *context, double speed, whirl_variant variant, double value,
                              whirl_machine *machine);
     /// Makes the same machine at its own speed, with coefficients at a frequency of whirl, rad/s, where they depend on
     /// it; the caller releases it.
     whirl_status (*at_frequency)(const void *context, double frequency, whirl_variant variant, double value,
                                  whirl_machine *machine);
-    /// Makes the same machine with a speed that changes between two (rad/s), by its torques or not, after events
-    /// [count] of its course have happened in this order. Errors as whirl_running_new.
+    /// Makes the same machine with a speed that changes between `lowest` and `highest`, rad/s: `driven` by its torques,
+    /// or at a given rate. happened [count]: the events of its course that have happened, in this order. Errors as
+    /// whirl_running_new.
     whirl_status (*running)(const void *context, double lowest, double highest, bool driven, size_t count,
                             const unsigned char *happened, whirl_running **running);
     const void *context; ///< passed to at_speed, at_frequency and running
-    /// Called by run-ups after every turn, with the time up to which the block is filled in, s; NULL: by nobody.
+    /// Called by run-ups after every turn, with the time up to which the block is filled in, s; NULL: not called.
     void (*passed)(void *watcher, double time);
     void *watcher;                  ///< passed to it
     double drive_speed;             ///< whirl_machine.drive_speed
@@ -277,8 +279,9 @@ typedef struct whirl_resting {
     const double *rest;             ///< [dimension] equilibrium found from the start; may be NULL without `elsewhere`
     const double *elsewhere;        ///< [dimension] another equilibrium, found from a neighbouring value's; NULL: none
     double elsewhere_growth;        ///< largest real part of all eigenvalues there, per unit of the system's time
-    const whirl_fit *fit;           ///< the fit; only of a study of fits, with
-    const whirl_fit_solution *solution; ///< its result; the system and all else are NULL
+    const whirl_fit *fit;           ///< NULL, or the fit of a study of fits
+    const whirl_fit_solution *solution; ///< NULL, or the result of that fit; the system and all other pointers are then
+                                        ///< NULL
 } whirl_resting;
 
 /// Computes kxx, kxy, ... of the bearings at a speed (rad/s) about the machine's equilibrium, coefficients

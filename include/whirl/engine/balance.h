@@ -129,7 +129,7 @@ typedef struct whirl_balance_model {
     double load[WHIRL_MAX_PLANES];                   ///< N on that bearing at rest; NaN: not known
     double position[WHIRL_MAX_PLANES];               ///< m, of planes along their shaft; NaN: on no shaft
     double natural[WHIRL_MAX_PLANES];                ///< rad/s, of the modes that have no shape in the file
-    /// Shapes of these: excitation by weights in the planes, at most 1.
+    /// Shapes of these modes: excitation of each by weights in the planes, scaled to at most 1.
     double shape[WHIRL_MAX_PLANES][WHIRL_MAX_PLANES][2];
 } whirl_balance_model;
 

@@ -71,7 +71,8 @@ typedef struct whirl_pads_state {
     double thinnest;             ///< least film thickness of loaded pads
     double highest;              ///< highest pressure over 6 mu Omega (R/c)^2
     double leaving;              ///< oil that leaves at the ends in a second, over Omega R c L
-    double drag;       ///< torque on the journal over mu Omega R^3 L/c: streamers in cavities, no oil between pads
+    double drag;       ///< torque on the journal over mu Omega R^3 L/c, with streamers in cavities and no oil between
+                       ///< pads
     double grooves[2]; ///< part of `force` from the oil in the grooves between pads
     /// Derivatives of -force by position and velocity with fixed tilts: [row][column].
     double stiffness[2][2], damping[2][2];

@@ -1,9 +1,9 @@
 /// Data sets: records of machines with known faults, for diagnosis (study `dataset`).
 ///
-/// A data set has `machines` machines, which differ by their making, each with every label, in `records` records under
-/// conditions of their own. What a record has is a pure function of the data set and its number: any of them can be
-/// made anew alone. Records are divided by machine into sets for training, validation and testing, since records of one
-/// machine resemble one another.
+/// A data set has `machines` machines, which differ within their tolerances. Each machine has every label, in `records`
+/// records under different conditions. The contents of a record depend only on the data set and the number of the
+/// record, so that any single record can be computed again. Records are divided by machine into sets for training,
+/// validation and testing, since records of one machine resemble one another.
 #ifndef WHIRL_DATASET_H
 #define WHIRL_DATASET_H
 
@@ -42,12 +42,13 @@ typedef struct whirl_label {
     const char *name;           ///< borrowed
     size_t graded_count;        ///< 0: the label has no severity
     const whirl_graded *graded; ///< [graded_count] borrowed
-    size_t varied_count;        ///< number of
+    size_t varied_count;        ///< number of varied parameters
     const whirl_drawn *varied;  ///< [varied_count] parameters that differ between its records; borrowed
 } whirl_label;
 
-/// A data set: variations between its records. Parameters that nothing draws have the value of the case; a label's
-/// own come before those of conditions, and these before those of machines.
+/// A data set: variations between its records. A parameter without a distribution has its value in the case. If several
+/// lists vary a parameter, the list of the label takes precedence over that of conditions, and that of conditions over
+/// that of machines.
 typedef struct whirl_dataset {
     size_t parameter_count, machine_count, condition_count, label_count, channel_count; ///< lengths of the lists
     const char *const *parameters; ///< [parameter_count] names; borrowed, as all lists
@@ -78,8 +79,8 @@ typedef struct whirl_record_of {
     double begin;      ///< revolutions from the end of the lead to its first sample, below 1
 } whirl_record_of;
 
-/// Returns what a record is of, by its index among those that are made, and writes its parameters, SI, to values
-/// [parameter_count] (unless NULL).
+/// Returns the machine, label, severity and condition of a record, by its index among those that are made, and writes
+/// its parameters, SI, to values [parameter_count] (unless NULL).
 whirl_record_of whirl_dataset_record(const whirl_dataset *dataset, const whirl_dataset_options *options, size_t index,
                                      double *values);
 

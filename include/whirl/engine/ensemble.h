@@ -119,7 +119,7 @@ typedef struct whirl_ensemble_observe {
     bool extremes; ///< observe the extremes of whirl_ensemble_seen in all lanes
     /// Steps between calls of `sample`, for samples of waveforms; 0: no calls.
     size_t stride;
-    void (*sample)(void *context); ///< reads the ensemble as it is then
+    void (*sample)(void *context); ///< called at each sample; it may read the ensemble
     void *context;                 ///< passed to sample; borrowed
     /// [count] the observed lanes; NULL: all. Other lanes have no or meaningless observations, which cost nothing with
     /// adaptive methods.

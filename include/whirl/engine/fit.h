@@ -1,8 +1,8 @@
 /// Fits: values of parameters of a machine at which its motions are the measured ones (study `fit`).
 ///
 /// Each measured motion is a periodic orbit of the machine at parameters of its own. Its displacements, and the orders
-/// of them, are compared with the measured numbers. The sum of squares of their differences over their noise is made
-/// small by Levenberg and Marquardt's method with the exact derivatives of the orbits (whirl/engine/sensitivity.h).
+/// of them, are compared with the measured numbers. Levenberg and Marquardt's method minimizes the sum of squares of
+/// their differences over their noise, with the exact derivatives of the orbits (whirl/engine/sensitivity.h).
 #ifndef WHIRL_FIT_H
 #define WHIRL_FIT_H
 
@@ -30,7 +30,7 @@ typedef struct whirl_fit_options {
     int revolutions;              ///< revolutions of the orbits
     int transient;                ///< revolutions after which a motion is near its orbit
     char loss[WHIRL_NAME_SIZE];   ///< "squares", or "huber": squares up to huber standard deviations, then linear
-    double huber;                 ///< these
+    double huber;                 ///< limit of "huber", in standard deviations
     int most_steps;               ///< most evaluations of all motions
     double tolerance;             ///< largest change of parameters in the last step, as part of them
     double rtol;                  ///< relative tolerance of the orbits' integration
@@ -38,8 +38,8 @@ typedef struct whirl_fit_options {
     int unknowns;                 ///< number of unknown parameters
     int motions;                  ///< number of motions
     int numbers;                  ///< number of measured numbers
-    double noise;                 ///< 1 if their noise is given, else 0
-    double data;                  ///< checksum of them
+    double noise;                 ///< 1 if the noise of the numbers is given, else 0
+    double data;                  ///< checksum of the measured numbers
 } whirl_fit_options;
 
 /// Returns the members of these options for cases (part "fit") and results; static, ended by a member without a part.
@@ -49,7 +49,7 @@ const whirl_member *whirl_fit_members(void);
 typedef enum whirl_fit_quantity {
     WHIRL_FIT_SAMPLE,   ///< displacement at an instant
     WHIRL_FIT_COS,      ///< a of a cos(n theta) + b sin(n theta), the part of order n
-    WHIRL_FIT_SIN,      ///< b of it
+    WHIRL_FIT_SIN,      ///< b of the same part
     WHIRL_FIT_AMPLITUDE ///< sqrt(a^2 + b^2)
 } whirl_fit_quantity;
 
@@ -60,7 +60,7 @@ typedef struct whirl_fit_number {
     size_t station;              ///< index of its probe
     double angle;                ///< rad, direction of the probe from the x axis towards y
     whirl_fit_quantity quantity; ///< the measured quantity
-    double at;                   ///< revolutions since the motion's beginning, or the order
+    double at;                   ///< revolutions since the motion's beginning; for a part, its order n
     double value;                ///< m
     double noise;                ///< m, standard deviation; 1 if it is not given
 } whirl_fit_number;
@@ -68,7 +68,7 @@ typedef struct whirl_fit_number {
 /// A motion.
 typedef struct whirl_fit_motion {
     size_t given_count;              ///< number of parameters with values of their own
-    const struct whirl_given *given; ///< [given_count] these; borrowed
+    const struct whirl_given *given; ///< [given_count] parameters with values of their own; borrowed
     double speed;                    ///< rad/s; 0: the machine's own
     size_t instants;                 ///< instants of a revolution at which displacements are needed
 } whirl_fit_motion;

@@ -79,8 +79,9 @@ typedef struct whirl_whirling {
 
 /// Computes the modes of a machine. If its coefficients depend on the frequency of whirl (whirl_system.frequencies),
 /// each mode has its own damped frequency as that frequency, to 1e-12 of it, within the range of the frequencies; real
-/// eigenvalues belong to frequency 0, and are left out if the coefficients are not known there. growth is NaN if
-/// neither exist. `others` makes the machines at other frequencies. Errors as whirl_modes_new and those of machines.
+/// eigenvalues belong to frequency 0, and are left out if the coefficients are not known there. growth is NaN if there
+/// are neither modes nor real eigenvalues. `others` makes the machines at other frequencies. Errors as whirl_modes_new
+/// and those of machines.
 whirl_status whirl_modes_of(const whirl_machine *machine, const whirl_whirling *others, whirl_modes **modes);
 
 /// The largest modulus of the sensitivity functions of a system's control loops (ISO 14839-3) about an equilibrium,
@@ -104,9 +105,9 @@ void whirl_modes_free(whirl_modes *modes);
 whirl_status whirl_modes_match(const whirl_modes *from, const whirl_modes *to, double scale, size_t *partner,
                                double *unlike);
 
-/// Computes the response x = rest + Re(X exp(i 2 pi t / period)) to small forcing once a revolution: rest [dimension],
-/// response [dimension][2] X. If coefficients turn with the shaft: mean and first harmonic of the periodic motion.
-/// Errors as whirl_modes_new, and for an unbounded response.
+/// Computes the synchronous response x = rest + Re(X exp(i 2 pi t / period)) to small forcing once a revolution: rest
+/// [dimension], response [dimension][2] X. If coefficients turn with the shaft: mean and first harmonic of the periodic
+/// motion. Errors as whirl_modes_new, and for an unbounded response.
 whirl_status whirl_forced_response(const whirl_system *system, const double *start, double *rest, double *response);
 
 /// Returns WHIRL_BAD_INPUT with a sentence if coefficients depend on the frequency of whirl and are not known at that

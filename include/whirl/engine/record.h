@@ -70,13 +70,14 @@ typedef struct whirl_runup_options {
     double rate;                   ///< rad/s2, size of the rate; 0: the machine's drive turns the shaft
     double duration;               ///< s; 0: until the speed `to` is reached
     double angle;                  ///< rad, angle of the shaft at the beginning
-    char begin[WHIRL_NAME_SIZE];   ///< "rest", "centre" or "steady"
+    char begin[WHIRL_NAME_SIZE];   ///< state at the beginning: "rest", "centre" or "steady"
     double settle;                 ///< turns at the first speed before a "steady" beginning
     double trip_time, trip_speed;  ///< s and rad/s at which the motor is lost; 0: never
     char loss_at[WHIRL_NAME_SIZE]; ///< station where an unbalance appears, or ""
     double loss_moment, loss_angle, loss_time, loss_speed; ///< kg m, rad, s, rad/s
     char change[WHIRL_NAME_SIZE];                          ///< names of parameters that change in the run, or ""
-    double change_time, change_speed;                      ///< s and rad/s at which they do; 0: not by this
+    double change_time, change_speed;                      ///< time (s) and speed (rad/s) of the change; 0: does not
+                                                           ///< depend on it
     char events[WHIRL_NAME_SIZE];                          ///< number of further events as text, or ""
     int event_count;                  ///< number of events of the course (whirl_run_course), with that change
     char speeds[WHIRL_NAME_SIZE];     ///< text of the speed over the time, or ""
@@ -85,7 +86,7 @@ typedef struct whirl_runup_options {
     char load_law[WHIRL_NAME_SIZE];   ///< formula of the load, or ""
     char ground_x[WHIRL_NAME_SIZE], ground_y[WHIRL_NAME_SIZE]; ///< formulas of the ground's acceleration, or ""
     char sensitivity[WHIRL_NAME_SIZE]; ///< "contacts", "yes" or "no": in which machines a copy is followed
-    bool drag;                         ///< films and seals brake a shaft that a drive turns
+    bool drag;                         ///< true if films and seals brake a shaft that a drive turns
     int stationary;                    ///< speeds at which the torques of a drive are balanced; 0: none
     int rows;                          ///< number of rows of the result over the time
     int samples;                       ///< samples of a turn
@@ -102,7 +103,8 @@ typedef struct whirl_runup_options {
 /// Returns the members of these options for cases (part "runup") and results; static, ended by a member without a part.
 const whirl_member *whirl_runup_members(void);
 
-/// Returns whether the torques of the machine turn the shaft: the run has no rate, speeds or formula of them.
+/// Returns true if the torques of the machine turn the shaft: the run has no rate, table of speeds or formula of the
+/// rate.
 bool whirl_runup_driven(const whirl_runup_options *options);
 
 /// Returns the length of the run in s, as planned.
@@ -114,20 +116,20 @@ whirl_status whirl_runup_check(const whirl_runup_options *options, bool driven, 
 
 /// Options of a data set.
 typedef struct whirl_dataset_options {
-    int machines;          ///< machines; 0: there is no data set
-    int records;           ///< records of a machine with a label
+    int machines;          ///< number of machines; 0: there is no data set
+    int records;           ///< records of each machine with each label
     int seed;              ///< seed of all random numbers
     int only;              ///< number of the only record that is made, from 1; 0: all
     double turns;          ///< revolutions of a record; 0: as many as its samples take
-    double per_revolution; ///< samples of a revolution; 0: they are taken at a rate
+    double per_revolution; ///< samples of a revolution; 0: samples are taken at `rate`
     double rate;           ///< Hz
     int samples;           ///< samples of a channel
-    double train;          ///< share of machines for training,
-    double validation;     ///< and for validation; the others are for testing
+    double train;          ///< share of machines for training
+    double validation;     ///< share of machines for validation; the rest is for testing
     double lead;           ///< revolutions computed before and after the samples
     int labels;            ///< number of labels
     int channels;          ///< number of channels
-    int parameters;        ///< number of parameters that differ
+    int parameters;        ///< number of parameters that differ between records
 } whirl_dataset_options;
 
 /// Returns the members of these options for cases (part "dataset") and results; static, ended by a member without a
@@ -258,8 +260,8 @@ typedef struct whirl_record {
 
     size_t section_count; ///< revolutions watched
     double *section;      ///< [section_count][dimension] states at the ends of the watched revolutions, oldest first
-    double *points;       ///< workspace for them with angles on circles; NULL if there are no angles
-    size_t record_count;  ///< number of the last of these, which are the record
+    double *points;       ///< workspace for the sections with angles as points on circles; NULL if there are no angles
+    size_t record_count;  ///< number of the last sections that belong to the record
 
     size_t growth_count; ///< 0 if no perturbation was followed
     double *growth;      ///< [growth_count] ln of the perturbation's growth in each watched revolution
@@ -309,7 +311,8 @@ whirl_status whirl_record_along(const whirl_system *system, const whirl_orbit *o
                                 const whirl_orbit_options *options, const whirl_record_options *wanted,
                                 whirl_record **record);
 
-/// One of many motions to be recorded. `system` and `start` [dimension] are borrowed until the motion is taken back.
+/// One of many motions to be recorded. `system` and `start` [dimension] are borrowed until whirl_recorder_take or
+/// whirl_recorder_drop returns the motion.
 typedef struct whirl_task {
     const whirl_system *system; ///< the machine
     const double *start;        ///< [dimension]
@@ -342,7 +345,7 @@ typedef struct whirl_recorder whirl_recorder;
 whirl_status whirl_recorder_new(const whirl_system *system, const whirl_integrate_options *integrate,
                                 const whirl_record_options *options, size_t lanes, whirl_recorder **recorder);
 
-/// Begins a revolution: motions that waited for a free lane, or for the orbit near which they are, go on.
+/// Begins a revolution: motions go on that waited for a free lane, or for the search for the orbit near them.
 whirl_status whirl_recorder_begin(whirl_recorder *recorder);
 
 /// Returns true if the recorder takes a further motion into this revolution.

@@ -23,7 +23,7 @@ enum {
     WHIRL_MAX_NEIGHBOUR_STARTS = 16 ///< most starts from neighbours at a parameter value
 };
 
-/// Arrays in unnamed files, of which the system keeps as much in memory as there is space for.
+/// Large arrays of a run in unnamed temporary files; the system keeps as much of them in memory as fits.
 typedef struct whirl_mapped whirl_mapped;
 
 /// A coexisting attractor at a parameter value, in a study with several starts for each.
@@ -159,7 +159,7 @@ bool whirl_table_from_neighbour(const whirl_table *table, size_t point);
 size_t whirl_table_planned(const whirl_table *table);
 
 /// Finds the point that stands for each point of the grid, cover [whirl_table_grid]: itself if it is done, else the
-/// first corner of the square around it; whirl_table.count if neither is there.
+/// first corner of the square around it; whirl_table.count if neither is done.
 void whirl_table_cover(const whirl_table *table, size_t *cover);
 
 /// Returns the mean revolutions of motions of a table, over points that are done; NaN if it has no verdicts.
@@ -227,8 +227,8 @@ whirl_tori whirl_table_tori(const whirl_table *table, size_t first);
 typedef struct whirl_jump {
     size_t from, to; ///< points of the table
     size_t station;  ///< station with the largest change
-    double change;   ///< change of the motion's mean position or bounds, over its size
-    double usual;    ///< median of the same between points around the two
+    double change;   ///< change of the motion's mean position or bounds, over the size of the motion
+    double usual;    ///< median of such changes between the neighbouring points on both sides
 } whirl_jump;
 
 /// Finds jumps along a table: changes by more than 3 % of the motion's size and 8 times the change between points

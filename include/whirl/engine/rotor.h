@@ -236,8 +236,8 @@ double whirl_rotor_cross_coupling(const whirl_rotor *rotor);
 
 double whirl_rotor_length_scale(const whirl_rotor *rotor); ///< m
 
-/// Returns whether a rotor has a drive, and the motor's speed without load, or the last of its table (rad/s; 0: it has
-/// no such speed).
+/// Returns true if a rotor has a drive, and writes the motor's speed without load, or the last speed of its table
+/// (rad/s; 0: it has no such speed).
 bool whirl_rotor_drive(const whirl_rotor *rotor, double *highest);
 
 /// Computes the equations of motion in SI, for programs with integrators of their own: x and dxdt are [4 stations], x

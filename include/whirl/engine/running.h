@@ -24,7 +24,7 @@
 extern "C" {
 #endif
 
-/// Most events of the course of a run, numbers of a speed table, and the event that is none.
+/// Most events of the course of a run; most numbers of a speed table; index that stands for no event.
 enum { WHIRL_MAX_EVENTS = 16, WHIRL_MAX_SPEEDS = 256, WHIRL_NO_EVENT = WHIRL_MAX_EVENTS };
 
 /// An event of a run: it happens once, as soon as one of its conditions holds.
@@ -32,7 +32,7 @@ typedef struct whirl_run_event {
     double time;       ///< s, since the event `after`, or since the beginning of the run; NaN: not by the time
     double speed;      ///< rad/s, when it is passed; NaN: not by the speed
     int passing;       ///< 1: by a rising speed, -1: by a falling one, 0: by both
-    bool when;         ///< once its formula is not below 0
+    bool when;         ///< true if it happens when its formula is not below 0
     size_t after;      ///< the event that must have happened before; WHIRL_NO_EVENT: none
     bool trip;         ///< the motor is lost
     bool end;          ///< the run ends
@@ -42,7 +42,7 @@ typedef struct whirl_run_event {
 
 /// Formulas of a run.
 typedef enum whirl_run_formula {
-    WHIRL_FORMULA_RATE,     ///< rad/s2, by which the speed changes
+    WHIRL_FORMULA_RATE,     ///< rate of the speed, rad/s2
     WHIRL_FORMULA_MOTOR,    ///< N m, torque of the motor
     WHIRL_FORMULA_LOAD,     ///< N m, torque of the load against the rotation
     WHIRL_FORMULA_GROUND_X, ///< m/s2, acceleration of the ground
@@ -51,10 +51,11 @@ typedef enum whirl_run_formula {
     WHIRL_FORMULAS = WHIRL_FORMULA_EVENT + WHIRL_MAX_EVENTS
 } whirl_run_formula;
 
-/// Variables of formulas: the first two are known to all, the others to those of events alone.
+/// Variables of formulas. All formulas may use the time and the speed; only those of events may use the variables of
+/// stations.
 enum {
     WHIRL_VARIABLE_TIME,  ///< s
-    WHIRL_VARIABLE_SPEED, ///< rad/s, of the shaft, or of the station of the motor or of its load
+    WHIRL_VARIABLE_SPEED, ///< rad/s: speed of the shaft; in a formula of a motor or load, of its station
     WHIRL_LAW_VARIABLES,
     WHIRL_VARIABLE_STATIONS = WHIRL_LAW_VARIABLES, ///< variables of every station, in the order of the constants below
     WHIRL_OF_STATION_X = 0,                        ///< m, from the centre
@@ -66,7 +67,7 @@ enum {
     WHIRL_OF_STATION
 };
 
-/// Events of a run, and its laws of time and speed: given beside its options. Not to be shared between threads.
+/// Events of a run, and its laws of time and speed, which supplement its options. Not to be shared between threads.
 typedef struct whirl_run_course {
     size_t event_count;                                             ///< number of events
     whirl_run_event events[WHIRL_MAX_EVENTS];                       ///< [event_count]
@@ -80,13 +81,14 @@ typedef struct whirl_run_course {
     double (*value)(void *owner, whirl_run_formula formula);
 } whirl_run_course;
 
-/// The motion of the shaft: given rate or drive, and events that have happened.
+/// The motion of the shaft: its rate or drive, and the events that have happened.
 typedef struct whirl_turning {
-    bool driven;                    ///< the torques of the machine's drive turn it; else it has the given rate
+    bool driven;                    ///< the torques of the machine's drive turn the shaft; else it has the given rate
     double rate;                    ///< rad/s2; the formula of the course is added
     bool tripped;                   ///< the motor of the drive is lost, its load is not
     bool lost;                      ///< unbalances that were set by `lose` have appeared
-    bool dragless;                  ///< films and seals do not brake the shaft: its load has their drag
+    bool dragless;                  ///< films and seals do not brake the shaft: the load of the drive includes their
+                                    ///< drag
     const whirl_run_course *course; ///< laws of time and speed, or NULL
 } whirl_turning;
 
@@ -110,12 +112,14 @@ struct whirl_running {
     const whirl_system *by_angle;
     /// By time, [dimension + 1]: the same with derivatives by time, and the angle as the last number.
     const whirl_system *by_time;
-    bool in_time;         ///< the angle is no variable for this machine: torques depend on time, or stations twist
-    double unit;          ///< rad/s in units of which speeds are counted; its inverse is the unit of time
+    bool in_time;         ///< only by_time is valid for this machine: torques depend on time, or stations twist
+    double unit;          ///< speeds in states are multiples of it, rad/s; its inverse, s, is the unit of time
     double error;         ///< relative interpolation error of numbers between the speeds of the tables; 0: exact
-    size_t driver;        ///< station of the first motor, whose speed events tell; the number of stations: none twists
+    size_t driver;        ///< station of the first motor, whose speed triggers events; the number of stations if no
+                          ///< station twists
     size_t contact_count; ///< number of contacts
-    size_t watched_count; ///< number of torques that are watched: of motors and others, then between twists
+    size_t watched_count; ///< number of watched torques: those at stations (motors and others), then those between
+                          ///< twists
 
     /// Sets how the shaft turns from now on.
     void (*turn)(whirl_running *running, const whirl_turning *how);
@@ -127,8 +131,9 @@ struct whirl_running {
     /// time).
     void (*part)(whirl_running *running, double from, double length);
 
-    /// Takes over a state of a machine that has changed (whirl_running_check_change), by the angle or by time: places,
-    /// speeds and angles of all stations stay. Returns the change of the shaft's angle, the mean of its stations, rad.
+    /// Takes over a state of the machine `from` before its change (whirl_running_check_change), by the angle or by
+    /// time: displacements, speeds and angles of all stations in x stay. Returns the change of the shaft's angle, the
+    /// mean over its stations, rad.
     double (*adopt)(const whirl_running *running, const whirl_running *from, bool by_time, double *x);
 
     /// Turns the derivatives of a state by time into those by the angle; its last number stays.
@@ -141,27 +146,27 @@ struct whirl_running {
     /// station's rotation, between twists positive where the first station drives the second.
     void (*watch)(const whirl_running *running, const double *x, double angle, double *torque);
 
-    /// Gives the stations of a torque that is watched, and the name of its element; the second station is NO station
-    /// (the number of stations) for one that acts on a station alone.
+    /// Writes the stations of a watched torque, and the name of its element. The second station is the number of
+    /// stations for a torque that acts on one station only.
     void (*watched)(const whirl_running *running, size_t index, size_t station[2], const char **name);
 
     /// Writes the speed of every station, rad/s in the sense of the rotation of its shaft, in a state by the angle; the
     /// speed of the shaft where a station does not twist.
     void (*speeds)(const whirl_running *running, const double *x, double *speed);
 
-    /// Gives how often the equations were evaluated so far.
+    /// Returns the number of evaluations of the equations so far.
     double (*evaluations)(const whirl_running *running);
 
-    /// Gives the next instant after `time`, s, at which a torque begins; infinite without one.
+    /// Returns the next instant after `time`, s, at which a torque begins; infinite if there is none.
     double (*begins)(const whirl_running *running, double time);
 
     /// Writes normal forces of contacts, N, in a state by the angle.
     void (*contacts)(const whirl_running *running, const double *x, double *normal_force);
 
-    /// Gives the switch whose zero is where a contact closes.
+    /// Returns the index of the switching function that is 0 where a contact closes.
     size_t (*contact_switch)(const whirl_running *running, size_t contact);
 
-    /// Frees it.
+    /// Frees the machine.
     void (*release)(whirl_running *running);
 };
 
@@ -169,18 +174,19 @@ struct whirl_running {
 typedef whirl_status whirl_machine_at(const void *context, double speed, whirl_machine *machine);
 
 /// Checks that the speed of a system's shaft can change. driven: by the torques of the machine. WHIRL_BAD_INPUT with a
-/// sentence for systems that are no rotors, have a phase of their own, no inertia, or stations that twist and no drive
-/// for them.
+/// sentence for systems that are not rotors, have a phase of their own, have no inertia, or have stations that twist
+/// without a drive.
 whirl_status whirl_running_check(const whirl_system *system, bool driven);
 
 /// Checks that a machine may change into another one in a run. WHIRL_BAD_INPUT with a sentence for other parts or
 /// another length scale.
 whirl_status whirl_running_check_change(const whirl_system *system, const whirl_system *changed);
 
-/// Finds how the numbers of a rotor, which torques drive or not, go with its speed, from `lowest` (>= 0) to `highest`
-/// rad/s: as powers from -2 to 2 where they do so to rounding, else as cubic splines (whirl_running.error).
-/// WHIRL_BAD_INPUT with a sentence where machines are no rotors, change their structure with the speed, or have a phase
-/// of their own; WHIRL_NO_MEMORY; errors of `machine`. Freed by its `release`.
+/// Makes a machine whose speed changes from `lowest` (>= 0) to `highest` rad/s, by its torques if `driven`. It
+/// determines how the numbers of the rotor depend on the speed: as powers from -2 to 2 if these fit to rounding, else
+/// as cubic splines (whirl_running.error). WHIRL_BAD_INPUT with a sentence if machines are not rotors, change their
+/// structure with the speed, or have a phase of their own; WHIRL_NO_MEMORY; errors of `machine`. Freed by its
+/// `release`.
 whirl_status whirl_running_new(whirl_machine_at *machine, const void *context, double lowest, double highest,
                                bool driven, whirl_running **out);
 

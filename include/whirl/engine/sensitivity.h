@@ -48,15 +48,15 @@ double whirl_sensitivity_length(const whirl_sensitivity *sensitivity, double *le
 /// Most parameters of one extended machine.
 enum { WHIRL_MAX_SENSITIVITIES = 16 };
 
-/// A machine with parameters as states that stay as they are.
+/// A machine with additional, constant states: one for each parameter.
 typedef struct whirl_extended whirl_extended;
 
 /// Makes the machine whose state is x, then q [count] with q' = 0: q is the change of a parameter over
-/// whirl_extended_unit. Motions have q = 0. A perturbation that begins as (0, 1 for one parameter) is the derivative
-/// of the motion by that parameter, s' = J s + df/dp, times the unit. Every integrator that carries perturbations
-/// carries it, through switches at which forces jump, too: there s changes by (f+ - f-) (h_x s + h_p)/(h_x f- + h_t)
-/// for the switching function h(t, x, p) (Galan, Feehery, Barton 1999), and along switches on which the motion slides.
-/// All sensitivities are of one machine at the same values; they are borrowed. WHIRL_BAD_INPUT for more than
+/// whirl_extended_unit. Motions have q = 0. A perturbation that begins as (0, 1 for one parameter) is the derivative of
+/// the motion by that parameter, s' = J s + df/dp, times the unit. Every integrator that carries perturbations carries
+/// it, also through switches at which forces jump, where s changes by (f+ - f-) (h_x s + h_p)/(h_x f- + h_t) for the
+/// switching function h(t, x, p) (Galan, Feehery, Barton 1999), and along switches on which the motion slides. All
+/// sensitivities are of one machine at the same values; they are borrowed. WHIRL_BAD_INPUT for more than
 /// WHIRL_MAX_SENSITIVITIES, for different machines, and for machines without a Jacobian; WHIRL_NO_MEMORY. Freed by
 /// whirl_extended_free; used by one thread at a time.
 whirl_status whirl_extended_new(size_t count, whirl_sensitivity *const *by, whirl_extended **out);

@@ -1,9 +1,9 @@
-/// Sensors: what measuring chains make of a computed motion.
+/// Sensors: signals of measuring chains for a computed motion.
 ///
 /// A channel is a sensor at a station, its electronics and a converter. Motions are sampled behind an antialias filter:
 /// a finite impulse response (sinc under a Kaiser window of WHIRL_SENSOR_REACH samples on either side) that is flat to
-/// 1e-4 up to 0.42 of the rate and lets pass less than 1e-4 from 0.58 of the rate on. Signals up to 0.42 of the rate
-/// are therefore free of others.
+/// 1e-4 up to 0.42 of the rate and lets pass less than 1e-4 from 0.58 of the rate on. Parts of a signal up to 0.42 of
+/// the rate are therefore free of aliases.
 #ifndef WHIRL_SENSORS_H
 #define WHIRL_SENSORS_H
 
@@ -21,7 +21,7 @@ extern "C" {
 /// Limits of channels.
 enum {
     WHIRL_MAX_CHANNELS = 32,  ///< channels of a record
-    WHIRL_SENSOR_REACH = 16,  ///< samples on either side of one that its filter reaches
+    WHIRL_SENSOR_REACH = 16,  ///< samples before and after an instant that its filter uses
     WHIRL_SENSOR_INSTANTS = 4 ///< fewest instants of the motion between two samples
 };
 
@@ -34,35 +34,35 @@ typedef enum whirl_sensor {
     WHIRL_SENSORS               ///< number of kinds
 } whirl_sensor;
 
-/// Returns the name of a kind in cases: "proximity"; static. The words of all of them, separated by '|', for
-/// WHIRL_SENSORS.
+/// Returns the name of a kind in cases: "proximity"; for WHIRL_SENSORS the names of all kinds, separated by '|'.
+/// Static.
 const char *whirl_sensor_name(whirl_sensor sensor);
 
-/// Returns the SI unit of what a kind of sensor measures; static.
+/// Returns the SI unit of the quantity that a kind of sensor measures; static.
 const char *whirl_sensor_unit(whirl_sensor sensor);
 
-/// Returns the SI unit of its sensitivity, volts per unit of the sensor; static.
+/// Returns the SI unit of a kind's sensitivity, volts per unit of the quantity; static.
 const char *whirl_sensor_sensitivity_unit(whirl_sensor sensor);
 
-/// A channel. Numbers 0 leave out the part that they describe.
+/// A channel. A number of 0 leaves out the part that it describes.
 typedef struct whirl_channel {
     const char *name;    ///< borrowed
     whirl_sensor sensor; ///< its kind
     size_t station;      ///< index of its probe
     double angle;        ///< rad, its direction from the x axis towards y
     double gap;          ///< proximity, m: distance from the shaft at the centre
-    double low, high;    ///< range in the unit of the sensor: beyond it the signal stays at its end; infinite: none
-    double resonance;    ///< accelerometer, Hz: natural frequency of its spring and mass,
-    double damping;      ///< and the damping ratio, above 0 and below 1
+    double low, high;    ///< range in the unit of the sensor, to which signals are clipped; infinite: none
+    double resonance;    ///< accelerometer, Hz: natural frequency of its spring and mass
+    double damping;      ///< accelerometer: damping ratio of these, above 0 and below 1
     double high_pass;    ///< Hz: corner of a high pass of the first order
     int pulses;          ///< keyphasor: pulses of a turn
-    double width;        ///< rad, their width
+    double width;        ///< keyphasor: width of pulses, rad
     double jitter;       ///< rad, standard deviation of each pulse's angle
-    bool in_volts;       ///< the signal is in volts; false: in the unit of the sensor, and so are the next numbers
+    bool in_volts;       ///< the signal and the following numbers are in volts; false: in the unit of the sensor
     double sensitivity;  ///< V per unit of the sensor; 1 without volts
     double noise;        ///< V, standard deviation of white noise at the converter
     double full_scale;   ///< V, the converter's range is from -full_scale to full_scale
-    int bits;            ///< its bits; 0: the signal is not rounded
+    int bits;            ///< bits of the converter; 0: the signal is not rounded
 } whirl_channel;
 
 /// Sampling of a motion.

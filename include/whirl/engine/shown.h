@@ -44,7 +44,7 @@ typedef enum whirl_quantity {
     WHIRL_QUANTITY_VISCOSITY,   ///< Pa s; mPa s
     WHIRL_QUANTITY_WEIGHT,      ///< kg of balancing weights; g
     WHIRL_QUANTITY_RESIDUAL,    ///< kg m of residual unbalance; g mm
-    /// m/s2
+    /// m/s2 of a station
     WHIRL_QUANTITY_ACCELERATION,
     WHIRL_QUANTITIES
 } whirl_quantity;
@@ -59,18 +59,19 @@ typedef struct whirl_shown_units {
     char length_name[2 * WHIRL_NAME_SIZE]; ///< "um", or the symbol of the scale by which lengths are divided
     bool ratio;                            ///< lengths are divided by a scale: "x / c", not "x (mm)"
     double amplitude;                      ///< further factor of amplitudes, which results hold zero to peak
-    const char *amplitude_name;            ///< "p-p"; "0-p" by default; static
+    const char *amplitude_name;            ///< name of the way of counting: "p-p"; "0-p" by default; static
     double frequency;                      ///< unit of frequencies in Hz; 0: orders of the running speed
-    const char *frequency_name;            ///< static
-    whirl_unit of[WHIRL_QUANTITIES];       ///< unit in which documents show each quantity: number = SI over its size
+    const char *frequency_name;            ///< unit of frequencies, or the name of orders; static
+    whirl_unit of[WHIRL_QUANTITIES];       ///< unit in which documents show each quantity: number = SI value over its
+                                           ///< size
     bool chosen[WHIRL_QUANTITIES];         ///< true if that unit was chosen
     double zero; ///< offset of temperatures in their unit: 273.15 for degC, 459.67 for degF, 0 for K
 } whirl_shown_units;
 
 /// Determines shown units from `asked` ("um, rpm, Hz, p-p", "US"; words as in a case's `units`, NULL or "" for none).
-/// What it leaves open, unless it names a system, comes from the result's fact "units". Else: lengths over their scale
-/// if that is a named parameter, otherwise in m, mm or um; parameters as in the case; orders; zero to peak.
-/// WHIRL_BAD_INPUT for words that are not units. `*units` borrows the result.
+/// Choices that it leaves open come from the result's fact "units", unless `asked` names a system. The defaults are:
+/// lengths over their scale if that is a named parameter, otherwise in m, mm or um; parameters as in the case; orders;
+/// zero to peak. WHIRL_BAD_INPUT for words that are not units. `*units` borrows the result.
 whirl_status whirl_result_shown_units(const whirl_result *result, const char *asked, whirl_shown_units *units);
 
 /// Returns the factor from lengths of a point of the table to shown ones.
@@ -91,8 +92,8 @@ whirl_status whirl_shown_units_alone(const char *asked, whirl_shown_units *units
 /// unit takes precedence over that of the case; temperatures are in K.
 whirl_unit whirl_shown_parameter(const whirl_shown_units *units, const char *name);
 
-/// Enumerates the SI units of parameters that may have another unit chosen: fills in the one chosen for them, of size 0
-/// for none. Returns the index-th, or NULL behind the last. Static text.
+/// Enumerates the SI units of parameters for which another unit can be chosen: returns number `index`, and fills in the
+/// unit chosen for it (size 0: none). NULL past the last. Static text.
 const char *whirl_shown_si(const whirl_shown_units *units, size_t index, whirl_unit *unit);
 
 /// Returns the unit that is chosen for numbers in an SI unit of that list; of size 0 if none is.

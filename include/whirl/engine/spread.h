@@ -1,4 +1,4 @@
-/// Spreads: statistics of a number of every point over the samples of a study of tolerances.
+/// Spreads: statistics of a result number over the samples of a study of tolerances.
 #ifndef WHIRL_SPREAD_H
 #define WHIRL_SPREAD_H
 
@@ -13,44 +13,45 @@ extern "C" {
 /// Size of the text of whirl_spread_text.
 enum { WHIRL_SPREAD_TEXT = 4 * WHIRL_NAME_SIZE };
 
-/// A number of every point, and its limits.
+/// Selects a number that every point has, with its limits.
 typedef struct whirl_spread_of {
-    char field[WHIRL_NAME_SIZE];  ///< name of its field
+    char field[WHIRL_NAME_SIZE];  ///< name of the field
     char column[WHIRL_NAME_SIZE]; ///< name of its column, "" for the first
-    size_t row;                   ///< its row, from 0
-    char at[WHIRL_NAME_SIZE];     ///< its station or contact, "" for a number of the point
-    double above, below;          ///< limits in SI between which it has to be; infinite: none
+    size_t row;                   ///< row of the field, from 0
+    char at[WHIRL_NAME_SIZE];     ///< station or contact, "" for a number of the point
+    double above, below;          ///< limits in SI between which the number has to be; infinite: none
 } whirl_spread_of;
 
-/// Writes it as whirl_spread_read reads it: "unbalance/axes column major row 1 above -inf below 5e-05 at disc".
+/// Writes a selection as a text for whirl_spread_read: "unbalance/axes column major row 1 above -inf below 5e-05 at
+/// disc".
 void whirl_spread_text(const whirl_spread_of *of, char text[WHIRL_SPREAD_TEXT]);
 
-/// Reads that text, of which only the field has to be there. Returns false for any other.
+/// Reads such a text; all parts but the field may be missing. Returns false for any other text.
 bool whirl_spread_read(const char *text, whirl_spread_of *of);
 
-/// A place in the blocks of a table.
+/// Place of a number in the blocks of a table.
 typedef struct whirl_spread_at {
     const whirl_field *field; ///< its field, of the layout
-    size_t which, index;      ///< station or contact; number within the field's array
+    size_t which, index;      ///< station or contact; index within the field's array
 } whirl_spread_at;
 
-/// Finds the number in a layout; names [count] are those of stations or contacts, as the field has them. Returns what
-/// is missing, a clause, or NULL; static text.
+/// Finds the place of a number in a layout, by the names of stations and contacts in the order of the field. Returns
+/// NULL if found, else a clause that says what is missing; static text.
 const char *whirl_spread_find(const whirl_spread_of *of, const whirl_layout *layout, const char *const *stations,
                               size_t station_count, const char *const *contacts, size_t contact_count,
                               whirl_spread_at *at);
 
-/// Finds the number in a table of a result. Returns false if it is not there, or without memory.
+/// Finds the place of a number in a table of a result. Returns false if there is none, or memory is exhausted.
 bool whirl_spread_place(const whirl_result *result, const whirl_table *table, const whirl_spread_of *of,
                         whirl_spread_at *at);
 
 /// Number of quantiles of a spread: of the probabilities 0.05, 0.25, 0.5, 0.75 and 0.95.
 enum { WHIRL_QUANTILES = 5 };
-/// These probabilities.
+/// The probabilities of these quantiles.
 extern const double whirl_quantiles[WHIRL_QUANTILES];
 
-/// A probability: with its standard error, and an interval that has it in 95 % of cases (Wilson 1927, for as many
-/// independent samples). Samples without a number widen the interval to both sides.
+/// A probability with its standard error and a 95 % interval (Wilson 1927, for as many independent samples). Samples
+/// without a number widen the interval on both sides.
 typedef struct whirl_probability {
     whirl_estimate of; ///< the probability
     double from, to;   ///< the interval
@@ -87,31 +88,32 @@ double whirl_spread_number(const whirl_result *result, const whirl_table *table,
 whirl_status whirl_table_spread(const whirl_result *result, const whirl_table *table, const whirl_spread_of *of,
                                 size_t place, size_t samples, whirl_spread *spread);
 
-/// Kinds of what a sample may do, for whirl_table_chance.
+/// Events whose probability whirl_table_chance computes.
 typedef enum whirl_chance {
     WHIRL_CHANCE_VERDICT, ///< a verdict: regime and period
     WHIRL_CHANCE_TOUCH    ///< any contact is closed at some time
 } whirl_chance;
 
-/// Finds the probability of a verdict (its regime, and its period where it is periodic), or of touching; `spread` has
-/// all of 0 and 1 as its number, and so indices of the probability. Samples without a verdict have failed. Errors as
-/// whirl_table_spread.
+/// Finds the probability of a verdict (its regime, and its period if it is periodic), or of a contact. Its number in
+/// `spread` is 1 for samples with the event and 0 for others, so that indices are those of the probability. Samples
+/// without a verdict count as failed. Errors as whirl_table_spread.
 whirl_status whirl_table_chance(const whirl_table *table, whirl_chance chance, const whirl_verdict *verdict,
                                 size_t place, size_t samples, whirl_spread *spread);
 
-/// Gives the numbers that are asked of a table, by index from 0: those of the case (facts "limit 1", ...) that the
-/// table has, or the usual ones. Returns false past the last.
+/// Writes selection number `index`, from 0, of a table: those of the case (facts "limit 1", ...) that the table has, or
+/// the usual ones. Returns false past the last.
 bool whirl_table_asked(const whirl_result *result, const whirl_table *table, size_t index, whirl_spread_of *of);
 
-/// Gives the numbers of a table whose derivatives are in the field "sensitivity/slopes", by index from 0: those of the
-/// case (facts "derived 1", ...) that the table has, or the usual ones. Returns false past the last.
+/// Writes selection number `index`, from 0, of the numbers of a table whose derivatives are in the field
+/// "sensitivity/slopes": those of the case (facts "derived 1", ...) that the table has, or the usual ones. Returns
+/// false past the last.
 bool whirl_table_derived(const whirl_result *result, const whirl_table *table, size_t index, whirl_spread_of *of);
 
 /// Returns true for a field of motions whose numbers have derivatives.
 bool whirl_motion_is_derived(const char *field);
 
-/// Returns the name of a parameter with a tolerance, by index from 0 (facts "tolerance 1", ...); "" past the last.
-/// Writes it to name.
+/// Writes the name of a parameter with a tolerance, by index from 0 (facts "tolerance 1", ...), to `name`, and returns
+/// it; "" past the last.
 const char *whirl_result_tolerance(const whirl_result *result, size_t index, char name[WHIRL_NAME_SIZE]);
 
 #ifdef __cplusplus

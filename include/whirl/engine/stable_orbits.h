@@ -17,7 +17,7 @@ typedef struct whirl_collect_options {
     whirl_orbit_options orbit; ///< options of finding each
     size_t starts;             ///< number of motions
     const double *low, *high;  ///< [dimension] box that the starts fill evenly; borrowed
-    size_t around_count;       ///< number of states that take turns as the origin of the box; 0: the box is not moved
+    size_t around_count;       ///< number of states that in turn are the origin of the box; 0: the box is not moved
     const double *around;      ///< [around_count][dimension]; borrowed
     size_t settle;             ///< revolutions before the first search for an orbit
     size_t most_revolutions;   ///< revolutions after which a motion is abandoned

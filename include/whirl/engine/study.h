@@ -68,7 +68,8 @@ typedef struct whirl_batch {
     size_t given_count;       ///< number of given parameters
     const whirl_given *given; ///< [given_count] parameters that all machines have at these values; borrowed
     size_t happened_count;    ///< requested machine: number of events of its run that have happened; else 0
-    unsigned char happened[WHIRL_MAX_EVENTS]; ///< [happened_count] these, in their order (whirl_run_course.events)
+    unsigned char happened[WHIRL_MAX_EVENTS]; ///< [happened_count] indices of these events in whirl_run_course.events,
+                                              ///< in their order
     size_t placed_count; ///< number of placed unbalances, which whirl_study_place finds if the options ask for them
     const whirl_placed *placed; ///< [placed_count] unbalances that replace the machine's own; borrowed
     double second_value;        ///< requested machine: second parameter; in the batch itself the value of the case
@@ -81,17 +82,18 @@ typedef struct whirl_batch {
     /// of its own motions reached and from which it has not started, up to WHIRL_MAX_NEIGHBOUR_STARTS in all. The
     /// rounds end when no value lacks one. These points follow all others in the table, and count in no share.
     size_t neighbours;
-    /// A study of tolerances: `count` is that of all machines of all samples, each with a row of `row` points; 0
-    /// samples: none.
+    /// A study of tolerances: `count` is the number of points of all machines of all samples, `row` points for each
+    /// machine; 0 samples: no such study.
     whirl_tolerance_options tolerances;
-    const whirl_tolerance *tolerated; ///< [tolerances.parameters] these parameters; borrowed
+    const whirl_tolerance *tolerated; ///< [tolerances.parameters] the parameters with tolerances; borrowed
     const whirl_dataset *dataset;     ///< data set, each of whose records is a point; borrowed; NULL: none
     /// Requested machine: 1 + index of the machine among those of samples, or of the record; 0: none.
     size_t sampled;
     bool outline;          ///< requested machine: an outline (whirl_rotor_outline)
     double speed;          ///< requested machine: speed, rad/s; 0, and in the batch itself: its own
-    bool asynchronous;     ///< requested machine: its coefficients are those at `frequency` of whirl,
-    double frequency;      ///< rad/s, instead of the speed of the shaft
+    bool asynchronous;     ///< true if the requested machine has its coefficients at `frequency`
+    double frequency;      ///< frequency of whirl, rad/s, at which coefficients are taken instead of at the shaft's
+                           ///< speed
     double variant_value;  ///< requested machine: value of its variant
     whirl_variant variant; ///< requested machine: its variant; in the batch itself the studied one
     size_t start;          ///< requested machine: index of its start, from 0; in the batch itself 0

@@ -1,9 +1,9 @@
 /// Tolerances: parameters with distributions, the samples of a study of tolerances, and statistics over them.
 ///
 /// A study of tolerances computes every point of another study at many *samples* of the parameters. Samples are points
-/// of scrambled Sobol sequences: `WHIRL_REPLICATES` independent scramblings take turns, so that estimates from each of
-/// them tell the error of the whole. With `indices` each sample has parameters + 2 *machines*: the sample A, another
-/// sample B, and A with one parameter after the other as in B (Saltelli et al. 2010).
+/// of scrambled Sobol sequences: `WHIRL_REPLICATES` independent scramblings take turns, so that the differences of
+/// their estimates give the error of the whole. With `indices` each sample has parameters + 2 *machines*: the sample A,
+/// another sample B, and A with one parameter after the other as in B (Saltelli et al. 2010).
 #ifndef WHIRL_TOLERANCES_H
 #define WHIRL_TOLERANCES_H
 
@@ -22,7 +22,7 @@ enum {
     WHIRL_MAX_TOLERANCES = 16,   ///< parameters with tolerances
     WHIRL_MIN_SAMPLES = 64,      ///< fewest samples
     WHIRL_MAX_SAMPLES = 1 << 20, ///< most samples
-    WHIRL_REPLICATES = 16        ///< independent scramblings, of which errors are made
+    WHIRL_REPLICATES = 16        ///< independent scramblings, from whose differences standard errors follow
 };
 
 /// The distribution of a parameter.
@@ -38,7 +38,7 @@ typedef struct whirl_tolerance_options {
     int samples;    ///< number of samples, a power of two; 0: no such study
     int parameters; ///< number of parameters with tolerances
     int seed;       ///< seed of the scrambling
-    bool indices;   ///< machines for sensitivity indices are computed, too
+    bool indices;   ///< true to compute also the machines for sensitivity indices
 } whirl_tolerance_options;
 
 /// Returns the members of these options for cases (part "tolerances"); static, ended by a member without a part.
@@ -55,7 +55,7 @@ size_t whirl_tolerance_each(const whirl_tolerance_options *options);
 void whirl_tolerance_values(const whirl_tolerance_options *options, const whirl_tolerance *tolerances, size_t machine,
                             double *values);
 
-/// Returns the value of a distribution below which it has the share 0 to 1, both excluded.
+/// Returns the quantile of a distribution: a draw is below it with the probability `share`, above 0 and below 1.
 double whirl_tolerance_value(const whirl_tolerance *tolerance, double share);
 
 /// Returns coordinate `dimension` (from 0, below 2 * WHIRL_MAX_TOLERANCES) of point `index` of the Sobol sequence with

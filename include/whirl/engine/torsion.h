@@ -1,4 +1,4 @@
-/// Torsion of a machine: harmonic torques that excite it, and what carries torque from station to station.
+/// Torsion of a machine: harmonic torques that excite it, and parts that carry torque from station to station.
 #ifndef WHIRL_TORSION_H
 #define WHIRL_TORSION_H
 
@@ -14,13 +14,13 @@ extern "C" {
 
 struct whirl_system;
 
-/// Kinds of what is reported with a torque. Results hold these numbers.
+/// Kinds of parts with a torque. Result files store these numbers.
 typedef enum whirl_torque_kind {
     WHIRL_TORQUE_BETWEEN,           ///< a shaft, coupling or spring between two twists
-    WHIRL_TORQUE_INDUCTION_MOTOR,   ///< a motor at a station, in a run-up only; so are the next three
-    WHIRL_TORQUE_SYNCHRONOUS_START, ///< at a station
-    WHIRL_TORQUE_SHORT_CIRCUIT,     ///< at a station
-    WHIRL_TORQUE_TIMED,             ///< at a station
+    WHIRL_TORQUE_INDUCTION_MOTOR,   ///< a motor at a station; this kind and the next three occur in run-ups only
+    WHIRL_TORQUE_SYNCHRONOUS_START, ///< a synchronous motor that starts, at a station
+    WHIRL_TORQUE_SHORT_CIRCUIT,     ///< a short circuit, at a station
+    WHIRL_TORQUE_TIMED,             ///< a torque that is a given function of time, at a station
     WHIRL_TORQUE_MESH,              ///< a mesh with stiffness: the torque on its first gear
     WHIRL_TORQUE_RIGID_GEAR,        ///< a rigid pair of gears: the torque on its first gear
     WHIRL_TORQUE_WITH_PLAY,         ///< a spring with play between two twists
@@ -48,7 +48,7 @@ typedef struct whirl_torque_curve {
     double ranges[WHIRL_MAX_LIST]; ///< [count] N m
     double lives[WHIRL_MAX_LIST];  ///< [count] cycles to failure
     double slope;                  ///< slope of a curve of one point: N = lives[0] (ranges[0]/range)^slope
-    double endurance;              ///< N m, a range below which nothing counts; 0: none
+    double endurance;              ///< N m; ranges below it do no damage; 0: no such limit
 } whirl_torque_curve;
 
 /// Functions of a machine whose stations twist. `rest`: the state [dimension] about which it moves.
@@ -66,17 +66,18 @@ typedef struct whirl_torsion {
     /// w t)) with the system's t. index = excitation_count: the steady torques (imaginary parts 0).
     void (*drive)(const void *model, size_t index, double *slope);
 
-    /// Returns the steady torque that nothing takes up, N m referred to the rotor's speed, and the sum of the sizes of
-    /// all of them.
+    /// Returns the sum of all steady torques, N m referred to the rotor's speed; 0 if a motor takes up the sum. Writes
+    /// the sum of their absolute values to `size`.
     double (*unbalanced)(const void *model, double *size);
 
-    /// Writes the rigid turn of all that twists [dimension], without a scale; 0 for other coordinates.
+    /// Writes the rigid rotation of all stations that twist [dimension], of any size; 0 for other coordinates.
     void (*turn)(const void *model, double *turn);
 
     /// Describes path `index`.
     void (*path)(const void *model, size_t index, whirl_torque_path *out);
 
-    /// Gives the S-N curve of a path's torque, by stresses times their section. False without one.
+    /// Writes the S-N curve of a path's torque, which follows from that of the stress and the section. Returns false if
+    /// there is none.
     bool (*curve)(const void *model, size_t path, whirl_torque_curve *out);
 
     /// Finds the amplitude of the torque in a path, N m, in the motion rest + Re(v exp(i w t)), v [dimension][2], that
@@ -86,14 +87,15 @@ typedef struct whirl_torsion {
     void (*carry)(const void *model, size_t path, size_t index, const double *rest, const double *v, double torque[2],
                   double *power);
 
-    /// Returns the name of the station of a mesh or spring that rests within its play, where it carries nothing; NULL:
-    /// none does.
+    /// Returns the name of the station of a mesh or spring that rests within its play and so carries no torque; NULL if
+    /// there is none.
     const char *(*open)(const void *model, const double *rest);
 
     /// Returns true if a station twists.
     bool (*twists)(const void *model, size_t station);
 
-    /// Returns the speed of a station in the rigid turn, rad/s; that of the rotor where it does not twist.
+    /// Returns the speed of a station in the rigid rotation, rad/s; for a station that does not twist, the speed of the
+    /// rotor.
     double (*speed)(const void *model, size_t station);
 } whirl_torsion;
 
@@ -103,8 +105,8 @@ typedef struct whirl_torsion {
 whirl_status whirl_harmonic_response(const struct whirl_system *system, const double *rest, double frequency,
                                      const double *drive, double *response);
 
-/// Computes the displacement by constant slopes drive [dimension] about rest [dimension]; where a rigid turn
-/// [dimension] meets no resistance, the one that contains none of it. Errors as whirl_harmonic_response.
+/// Computes the displacement by constant slopes drive [dimension] about rest [dimension]; if nothing resists the rigid
+/// rotation turn [dimension], the displacement without a part of it. Errors as whirl_harmonic_response.
 whirl_status whirl_static_response(const struct whirl_system *system, const double *rest, const double *turn,
                                    const double *drive, double *response);
 

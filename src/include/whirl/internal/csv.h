@@ -31,9 +31,10 @@ typedef struct csv_table {
     int *lines;          ///< [room] lines of the rows, from 1
 } csv_table;
 
-/// Reads a table with at most so many columns. Cells are parted by commas, semicolons or tabs; blanks and quotes around
-/// them, empty lines and those after # do not count. WHIRL_BAD_INPUT with the place of what is wrong: more or fewer
-/// cells than headings, empty cells, text for numbers; WHIRL_NO_MEMORY. Freed by csv_free, after a failure, too.
+/// Reads a table with at most `most_columns` columns. Commas, semicolons or tabs separate cells. Blanks and quotes
+/// around cells, empty lines and lines that begin with # are ignored. WHIRL_BAD_INPUT with the place of the error: more
+/// or fewer cells than headings, empty cells, text for numbers; WHIRL_NO_MEMORY. Freed by csv_free, after a failure,
+/// too.
 whirl_status csv_read(const char *path, const char *text, size_t length, size_t most_columns, csv_table *out);
 
 /// Does the same with a file of at most 1 GiB.
@@ -47,7 +48,7 @@ whirl_status csv_fail(const csv_table *table, int line, int column, const char *
     __attribute__((format(printf, 4, 5)));
 
 /// Finds the size in SI of a column's unit, which must be one of the dimension of `si`. WHIRL_BAD_INPUT if it is not,
-/// or is missing, with `example` in its place.
+/// or if it is missing; the sentence then gives `example`.
 whirl_status csv_unit(const csv_table *table, size_t column, const char *si, const char *example, double *size);
 
 /// Returns the numbers [count] of a column.

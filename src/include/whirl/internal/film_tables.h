@@ -25,10 +25,11 @@ enum { WHIRL_FILM_TABLES_TEXT = 64 };
 /// borrowed until the next call. NULL ends it.
 void whirl_film_tables_watch(whirl_film_tables *tables);
 
-/// Number of tables in a set.
+/// Returns the number of tables in a set.
 size_t whirl_film_tables_count(const whirl_film_tables *tables);
 
-/// Number of tables of a set that are neither in memory nor in the cache folder; they are built before a rotor moves.
+/// Returns the number of tables of a set that are neither in memory nor in the cache folder; they are built before a
+/// rotor moves.
 size_t whirl_film_tables_missing(const whirl_film_tables *tables);
 
 /// Describes the contents of a set, "2, checksum 0123456789abcdef": the number of different tables and one checksum of

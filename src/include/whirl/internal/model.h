@@ -22,20 +22,20 @@ typedef struct whirl_model_section {
     double mass;               ///< kg
 } whirl_model_section;
 
-/// Masses at a station besides its part of a shaft, discs included. SI.
+/// Masses at a station without those of its part of a shaft, discs included. SI.
 typedef struct whirl_model_mass {
     double mass, polar, diametral; ///< kg, kg m2
     size_t shaft;                  ///< index in the design; WHIRL_MODEL_NONE for a station on no shaft
     double position;               ///< along that shaft, m
     bool unbalanced;               ///< true if it has an eccentricity, or an element with an unbalance
-    /// polar inertia that turns with the station, its part of the shaft included, kg m2; NaN if it does not twist
+    /// Polar inertia that turns with the station, its part of the shaft included, kg m2; NaN if it does not twist.
     double twist;
     double turns; ///< speed of the station over that of the rotor; NaN if it does not twist
 } whirl_model_mass;
 
 /// A joint of the twists of two stations: a coupling, a gear, or pieces of a shaft in series. SI.
 typedef struct whirl_model_joint {
-    whirl_torque_path path;    ///< with the weakest section
+    whirl_torque_path path;    ///< the path of torque, with the weakest section of its pieces
     double stiffness, damping; ///< N m/rad of the first station, N m s/rad; NaN: a rigid gear, or not known
     double turns;              ///< speed of the first station over that of the rotor
 } whirl_model_joint;
@@ -67,7 +67,7 @@ typedef struct whirl_model_value {
 typedef struct whirl_model_element {
     const char *kind;      ///< "film"; static, or of the custom type
     whirl_model_role role; ///< role in the machine
-    size_t station[2];     ///< one or both WHIRL_MODEL_NONE for ends on the ground
+    size_t station[2];     ///< stations from one end to the other; WHIRL_MODEL_NONE for an end on the ground
     size_t value_count;
     const whirl_model_value *values; ///< [value_count] in the order of its keys
     double viscosity;       ///< viscosity of its oil, Pa s, at the temperature given for the film; NaN without oil
@@ -85,13 +85,13 @@ typedef struct whirl_model {
     whirl_model_section *sections; ///< [section_count] shaft by shaft, in order along each
     whirl_model_mass *stations;    ///< [station_count]
     size_t joint_count;
-    whirl_model_joint *joints;     ///< [joint_count] of stations that twist; NULL: none
+    whirl_model_joint *joints;     ///< [joint_count] joints between stations that twist; NULL: none
     whirl_model_total *shafts;     ///< [shaft_count]
     whirl_model_element *elements; ///< [element_count] without segments, in the order of the design
     whirl_model_value *values;     ///< memory of the values of all elements
     whirl_pads *pads;              ///< memory of the pads of all elements
-    bool stands;                   ///< weight acts along the shafts
-    bool rises;                    ///< positions along standing shafts are counted upwards
+    bool stands;                   ///< true if weight acts along the shafts
+    bool rises;                    ///< true if positions along standing shafts are counted upwards
 } whirl_model;
 
 /// Builds the model of a design. Errors as whirl_rotor_new. Freed by whirl_model_free.

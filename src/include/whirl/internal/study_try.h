@@ -1,4 +1,4 @@
-/// Trial of a study: what a run would refuse, known without the run.
+/// Trial of a study: finds out without a run whether a run would refuse the study.
 #ifndef WHIRL_STUDY_TRY_H
 #define WHIRL_STUDY_TRY_H
 
