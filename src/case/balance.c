@@ -447,7 +447,7 @@ static void read_slow_roll(case_reader *reader, const setting_list *file, whirl_
             for (int c = 0; c < 2; c++) out->vibrations[i].vibration[c] -= seen->vibration[c];
         }
         if (!read && *seen->probe)
-            problem_at(reader->problems, at, "is of probe '%s', of which vibration has no reading", seen->probe);
+            problem_at(reader->problems, at, "refers to probe '%s', which has no reading in vibration", seen->probe);
     }
 }
 

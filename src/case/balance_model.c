@@ -93,7 +93,7 @@ static whirl_status find_station(const whirl_system *system, const char *station
         if (strcmp(system->probes[*index].name, station) == 0) return whirl_ok();
     for (size_t i = 0; i < system->probe_count; i++) names[i] = system->probes[i].name;
     describe_names(station, names, system->probe_count, advice);
-    return whirl_fail(WHIRL_BAD_INPUT, "%s '%.63s' is at station '%.63s', which the model has not, %s", what, name,
+    return whirl_fail(WHIRL_BAD_INPUT, "%s '%.63s' is at station '%.63s', which the model lacks, %s", what, name,
                       station, advice);
 }
 
@@ -109,7 +109,7 @@ static whirl_balance_probe probe_of(const whirl_balance *of, const char *name) {
 
 // ---------------------------------------------------------------- rows
 
-/// Computes the vibration at a probe, as an amplitude of the file and relative to its mark.
+/// Computes the vibration at a probe by 1 kg m in each plane: amplitudes as in the file, phases from the probe's mark.
 static whirl_status see(const consulting *c, const responses *at, const char *name, double (*out)[2]) {
     const whirl_balance_probe own = probe_of(c->balance, name);
     const whirl_system *system = at->machine.system;
@@ -131,7 +131,8 @@ static whirl_status see(const consulting *c, const responses *at, const char *na
     return status;
 }
 
-/// Fills in all rows at the speed of one row. The model's critical speeds may be scaled to those of the machine.
+/// Fills in all rows at this speed. They also have the influence for critical speeds that are lower, and higher, than
+/// the model's by its error.
 static whirl_status see_at_speed(const consulting *c, double speed) {
     whirl_status status = whirl_ok();
     for (int shift = -1; shift <= 1 && status.code == WHIRL_OK; shift++) {
@@ -190,7 +191,7 @@ static bool decompose(const double *jacobian, both_sides *of) {
     return well;
 }
 
-/// Returns the left vector [n][2] of an eigenvalue.
+/// Returns the left eigenvector [n][2] of eigenvalue `value`.
 static const double *left_of(const both_sides *of, size_t value) {
     size_t best = 0;
     double least = INFINITY;
@@ -275,7 +276,7 @@ static whirl_status find_loads(const consulting *c) {
     return status;
 }
 
-// ---------------------------------------------------------------- all of it
+// ---------------------------------------------------------------- the whole model
 
 static whirl_status find_planes(consulting *c) {
     whirl_machine machine = {.system = NULL};

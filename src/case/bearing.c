@@ -118,7 +118,7 @@ static const whirl_group speeds_group = {"speeds", "speeds in equal steps", "", 
                                          NULL};
 static const whirl_group loads_group = {"loads", "loads in equal steps", "", loads_keys, COUNT(loads_keys), NULL, NULL};
 
-/// The group of a bearing file, under another name than the element `bearing`.
+/// Group of the keys of a bearing file in descriptions; its name differs from that of the element `bearing`.
 static const whirl_group described_group = {
     "bearing_file", "a file on a journal bearing by itself", "Reynolds 1886", file_keys, COUNT(file_keys), NULL, NULL};
 
@@ -182,12 +182,13 @@ static void read_kind(case_reader *reader, const setting_list *file, whirl_beari
     const bool takes = is_preloaded(&out->pads);
     if (takes && !preload && !settings_misspelt(file, "preload"))
         problem_missing(reader->problems, file->place, "preload", "is missing, expected that of %s pads", kind);
-    if (!takes && preload) problem_at(reader->problems, preload->place, "is given, and a %s bearing has none", kind);
+    if (!takes && preload)
+        problem_at(reader->problems, preload->place, "is given, but a %s bearing has no preload", kind);
     const double own = settings_plain(reader, file, "preload");
     whirl_pads_named(kind, takes ? own : 0.0, &out->pads);
     const setting *tilting = settings_find(file, "tilting");
     if (tilting)
-        problem_at(reader->problems, tilting->place, "is given, and whether pads of the kind %s tilt is known", kind);
+        problem_at(reader->problems, tilting->place, "is given, but the kind %s determines whether pads tilt", kind);
 }
 
 static void read_shape(case_reader *reader, const setting_list *file, whirl_bearing *out) {

@@ -31,11 +31,11 @@ static int way_of(case_reader *reader, const setting_list *file) {
     return given == 1 ? last : WAYS;
 }
 
-/// Reports keys of one way next to another way.
+/// Reports keys that belong to another way of giving the viscosity.
 static void check_strays(case_reader *reader, const setting_list *file, int way) {
     static const struct {
         const char *key, *of;
-        int way, other; ///< way of the key, and another one it may go with
+        int way, other; ///< the way that the key belongs to, and a second one that also allows it
     } strays[] = {{"kinematic_100", "grade", GRADE, GRADE},
                   {"viscosities", "temperatures", TABLE, TABLE},
                   {"temperature", "grade", GRADE, TABLE},
@@ -104,7 +104,7 @@ static void read_temperature(case_reader *reader, const setting_list *file, whir
 }
 
 void bearing_oil_read(case_reader *reader, const setting_list *file, whirl_bearing *out) {
-    // Read what every kind of oil has.
+    // Read the keys that oils of every kind have.
     const int way = way_of(reader, file);
     out->density = settings_plain(reader, file, "density");
     out->heat_share = settings_plain(reader, file, "heat_share");

@@ -1,4 +1,4 @@
-/// The oil of a bearing by itself: its viscosity, and what makes it warm.
+/// Oil of a bearing file: its viscosity and its temperature.
 #ifndef CASE_BEARING_OIL_H
 #define CASE_BEARING_OIL_H
 

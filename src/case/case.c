@@ -82,8 +82,8 @@ static void check_machine_at(point_check *check, size_t index, const file_node *
     problem_at(reader->problems, where, "gives no machine at %s: %s", at, status.message);
 }
 
-/// Returns true if an earlier batch at rest has checked the same machine at one of its ends: same conditions, same
-/// parameter. Without problems so far it was valid.
+/// Returns true if an earlier batch at rest has already checked the same machine, at one of its ends: same conditions,
+/// same parameter, and no problem so far.
 static bool is_checked(const case_reader *reader, const study_plan *plan, size_t index, size_t point) {
     const whirl_batch *own = &plan->batches[index];
     const whirl_kind *kind = whirl_analysis_kind(own->analyses);
@@ -97,7 +97,7 @@ static bool is_checked(const case_reader *reader, const study_plan *plan, size_t
     return false;
 }
 
-/// Returns the corners of a sweep or map; more than one row or plane makes it a map.
+/// Checks the ends of a sweep, or the corners of a map, which has more than one row or plane.
 static void check_corners(point_check *check, size_t b) {
     const study_plan *plan = &check->content->plan;
     const whirl_batch *batch = &plan->batches[b];
@@ -171,14 +171,14 @@ static void check_statics(case_reader *reader, case_content *content, size_t ind
 }
 
 /// Returns true if a batch needs the static analysis.
-static bool tells_weight(const whirl_batch *batch) {
+static bool needs_statics(const whirl_batch *batch) {
     return whirl_analysis_has(batch->analyses, "statics") || batch->record.antinodes_of > 0 || *batch->record.placed_at;
 }
 
 /// Returns true if an earlier batch of the same study, under another condition, has asked for the same static analysis.
 static bool is_weighed(const study_plan *plan, size_t index) {
     for (size_t b = 0; b < index; b++)
-        if (tells_weight(&plan->batches[b]) && plan->origins[b].place == plan->origins[index].place) return true;
+        if (needs_statics(&plan->batches[b]) && plan->origins[b].place == plan->origins[index].place) return true;
     return false;
 }
 
@@ -216,7 +216,7 @@ static void check_layouts(case_reader *reader, case_content *content, plan_parts
         if (status.code == WHIRL_OK && batch->derivatives)
             asked_check(reader, derived, batch, &layout, &content->machine, rotor, true);
         if (!batch->values) plan_check_start(reader, &content->plan, b, v, &content->machine, rotor);
-        if (tells_weight(batch) && !is_weighed(&content->plan, b)) check_statics(reader, content, b, v);
+        if (needs_statics(batch) && !is_weighed(&content->plan, b)) check_statics(reader, content, b, v);
     }
     if (parts->tolerances.keys.place) asked_report_unfound(reader, limits);
     if (parts->sensitivity.keys.place) asked_report_unfound(reader, derived);
@@ -266,7 +266,8 @@ static bool is_known_version(case_reader *reader, const setting_list *file) {
     return false;
 }
 
-/// Returns true if the study allows a shaft at speed 0: motions are counted in revolutions.
+/// Returns true if the study has an analysis for a shaft at speed 0. Motions need a speed, since they are counted in
+/// revolutions.
 static bool may_stand_still(const setting *study) {
     if (!study || study->place->kind != NODE_MAPPING) return false;
     for (const whirl_analysis *one = whirl_analyses(); one->name; one++)

@@ -15,7 +15,7 @@
 
 enum { MAX_CLAIMS = 1000 };
 
-/// Reads a value of the parameter, with a unit or plain; claims have no parameters, so that expressions have no names.
+/// Reads a value of the parameter, with a unit or plain. Expressions cannot use names, since claims have no parameters.
 static bool claims_read_number(case_reader *reader, const setting_list *item, const char *name, double *value) {
     const setting *given = settings_find(item, name);
     const whirl_key key = {.name = name, .unit = "", .range = WHIRL_ANY};

@@ -217,7 +217,7 @@ static void dataset_fact(whirl_status *status, whirl_result *result, const char 
     if (status->code == WHIRL_OK) *status = whirl_result_add_fact(result, name, text);
 }
 
-/// Adds the parameters of a list, each as a fact, or to a text.
+/// Adds a fact for each parameter of a list, with its distribution.
 static void drawn_facts(const case_content *content, whirl_status *status, whirl_result *result, const char *what,
                         size_t count, const whirl_drawn *drawn) {
     char text[DISTRIBUTION_TEXT];
@@ -247,7 +247,7 @@ static void label_text(const case_content *content, const whirl_label *label, ch
     }
 }
 
-/// Appends "%.6g unit", with words before and behind, if a number is not 0.
+/// Appends ", gap 0.001 m" with the words `before`, if the number is finite and not 0.
 static void channel_number(char *text, size_t size, const char *before, double number, const char *unit) {
     const size_t used = strlen(text);
     if (number != 0.0 && isfinite(number))
@@ -282,7 +282,7 @@ static void channel_text(const case_content *content, const whirl_channel *own, 
                  own->full_scale, unit);
 }
 
-/// Adds what differs between the records of a data set, its labels and its channels.
+/// Adds facts about a data set: the parameters that differ between its records, its labels and its channels.
 static whirl_status describe_dataset(const case_content *content, whirl_result *result) {
     const whirl_dataset *own = content->plan.dataset;
     char text[WHIRL_MESSAGE_SIZE + 16 * DISTRIBUTION_TEXT];

@@ -82,7 +82,7 @@ static const course_parts *family_course(const case_content *content, const whir
     return index < content->plan.batch_count ? content->plan.origins[index].course : NULL;
 }
 
-/// Evaluates the parameters of a requested machine: events of its run that have happened have changed some of them.
+/// Evaluates the parameters of a requested machine, as changed by the events of its run that have happened.
 static whirl_status family_open(const case_content *content, const whirl_batch *batch, double value, valuation *v) {
     whirl_given given[PLAN_MAX_GIVEN + WHIRL_MAX_EVENTS * WHIRL_MAX_GIVEN];
     size_t count = plan_given(batch, value, batch->second_value, batch->third_value, given);

@@ -23,7 +23,7 @@ typedef struct file_kind {
     void (*release)(void *made);
 } file_kind;
 
-/// Make the object of a file, from memory or a path: *made, NULL after a failure. `problems` may be NULL.
+/// Makes the object of a file, from memory or a path: *made, NULL after a failure. `problems` may be NULL.
 whirl_status file_parse(const file_kind *kind, const char *text, size_t length, const char *name,
                         whirl_problems *problems, void **made);
 whirl_status file_load(const file_kind *kind, const char *path, whirl_problems *problems, void **made);

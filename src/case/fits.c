@@ -131,7 +131,8 @@ static whirl_status fits_warn(const case_content *content, valuation *v, const w
     return status;
 }
 
-/// Most cases have no such tables, and need no machine to be built.
+/// Returns true if an element has a table over the frequency of whirl. Most cases have none, and no machine is built
+/// for them.
 static bool has_tables(const machine_parts *machine) {
     for (size_t i = 0; i < machine->element_count; i++)
         if (settings_find(&machine->elements[i], "frequencies")) return true;

@@ -39,7 +39,7 @@ static const double grades[GRADES][RANGES] = {
 };
 
 /// The fundamental deviation of a letter in um, by its size: the distance between zero and the nearer limit (tables 2
-/// and 3). Of shafts those up to h are below, the others above.
+/// and 3). Shafts up to the letter h are below zero, the others above.
 typedef struct deviation {
     char letter;
     bool fine;

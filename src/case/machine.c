@@ -168,7 +168,7 @@ static void report_unknown_element(case_reader *reader, const file_node *where, 
     problem_at_key(reader->problems, where, "no element is called %s, %s", text_shown(kind, shown), advice);
 }
 
-/// `- gravity` alone is an element with its defaults.
+/// Reads an element: a kind with its keys, or a kind alone with their defaults, such as "- gravity".
 static void read_element(case_reader *reader, const file_node *item, machine_parts *result) {
     // Find the kind: an item is one kind with its keys, or a kind alone.
     char shown[SHOWN_SIZE];
@@ -522,7 +522,7 @@ static double stand_in(const whirl_key *key, double number) {
     const whirl_range *range = &key->range;
     if (number > range->low && number < range->high) return number;
     if (isinf(range->low) || isinf(range->high)) return isinf(range->low) ? range->high - number : range->low + number;
-    // Where numbers are counts, an even one, which is right for poles, too.
+    // Between two bounds take an even number: counts of poles have to be even.
     const double middle = 0.5 * (range->low + range->high), even = 2.0 * floor(0.5 * middle);
     return even > range->low ? even : middle;
 }
@@ -557,7 +557,8 @@ static whirl_status build_alone(const machine_parts *machine, const setting_list
     return status;
 }
 
-/// A table over the speed cannot be checked without the speed, nor a segment of a shaft without the others.
+/// Returns true for an element that cannot be checked alone: one with a name of a shaft or material, such as a segment,
+/// or with a list of numbers, such as a table over the speed.
 static bool needs_others(const setting_list *element) {
     for (size_t k = 0; k < element->group->key_count; k++)
         if (element->group->keys[k].kind == WHIRL_KEY_NAME) return true;
@@ -567,7 +568,8 @@ static bool needs_others(const setting_list *element) {
     return false;
 }
 
-/// Reports a contradiction of an element that no values of its expressions resolve: one of the presence of keys.
+/// Reports a contradiction of an element that remains for very different values of its expressions: it follows from the
+/// presence of keys.
 static void check_alone(case_reader *reader, const machine_parts *machine, const setting_list *element) {
     static const double others[] = {1e-6, 1e6};
     char message[WHIRL_MESSAGE_SIZE];

@@ -43,8 +43,8 @@ typedef struct machine_choice {
     size_t drag_at;             ///< station of the seals and impellers, if only one station's are included
     double stages;              ///< factor of stages
     bool in_time;               ///< the machine is to move: coefficients over the frequency of whirl get states
-    bool asynchronous;          ///< frequency-dependent coefficients are those at
-    double frequency;           ///< rad/s, frequency of whirl in place of the shaft's
+    bool asynchronous;          ///< true: coefficients that depend on the frequency of whirl are those at `frequency`
+    double frequency;           ///< frequency of whirl, rad/s
 } machine_choice;
 
 /// Builds the machine like machine_build, at a speed and with the changes of a variant.

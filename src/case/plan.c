@@ -193,7 +193,7 @@ static void step_values(double from, double to, double step, size_t count, doubl
     }
 }
 
-/// "Up" and "down" refer to the parameter; a batch has a first and a last value.
+/// Returns the carry of a sweep. "Up" and "down" refer to the parameter, carries to the order of its values.
 static whirl_carry carry_of(const setting_list *sweep, bool rising) {
     if (strcmp(settings_word(sweep, "start"), "carry") != 0) return WHIRL_CARRY_NONE;
     const char *direction = settings_word(sweep, "direction");
@@ -266,7 +266,7 @@ static double *list_values(case_reader *reader, valuation *v, const formula_list
     return good ? values : NULL;
 }
 
-/// Neighbours in a sweep are neighbours in the result: diagrams, regimes and carried states follow the values.
+/// Checks that values rise or fall throughout: diagrams, regimes and carried states follow their order.
 static bool check_order(case_reader *reader, const formula_list *list, const double *values) {
     char shown[SHOWN_SIZE], before[SHOWN_SIZE];
     for (size_t i = 1; i < list->count; i++) {
@@ -301,7 +301,7 @@ static double missed_end(valuation *v, const axis_parts *axis, double last) {
     return to;
 }
 
-/// Adds the origin of the next batch, whose points are along an axis.
+/// Fills in the origin of the next batch, whose points are along an axis.
 static void note_axis(valuation *v, const axis_parts *axis, double last, study_plan *result) {
     plan_origin *origin = plan_next_origin(result);
     origin->first = end_place(axis, false);
@@ -530,7 +530,7 @@ static void make_branch(case_reader *reader, valuation *v, const plan_parts *par
     if (settings_yes(&parts->branch, "tori")) make_tori(parts, own, result);
 }
 
-/// Like plan_given, for a machine of samples (whirl_batch.sampled).
+/// Does the same as plan_given, for a machine of samples (whirl_batch.sampled).
 static size_t given_of(const whirl_batch *batch, const double values[3], size_t sampled,
                        whirl_given given[PLAN_MAX_GIVEN]) {
     const whirl_given varied[] = {{batch->parameter, values[0]}, {batch->second, values[1]}, {batch->third, values[2]}};

@@ -9,11 +9,13 @@
 #include "whirl/engine/study.h"
 
 #include <stddef.h>
+/// Reads the parts of `study:` that do not depend on values of parameters, and reports all their problems.
 
 void plan_read_parts(case_reader *reader, const file_node *where, const machine_parts *machine, plan_parts *parts,
                      study_plan *result);
 
-/// ... then the batches, with the parameters' values. Call it when nothing is wrong so far.
+/// Makes the batches of a study from its parts with the values of parameters. Call it only if there are no problems so
+/// far.
 void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result);
 
 /// Fills in the initial state [dimension] of a batch's points, in the scales of the machine. Start 0 is the case's
@@ -21,12 +23,14 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
 whirl_status plan_start_state(const study_plan *plan, size_t batch, size_t start, valuation *v,
                               const whirl_rotor *rotor, double *state);
 
-/// Returns the number of parameter values at which a batch has its machines: varied ones (NaN: none), fixed ones, and
-/// those of the sample that the batch requests.
+/// Bounds of the number of parameter values at which a batch has its machines, and of their text.
 enum {
     PLAN_MAX_GIVEN = 3 + 2 * WHIRL_MAX_GIVEN + WHIRL_MAX_DRAWN,
     PLAN_GIVEN_TEXT = PLAN_MAX_GIVEN * (2 * WHIRL_NAME_SIZE + 32)
 };
+
+/// Fills in the parameter values at which a batch has its machines, and returns their number: varied ones (NaN: none),
+/// fixed ones, and those of the sample that the batch requests.
 size_t plan_given(const whirl_batch *batch, double value, double second, double third,
                   whirl_given given[PLAN_MAX_GIVEN]);
 

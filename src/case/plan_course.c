@@ -15,7 +15,7 @@
 #include "table_file.h"
 #include "tree.h"
 
-/// Keys of the formulas of a run that are no event's, in their order.
+/// Keys of the laws of a run, in the order of whirl_run_formula.
 static const char *const laws[] = {"rate_law", "torque_law", "load_law", "ground_x", "ground_y"};
 
 /// Variables of every station, after its name and '_', in the order of WHIRL_OF_STATION_.
@@ -28,10 +28,10 @@ typedef struct course_names {
     const parameter_table *parameters;
     const machine_parts *machine; ///< with its stations as variables; NULL: time and speed alone
     char name[WHIRL_NAME_SIZE];   ///< the last name
-    bool twice;                   ///< it is a parameter's, and a variable's
+    bool twice;                   ///< true if that name is both a parameter and a variable
 } course_names;
 
-/// Returns the index of a variable's name; WHIRL_VARIABLE_STATIONS + WHIRL_OF_STATION * stations if it is none.
+/// Returns the index of a variable's name; WHIRL_VARIABLE_STATIONS + WHIRL_OF_STATION * stations for any other name.
 static size_t course_variable(const machine_parts *machine, const char *name) {
     const size_t stations = machine ? machine->stations.count : 0;
     if (strcmp(name, "time") == 0) return WHIRL_VARIABLE_TIME;
@@ -121,7 +121,7 @@ static const char *course_read_formula(case_reader *reader, const file_node *whe
 
 // ---------------------------------------------------------------- reading
 
-/// Columns of files with tables, of which the first is the time, and what the others are in.
+/// Columns of files with tables: the time, and the quantities that a run can have over it.
 enum { COLUMN_TIME, COLUMN_SPEED, COLUMN_RATE, COLUMN_TORQUE, COLUMN_LOAD, COLUMN_GROUND_X, COLUMN_GROUND_Y, COLUMNS };
 #define COLUMN(index, word, si) [index] = {.name = (word), .unit = (si), .range = WHIRL_ANY}
 static const whirl_key columns[COLUMNS] = {
@@ -184,7 +184,7 @@ static void course_read_rows(case_reader *reader, const file_node *list, const f
     }
 }
 
-/// Reads a table over the time, of a list of pairs or of a file. column: what it is of.
+/// Reads a table over the time, from a list of pairs or a file. `column` is its quantity.
 static void course_read_table(case_reader *reader, const file_node *where, size_t column, course_table *table) {
     char shown[SHOWN_SIZE];
     const bool filed = where->kind == NODE_TEXT;
@@ -208,8 +208,8 @@ static void course_read_table(case_reader *reader, const file_node *where, size_
     whirl_problems_free(&problems);
 }
 
-/// Writes what results and journals keep of a table: its rows, and a sum by which a changed one is noticed (Fowler,
-/// Noll, Vo 1991).
+/// Writes the text of a table that results and journals store: the number of its rows, and a checksum, which reveals
+/// changes (Fowler, Noll, Vo 1991).
 static void course_say_table(const file_node *where, const course_table *table, char *text, size_t size) {
     uint64_t sum = 0xcbf29ce484222325u;
     for (size_t i = 0; i < table->count; i++)
@@ -230,7 +230,7 @@ static size_t course_event_named(const course_parts *course, size_t count, const
     return i;
 }
 
-/// Reads after which event this one may happen.
+/// Reads the event after which this one may happen.
 static void course_read_after(case_reader *reader, course_parts *course, course_event *own) {
     char advice[WHY_SIZE], shown[SHOWN_SIZE];
     const char *names[WHIRL_MAX_EVENTS];
@@ -293,7 +293,7 @@ static void course_read_events(case_reader *reader, const file_node *where, cons
     for (const file_node *one = where->first; one; one = one->next) course_read_event(reader, one, machine, course);
 }
 
-/// Writes what results keep of a key whose value is a list.
+/// Sets the text that results store for a key whose value is a list.
 static void course_say(case_reader *reader, setting_list *keys, const char *key, const char *text) {
     for (size_t i = 0; i < keys->count; i++)
         if (strcmp(keys->items[i].key->name, key) == 0)
@@ -351,7 +351,7 @@ const course_parts *course_read(case_reader *reader, const machine_parts *machin
 
 /// A table at a point, straight between its rows.
 typedef struct course_values {
-    size_t count, last;   ///< rows; the one before the last look
+    size_t count, last;   ///< number of rows; row before the time of the previous look-up
     double *time, *value; ///< [count] in one block, which `time` begins
 } course_values;
 
@@ -367,7 +367,7 @@ struct course_run {
 static double course_look_up(course_values *of, double time) {
     size_t low = 0, high = of->count - 1;
     if (!(time >= of->time[0] && time <= of->time[high])) return 0.0;
-    // The rows of the last look, or the next ones, serve most often.
+    // Most times are between the rows of the previous look-up or the next ones.
     if (time >= of->time[of->last] && of->last + 2 < of->count && time <= of->time[of->last + 2])
         low = of->last, high = of->last + 2;
     while (high - low > 1) {
@@ -395,8 +395,8 @@ const whirl_run_course *course_shown(const course_run *run) {
     return run ? &run->shown : NULL;
 }
 
-/// Makes the names of all variables, behind those of the parameters, in names; texts is their memory. Stations with
-/// other signs in their names have none.
+/// Writes the names of all variables to `names`, with `texts` as their memory. NULL for a station whose name has
+/// characters that formulas do not allow.
 static void course_name_variables(const machine_parts *machine, const char **names,
                                   char (*texts)[2 * WHIRL_NAME_SIZE]) {
     static const char in_names[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
@@ -450,7 +450,7 @@ static double course_number(valuation *v, const course_event *own, const char *k
     const setting *given = settings_find(&own->keys, name);
     double number = NAN;
     if (given && valuation_number(v, &given->value, &number).code != WHIRL_OK) number = NAN;
-    // A change of old has 0 for what does not make it.
+    // A change without a list of events uses 0 for conditions that it does not have.
     return own->alone && number == 0.0 ? (double)NAN : number;
 }
 

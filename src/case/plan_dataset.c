@@ -143,7 +143,7 @@ static void read_channel(case_reader *reader, const file_node *where, const mach
     read_station(reader, machine, out);
     read_channel_numbers(reader, out);
     check_channel_keys(reader, out);
-    // Its name.
+    // Read the name, or make one.
     char text[WHIRL_NAME_SIZE];
     const bool seen = out->sensor != WHIRL_SENSOR_KEYPHASOR && out->station < machine->stations.count;
     if (name)
@@ -181,7 +181,7 @@ void dataset_read(case_reader *reader, const machine_parts *machine, plan_parts 
     settings_read(reader, given->place, &schema_dataset, &own->keys);
     read_distributions(reader, &own->keys, "vary", &own->vary);
     read_distributions(reader, &own->keys, "conditions", &own->conditions);
-    // Labels.
+    // Read the labels.
     const setting *labels = settings_find(&own->keys, "labels"), *channels = settings_find(&own->keys, "channels");
     size_t count = labels ? entries(reader, labels->place, NODE_MAPPING, WHIRL_MAX_LABELS,
                                     "1 to 32 labels with their faults, {healthy: , rub: {grade: ...}}")
@@ -189,7 +189,7 @@ void dataset_read(case_reader *reader, const machine_parts *machine, plan_parts 
     own->labels = count > 0 ? take_zeroed(reader, count * sizeof *own->labels) : NULL;
     for (const file_node *one = own->labels ? labels->place->first : NULL; one; one = one->next)
         read_label(reader, one, &own->labels[own->label_count++]);
-    // Channels.
+    // Read the channels.
     count = channels ? entries(reader, channels->place, NODE_LIST, WHIRL_MAX_CHANNELS,
                                "a list of 1 to 32 sensors, [{sensor: proximity, at: disc}]")
                      : 0;
@@ -208,8 +208,8 @@ typedef struct dataset_maker {
     case_reader *reader;
     valuation *v;
     whirl_dataset *made;
-    const char **names; ///< [WHIRL_MAX_DRAWN] of parameters
-    double *values;     ///< [WHIRL_MAX_DRAWN] theirs in the case
+    const char **names; ///< [WHIRL_MAX_DRAWN] names of parameters
+    double *values;     ///< [WHIRL_MAX_DRAWN] their values in the case, SI
     bool good;
 } dataset_maker;
 
@@ -346,7 +346,8 @@ static bool check_sampling(case_reader *reader, const dataset_parts *own, whirl_
 
 // ---------------------------------------------------------------- the motions behind the samples
 
-/// Finds the slowest and the fastest speed of the records, rad/s; of very many, of every few of them, with a margin.
+/// Finds the slowest and the fastest speed of the records, rad/s. If there are more than MOST, it tries every few of
+/// them, and adds a margin.
 static whirl_status find_speeds(valuation *v, const dataset_parts *own, const whirl_batch *batch, double speeds[2]) {
     enum { MOST = 20000 };
     const setting *speed = settings_find(&own->machine->rotor, "speed");
@@ -380,10 +381,10 @@ static void finish_motions(case_reader *reader, valuation *v, const plan_parts *
     double speeds[2] = {0.0, 0.0};
     if (length)
         problem_at_key(reader->problems, length->place,
-                       "is given together with dataset, which says how long records are");
+                       "is given together with dataset, which determines the length of records");
     if (starts)
         problem_at_key(reader->problems, starts->place, "is given together with dataset, expected one of the two");
-    // Samples of a revolution at most and at least.
+    // Find the largest and the smallest number of samples in a revolution.
     double most = options->per_revolution, least = most;
     if (options->rate > 0.0) {
         const whirl_status status = find_speeds(v, own, batch, speeds);
@@ -395,7 +396,8 @@ static void finish_motions(case_reader *reader, valuation *v, const plan_parts *
         most = two_pi * options->rate / speeds[0];
         least = two_pi * options->rate / speeds[1];
     }
-    // The record: what the filters reach and a revolution to settle on both sides, and the angle at the first sample.
+    // Make the record long enough: for the samples, on both sides for the reach of the filters and a revolution to
+    // settle, and for the angle at the first sample.
     const double turns = options->rate > 0.0 ? options->samples / least : options->turns;
     options->lead = ceil(WHIRL_SENSOR_REACH / least) + 1.0;
     batch->record.record = (int)ceil(turns + 2.0 * options->lead + 1.0);
@@ -405,7 +407,7 @@ static void finish_motions(case_reader *reader, valuation *v, const plan_parts *
                    turns, most);
         return;
     }
-    // The instants of the motion: a method of fixed steps has them as steps.
+    // Set the instants of the motion; they are the steps of a method of fixed steps.
     const bool adaptive = whirl_method_is_adaptive(batch->integrate.method);
     if (!steps && (adaptive || strcmp(batch->integrate.method, "auto") == 0))
         batch->integrate.steps_per_revolution = instants;
@@ -429,7 +431,7 @@ void dataset_make(case_reader *reader, valuation *v, const plan_parts *parts, st
     options.labels = (int)dataset->label_count;
     options.channels = (int)dataset->channel_count;
     options.parameters = (int)dataset->parameter_count;
-    // Their number.
+    // Refuse too many records.
     const double all = (double)options.machines * options.records * options.labels;
     if (all > WHIRL_MAX_RECORDS) {
         problem_at_key(reader->problems, own->keys.place, "has %.10g records, expected at most %d", all,

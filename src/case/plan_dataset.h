@@ -9,7 +9,8 @@
 /// Reads the data set of a study, if it has one.
 void dataset_read(case_reader *reader, const machine_parts *machine, plan_parts *parts);
 
-/// Adds the batch of its records, after those of plan_make. Its motions are long and dense enough for the samples.
+/// Adds the batch of a data set's records to the batches of plan_make. Its motions are long and dense enough for the
+/// samples.
 void dataset_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result);
 
 #endif

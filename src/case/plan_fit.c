@@ -133,9 +133,9 @@ typedef struct fit_maker {
     size_t set;
     csv_table table;
     fit_column columns[FIT_MAX_COLUMNS];
-    const whirl_given *at; ///< its parameters
+    const whirl_given *at; ///< parameters that the table gives
     size_t at_count;
-    double noise; ///< m, or 1
+    double noise; ///< standard deviation of the table's numbers, m; 1 if it is not given
 } fit_maker;
 
 /// Fails at a heading.
@@ -160,7 +160,7 @@ static whirl_status fit_probe_heading(fit_maker *m, size_t column, bool vectors)
     memcpy(text, m->table.columns[column].name, sizeof text);
     *own = (fit_column){.kind = FIT_DISPLACEMENT, .order = 1.0, .lag = column};
     char *word = fit_last_word(text);
-    // The lag, and the order.
+    // Split off the word lag and the order.
     if (word && strcmp(word, "lag") == 0) {
         own->kind = FIT_LAG;
         word = fit_last_word(text);
@@ -170,14 +170,14 @@ static whirl_status fit_probe_heading(fit_maker *m, size_t column, bool vectors)
         if (end == word || strcmp(end, "X") != 0 || !(own->order > 0.0 && own->order <= FIT_MAX_ORDER))
             return FIT_FAIL(m, column, "'%.20s' is no order, expected 1X, 2X, 0.5X", word);
         if (fabs(own->order * m->revolutions - round(own->order * m->revolutions)) > 1e-9)
-            return FIT_FAIL(m, column, "order %.20s is none of a motion of %d revolution%s", word, m->revolutions,
-                            m->revolutions == 1 ? "" : "s");
+            return FIT_FAIL(m, column, "order %.20s does not occur in a motion of %d revolution%s", word,
+                            m->revolutions, m->revolutions == 1 ? "" : "s");
         word = fit_last_word(text);
     }
     if (!vectors && (own->kind == FIT_LAG || strcmp(m->table.columns[column].name + strlen(text), "") == 0))
         return FIT_FAIL(m, column, "'%.40s' is no column of displacements over the angle, expected 'disc x', 'disc 45'",
                         m->table.columns[column].name);
-    // The direction, and the station.
+    // Read the direction, and find the station.
     if (!word)
         return FIT_FAIL(m, column,
                         "'%.40s' is no column, expected angle, speed, a parameter, or a station and the direction of a "
@@ -295,7 +295,7 @@ static whirl_status fit_add_number(fit_maker *m, const fit_column *column, whirl
     return whirl_ok();
 }
 
-/// Displacements over the angle of one motion.
+/// Adds the displacements over the angle of one motion.
 static whirl_status fit_take_samples(fit_maker *m, size_t angle) {
     const csv_table *table = &m->table;
     if (table->count < 2)
@@ -311,7 +311,7 @@ static whirl_status fit_take_samples(fit_maker *m, size_t angle) {
         const double place = instants * fit_cell(m, angle, i), nearest = round(place);
         if (fabs(place - nearest) > FIT_OFF_INSTANT * (1.0 + 0.1 * (double)i) || nearest < 0.0)
             return csv_fail(table, table->lines[i], table->columns[angle].place,
-                            "%g revolutions is none of the instants k/%g", fit_cell(m, angle, i), instants);
+                            "%g revolutions is not one of the instants k/%g", fit_cell(m, angle, i), instants);
         const double turn = fmod(nearest, instants * m->revolutions) / instants;
         for (size_t c = 0; c < table->column_count && status.code == WHIRL_OK; c++)
             if (m->columns[c].kind == FIT_DISPLACEMENT)
@@ -320,7 +320,7 @@ static whirl_status fit_take_samples(fit_maker *m, size_t angle) {
     return status;
 }
 
-/// Amplitudes, and lags where there are any, of one row.
+/// Adds the numbers of one row: amplitudes, or for those with lags both components.
 static whirl_status fit_take_row(fit_maker *m, size_t row) {
     whirl_status status = whirl_ok();
     for (size_t c = 0; c < m->table.column_count && status.code == WHIRL_OK; c++) {
@@ -341,7 +341,7 @@ static whirl_status fit_take_row(fit_maker *m, size_t row) {
     return status;
 }
 
-/// Orders over the speed or a parameter: every row is of a motion of its own.
+/// Adds orders over the speed or a parameter: every row is one motion.
 static whirl_status fit_take_vectors(fit_maker *m, size_t along) {
     const fit_column *axis = &m->columns[along];
     double highest = 1.0;
@@ -451,7 +451,7 @@ static bool fit_make_unknowns(fit_maker *m) {
     return good;
 }
 
-/// Evaluates what belongs to a file: parameters and noise. Returns false after a problem.
+/// Evaluates the parameters and the noise of a file. Returns false after a problem.
 static bool fit_make_set(fit_maker *m, const fit_set *set, whirl_given *given) {
     const setting *noise = settings_find(&set->keys, "noise");
     m->at = given;
@@ -464,7 +464,7 @@ static bool fit_make_set(fit_maker *m, const fit_set *set, whirl_given *given) {
     return true;
 }
 
-/// Reports noise of some files only, and options that need it or bounds.
+/// Reports noise that only some of the files have, and options that need noise or bounds.
 static void fit_check(case_reader *reader, const fit_parts *parts, const whirl_fit *fit, size_t noisy) {
     const setting *loss = settings_find(&parts->keys, "loss"), *starts = settings_find(&parts->keys, "starts");
     for (size_t s = 0; s < parts->set_count; s++)

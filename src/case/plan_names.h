@@ -12,7 +12,7 @@ void plan_read_stations(case_reader *reader, const machine_parts *machine, const
 /// Returns the parameter that the key of a place names; NULL after a problem.
 const parameter *plan_find_named(case_reader *reader, const file_node *where);
 
-/// Refuses a parameter that is an expression over others, where one with a number of its own is needed; false then.
+/// Refuses a parameter whose value is an expression; returns false then. Such a parameter cannot get another value.
 bool plan_check_free(case_reader *reader, const file_node *where, const parameter *own);
 
 /// Reads a value that a condition, or a change, gives to a parameter.

@@ -176,7 +176,8 @@ static void read_map(case_reader *reader, const setting *given, const whirl_grou
     check_other_axis(reader, &parts->planes, &parts->across, "y");
 }
 
-/// Reports keys without effect in studies without motions: those at rest, and branches alone, whose motions settle.
+/// Reports keys without effect in studies that record no motions. `settles`: motions are integrated until they settle,
+/// and `integrate` has an effect.
 static void check_lone_keys(case_reader *reader, const plan_parts *parts, const char *kind, bool settles) {
     static const char *const others[] = {"keep", "analyze", "detail", "confirm", "starts", "integrate"};
     for (size_t i = 0; i < sizeof others / sizeof *others - settles; i++) {
@@ -240,7 +241,7 @@ static void read_curves(case_reader *reader, plan_parts *parts) {
     formula_read(reader, to->place, &key, &parts->second_high);
 }
 
-/// Tori begin at orbits of forced machines.
+/// Refuses tori together with branches of equilibria, since tori begin at orbits of forced machines.
 static void check_tori(case_reader *reader, const plan_parts *parts) {
     const setting *given = settings_find(&parts->branch, "tori");
     if (given && settings_yes(&parts->branch, "tori") && settings_yes(&parts->branch, "rest"))
@@ -303,8 +304,8 @@ static const kind_of_study kinds[] = {{&schema_response, read_response}, {&schem
                                       {&schema_dataset, read_nothing},   {&schema_branch, read_no_sweep}};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
-/// The message lists the kinds in the same order.
-static void tell_kinds(case_reader *reader, const file_node *study) {
+/// Reports that a study has none of the kinds, which the message lists in their order.
+static void report_no_kind(case_reader *reader, const file_node *study) {
     char names[WHY_SIZE] = "";
     for (size_t i = 0, used = 0; i < KINDS + SCHEMA_AT_REST; i++)
         used += (size_t)snprintf(names + used, sizeof names - used, "%s%s",
@@ -315,14 +316,15 @@ static void tell_kinds(case_reader *reader, const file_node *study) {
     problem_at(reader->problems, study, "has none of %s, expected one of them", names);
 }
 
-/// Reads the kind of motions: the first one that is given; only branches may be combined with a sweep.
+/// Reads the kind of motions: the first one that is given. A second one is an error, except for branches next to a
+/// sweep.
 static void read_kind_of_motions(case_reader *reader, plan_parts *parts) {
     const setting *found = NULL;
     size_t chosen = 0;
     for (size_t i = 0; i < KINDS; i++) {
         const setting *given = settings_find(&parts->study, kinds[i].group->name);
         if (!given || (found && kinds[chosen].group == &schema_sweep && kinds[i].group == &schema_branch)) continue;
-        // A response is the default, so the other key is reported as superfluous.
+        // Next to a sweep the response, which is the default, is the superfluous key.
         const bool first = found && kinds[i].group == &schema_sweep;
         if (found)
             problem_at_key(reader->problems, (first ? found : given)->place,
@@ -351,7 +353,7 @@ static void read_kinds(case_reader *reader, plan_parts *parts) {
     if (resting)
         check_lone_keys(reader, parts, resting->name, false);
     else
-        tell_kinds(reader, parts->study.place);
+        report_no_kind(reader, parts->study.place);
 }
 
 // ---------------------------------------------------------------- detail
@@ -402,7 +404,7 @@ static void read_initial(case_reader *reader, const file_node *where, const mach
 
 // ---------------------------------------------------------------- several starts
 
-/// Refuses several starts in studies with one start a point.
+/// Refuses several starts in studies whose points have one start each.
 static void check_starts(case_reader *reader, const plan_parts *parts, const setting *given) {
     if (parts->map.group == &schema_basin)
         problem_at_key(reader->problems, given->place, "has no meaning with basin, whose points are starts");
@@ -488,7 +490,7 @@ static void read_grid(case_reader *reader, const file_node *where, const file_no
     }
 }
 
-/// Checks that exactly one of the two gives the number of starts.
+/// Checks that exactly one of the keys count and grid is given.
 static void check_number_of_starts(case_reader *reader, const plan_parts *parts) {
     const setting *count = settings_find(&parts->starts, "count"), *grid = settings_find(&parts->starts, "grid");
     if (count && grid)

@@ -54,7 +54,8 @@ typedef struct distribution_parts {
     const parameter *parameter;
     const file_node *place;
     setting_list keys;                        ///< keys of a mapping; none for a text alone
-    bool within, own;                         ///< bounds around a value are given; that value is the parameter's own
+    bool within, own;                         ///< within: bounds around a value are given; own: that value is the
+                                              ///< parameter's own
     bool relative;                            ///< `below` and `above` are parts of the value
     double value, below, above;               ///< the middle value, and the distances of its bounds
     number_formula from, to, mean, deviation; ///< if their keys are given
@@ -133,7 +134,7 @@ typedef struct dataset_parts {
     channel_parts *channels;
 } dataset_parts;
 
-/// Reads `study:` in two steps. First everything that needs no values, with all its problems ...
+/// The parts of `study:` that can be read before parameters have values.
 typedef struct plan_parts {
     setting_list study, integrate, keep, detail, branch, curves, map, starts;
     tolerance_parts tolerances;
@@ -145,7 +146,7 @@ typedef struct plan_parts {
     condition_parts conditions[PLAN_MAX_CONDITIONS];
     bool moves;               ///< motions are followed: a response, a sweep or a map
     bool beside;              ///< motions are followed next to studies at rest (motions)
-    bool branches, swept_too; ///< branches are traced; and there is a sweep
+    bool branches, swept_too; ///< branches: branches are traced; swept_too: next to a sweep
     axis_parts sweep;         ///< parameter of a sweep, of branches, or along the rows of a map
     axis_parts across;        ///< parameter from row to row of a map, else empty
     axis_parts planes;        ///< parameter from plane to plane of a map, else empty

@@ -31,11 +31,11 @@ static void check_bearings(case_reader *reader, const axis_parts *axis) {
                    "is yes, but there is no parameter that their stiffness would be");
     else if (axis->parameter && *axis->unit && strcmp(axis->unit, "1") != 0 && strcmp(axis->unit, "N/m") != 0)
         problem_at(reader->problems, name->place,
-                   "is %s, in %s, expected a stiffness in N/m, which bearings: yes makes of it",
+                   "is %s, in %s, expected a stiffness in N/m, the stiffness of bearings with bearings: yes",
                    text_shown(axis->parameter->name, shown), axis->unit);
 }
 
-/// Names of tables are names in Python, Octave and file systems, too.
+/// Returns true for a valid name of a table, which is also a name in Python, Octave and file systems.
 static bool is_name_of_table(const char *name) {
     for (const char *c = name; *c; c++)
         if (!isalnum((unsigned char)*c) && *c != '_') return false;
@@ -79,7 +79,7 @@ static void read_unbalances(case_reader *reader, const plan_parts *parts, restin
         names[count++] = own;
         if (strcmp(own, text) == 0) resting->unbalances = one;
     }
-    // Refuse a name that none has, and a study without unbalances by rule.
+    // Refuse the name of an unknown study, and a study without unbalances by rule.
     describe_names(text, names, count, advice);
     if (!resting->unbalances)
         problem_at(reader->problems, given->place, "is %s, which is no study of unbalance here, %s",
@@ -142,7 +142,7 @@ static void read_one(case_reader *reader, const file_node *where, const whirl_gr
     resting_read_name(reader, parts, resting);
     const bool varies = settings_find(&axis->keys, "parameter") != NULL;
     if (varies) plan_read_axis(reader, axis);
-    // Read stations, and what some kinds of studies have.
+    // Read stations, the course of a run-up, the parts of a fit, and the unbalances of motions.
     check_bearings(reader, axis);
     plan_read_stations(reader, machine, &axis->keys, "at", false);
     plan_read_stations(reader, machine, &axis->keys, "probes_at", true);
@@ -154,7 +154,7 @@ static void read_one(case_reader *reader, const file_node *where, const whirl_gr
     // Refuse keys of an axis without a parameter.
     for (size_t i = 0; i < sizeof keys / sizeof *keys && !varies; i++) {
         const setting *given = settings_find(&axis->keys, keys[i]);
-        if (given) problem_at_key(reader->problems, given->place, "needs the parameter that it is of");
+        if (given) problem_at_key(reader->problems, given->place, "needs parameter, whose values it gives");
     }
 }
 

@@ -26,7 +26,7 @@ static double state_number(const whirl_rotor *rotor, valuation *v, const setting
     return given ? scaled_setting(rotor, v, given) : settings_number(v, state, key);
 }
 
-/// Coordinate of a station that an initial state may give, by index from 0; NULL past the last.
+/// Returns a coordinate of a station that an initial state may give, by index from 0; NULL past the last.
 static const whirl_member *coordinate_at(size_t index) {
     for (const whirl_member *member = whirl_probe_members(); member->part; member++)
         if (strcmp(member->part, schema_initial.name) == 0 && index-- == 0) return member;
@@ -50,8 +50,8 @@ static whirl_status initial_state(const study_plan *plan, valuation *v, const wh
     return whirl_ok();
 }
 
-/// Position in a range, from 0 to 1, of a further start (from 1); `which` numbers all ranges. *rest is the grid index
-/// in this and the following ranges; the first range varies fastest.
+/// Returns the position in a range, from 0 to 1, of further start number `start` (from 1); `which` numbers all ranges.
+/// *rest is the grid index in this and the following ranges; the first range varies fastest.
 static double place_in_range(const plan_range *range, size_t k, size_t start, size_t which, size_t *rest) {
     if (!range->points) return whirl_halton(start, which);
     const size_t count = range->points[k], at = *rest % count;
@@ -90,7 +90,8 @@ whirl_status plan_start_state(const study_plan *plan, size_t batch, size_t start
     return status;
 }
 
-/// Axes of places and velocities of a station that moves so; a twist alone counts as along x.
+/// Returns the axes along which a station with this key `moves` has displacements and velocities; a twist alone counts
+/// as along x.
 static const char *axes_of(const char *moves) {
     return strcmp(moves, "twist") == 0 ? "x" : strcmp(moves, "all") == 0 ? "xy" : moves;
 }

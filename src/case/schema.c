@@ -321,7 +321,7 @@ static const whirl_key limit_keys[] = {
     NUMBER_KEY("above", "", "", OPTIONAL, WHIRL_ANY, "lower limit"),
 };
 
-// Tables of structs whose members are keys of a part.
+// Tables of structs whose members follow the keys of a group.
 typedef const whirl_member *(*table)(void);
 static const table of_batch[] = {whirl_batch_members, NULL};
 static const table of_options[] = {whirl_integrate_members, whirl_record_members, whirl_trace_members,

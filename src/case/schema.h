@@ -28,7 +28,8 @@ enum { WHIRL_STUDIES_AT_REST(SCHEMA_INDEX_AT_REST) SCHEMA_AT_REST };
 /// Groups of the studies at rest (WHIRL_STUDIES_AT_REST), ended by one without a name.
 extern const whirl_group schema_at_rest[];
 
-/// The unit that a plain number of the initial state may have instead, "m" or "m/s"; "" for all other keys.
+/// Returns the unit that a number of the initial state may have, "m" or "m/s", instead of being in scales; "" for all
+/// other keys.
 const char *schema_scaled_unit(const whirl_key *key);
 
 extern const whirl_group schema_claims, schema_claim;
@@ -53,7 +54,7 @@ typedef struct plan_origin {
     const file_node *const *each;      ///< [count] places of the values, if each has one; NULL: only the ends have
     const file_node *first, *last;     ///< places of the ends of the sweep
     const file_node *across;           ///< place of the last value from row to row of a map
-    const file_node *planes;           ///< ... from plane to plane
+    const file_node *planes;           ///< place of the last value from plane to plane of a map
     whirl_unit units[3];               ///< units of the values where their parameter has another unit, size 0: none
     double end;                        ///< end that the steps of the sweep do not reach; NaN if they reach it
     bool rest;                         ///< points start from zero instead of the initial state

@@ -133,7 +133,8 @@ static bool read_stations(case_reader *reader, const file_node *where, setting *
     return word != NULL;
 }
 
-/// An expression has the unit of its value: "= c/2" is a length, "= gap/c" a plain number.
+/// Checks the dimension of an expression, which decides whether its value is in scales or in the unit: "= c/2" is a
+/// length, "= gap/c" a plain number. Returns false after a problem.
 static bool read_dimension(case_reader *reader, const file_node *where, const char *unit, setting *result) {
     char shown[SHOWN_SIZE];
     const char *const expression = result->value.expression;
@@ -182,7 +183,7 @@ static bool check_count(case_reader *reader, const file_node *where, const char 
     return false;
 }
 
-/// All rows of a list are as long as the first.
+/// Checks that all rows of a nested list are as long as the first.
 static bool check_rows(case_reader *reader, const file_node *where) {
     char shown[SHOWN_SIZE];
     if (!check_count(reader, where, "lists")) return false;

@@ -56,7 +56,7 @@ void whirl_case_uses(const whirl_case *object, whirl_case_use_fn see, void *cont
 
 // ---------------------------------------------------------------- numbers that are written as such
 
-/// Reports a number at a place of the file if it is a plain one of the key.
+/// Reports a number that is written as a text at a place of the file, with the name OWNER.KEY.
 static void number_see(const file_node *place, const char *owner, const whirl_key *key, double value,
                        whirl_case_number_fn see, void *context) {
     whirl_written_number number = {.key = key, .text = place->text, .value = value};
@@ -75,7 +75,7 @@ static void numbers_see_list(const setting_list *list, const char *owner, whirl_
     }
 }
 
-/// Reports the numbers of a run-up; those of several ones have no names.
+/// Reports the numbers of the run-up; a list of several run-ups is left out, since they have no names.
 static void numbers_see_runup(const file_node *runup, whirl_case_number_fn see, void *context) {
     for (const file_node *at = runup->kind == NODE_MAPPING ? runup->first : NULL; at; at = at->next)
         for (const whirl_member *member = whirl_runup_members(); member->part; member++) {

@@ -11,7 +11,8 @@
 #include "whirl/engine/integrate.h"
 #include "whirl/engine/result.h"
 
-/// A place of a study that represents others, and the result that receives its warnings.
+/// State of collecting warnings: the parameter values of the machine in question, and the result that receives the
+/// warnings.
 typedef struct warner {
     const case_content *content;
     whirl_result *result;
@@ -130,7 +131,7 @@ static void warn_of_rate(warner *w, const whirl_batch *batch) {
     warn(w, path, text);
 }
 
-/// Returns what is not known of the drag of an element; NULL where it is known, or there is none.
+/// Returns the name of an element whose drag is unknown, "film by its load"; NULL if it is known or there is none.
 static const char *unknown_drag(const setting_list *element) {
     static const char *const kinds[][3] = {{"film", "load", "film by its load"},
                                            {"seal", "ratio", "seal of law muszynska"},

@@ -124,7 +124,7 @@ static whirl_status csv_row(csv_reader *r, const char *from, const char *end) {
     return whirl_ok();
 }
 
-/// Reads all lines: empty ones and those after # are left out, the first of these is the title.
+/// Reads all lines. Skips empty lines and comments after #, the first of which is the title.
 whirl_status csv_read(const char *path, const char *text, size_t length, size_t most_columns, csv_table *out) {
     *out = (csv_table){.path = path};
     csv_reader r = {.table = out, .most = most_columns};

@@ -73,7 +73,7 @@ static bool scan_name(scanner *s, expression_name_fn known, void *context, char 
     return true;
 }
 
-/// '=' alone would assign; == <= >= != compare.
+/// Returns true at a '=' that assigns; == <= >= != compare.
 static bool is_assignment(const scanner *s) {
     const char before = s->at > 0 ? s->text[s->at - 1] : ' ';
     return s->text[s->at] == '=' && s->text[s->at + 1] != '=' && (before == '\0' || !strchr("=<>!", before));
@@ -114,7 +114,7 @@ bool expression_check(const char *text, expression_name_fn known, void *context,
                  EXPRESSION_MAX_LENGTH);
         return false;
     }
-    // Scan number after name after sign, each of which checks whether it may stand there.
+    // Scan the tokens (numbers, names, signs); the function for each checks that it is allowed there.
     while (s.at < length) {
         const char c = text[s.at];
         bool good;

@@ -17,7 +17,7 @@ typedef bool (*expression_name_fn)(void *context, const char *name, size_t lengt
 /// name it is empty, for the caller to fill.
 bool expression_check(const char *text, expression_name_fn known, void *context, char why[WHY_SIZE]);
 
-/// The functions and constants that expressions know; ended by NULL.
+/// Returns the functions and constants that expressions know; ended by NULL.
 const char *const *expression_words(void);
 bool expression_has_word(const char *name);
 

@@ -80,7 +80,7 @@ static const char *expression_of(const char *text) {
     return text[0] == '=' ? text + 1 + strspn(text + 1, " ") : NULL;
 }
 
-/// A line break in an expression is a space.
+/// Copies an expression into one line, with spaces in place of line breaks. NULL without memory.
 static const char *one_line(case_reader *reader, const char *text) {
     char *copy = arena_text(reader->arena, text, strlen(text));
     reader->no_memory = reader->no_memory || !copy;
@@ -99,7 +99,7 @@ static bool can_afford(case_reader *reader, const file_node *where, const char *
     return reader->expression_bytes <= EXPRESSIONS_MAX_BYTES;
 }
 
-/// "10 N": a name after a number is meant as a unit.
+/// Returns true for a name right after a number, which is meant as a unit: "10 N".
 static bool follows_number(const char *expression, const char *name) {
     const char *before = name;
     while (before > expression && before[-1] == ' ') before--;
@@ -365,7 +365,7 @@ typedef struct dependence_walk {
     bool cyclic;
 } dependence_walk;
 
-/// "a -> b -> a"
+/// Reports a cycle of parameters, "a -> b -> a".
 static void report_cycle(dependence_walk *w, size_t again) {
     char text[160] = "";
     size_t first = 0;

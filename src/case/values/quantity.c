@@ -28,7 +28,8 @@ static ut_system *units; // guarded by units_lock
 /// UDUNITS-2 reports missing memory by errno alone, and its lexer resets errno: failures are noted at once.
 static bool no_memory; // guarded by units_lock
 
-static bool made(bool well) {
+/// Notes a failure for lack of memory; returns `well`.
+static bool note_memory(bool well) {
     if (!well && errno == ENOMEM) no_memory = true;
     return well;
 }
@@ -66,7 +67,7 @@ static bool units_ready(void) {
     if (units) return true;
     ut_set_error_message_handler(ut_ignore);
     units = ut_read_xml(NULL);
-    if (!made(units != NULL)) return false;
+    if (!note_memory(units != NULL)) return false;
     for (size_t i = 0; i < sizeof trade_units / sizeof *trade_units; i++) add_trade_unit(&trade_units[i]);
     return true;
 }
@@ -97,7 +98,7 @@ static bool looks_like_unit(const char *text) {
 static ut_unit *parse_unit(const char *text) {
     if (strcmp(text, "1") == 0) return ut_get_dimensionless_unit_one(units);
     ut_unit *unit = looks_like_unit(text) ? ut_parse(units, text, UT_UTF8) : NULL;
-    made(unit != NULL);
+    note_memory(unit != NULL);
     return unit;
 }
 
@@ -115,14 +116,14 @@ static void powers_of(const char *product, double powers[UNIT_BASES]) {
 static bool has_radian(const ut_unit *unit) {
     char text[256];
     const int length = ut_format(unit, text, sizeof text, UT_ASCII | UT_DEFINITION);
-    made(length >= 0);
+    note_memory(length >= 0);
     if (length < 0 || (size_t)length >= sizeof text) return false;
     return strstr(text, "rad") != NULL;
 }
 
 static bool same_dimension(const ut_unit *a, const ut_unit *b) {
     ut_unit *ratio = ut_divide(a, b);
-    const bool same = made(ratio != NULL) && ut_is_dimensionless(ratio);
+    const bool same = note_memory(ratio != NULL) && ut_is_dimensionless(ratio);
     ut_free(ratio);
     return same && (ut_is_dimensionless(a) || has_radian(a) == has_radian(b));
 }
@@ -142,7 +143,7 @@ static double shift_decimals(double value, int power) {
 
 static bool convert(ut_unit *from, ut_unit *to, double *value) {
     cv_converter *converter = ut_get_converter(from, to);
-    if (!made(converter != NULL)) return false;
+    if (!note_memory(converter != NULL)) return false;
     const double one = cv_convert_double(converter, 1.0), exact = 4.0 * DBL_EPSILON;
     const int power = one > 0.0 ? (int)lround(log10(one)) : 0;
     const bool decimal = isfinite(*value) && cv_convert_double(converter, 0.0) == 0.0 && power != 0 &&
@@ -161,8 +162,8 @@ static const char *const si_units[] = {"m",    "kg", "s",     "rad",   "rad/s", 
 static bool to_named_unit(ut_unit *unit, quantity *result) {
     for (size_t i = 0; i < sizeof si_units / sizeof *si_units; i++) {
         ut_unit *candidate = ut_parse(units, si_units[i], UT_ASCII);
-        const bool fits =
-            made(candidate != NULL) && has_radian(candidate) == has_radian(unit) && same_dimension(unit, candidate);
+        const bool fits = note_memory(candidate != NULL) && has_radian(candidate) == has_radian(unit) &&
+                          same_dimension(unit, candidate);
         const bool done = fits && convert(unit, candidate, &result->value);
         ut_free(candidate);
         if (!done) continue;
@@ -362,7 +363,7 @@ static bool fits_unit(const char *unit_text, const char *expected, char why[WHY_
     no_memory = false;
     ut_unit *unit = units_ready() ? ut_parse(units, unit_text, UT_ASCII) : NULL;
     ut_unit *wanted = unit ? ut_parse(units, expected, UT_ASCII) : NULL;
-    if (made(unit != NULL) && made(wanted != NULL)) fits = same_dimension(unit, wanted);
+    if (note_memory(unit != NULL) && note_memory(wanted != NULL)) fits = same_dimension(unit, wanted);
     char expectation[WHY_SIZE / 2];
     if (!fits) {
         describe_misfit(unit, expected, expectation);

@@ -21,8 +21,8 @@ bool quantity_read(const char *text, const char *expected, quantity *result, cha
 /// s-1, ".
 bool quantity_fits(const char *unit, const char *expected, char why[WHY_SIZE]);
 
-/// Powers of m, kg and s in an SI unit ("N/m": 0, 1, -2). Returns false if it is no unit; all powers are 0 for "1" and
-/// "".
+/// Finds the powers of m, kg and s in an SI unit ("N/m": 0, 1, -2). Returns false for a text that is no unit; all
+/// powers are 0 for "1" and "".
 enum { UNIT_BASES = 3 };
 bool quantity_unit_powers(const char *unit, double powers[UNIT_BASES]);
 

@@ -1,4 +1,4 @@
-/// The lines of a file that problems are about.
+/// Excerpts: the lines of a file with problems, as shown next to the messages.
 #ifndef CASE_EXCERPT_H
 #define CASE_EXCERPT_H
 

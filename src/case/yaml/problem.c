@@ -17,7 +17,8 @@ bool problems_blame_memory(const whirl_problems *problems) {
     return false;
 }
 
-/// Without memory the problem is still counted, so that the case is not accepted.
+/// Adds an empty problem; NULL without memory or beyond MAX_PROBLEMS. Without memory the problem is still counted, so
+/// that the case is not accepted.
 static whirl_problem *add_problem(whirl_problems *problems) {
     if (!problems->items) {
         problems->items = calloc(MAX_PROBLEMS, sizeof *problems->items);

@@ -1,4 +1,4 @@
-/// Collecting what is wrong.
+/// Problems of a file: reporting and sorting them.
 #ifndef CASE_PROBLEM_H
 #define CASE_PROBLEM_H
 

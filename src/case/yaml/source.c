@@ -36,7 +36,7 @@ static bool report_character(const char *text, size_t bytes, int line, int colum
     return true;
 }
 
-/// A line that is blank, or a comment, may begin with tabs.
+/// Returns true for a line with content; blank lines and comments may begin with tabs.
 static bool line_says_something(const char *text, size_t length) {
     size_t i = 0;
     while (i < length && (text[i] == ' ' || text[i] == '\t')) i++;

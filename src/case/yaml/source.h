@@ -1,4 +1,4 @@
-/// The bytes of a file, before anything is made of them.
+/// Loading the bytes of a file, and checking them before they are parsed.
 #ifndef CASE_SOURCE_H
 #define CASE_SOURCE_H
 

@@ -79,7 +79,7 @@ static bool is_text(const char *text, size_t length) {
 }
 
 static bool take_scalar(tree_builder *b, const yaml_event_t *event) {
-    // Refuse what a case does not use.
+    // Refuse anchors, tags and control characters.
     const char *value = (const char *)event->data.scalar.value;
     const size_t length = event->data.scalar.length;
     if (event->data.scalar.anchor)
@@ -98,7 +98,7 @@ static bool take_scalar(tree_builder *b, const yaml_event_t *event) {
         b->key_from = event->start_mark.index;
         return true;
     }
-    // Others are values.
+    // Other scalars are values.
     file_node *made = add_node(b, event, NODE_TEXT);
     if (!made) return false;
     made->text = text;
@@ -196,12 +196,14 @@ static bool report_duplicates(const file_node *mapping, whirl_problems *problems
     qsort(members, count, sizeof *members, by_key);
     for (size_t i = 1; i < count; i++)
         if (strcmp(members[i]->key, members[i - 1]->key) == 0)
-            problem_at_key(problems, members[i], "stands here again, first in line %d", members[i - 1]->key_line);
+            problem_at_key(problems, members[i], "is a second key of that name, the first is in line %d",
+                           members[i - 1]->key_line);
     free(members);
     return true;
 }
 
-/// The depth of the tree, and so of the recursion, is at most TREE_MAX_DEPTH.
+/// Reports duplicate keys at a node and below it. The recursion is as deep as the tree, at most TREE_MAX_DEPTH. Returns
+/// false without memory.
 static bool check_keys(const file_node *at, whirl_problems *problems) {
     if (at->kind == NODE_MAPPING && at->count > 1 && !report_duplicates(at, problems)) return false;
     for (const file_node *child = at->first; child; child = child->next)

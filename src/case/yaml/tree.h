@@ -20,7 +20,8 @@ typedef struct file_node {
     bool quoted;              ///< the text was quoted
     const char *key;          ///< key of a mapping's member, else NULL
     int key_line, key_column; ///< place of that key
-    size_t from, to; ///< characters of the file before the value and up to its end (of a collection: its first sign's)
+    size_t from, to; ///< characters of the file before the value, and up to its end (of a list or mapping: of its first
+                     ///< character)
     size_t key_from; ///< characters before the key
     bool flow;       ///< the list or mapping is written with brackets
     size_t index;    ///< index of a list's item, from 1
@@ -40,7 +41,7 @@ const file_node *node_member(const file_node *mapping, const char *key);
 /// Returns true for an empty value (`response:`), ~ or null.
 bool node_is_null(const file_node *node);
 
-/// "rotor.elements[2].film.load"; "" for the root. Cut at `size` - 1 bytes.
+/// Writes the path of a node: "rotor.elements[2].film.load"; "" for the root. Cut at `size` - 1 bytes.
 void node_path(const file_node *node, char *text, size_t size);
 
 #endif

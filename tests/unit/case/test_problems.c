@@ -315,7 +315,7 @@ static void expressions(void **state) {
 static void structure(void **state) {
     (void)state;
     expect_problem("kappa: 10", "kappa: 10\n  kappa: 11",
-                   "t:6:3: parameters.kappa: stands here again, first in line 5");
+                   "t:6:3: parameters.kappa: is a second key of that name, the first is in line 5");
     expect_problem("whirl: 1", "whirl: 2",
                    "t:1:8: whirl: is 2, expected 1, the version of the format that this whirl reads");
     expect_problem("whirl: 1\n", "", "t:1:1: whirl: is missing, expected version of the format, 1");
