@@ -29,9 +29,9 @@ motion *motion_read(const whirl_table *table, size_t point);
 /// Returns true if two motions of one machine are the same attractor.
 bool motion_is_same(const motion *a, const motion *b);
 
-/// Distance of two motions over the extent of the larger one. Both periodic: the largest distance of a section point
-/// from the nearest one of the other. Otherwise: the largest difference of means and bounds. Infinite if they cannot be
-/// compared, or if neither orbit's period is a multiple of the other's.
+/// Returns the distance of two motions over the extent of the larger one. Both periodic: the largest distance of a
+/// section point from the nearest one of the other. Otherwise: the largest difference of means and bounds. Infinite if
+/// they cannot be compared, or if neither orbit's period is a multiple of the other's.
 double motion_distance(const motion *a, const motion *b);
 
 enum { MAX_ATTRACTORS = 64 };

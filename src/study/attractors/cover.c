@@ -4,8 +4,8 @@
 
 #include "whirl/engine/result.h"
 
-/// End of a half-open range, so that every grid point belongs to one square. The last column and row belong to the
-/// squares that end there.
+/// Returns the end of a half-open range, so that every grid point belongs to one square. The last column and row belong
+/// to the squares that end there.
 static size_t cover_end_of(size_t begin, double width, size_t points) {
     const double end = (double)begin + width;
     return end + 1.0 < (double)points ? (size_t)end : points;

@@ -42,7 +42,7 @@ motion *motion_read(const whirl_table *table, size_t point) {
 
 // ---------------------------------------------------------------- orbits
 
-/// Largest difference of a station's coordinate between row i of one section and row k of the other.
+/// Returns the largest difference of a station's coordinate between row i of one section and row k of the other.
 static double row_distance(const motion *a, size_t i, const motion *b, size_t k) {
     const size_t columns = 2 * a->stations;
     double away = 0.0;
@@ -79,7 +79,7 @@ static bool are_one_orbit(const motion *a, const motion *b) {
     return false;
 }
 
-/// Largest distance of a row of one section from the nearest row of the other.
+/// Returns the largest distance of a row of one section from the nearest row of the other.
 static double farthest_row(const motion *a, const motion *b) {
     double farthest = 0.0;
     for (size_t i = 0; i < a->rows; i++) {
@@ -98,7 +98,7 @@ static double bounds_distance(const motion *a, const motion *b) {
     return away;
 }
 
-/// Largest width of any station's box, in x or y.
+/// Returns the largest width of any station's box, in x or y.
 static double motion_extent(const motion *m) {
     double size = 0.0;
     for (size_t i = 0; i < m->stations * BOUNDS; i++)
@@ -106,7 +106,7 @@ static double motion_extent(const motion *m) {
     return size;
 }
 
-/// Extent, or a hundredth of the largest displacement if that is larger.
+/// Returns the extent, or a hundredth of the largest displacement if that is larger.
 static double motion_size_of(const motion *m) {
     double far = 0.0;
     for (size_t i = 0; i < m->stations * BOUNDS; i++) far = fmax(far, fabs(m->bounds[i]));

@@ -14,7 +14,7 @@ size_t whirl_dataset_records(const whirl_dataset_options *options) {
     return (size_t)options->machines * (size_t)options->labels * (size_t)options->records;
 }
 
-/// Purposes of random numbers: each has its own.
+/// Purposes of random numbers; numbers for different purposes are independent.
 enum { DRAWN_MACHINE, DRAWN_SPLIT, DRAWN_CONDITION, DRAWN_SEVERITY, DRAWN_LABEL, DRAWN_SEED, DRAWN_BEGIN };
 
 /// Returns a random number of a machine or record, from 0, for a purpose and a parameter.

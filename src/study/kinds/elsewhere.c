@@ -1,12 +1,13 @@
-// Other places of rest of a machine: those to which the places of rest of neighbouring points lead. A table that steps
-// from one to another would else do so without a word.
+// Other equilibria of a machine: those that searches from the equilibria of neighbouring points find. Without them a
+// table would jump from one equilibrium to another unnoticed.
 #include "kinds.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/// Places that differ by less than this part of the larger one, or of a length scale times the second, are one.
+/// Equilibria are the same if the displacements of stations differ by less than same_part of the larger one, or by less
+/// than same_length length scales.
 static const double same_part = 1e-5, same_length = 1e-10;
 
 void known_rests_free(known_rests *rests) {
@@ -14,7 +15,7 @@ void known_rests_free(known_rests *rests) {
     *rests = (known_rests){0};
 }
 
-/// Finds where a machine rests from its start; nowhere where the search fails.
+/// Finds the equilibrium of a machine from its start; out->x is NULL if the search fails.
 static whirl_status rest_of(const whirl_machine *machine, known_rest *out) {
     const size_t d = machine->system->dimension;
     out->dimension = d;
@@ -29,7 +30,8 @@ static whirl_status rest_of(const whirl_machine *machine, known_rest *out) {
     return out->known ? whirl_ok() : status;
 }
 
-/// The rest of a point, kept where it is known already; `machine`: of it, NULL: to be made.
+/// Finds the equilibrium of a point, or takes it from `rests`. `machine` is the machine of the point; NULL: it is made
+/// here.
 static whirl_status look_up(const whirl_study *study, const whirl_batch *batch, const double *values, size_t slot,
                             const whirl_machine *machine, known_rests *rests, const known_rest **out) {
     known_rest *own = &rests->of[slot % 3];
@@ -41,14 +43,14 @@ static whirl_status look_up(const whirl_study *study, const whirl_batch *batch, 
     if (machine) return rest_of(machine, own);
     whirl_status status = study->machine(study->family, batch, values[slot], &made);
     if (status.code == WHIRL_NO_MEMORY || status.code == WHIRL_STOPPED) return status;
-    own->known = true; // a machine that cannot be made rests nowhere
+    own->known = true; // a machine that cannot be made has no equilibrium
     if (status.code != WHIRL_OK) return whirl_ok();
     status = rest_of(&made, own);
     if (made.release) made.release(made.owner);
     return status;
 }
 
-/// Returns true if stations are at the same places.
+/// Returns true if the displacements of all stations are the same.
 static bool is_same(const whirl_system *system, const double *a, const double *b) {
     double apart = 0.0, size = 0.0;
     for (size_t p = 0; p < system->probe_count; p++) {
@@ -59,8 +61,8 @@ static bool is_same(const whirl_system *system, const double *a, const double *b
     return !(apart > same_part * size + same_length);
 }
 
-/// Writes which coordinates nothing holds at x (work [2][dimension]): idle ones (whirl_settled) that stay where they
-/// are put. A pad without a film but with a spring comes back.
+/// Marks in loose [dimension] the coordinates that no force holds at x: idle ones (WHIRL_IDLE) that stay where they are
+/// displaced to. A pad without a film but with a spring returns, so it is not loose. work: [2][dimension].
 static void find_loose(const whirl_system *system, const double *x, double *work, whirl_settled *kinds, bool *loose) {
     const size_t d = system->dimension;
     const double aside = 0x1p-13;
@@ -76,9 +78,8 @@ static void find_loose(const whirl_system *system, const double *x, double *work
     }
 }
 
-/// Returns true if the machine rests at x and at `rest` because what nothing holds stands otherwise: with that as at
-/// `rest`, the search from x leads to `rest`. What an idle pad's film still carries moves the others, and no equation
-/// says how the pad stands: a place of rest is known to that.
+/// Sets *same if the equilibria x and `rest` differ only by their loose coordinates: with those of `rest`, the search
+/// from x leads to `rest`. No equation determines a loose pad, but the rest of its film's force moves the journal.
 static whirl_status is_loosely_same(const whirl_system *system, const double *x, const double *rest, bool *same) {
     // Only systems with coordinates that settle by themselves have loose ones.
     const size_t d = system->dimension;
@@ -89,7 +90,7 @@ static whirl_status is_loosely_same(const whirl_system *system, const double *x,
     whirl_settled *kinds = calloc(d, sizeof *kinds);
     bool *loose = calloc(d, sizeof *loose);
     whirl_status status = whirl_ok();
-    // Put loose coordinates as they are at `rest`, and search from there.
+    // Set loose coordinates as they are at `rest`, and search from there.
     if (work && kinds && loose) {
         find_loose(system, x, work, kinds, loose);
         find_loose(system, rest, work, kinds, loose);
@@ -108,8 +109,8 @@ static whirl_status is_loosely_same(const whirl_system *system, const double *x,
     return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
 }
 
-/// Goes from a neighbour's place to where the machine rests near it. A place that moves free, to which no force brings
-/// it back, is no other one.
+/// Searches for an equilibrium from a neighbour's, `from`. An equilibrium with rigid-body modes does not count as
+/// another one.
 static whirl_status follow(const whirl_machine *machine, const double *rest, const double *from, double **elsewhere,
                            double *growth) {
     const size_t d = machine->system->dimension;

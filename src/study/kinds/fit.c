@@ -52,7 +52,7 @@ static whirl_status fit_describe(fit_work *w) {
     size_t kept[WHIRL_MAX_UNKNOWNS], some = 0;
     for (size_t u = 0; u < count; u++)
         if (s->value[u] > fit->unknowns[u].low && s->value[u] < fit->unknowns[u].high) kept[some++] = u;
-    // Errors and correlations of the others.
+    // Compute errors and correlations of the unknowns that are not at a bound.
     double errors[WHIRL_MAX_UNKNOWNS], correlations[WHIRL_MAX_UNKNOWNS * WHIRL_MAX_UNKNOWNS];
     least_squares_facts facts = {0, INFINITY};
     double *columns = calloc(numbers * some + 1, sizeof *columns);
@@ -66,7 +66,7 @@ static whirl_status fit_describe(fit_work *w) {
     s->condition = facts.condition;
     s->degrees = numbers > some ? numbers - some : 0;
     s->deviation = s->degrees > 0 ? sqrt(s->sum / (double)s->degrees) : NAN;
-    // Given noise has its own size; else that of the residuals counts.
+    // With given noise errors are absolute; without it the deviation of the residuals scales them.
     const bool noise = w->batch->record.fit.noise > 0.0;
     const double unit = noise ? 1.0 : s->deviation;
     const double wide = noise ? least_squares_student(SIZE_MAX) : least_squares_student(s->degrees);
@@ -123,7 +123,7 @@ static whirl_status fit_solve(fit_work *w, size_t slot) {
     s->sum = found.sum;
     s->lost = w->motions.lost;
     if (found.end == LEAST_SQUARES_NOWHERE) return whirl_ok();
-    // The last evaluation may have been beside the minimum.
+    // The last evaluation may not have been at the minimum.
     if (!fit_motions_evaluate(&w->motions, s->value, w->residuals, w->derivatives))
         return w->motions.status.code == WHIRL_STOPPED ? w->motions.status
                                                        : whirl_fail(WHIRL_NUMERICAL_FAILURE, "a fit lost a motion");

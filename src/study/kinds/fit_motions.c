@@ -105,7 +105,7 @@ static whirl_status place_derive(fit_place *p, const whirl_orbit *orbit, whirl_o
     whirl_sensitivity *by[WHIRL_MAX_UNKNOWNS] = {NULL};
     whirl_extended *extended = NULL;
     whirl_status status = whirl_ok();
-    // The parameter of a machine beside is the batch's; all others stay.
+    // Vary one unknown after the other as the batch's parameter; the others keep their values.
     for (size_t u = 0; u < count && status.code == WHIRL_OK; u++) {
         const whirl_fit_unknown *unknown = &p->of->fit->unknowns[u];
         const size_t own = p->motion->given_count + u;
@@ -192,7 +192,7 @@ static void view_number(const probe_view *v, const whirl_orbit_sensitivity *orbi
     }
 }
 
-/// Writes what a motion's measured numbers are on its orbit, and their derivatives [numbers][unknowns].
+/// Computes the values of a motion's measured quantities on its orbit, and their derivatives [numbers][unknowns].
 static void place_numbers(const fit_place *p, const whirl_system *system, const whirl_orbit_sensitivity *orbit,
                           const double *lengths, double *model, double *slopes) {
     const whirl_fit *fit = p->of->fit;

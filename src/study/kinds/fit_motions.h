@@ -7,10 +7,10 @@
 
 /// The orbit of a motion, for the values of the unknowns at which the fit is.
 typedef struct fit_orbit {
-    double at[WHIRL_MAX_UNKNOWNS]; ///< these values
+    double at[WHIRL_MAX_UNKNOWNS]; ///< values of the unknowns
     size_t dimension;              ///< dimension of the state; 0: no orbit is known yet
-    double *node;                  ///< [dimension] its state at the beginning
-    double *slopes;                ///< [unknowns][dimension] the derivatives of it
+    double *node;                  ///< [dimension] state at the beginning of the orbit
+    double *slopes;                ///< [unknowns][dimension] derivatives of that state
     double largest, speed;         ///< largest modulus of its multipliers, and speed of the shaft, rad/s
 } fit_orbit;
 
@@ -25,10 +25,10 @@ typedef struct fit_motions {
     bool (*goes_on)(void *of); ///< called by the first thread after every evaluation: false to end
     void *of;                  ///< passed to it
     size_t lost;         ///< index of the motion without an orbit in the last evaluation, or the number of motions
-    whirl_status status; ///< why; WHIRL_NO_MEMORY and WHIRL_STOPPED end the fit
+    whirl_status status; ///< reason why it has none; WHIRL_NO_MEMORY and WHIRL_STOPPED end the fit
 } fit_motions;
 
-/// Makes them. WHIRL_NO_MEMORY. Freed by fit_motions_free, after a failure, too.
+/// Allocates the motions. WHIRL_NO_MEMORY. Freed by fit_motions_free, after a failure, too.
 whirl_status fit_motions_make(fit_motions *m);
 void fit_motions_free(fit_motions *m);
 

@@ -35,7 +35,8 @@ typedef struct resting_machine {
     double value;
 } resting_machine;
 
-/// Makes one. Errors as those of the machine and of whirl_modes_new.
+/// Makes the machine of a batch at a value of its parameter, with its modes. Errors as those of the machine and of
+/// whirl_modes_new.
 whirl_status resting_new(const whirl_study *study, const whirl_batch *batch, double value, resting_machine *out);
 void resting_free(resting_machine *r);
 
@@ -43,30 +44,29 @@ void resting_free(resting_machine *r);
 whirl_status resting_follow(const resting_machine *from, resting_machine *to);
 
 /// Locates critical speeds and thresholds of stability between two points, to 1e-10 of the parameter: at most `most`
-/// are written to found, *count is how many.
+/// are written to found, *count is their number.
 whirl_status critical_locate(const whirl_study *study, const whirl_batch *batch, const resting_machine *from,
                              const resting_machine *to, whirl_critical *found, size_t most, size_t *count);
 
-// ---------------------------------------------------------------- elsewhere
-// Other places of rest: where those of neighbouring points lead.
+// Other equilibria, to which those of neighbouring points lead.
 
 /// Equilibrium of a point's machine, as found from its start.
 typedef struct known_rest {
     bool known;
     size_t slot, dimension;
-    double *x; ///< [dimension]; NULL: nowhere
+    double *x; ///< [dimension]; NULL: no equilibrium was found
 } known_rest;
 
-/// Rests of three points in a row.
+/// Equilibria of three points in a row.
 typedef struct known_rests {
     known_rest of[3];
 } known_rests;
 
 void known_rests_free(known_rests *rests);
 
-/// Looks for another place of rest of a point's machine from those of the points before and after it (in its row of a
-/// map). *elsewhere [dimension], to be freed, is NULL where there is none; *growth is its largest eigenvalue's real
-/// part; *rest, which `rests` keeps, is where the machine rests. WHIRL_NO_MEMORY, WHIRL_STOPPED.
+/// Searches for another equilibrium of a point's machine, from those of the points before and after it (in its row of a
+/// map). *elsewhere [dimension], to be freed, is NULL if there is none; *growth is the largest real part of its
+/// eigenvalues; *rest is the point's own equilibrium, which `rests` owns. WHIRL_NO_MEMORY, WHIRL_STOPPED.
 whirl_status elsewhere_find(const whirl_study *study, const whirl_batch *batch, const double *values, size_t slot,
                             const whirl_machine *machine, known_rests *rests, const double **rest, double **elsewhere,
                             double *growth);

@@ -94,7 +94,7 @@ static whirl_status orbit_close(const orbit_work *w, const double *turns, double
                   : whirl_fail(WHIRL_BAD_INPUT, "the orbit has a multiplier 1, so that it has no derivatives here");
 }
 
-/// Adds what the beginnings and the parameters change at every instant: slopes = M(t) s(0) + s(t).
+/// Computes the derivatives at every instant from those at the beginnings of revolutions: slopes = M(t) s(0) + s(t).
 static void orbit_spread(const orbit_work *w, const double *begins, const double *units) {
     const whirl_orbit_sensitivity *out = w->out;
     for (size_t j = 0; j < out->revolutions; j++)

@@ -15,7 +15,7 @@
 #include "tracker.h"
 #include "whirl/engine/study.h"
 
-/// Points of a thread's, or a share's, piece: neighbours in it share the modes of the point between them.
+/// Number of points that a thread, or a share, computes together: each of them uses the modes of the point before it.
 enum { RESTING_PIECE = 8 };
 
 /// A thread that works at pieces.
@@ -61,8 +61,8 @@ static bool resting_is_first(const worker *w, size_t slot) {
     return w->batch->tolerances.samples > 0 && w->batch->row > 0 ? slot % w->batch->row == 0 : slot == 0;
 }
 
-/// Locates critical speeds between the point before and this one, which becomes the next point's before. Does nothing
-/// if the equilibrium is lost in between.
+/// Locates critical speeds between the point before (w->before) and this one. Does nothing if the equilibrium is lost
+/// in between.
 static whirl_status resting_locate(worker *w, size_t slot, resting_machine *own) {
     whirl_status status = whirl_ok();
     w->count = 0;
@@ -109,7 +109,7 @@ static whirl_status resting_analyze(worker *w, size_t slot, const resting_machin
     return status;
 }
 
-/// Fills a point without an answer: notes how far the equilibrium could be followed.
+/// Fills the block of a point without an equilibrium: notes how far the equilibrium could be followed.
 static whirl_status leave_unfound(worker *w, size_t slot) {
     whirl_machine machine;
     const whirl_status status =

@@ -84,7 +84,7 @@ static whirl_status keep_row(const rows *r, size_t row) {
     return run_journal_write(r->run->journal, &entry);
 }
 
-/// Returns true if none of the rows was searched yet. Curves and tori may be absent where there are branches.
+/// Returns true if the search for these rows has not begun. Curves and tori depend on branches, and there may be none.
 static bool are_missing(const rows *r) {
     const whirl_table *branches = whirl_result_role(r->run->result, WHIRL_ROLE_BRANCHES);
     return branches && branches != r->table ? branches->planned > 0 : r->recalled == 0;

@@ -139,7 +139,7 @@ static void sensitivity_derive(const whirl_sensitivity *s, size_t count,
     if (errors) memcpy(errors, s->errors, count * sizeof *errors);
 }
 
-/// A state of a motion, and what is derived there.
+/// A state of a motion at which derivatives are taken.
 typedef struct derived_at {
     double t;
     const double *x, *sides;
@@ -267,8 +267,8 @@ static double extended_divergence(const void *model, double t, const double *for
     return system->divergence(system->model, t, forcing, x, sides);
 }
 
-/// A motion that slides is moved back onto its switch along the gradient, which moves q by rounding: the functions
-/// count that, too.
+/// Computes the switching functions at the parameters of the state. Moving a sliding motion back onto its switch
+/// changes q by rounding, which these functions include.
 static void extended_switches(const void *model, double t, const double *x, double *values) {
     const whirl_extended *e = model;
     const whirl_system *system = extended_base(e);

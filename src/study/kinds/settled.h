@@ -4,7 +4,7 @@
 
 #include "whirl/engine/study.h"
 
-/// Options for following branches of a batch within its bounds, with up to so many points.
+/// Returns options for following branches of a batch within its bounds, with up to `most_points` points.
 whirl_branch_options settled_options(const whirl_batch *batch, size_t most_points);
 
 /// Finds the orbit near which the machine of a value settles, or its equilibrium, as the batch's trace says. Errors

@@ -71,7 +71,7 @@ static whirl_torus_branch_options options_of(rows *r) {
     return options;
 }
 
-/// Finds the first torus, as far from its orbit as one converges.
+/// Finds the first torus: tries several distances from its orbit until one converges.
 static whirl_status tori_begin(const whirl_family *family, const whirl_branch_point *point,
                                const whirl_torus_branch_options *options, whirl_torus **torus, double *value) {
     static const double steps[] = {0.005, 0.02, 0.001};
@@ -85,7 +85,7 @@ static whirl_status tori_begin(const whirl_family *family, const whirl_branch_po
 
 // ---------------------------------------------------------------- tori that are known
 
-/// Distance of a row's closed curve, by its mean, from the start of one of an orbit's revolutions.
+/// Returns the distance of a row's closed curve, by its mean, from the start of the nearest of an orbit's revolutions.
 static double distance_from(const rows *r, size_t row, const whirl_orbit *orbit) {
     const size_t d = orbit->dimension, apart = orbit->segment_count / orbit->revolutions;
     const size_t count = (size_t)*rows_field(r, row, WHIRL_FIELD_TORUS_NODE_COUNT);

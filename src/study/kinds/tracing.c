@@ -39,7 +39,7 @@ static void free_legs(leg legs[MAX_LEGS]) {
     }
 }
 
-// ---------------------------------------------------------------- branches that are there
+// ---------------------------------------------------------------- known branches
 
 /// Interpolates the orbit's node at a value between two rows of one branch. Near a pitchfork at which the branch ends,
 /// orbits vary with the square root of the distance from it.
@@ -126,7 +126,7 @@ static bool tracing_is_taken(const rows *r, const whirl_branch_point *doubling) 
 
 // ---------------------------------------------------------------- following
 
-/// Returns true if the table has space for so many more branches.
+/// Returns true if the table has space for `count` more branches.
 static bool has_room(const rows *r, size_t count) {
     return r->room - r->count >= 2 * count;
 }

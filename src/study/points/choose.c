@@ -21,7 +21,7 @@ static whirl_status choose_probe(const whirl_study *study, const whirl_batch *ba
 }
 
 static whirl_status choose(const whirl_study *study, whirl_batch *batch) {
-    // A record that is made alone has the method of its data set.
+    // A single record has the method of its whole data set.
     whirl_batch all = *batch;
     all.record.dataset.only = 0;
     if (batch->dataset) all.count = whirl_dataset_records(&all.record.dataset);

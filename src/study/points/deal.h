@@ -19,7 +19,7 @@ typedef struct deal {
     int threads;                ///< threads of all runs
 } deal;
 
-/// Makes the deal of a pass with so many pieces.
+/// Makes the deal of a pass with `count` pieces.
 deal deal_begin(const study_run *run, const pass *p, size_t count);
 
 /// Pieces that no thread is known to have begun.

@@ -18,8 +18,9 @@ typedef struct pass {
     whirl_integrate_options integrate;
     whirl_record_options record;
     size_t count;  ///< points
-    size_t *slots; ///< its points or, if these are carried, the first ones of them; NULL: all of the batch
-    bool dealt;    ///< other runs take of it, too
+    size_t *slots; ///< its points, or the first point of each piece if points are carried; NULL: all points of the
+                   ///< batch
+    bool dealt;    ///< true if other runs compute points of it, too
 } pass;
 
 /// Number of points that are computed one after the other, each from the end of the one before: 1 if none is carried.
@@ -43,19 +44,19 @@ static inline bool pass_is_beside(const pass *p) {
     return p->confirming || p->copy > 0;
 }
 
-/// Cost of a revolution, in revolutions of the study.
+/// Returns the cost of a revolution, in revolutions of the study.
 double pass_weight(const study_run *run, const pass *pass);
 
-/// Weighted revolutions of a point that runs to its end.
+/// Returns the weighted revolutions of a point that runs to its end.
 double pass_revolutions(const study_run *run, const pass *pass);
 
-/// Number of a pass in the journal (whirl_keeper).
+/// Returns the number of a pass in the journal (whirl_keeper).
 size_t pass_number(const study_run *run, const pass *p);
 
-/// Initial state of a point's perturbed copy [dimension], to be freed; NULL without memory.
+/// Makes the initial state of a point's perturbed copy [dimension], to be freed; NULL without memory.
 double *pass_copy_start(const study_run *run, const pass *p, size_t slot);
 
-/// Slot whose end is the start of a motion from a neighbour; for other motions the slot itself.
+/// Returns the slot at whose end a motion from a neighbour begins; for other motions the slot itself.
 size_t pass_origin(const study_run *run, size_t batch, size_t slot);
 
 /// Returns true after the deadline.

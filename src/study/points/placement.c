@@ -35,8 +35,8 @@ static whirl_status at_speed(const void *context, double speed, whirl_variant va
     return placement_machine_of(&own, speed, value, variant, machine);
 }
 
-/// Mean stiffness of all bearings, N/m: of sqrt(kxx kyy), or of the positive one. Reports come station by station;
-/// housings are left out.
+/// Finds the mean stiffness of all bearings, N/m: sqrt(kxx kyy), or the positive one if the other is not. Each
+/// station's mean counts as often as it has bearings; housings are left out.
 static whirl_status bearing_stiffness(const placing *p, double *stiffness) {
     const size_t probes = p->machine.system->probe_count;
     const whirl_resting point = {.system = p->machine.system,
@@ -65,7 +65,7 @@ static whirl_status bearing_stiffness(const placing *p, double *stiffness) {
     return status;
 }
 
-/// Index of the forward critical speed with that number, or the count.
+/// Returns the index of the forward critical speed with that number; the count if there is none.
 static size_t find_forward(const whirl_critical_speeds *of, int number) {
     size_t i = 0;
     for (int seen = 0; i < of->count; i++) {
@@ -78,7 +78,7 @@ static size_t find_forward(const whirl_critical_speeds *of, int number) {
 static whirl_status place_at_mode(placing *p, const whirl_critical_speeds *found) {
     const size_t mode = find_forward(found, p->options->antinodes_of);
     if (mode == found->count)
-        return whirl_fail(WHIRL_BAD_INPUT, "antinodes_of is %d, and the machine has no so many forward critical speeds",
+        return whirl_fail(WHIRL_BAD_INPUT, "antinodes_of is %d, but the machine has fewer forward critical speeds",
                           p->options->antinodes_of);
     p->count = whirl_antinodes(p->machine.system, found->vectors + 2 * mode * found->dimension, p->machine.statics,
                                p->factor, p->placed);
@@ -102,7 +102,7 @@ static whirl_status place_at_antinodes(placing *p) {
     return status;
 }
 
-/// Overhung mass at a station, kg, outside the outer bearing of its shaft; NaN for other stations.
+/// Returns the overhung mass at a station, kg, outside the outer bearing of its shaft; NaN for other stations.
 static double placement_overhang(const placing *p, size_t station) {
     const whirl_probe *probes = p->machine.system->probes;
     double left = NAN, right = NAN, first = INFINITY, last = -INFINITY;
@@ -124,8 +124,8 @@ static whirl_status place_at_station(placing *p) {
     const double weight = p->options->placed_weight > 0.0 ? p->options->placed_weight : placement_overhang(p, station);
     if (isnan(weight))
         return whirl_fail(WHIRL_BAD_INPUT,
-                          "at: nothing hangs over at station '%.63s', expected the weight by which its "
-                          "unbalance goes",
+                          "at: nothing hangs over at station '%.63s', expected weight, the mass of its "
+                          "unbalance by rule",
                           p->options->placed_at);
     p->placed[p->count++] = (whirl_placed){.station = station, .moment = p->factor * weight};
     return whirl_ok();

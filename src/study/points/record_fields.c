@@ -1,4 +1,4 @@
-// Fields of the records of a data set: what each is of, and its signals.
+// Fields of the records of a data set: machine, label and condition of each, and its signals.
 #include <math.h>
 #include <string.h>
 
@@ -45,7 +45,7 @@ whirl_status records_add_fields(const whirl_batch *batch, whirl_layout *layout) 
     return whirl_ok();
 }
 
-/// Fills in the signals of a record; missing ones of a motion that did not last.
+/// Fills in the signals of a record; NaN if the motion did not last.
 static whirl_status records_sample(const whirl_batch *batch, const whirl_record_of *own, const whirl_machine *machine,
                                    const whirl_record *record, float *signals) {
     const whirl_dataset *dataset = batch->dataset;

@@ -9,8 +9,8 @@
 /// Adds the fields "dataset/..." of a data set. WHIRL_BAD_INPUT if it has too many fields.
 whirl_status records_add_fields(const whirl_batch *batch, whirl_layout *layout);
 
-/// Notes what a record, by its index in the batch, is of, and its signals, in its block. Errors as
-/// whirl_channels_sample.
+/// Notes machine, label, severity and parameters of a record, by its index in the batch, and its signals, in its block.
+/// Errors as whirl_channels_sample.
 whirl_status records_note(const whirl_batch *batch, size_t point, const whirl_machine *machine,
                           const whirl_record *record, const whirl_layout *layout, double *block);
 

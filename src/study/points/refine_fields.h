@@ -1,4 +1,4 @@
-/// Fields of what the refinement of a point took, in blocks of points.
+/// Fields of the cost and the options of a point's refinement, in blocks of points.
 #ifndef STUDY_REFINE_FIELDS_H
 #define STUDY_REFINE_FIELDS_H
 
@@ -23,7 +23,7 @@ typedef struct refined_option {
     const char *unit;
 } refined_option;
 
-/// Gives these options by index from 0; false past the last.
+/// Writes option number `index`, from 0; false past the last.
 bool refine_option(size_t index, refined_option *option);
 
 /// Returns the refinement's numbers in a block, NULL if the layout has none.

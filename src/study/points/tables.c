@@ -34,7 +34,7 @@ static void fill_values(whirl_table *table, const whirl_batch *batch) {
 
 /// Makes an empty table, whose layout follows from the first machine of the batch.
 static whirl_status make_table(const whirl_study *study, const whirl_batch *batch, whirl_table *table) {
-    // The layout, from an outline of the first machine.
+    // Take the layout from an outline of the first machine.
     whirl_batch first = *batch;
     whirl_machine machine;
     first.outline = true;
@@ -80,8 +80,8 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     return whirl_ok();
 }
 
-/// Makes the blocks. Blocks of `large` bytes need not be in memory; tables that are closed up in the end
-/// (table_close_up) use memory only for the points that they have.
+/// Allocates the blocks. Arrays of `large` bytes or more are files on disk. Tables that are closed up at the end
+/// (table_close_up) stay in memory, of which they use only what their points need.
 static whirl_status make_blocks(whirl_table *table, size_t large) {
     const bool closed_up = table->refine > 0 || table->neighbours > 0;
     const size_t least = closed_up ? PTRDIFF_MAX : large > MAPPED_MIN ? large : MAPPED_MIN;
@@ -145,8 +145,8 @@ void tables_blank(whirl_result *result) {
     }
 }
 
-/// Notes the budget of refinement as a fact: a run with another one is another study.
-static whirl_status tell_budget(const whirl_study *study, whirl_result *result) {
+/// Adds the budget of refinement as a fact: a run with another budget is another study.
+static whirl_status tables_note_budget(const whirl_study *study, whirl_result *result) {
     char text[80];
     if (!study_is_refined(study)) return whirl_ok();
     if (study->refine.seconds > 0.0)
@@ -156,8 +156,8 @@ static whirl_status tell_budget(const whirl_study *study, whirl_result *result) 
     return whirl_result_add_fact(result, "refine", text);
 }
 
-/// Notes the second parameter of curves, besides the table's.
-static whirl_status tell_second(const whirl_study *study, whirl_result *result) {
+/// Adds the second parameter of curves as a fact.
+static whirl_status tables_note_second(const whirl_study *study, whirl_result *result) {
     for (size_t i = 0; i < study->batch_count; i++)
         if (*study->batches[i].second)
             return whirl_result_add_fact(result, "second parameter", study->batches[i].second);
@@ -176,6 +176,6 @@ whirl_status tables_new(const whirl_study *study, whirl_result **out) {
         const whirl_status status = make_table(study, &study->batches[i], &result->tables[i]);
         if (status.code != WHIRL_OK) return status;
     }
-    const whirl_status status = tell_second(study, result);
-    return status.code == WHIRL_OK ? tell_budget(study, result) : status;
+    const whirl_status status = tables_note_second(study, result);
+    return status.code == WHIRL_OK ? tables_note_budget(study, result) : status;
 }

@@ -99,7 +99,7 @@ double whirl_spread_number(const whirl_result *result, const whirl_table *table,
 
 // ---------------------------------------------------------------- samples
 
-/// Numbers of all machines: of sample j and machine m of it numbers[j * each + m]; NaN: none, infinite: not done.
+/// Numbers of all machines: numbers[j * each + m] is that of machine m of sample j. NaN: none, infinite: not done.
 typedef struct drawn {
     size_t samples, each;
     double *numbers;
@@ -134,7 +134,7 @@ static void sums_add(sums *to, const sums *from, size_t parameters) {
     }
 }
 
-/// Saltelli et al. 2010 for the first order, Jansen 1999 for the total.
+/// Computes the estimates from sums: indices of first order after Saltelli et al. 2010, total ones after Jansen 1999.
 static estimates estimate(const sums *of, double origin, size_t parameters) {
     const double mean = of->first / of->count, variance = of->second / of->count - mean * mean;
     estimates e = {.mean = origin + mean, .variance = fmax(variance, 0.0), .deviation = sqrt(fmax(variance, 0.0))};
@@ -185,8 +185,8 @@ static replicates sum_up(const drawn *of, double origin) {
     return r;
 }
 
-/// Standard error of an estimate, from those that leave one replicate out each (jackknife over groups: Quenouille 1956,
-/// Tukey 1958). NaN if one is missing.
+/// Returns the standard error of an estimate from the estimates without one replicate each (jackknife over groups:
+/// Quenouille 1956, Tukey 1958). NaN if one is missing.
 static double jackknife(const double without[WHIRL_REPLICATES]) {
     const double n = WHIRL_REPLICATES;
     double mean = 0.0, sum = 0.0;
@@ -195,7 +195,7 @@ static double jackknife(const double without[WHIRL_REPLICATES]) {
     return sqrt((n - 1.0) / n * sum);
 }
 
-/// Fills in everything that follows from sums.
+/// Fills in mean, variance, deviation and indices, with their errors.
 static void spread_estimate(const drawn *of, whirl_spread *s) {
     // Estimate from all replicates.
     const size_t parameters = of->each > 2 ? of->each - 2 : 0;
@@ -241,8 +241,8 @@ static int by_number(const void *a, const void *b) {
     return (x->number > y->number) - (x->number < y->number);
 }
 
-/// Quantile of sorted numbers without those of a replicate (WHIRL_REPLICATES: of all), with lines between neighbours
-/// (definition 7 of Hyndman, Fan 1996).
+/// Returns the quantile of sorted numbers, without those of a replicate (WHIRL_REPLICATES: of all), with lines between
+/// neighbours (definition 7 of Hyndman, Fan 1996).
 static double quantile_of(const ranked *sorted, size_t count, double share, size_t without) {
     size_t left = 0, seen = 0;
     for (size_t i = 0; i < count; i++) left += sorted[i].replicate != without;
@@ -336,14 +336,14 @@ static whirl_status spread_of_drawn(const drawn *of, const whirl_spread_of *limi
 
 // ---------------------------------------------------------------- of a table
 
-/// A number, a verdict or contact of points.
+/// Selects what is read from each point: a number, or 1 and 0 for an event (`chance`).
 typedef struct wanted {
     const whirl_result *result;
     const whirl_table *table;
-    const whirl_spread_at *at; ///< NULL: a chance
+    const whirl_spread_at *at; ///< NULL: an event
     whirl_chance chance;
     const whirl_verdict *verdict;
-    bool least; ///< the least of all values counts
+    bool least; ///< the least of all values is the worst
 } wanted;
 
 static double wanted_number(const wanted *of, size_t point) {
@@ -372,7 +372,7 @@ static size_t *points_by_slot(const whirl_table *table, size_t planned) {
     return points;
 }
 
-/// Draws the number of a machine from its points, at a place or from all.
+/// Returns the number of a machine: of its point at a place, or the worst of all its points.
 static double draw(const wanted *of, const size_t *points, size_t places, size_t machine, size_t place) {
     const bool all = place == WHIRL_ANYWHERE;
     double worst = NAN;
@@ -461,7 +461,7 @@ const char *whirl_result_tolerance(const whirl_result *result, size_t index, cha
     return name;
 }
 
-/// Usual numbers of a study: of every station, or the first rows.
+/// Usual fields of a study, of which each station or contact has one number, or one for each of the first rows.
 static const struct {
     const char *field, *column;
     size_t rows;

@@ -186,7 +186,7 @@ static void estimate_error(const whirl_bearing *of, const whirl_pads *pads, whir
     point->error_damping = difference_of(state->damping[0], other.damping[0]);
 }
 
-// ---------------------------------------------------------------- how warm it is
+// ---------------------------------------------------------------- temperature
 
 static void bearing_warm(const whirl_bearing *of, double temperature, whirl_bearing_point *point) {
     point->temperature = temperature;
@@ -194,8 +194,8 @@ static void bearing_warm(const whirl_bearing *of, double temperature, whirl_bear
         of->density * mineral_oil_viscosity(of->oil_temperatures, of->oil_viscosities, of->oil_count, temperature);
 }
 
-/// Excess of `temperature` over the film temperature that its heat makes, the mean of the inflow's and the
-/// outflow's temperatures. Infinite if no equilibrium carries the load: too hot.
+/// Computes the excess of `temperature` over the film temperature that results from its heat, the mean of the
+/// temperatures of inflow and outflow. Infinite if no equilibrium carries the load: too hot.
 static whirl_status bearing_surplus(const whirl_bearing *of, double temperature, bool coarse,
                                     whirl_bearing_point *point, double *out) {
     bearing_warm(of, temperature, point);
@@ -209,8 +209,9 @@ static whirl_status bearing_surplus(const whirl_bearing *of, double temperature,
     return whirl_ok();
 }
 
-/// Film temperature, to a thousandth of a kelvin: between the inlet's and the one that the film would have at the
-/// inlet's. Solves on a mesh half as fine, then corrects on the fine one by that mesh's slope.
+/// Finds the film temperature, to a thousandth of a kelvin, between that of the inlet and the one that the film would
+/// have with the inlet's viscosity. Solves on a mesh half as fine, then corrects on the fine mesh by the coarse one's
+/// slope.
 static whirl_status balance_heat(const whirl_bearing *of, whirl_bearing_point *point) {
     static const double hottest = 473.15, enough = 1e-3;
     double value, slope = 1.0, at = of->temperature;

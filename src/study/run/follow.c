@@ -17,7 +17,8 @@ static const int first_length = 3;
 /// Neighbours on either side that are compared, and the fewest points of a batch whose neighbours count.
 enum { REACH = 2, MIN_NEIGHBOURS = 16 };
 
-/// Returns true for chaos that only a coexisting attractor puts in doubt: it is followed until a copy has ended there.
+/// Returns true for a chaotic point that may be followed: with a confidence above low, or with a coexisting attractor
+/// as long as no copy has ended.
 static bool is_chaotic(const whirl_table *table, size_t slot) {
     const whirl_verdict v = whirl_table_verdict(table, slot);
     const bool ended = v.followed > 0.0 && v.later_regime != WHIRL_CHAOTIC && v.later_regime != WHIRL_UNDETERMINED;
@@ -34,7 +35,7 @@ static bool is_near_an_end(const whirl_batch *batch, const whirl_table *table, s
     return false;
 }
 
-/// The pass of one copy of a batch's points in this round.
+/// Makes the pass of one copy of a batch's points in this round.
 static pass copy_pass(const study_run *run, size_t batch, int round, int copy) {
     const whirl_batch *own = &run->study->batches[batch];
     pass p = {.batch = batch, .round = round, .copy = copy, .integrate = own->integrate, .record = own->record};

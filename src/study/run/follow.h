@@ -7,7 +7,7 @@
 #include "study_run.h"
 
 /// Follows chaotic motions whose chaos may end, as far as the budget allows, and subtracts their cost from it. *done is
-/// how many. The tracker reports stops.
+/// their number. The tracker reports stops.
 whirl_status follow_points(study_run *run, int round, double *budget, size_t *done);
 
 #endif

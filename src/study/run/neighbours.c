@@ -45,7 +45,7 @@ static bool has_number(const survey *s, size_t place, size_t number) {
     return false;
 }
 
-/// Origin of a place's start number `number` (from 0) from a neighbour.
+/// Returns the origin of a place's start number `number` (from 0) from a neighbour.
 static size_t *origin_at(const survey *s, size_t place, size_t number) {
     return &s->origins[(s->table->starts + number) * s->table->places + place];
 }
@@ -162,7 +162,7 @@ whirl_status neighbours_work(study_run *run) {
     return status;
 }
 
-// ---------------------------------------------------------------- the table at last
+// ---------------------------------------------------------------- the final table
 
 static whirl_status close_up(const size_t *origins, whirl_table *table) {
     unsigned char *wanted = calloc(table->count + 1, 1);

@@ -138,8 +138,8 @@ static void point_free(point *p) {
     free(p);
 }
 
-/// Takes the next point of the deal, from malloc; NULL if there is none, or if *no_memory. There are as many at a time
-/// as threads have points under way.
+/// Begins the next point of the deal; NULL if there is none, or without memory (*no_memory). Points are allocated one
+/// by one, so that only those under way take memory.
 static point *begin_point(pass_work *w, bool *no_memory) {
     const pass *own = w->pass;
     size_t index;
@@ -184,13 +184,13 @@ static void leave_point(pass_work *w, point *p, bool left_out) {
 
 // ---------------------------------------------------------------- points are finished
 
-/// Memory for the block of a point.
+/// Returns the memory for the block of a point.
 static double *block_of(const worker *w, size_t slot) {
     const whirl_table *table = w->work->table;
     return table->blocks ? table->blocks + slot * table->layout.size : w->block;
 }
 
-/// Journal entry of a point: its block or its second verdict; and states if carried points need them.
+/// Makes the journal entry of a point: its block or its second verdict; and states if carried points need them.
 static journal_entry entry_of(const worker *w, size_t slot) {
     const pass_work *work = w->work;
     const bool beside = pass_is_beside(work->pass);
@@ -265,8 +265,8 @@ static whirl_status machine_at(const pass_work *w, size_t slot, whirl_machine *m
     return whirl_study_machine(w->run->study, w->batch, index, machine);
 }
 
-/// Start of a point that continues another one's motion. A carried point: the end of the point before it, NULL without
-/// one or if that diverged. A start from a neighbour: the end of the motion there.
+/// Returns the start of a point that continues another one's motion. A carried point: the end of the point before it,
+/// NULL without one or if that diverged. A start from a neighbour: the end of the motion there.
 static const double *carried_start(const pass_work *w, size_t slot) {
     const size_t origin = pass_origin(w->run, w->pass->batch, slot);
     if (origin != slot) return w->ends + origin * w->run->dimension;
@@ -323,7 +323,8 @@ static bool worker_next(worker *w, whirl_recorder *recorder, whirl_status *statu
 static whirl_status worker_analyze(const worker *w, const point *p, const whirl_record *record) {
     const pass_work *work = w->work;
     const pass *own = work->pass;
-    // A confirmation or a copy has a verdict only, which looks for coexisting orbits and for the end of chaos.
+    // A confirmation or a copy has only a verdict; confirmed chaos is also searched for coexisting attractors and its
+    // end.
     if (pass_is_beside(own)) {
         const whirl_system *system = p->machine.system;
         whirl_status status =
@@ -334,7 +335,7 @@ static whirl_status worker_analyze(const worker *w, const point *p, const whirl_
             status = whirl_block_survive(&work->other, w->other, system, &own->integrate, record);
         return status;
     }
-    // A point has all analyses, and its place in the study.
+    // A point has all analyses and notes.
     const beginning start = {p->slot, pass_origin(work->run, own->batch, p->slot), p->from};
     const whirl_layout *layout = &work->table->layout;
     double *block = block_of(w, p->slot);
@@ -398,7 +399,7 @@ static void worker_save(worker *w, whirl_recorder *recorder) {
     run_journal_save(work->run->journal, w->number, saved, long_ones);
     free(saved);
     whirl_motion_states_free(states, count);
-    // Large states on a slow disk are saved less often, so that saving takes at most a twentieth of the time.
+    // Save large states on a slow disk less often, so that saving takes at most a twentieth of the time.
     const double now = clock_seconds();
     w->save_at = now + fmax(save_interval, 20.0 * (now - begun));
 }

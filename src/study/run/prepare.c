@@ -28,7 +28,8 @@ typedef struct preparation {
     first_error error;
 } preparation;
 
-/// Builds and releases the machine of a point, which makes its tables. Its faults are reported where it is used.
+/// Builds and releases the machine of a point, which makes its tables. Errors of the machine are reported when the
+/// point is computed.
 static whirl_status prepare_visit(const whirl_study *study, const place *at, bool outline, const whirl_stop *stop) {
     whirl_batch batch = study->batches[at->batch];
     whirl_machine machine;

@@ -32,7 +32,7 @@ static double rounded_up(double factor) {
     return exp2(ceil(log2(fmax(factor, 2.0)) - 1e-9));
 }
 
-/// The pass by which the point was last computed.
+/// Returns the pass by which the point was last computed.
 static pass last_pass(const study_run *run, size_t batch, size_t slot, int round) {
     const whirl_batch *own = &run->study->batches[batch];
     const double *numbers = refine_noted(&run->result->tables[batch].layout, refine_block_of(run, batch, slot));
@@ -162,7 +162,7 @@ static whirl_status plan_round(const study_run *run, int round, double budget, p
     return whirl_ok();
 }
 
-/// Cost of the cheapest doubtful point, 0 without one.
+/// Returns the cost of the cheapest doubtful point, 0 without one.
 static double cheapest_cost(const study_run *run, int round) {
     double least = 0.0;
     candidate found;
@@ -247,15 +247,16 @@ static whirl_status refine_some(study_run *run, int round, double *budget, size_
 
 // ---------------------------------------------------------------- budgets of time
 
-/// Revolutions per second computed in the last stage; 0 if there were none.
+/// Returns the revolutions per second computed in the last stage; 0 if there were none.
 static double pace_of(const study_run *run) {
     const whirl_progress *progress = &run->tracker.progress;
     const double seconds = clock_seconds() - run->tracker.started;
     return seconds > 0.0 ? fmax(progress->revolutions_done - progress->revolutions_recalled, 0.0) / seconds : 0.0;
 }
 
-/// Budget of the next portion: the work of an eighth of the remaining time at the pace of the portion before, so that
-/// little is under way when time runs out; or one point, if that fits the remaining time. 0: no portion.
+/// Returns the budget of the next portion: the work of an eighth of the remaining time at the pace of the portion
+/// before, so that little is under way when time runs out; or one point, if that fits the remaining time. 0: no
+/// portion.
 static double next_portion(const study_run *run, int round) {
     const double pace = pace_of(run), left = pace * (run->deadline - clock_seconds()),
                  least = cheapest_cost(run, round);

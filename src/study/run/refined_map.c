@@ -15,11 +15,11 @@ struct refined_map {
     const whirl_table *table;
     squares plane;
     unsigned char *asked; ///< [slots] points of the run's share, computed or to be
-    unsigned char *late;  ///< [slots] those of `asked` that no share requested; NULL before all shares are gathered
+    unsigned char *late;  ///< [slots] points of `asked` that no share requested; NULL before all shares are gathered
     double *widths;       ///< [slots] widths of undivided squares, at their first corners; 1 for other points
     unsigned char *known; ///< [slots] points of `asked` that were done when squares were last divided
     alike *labels;
-    unsigned char *own; ///< [first squares] 1 for those of the run's share, or dealt to it
+    unsigned char *own; ///< [first squares] 1 for squares of the run's share, or dealt to it
 };
 
 static squares plane_of(const whirl_batch *batch) {
@@ -169,7 +169,7 @@ static whirl_status refined_map_refine(study_run *run, size_t batch) {
     return status;
 }
 
-/// Computes what first squares request together, after they have requested alone in shares.
+/// Lets first squares request points together, after each has requested alone in its share, and computes these points.
 static whirl_status refine_together(study_run *run, size_t batch) {
     refined_map *map = run->refined[batch];
     map->plane.alone = false;
@@ -218,7 +218,7 @@ whirl_status refined_maps_work(study_run *run) {
     return status;
 }
 
-// ---------------------------------------------------------------- the table at last
+// ---------------------------------------------------------------- the final table
 
 static void note_width(const whirl_table *table, size_t point, double width) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MAP_WIDTH);

@@ -21,7 +21,8 @@ void refined_maps_free(study_run *run);
 whirl_status refined_pass(const study_run *run, pass *p);
 whirl_status refined_late_pass(const study_run *run, pass *p);
 
-/// Number of the points of all first squares; and true if a slot belongs to a share.
+/// refined_first_points returns the number of points of all first squares; refined_share_has returns true if a slot
+/// belongs to a share.
 size_t refined_first_points(const whirl_batch *batch);
 bool refined_share_has(const whirl_batch *batch, const whirl_share *share, size_t slot);
 

@@ -24,7 +24,7 @@
 #include "whirl/engine/study.h"
 #include "whirl/internal/study_try.h"
 
-/// States of the largest machine whose first point is tried: it takes about half a second.
+/// Largest number of states of a machine whose first point is tried, which then takes about half a second.
 enum { MAX_STATES_TRIED = 300 };
 
 static bool has_regime(const whirl_batch *batch) {
@@ -328,7 +328,7 @@ whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *
 
 // ---------------------------------------------------------------- trial
 
-/// Computes the first point of a batch at rest, so that whatever refuses it is known.
+/// Computes the first point of a batch at rest, to find the errors that a run would report.
 static whirl_status try_point(const whirl_study *study, const whirl_batch *batch, const whirl_stop *stop) {
     whirl_study one = {.machine = study->machine, .family = study->family, .batch_count = 1};
     whirl_machine machine;

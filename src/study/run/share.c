@@ -9,7 +9,7 @@
 #include "study_run.h"
 #include "whirl/engine/study.h"
 
-/// Points of a batch that stay together.
+/// Returns the number of points of a batch that stay together.
 static size_t piece_of(const whirl_batch *batch) {
     const size_t piece = study_kind_of(batch)->piece;
     if (batch->carry != WHIRL_CARRY_NONE) return batch->count;

@@ -1,4 +1,4 @@
-/// Points of a pass that a run has, of several that share a study.
+/// Points of a pass that belong to this run, of several runs that share a study.
 #ifndef STUDY_SHARE_H
 #define STUDY_SHARE_H
 

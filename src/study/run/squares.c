@@ -2,7 +2,7 @@
 
 #include "squares.h"
 
-/// A square, whose edges the plane's may cut off.
+/// A square; its edges end at those of the plane.
 typedef struct square {
     size_t x, y, width;
 } square;
@@ -134,7 +134,7 @@ static tile open_tile(const squares *s, size_t index) {
     tile t = {.plane = s, .all = first_square(s, index), .asked = calloc(side * side, 1)};
     if (!t.asked) return t;
     ask_corners(&t, t.all);
-    // A point requested on an edge is news for the neighbouring square.
+    // Repeat, since a point requested on an edge may divide the square on its other side.
     while (squares_visit(&t, t.all)) {
     }
     return t;

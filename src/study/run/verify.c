@@ -66,7 +66,7 @@ static whirl_status run_levels(const whirl_study *study, const whirl_integrate_o
     return status;
 }
 
-/// The last `period` rows of a station's section.
+/// Returns the last `period` rows of a station's section.
 static const double *last_rows(const whirl_table *table, size_t point, size_t station, int period) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_POINCARE_SECTION);
     const double *rows = whirl_table_field(table, point, WHIRL_FIELD_POINCARE_SECTION, station);
@@ -129,7 +129,7 @@ static void compare_exponents(whirl_verification *v) {
 
 // ---------------------------------------------------------------- states
 
-/// State after the revolutions, all NaN if the motion left its bounds.
+/// Computes the state after the revolutions, all NaN if the motion left its bounds.
 static whirl_status state_after(const whirl_machine *machine, const whirl_integrate_options *how, int revolutions,
                                 double *x) {
     const size_t dimension = machine->system->dimension;
@@ -155,7 +155,7 @@ static double verify_distance(const double *a, const double *b, size_t dimension
     return largest;
 }
 
-/// Observed order from three levels, each with `ratio` times smaller steps or tolerances.
+/// Returns the observed order from three levels, each with `ratio` times smaller steps or tolerances.
 static double observed_order(const double *states, size_t dimension, double ratio) {
     const double first = verify_distance(states, states + dimension, dimension);
     const double second = verify_distance(states + dimension, states + 2 * dimension, dimension);

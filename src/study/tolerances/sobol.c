@@ -108,7 +108,7 @@ unsigned whirl_sobol(size_t index, size_t dimension) {
 
 // ---------------------------------------------------------------- scrambling
 
-/// Returns 32 random bits, a pure function of what they are for.
+/// Returns 32 random bits, which depend on the arguments alone.
 static uint32_t scrambling_bits(int seed, size_t replicate, size_t dimension, unsigned which) {
     const uint64_t of = random_next((uint64_t)(unsigned)seed, 0);
     return (uint32_t)(random_next(random_next(random_next(of, replicate), dimension), which) >> 32);
@@ -156,7 +156,7 @@ static double normal_lower(double share) {
 double whirl_tolerance_value(const whirl_tolerance *t, double share) {
     if (t->deviation == 0.0) return t->low + share * (t->high - t->low);
     const double low = (t->low - t->mean) / t->deviation, high = (t->high - t->mean) / t->deviation;
-    // In the tail that the wanted value is in, so that no digit is lost.
+    // Computes in the tail that holds the value, so that no digit is lost.
     const double below = normal_share(low, false), above = normal_share(high, true);
     const double from_low = below + share * (normal_share(high, false) - below);
     const double from_high = above + (1.0 - share) * (normal_share(low, true) - above);
