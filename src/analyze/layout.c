@@ -66,7 +66,8 @@ static bool is_at_rest(whirl_analysis_set set) {
     return false;
 }
 
-/// A machine on springs instead of its bearings has ranges that results do not name.
+/// Returns the number of ranges of laws; 0 where springs replace the bearings, since results do not name the ranges of
+/// such a machine.
 static size_t range_count(const whirl_system *system, const whirl_record_options *options) {
     whirl_law_range range;
     size_t count = 0;
@@ -119,7 +120,8 @@ whirl_status whirl_analysis_check(const whirl_system *system, whirl_analysis_set
     return status;
 }
 
-/// A system with two ranges: a single row would be taken for a field of one.
+/// Answers for a system with two ranges. With one range, a field with a row for each range would be taken for a field
+/// with a single row.
 static bool two_ranges(const void *model, size_t index, const whirl_extremes *seen, whirl_law_range *out) {
     (void)model, (void)seen, (void)out;
     return index < 2;

@@ -38,12 +38,13 @@ typedef struct block_view {
     double *block;
 } block_view;
 
-/// Rows of fields that have one for every coordinate of the state, or for every revolution of the longest orbit.
+/// Returns the rows of a field which has one row for every coordinate of the state, or for every revolution of the
+/// longest orbit.
 size_t rows_per_coordinate(const block_shape *shape);
 size_t rows_of_longest_orbit(const block_shape *shape);
 
-/// The numbers [rows][columns] of a field for a station or contact (0 for fields of the point); NULL if the field was
-/// left out.
+/// Returns the numbers [rows][columns] of a field for a station or contact (0 for fields of the point), or NULL if the
+/// field was left out.
 double *view_numbers(const block_view *view, size_t field, size_t which);
 
 /// Fills in a station's waveform over the last samples of a record, x [count] and then y [count], with the runout of

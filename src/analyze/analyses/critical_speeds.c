@@ -93,7 +93,8 @@ whirl_status whirl_bearings_at(const whirl_resting *point, double speed, double 
     return status;
 }
 
-/// Speeds beyond a table, and machines without equilibrium, have no coefficients.
+/// Fills in the coefficients of the bearings at the lowest critical speeds. They stay missing at speeds beyond the
+/// table of a bearing, and where the machine has no equilibrium.
 static whirl_status fill_bearings(const whirl_resting *point, const whirl_critical_speeds *found,
                                   const block_view *view) {
     const size_t probes = point->system->probe_count;

@@ -6,7 +6,7 @@
 #include "analysis.h"
 #include "mean_growth.h"
 
-/// Discards exponents whose balance failed; adds the balance's miss to the errors of others.
+/// Discards exponents whose balance failed, and adds the error of the balance to the errors of the others.
 static void settle_balance(const growth_balance *balance, whirl_estimate *exponents, size_t count) {
     for (size_t k = 0; k < count; k++) {
         if (balance->failed)

@@ -47,7 +47,8 @@ void shape_peak_note(shape_peak *peak, const double *x) {
     if (size > (1.0 + 1e-9) * peak->size) *peak = (shape_peak){size, x[0] / size, x[1] / size};
 }
 
-/// x cos(w t) + y sin(w t) of Re(X exp(i w t)).
+/// Writes the motion Re(X exp(i w t)), x = [Re X, Im X], as out[0] cos(w t) + out[1] sin(w t), divided by the size of
+/// the peak; t = 0 is the instant of the peak.
 void shape_peak_write(const shape_peak *peak, const double *x, double *out) {
     out[0] = (x[0] * peak->cos + x[1] * peak->sin) / peak->size;
     out[1] = -(x[1] * peak->cos - x[0] * peak->sin) / peak->size;

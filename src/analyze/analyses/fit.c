@@ -1,4 +1,4 @@
-// Fits: the parameters that were found, what is known of them, and every measured number beside what the machine does.
+// Fits: the parameters that were found, their uncertainty, and every measured number next to that of the fitted model.
 #include <math.h>
 
 #include "analysis.h"
@@ -74,7 +74,7 @@ static whirl_status fit_compute(const whirl_resting *point, const whirl_record_o
         for (size_t k = 0; k < fit->unknown_count && found; k++)
             view_numbers(view, CORRELATION, 0)[WHIRL_MAX_UNKNOWNS * u + k] = s->correlation[u][k];
     }
-    // Fill in the motions, and the measured numbers beside those of the model.
+    // Fill in the motions, and the measured numbers next to those of the model.
     for (size_t i = 0; i < fit->motion_count; i++) {
         double *out = view_numbers(view, MOTION, 0) + 2 * i;
         out[0] = s->speeds[i];

@@ -9,7 +9,7 @@
 #include "section.h"
 #include "turns.h"
 
-/// Growth in which a perturbation vanishes: it shrank at least to the smallest double.
+/// Growth (a natural logarithm) of a perturbation which vanishes: it shrank at least to the smallest double.
 static const double strongest_decay = -745.0;
 
 static double block_mean(const double *values, size_t length) {
@@ -18,8 +18,8 @@ static double block_mean(const double *values, size_t length) {
     return sum / (double)length;
 }
 
-/// Standard error of the mean of all blocks, from their scatter. Values that do not fill a block are left out at the
-/// start.
+/// Returns the standard error of the mean of all blocks, from their scatter. The first values are left out where the
+/// number of values is not a multiple of the block's length.
 static double block_error(const double *values, size_t count, size_t length) {
     const size_t blocks = count / length;
     const double *first = values + count % length;
@@ -52,7 +52,7 @@ static double smooth_mean(const double *values, size_t count) {
     return sum / weights;
 }
 
-/// A mean whose error is the distance of the two halves' means from it.
+/// Returns the mean of all values. Its error is the larger distance of the means of the two halves from it.
 static whirl_estimate compare_halves(double (*mean)(const double *, size_t), const double *values, size_t half) {
     const double all = mean(values, 2 * half);
     return (whirl_estimate){all, fmax(fabs(mean(values, half) - all), fabs(mean(values + half, half) - all))};
@@ -72,19 +72,19 @@ whirl_estimate estimate_regular_mean(const double *values, size_t count, size_t 
 
 // ---------------------------------------------------------------- all exponents
 
-/// Index of the first growth that counts, after the perturbations have aligned.
+/// Returns the index of the first growth that counts: the first tenth lets the perturbations align.
 static size_t first_counted(const whirl_record *record) {
     return record->growth_count / 10;
 }
 
-/// Mean growth of perturbation `which`; `values` [growth_count] is workspace.
+/// Returns the mean growth of perturbation `which`; `values` [growth_count] is workspace.
 static whirl_estimate mean_growth(const whirl_record *record, size_t which, double *values) {
     const size_t first = first_counted(record), n = record->dimension;
     for (size_t i = first; i < record->growth_count; i++) values[i - first] = record->growths[i * n + which];
     return estimate_mean(values, record->growth_count - first);
 }
 
-/// Mean growth of volume; NaN if it is unknown in some revolution.
+/// Returns the mean growth of volume, or NaN if it is unknown in some revolution.
 static double mean_volume(const whirl_record *record) {
     const size_t first = first_counted(record);
     double sum = 0.0;

@@ -89,7 +89,7 @@ static const field_plan fields[FIELD_COUNT] = {
                WHIRL_PER_STATION, 2, modes_that_twist},
 };
 
-/// A share of twists in the kinetic energy below which they are rounding.
+/// Largest share of twists in the kinetic energy of a mode which counts as rounding.
 static const double untwisted = 1e-18;
 
 /// Fills in the twists of a mode, at the instant at which the largest of them peaks.

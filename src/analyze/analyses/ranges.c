@@ -1,5 +1,5 @@
-// Ranges: how far a motion, or a machine at rest, goes within the validity of its laws. Small motions about an
-// equilibrium keep its contacts open or closed.
+// Ranges: how far a motion, or a machine at rest, leaves the range in which its laws are valid; and whether small
+// motions about an equilibrium keep its contacts open or closed.
 #include <math.h>
 #include <stdlib.h>
 
@@ -16,7 +16,7 @@ static size_t one_where_any(const block_shape *shape) {
     return shape->range_count > 0;
 }
 
-/// One row at rest, but not on springs instead of the bearings, where the equilibrium differs.
+/// Returns 1 at rest, 0 otherwise and where springs replace the bearings, since the equilibrium differs then.
 static size_t one_at_rest(const block_shape *shape) {
     return shape->at_rest && !shape->options->bearings;
 }
@@ -83,8 +83,8 @@ static void fill_elsewhere(const whirl_resting *point, const block_view *view) {
     *view_numbers(view, ELSEWHERE_GROWTH, 0) = point->clock * point->elsewhere_growth;
 }
 
-/// Writes the ranges at the equilibrium, if there is one. Analyses that need it have found it, or the point has no
-/// answer.
+/// Writes the ranges at the equilibrium. If the search for it fails, writes the share of the load up to which the
+/// equilibrium can be followed.
 static whirl_status compute_resting(const whirl_resting *point, const whirl_record_options *options,
                                     const block_view *view) {
     const whirl_system *system = point->system;

@@ -12,7 +12,8 @@ static const field_plan fields[FIELD_COUNT] = {
     // clang-format on
 };
 
-/// Clears friction where there is none, and numbers that the system does not report.
+/// Sets the torque and the power of friction to 0 where there is no friction, and to NaN where the system does not
+/// report them.
 static void settle_friction(const whirl_record *record, size_t which, const block_view *view) {
     const double torque = record->contact_torque[which];
     const bool known = record->system && record->system->friction;

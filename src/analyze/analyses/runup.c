@@ -7,7 +7,7 @@
 #include "synchronous.h"
 #include "whirl/engine/linear.h"
 
-/// Columns of fields of x and y, or of both ways to go round, at every order.
+/// Columns of fields with two numbers at every order: of x and y, or of forward and backward motion.
 enum { ORDER_COLUMNS = 2 * RUNUP_ORDERS };
 
 /// Columns of torques on the shaft.
@@ -240,7 +240,7 @@ static const field_plan fields[FIELD_COUNT] = {
                      WHIRL_PER_CONTACT, 1, runup_every_instant_of_waveforms},
 };
 
-/// Rows as they fill.
+/// State of filling the rows of a run.
 typedef struct filling {
     const block_view *view;
     const whirl_resting *point;
@@ -328,7 +328,7 @@ static void runup_fill_row(void *context, const runup_turn *turn) {
     if (f->point->passed) f->point->passed(f->point->watcher, turn->end);
 }
 
-/// The highest speed that the run may reach, by which numbers are laid out.
+/// Returns the highest speed that the run may reach, which determines the room for its numbers.
 static double runup_highest_speed(const whirl_resting *point, const whirl_runup_options *o) {
     double highest = fmax(o->from, o->to);
     if (*o->speeds) {
@@ -339,7 +339,7 @@ static double runup_highest_speed(const whirl_resting *point, const whirl_runup_
     return whirl_runup_driven(o) && !*o->torque_law ? fmax(highest, point->drive_speed) : highest;
 }
 
-/// The lowest speed that it may have: a drive may let it fall to standstill.
+/// Returns the lowest speed that the run may have: a drive may let it fall to standstill.
 static double runup_lowest_speed(const whirl_resting *point, const whirl_runup_options *o) {
     double lowest = o->from;
     if (*o->rate_law) return 0.0;
@@ -426,7 +426,7 @@ static void runup_fill_end(const filling *f, const runup_run *run) {
     double *sensitivity = view_numbers(view, SENSITIVITY, 0);
     if (sensitivity) memcpy(sensitivity, run->sensitivity, sizeof run->sensitivity);
     runup_fill_events(view, run);
-    // Fill in the end and the peak of each station, and what each contact did.
+    // Fill in the last position and the peak of each station, and the numbers of each contact.
     for (size_t p = 0; p < f->system->probe_count; p++) {
         for (size_t axis = 0; axis < 2; axis++)
             view_numbers(view, PLACE, p)[axis] = whirl_probe_value(&f->system->probes[p], run->last, axis);
@@ -522,7 +522,7 @@ static whirl_status runup_run_machine(whirl_running *running, const changing *c,
     return status;
 }
 
-/// The options of a run with the beginning and end that its speed table gives.
+/// Returns the options of a run, with the first and last speed of its table of speeds if it has one.
 static whirl_runup_options runup_with_table(const whirl_resting *point, const whirl_runup_options *options) {
     whirl_runup_options o = *options;
     const whirl_run_course *course = point->course;

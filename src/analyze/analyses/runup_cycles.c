@@ -6,10 +6,11 @@
 #include "runup_parts.h"
 #include "whirl/signals.h"
 
-/// Most turning points of a torque that are kept; of a run with more no cycles are counted.
+/// Most turning points of a torque that are kept. A run with more has no count of cycles.
 enum { MAX_TURNING_POINTS = 4000000 };
 
-/// Appends a value; one that goes on as the two before it replaces the last. Returns false without memory.
+/// Appends a value. It replaces the last value if it continues in the direction of the last two. Returns false without
+/// memory.
 static bool cycles_add(runup_history *to, double value) {
     const size_t n = to->count;
     const bool on = n >= 2 && (to->values[n - 1] - to->values[n - 2]) * (value - to->values[n - 1]) >= 0.0;
@@ -38,7 +39,7 @@ bool runup_cycles_note(runup_history *histories, size_t torques, double time, co
         runup_history *own = &histories[t];
         const bool idle = torque[t] == 0.0;
         if (own->count == 0) own->began = time;
-        // Between two instants of which one has no torque half of the time has none.
+        // If one of two successive instants has no torque, half of the time between them counts as without torque.
         own->open += 0.5 * (time - own->began - own->time) * ((own->idle && own->count > 0) + idle);
         own->time = time - own->began;
         own->idle = idle;

@@ -1,4 +1,4 @@
-/// Parts of the analysis of run-ups: its fields, and what is taken from the last turns of a run.
+/// Parts of the analysis of run-ups: its fields, and the results from the last turns of a run.
 #ifndef ANALYZE_RUNUP_PARTS_H
 #define ANALYZE_RUNUP_PARTS_H
 
@@ -74,7 +74,7 @@ typedef struct runup_views {
     turn_samples samples; ///< samples of the turn; numbers are NULL if none are wanted
     turn_history history;
     double *memory;         ///< x and y of a spectrum
-    size_t spectra, orbits; ///< done, or passed
+    size_t spectra, orbits; ///< numbers that are filled, or whose time has passed
     size_t turns, events;   ///< complete turns, and turns with an event, so far
     double *largest;        ///< [probes + contacts] radius or force so far
     /// [WHIRL_RUNUP_WAVEFORMS][probes + contacts] turn whose end completes a waveform; 0: none.
@@ -84,9 +84,9 @@ typedef struct runup_views {
 /// Most stationary speeds, and most folds.
 enum { RUNUP_STATIONARY = 8 };
 
-/// Finds where the drive's torque holds what brakes the shaft in small motions, up to a speed, rad/s, at `count` speeds
-/// and between them: stationary [RUNUP_STATIONARY][3] as in the field runup/stationary, folds likewise.
-/// WHIRL_NO_MEMORY.
+/// Finds the stationary speeds up to `highest`, rad/s, at which the drive's torque equals the torque that brakes the
+/// shaft in small motions. They are searched between `count` speeds. Writes stationary [RUNUP_STATIONARY][3] as in the
+/// field runup/stationary, and `folds` likewise. WHIRL_NO_MEMORY.
 whirl_status runup_find_stationary(const whirl_resting *point, whirl_running *running, bool drag, size_t count,
                                    double highest, double *stationary, double *folds);
 
@@ -99,7 +99,8 @@ typedef struct runup_history {
     double *values;
     bool full;                ///< there were more than can be kept
     bool idle;                ///< the torque was 0 at the last instant
-    double began, time, open; ///< s: of the first instant; since then until the last; of that without torque
+    double began, time, open; ///< time of the first instant; time since then until the last instant, and the part of it
+                              ///< without torque; s
 } runup_history;
 
 /// Notes torques [torques] at a time, s, that follows the last one. Returns false without memory.
@@ -112,7 +113,8 @@ whirl_status runup_cycles_count(const runup_history *histories, size_t torques, 
                                 size_t first, double *out, double *damage);
 void runup_cycles_free(runup_history *histories, size_t torques);
 
-/// Orders of the bins of a spectrum of a run: multiples of 1/spectrum_turns up to highest_order.
+/// Returns the number of bins of a spectrum of a run. Their orders are multiples of 1/spectrum_turns up to
+/// highest_order.
 size_t runup_bins(const whirl_runup_options *options);
 
 /// Makes the views; nothing is kept if the options want none. WHIRL_NO_MEMORY. Freed by runup_views_free.
@@ -123,7 +125,7 @@ void runup_views_free(runup_views *views);
 /// Takes a turn into account: fills what is due before it. WHIRL_NO_MEMORY.
 whirl_status runup_views_add(runup_views *views, const runup_turn *turn);
 
-/// Fills what is due until the end of the run, at that time. WHIRL_NO_MEMORY.
+/// Fills what is unfinished when the run ends at `time`. WHIRL_NO_MEMORY.
 whirl_status runup_views_end(runup_views *views, double time);
 
 #endif

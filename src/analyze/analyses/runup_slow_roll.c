@@ -1,11 +1,11 @@
-// Slow roll: what a station shows at 1X at a low speed, by a bow or a runout, is taken from its 1X at all speeds.
+// Slow roll: the 1X that a station shows at a low speed, by a bow or a runout, is subtracted from its 1X at all speeds.
 #include <complex.h>
 #include <math.h>
 
 #include "runup_parts.h"
 #include "synchronous.h"
 
-/// The 1X of x (axis 0) or y of a row as a vector; NaN where the row is missing.
+/// Returns the 1X of x (axis 0) or y (axis 1) in a row as a vector, or NaN where the row is missing.
 static double complex slow_roll_vector(const block_view *view, size_t station, size_t row, size_t axis) {
     enum { COLUMNS = 2 * RUNUP_ORDERS };
     const double size = view_numbers(view, AMPLITUDE, station)[COLUMNS * row + axis];
@@ -28,8 +28,8 @@ static bool slow_roll_rows(const double *speeds, size_t rows, double speed, size
     return false;
 }
 
-/// By how much the 1X of a station departs from its slow roll within WHIRL_SLOW_ROLL_RANGE of the speed, on one stay
-/// there, over its largest in the run.
+/// Returns the largest change of a station's 1X from its slow roll, as a share of its largest 1X in the run. Only rows
+/// next to `at` count whose speeds are within WHIRL_SLOW_ROLL_RANGE of the speed.
 static double slow_roll_change(const block_view *view, size_t station, const double complex roll[2], const size_t at[2],
                                double speed, size_t rows) {
     const double *speeds = view_numbers(view, SPEED, 0);

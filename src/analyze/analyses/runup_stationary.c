@@ -1,6 +1,7 @@
-// Stationary speeds of a drive: where its torque holds the torques that brake the shaft, and the folds of that balance.
+// Stationary speeds of a drive: where its torque equals the torque that brakes the shaft; and the folds of that
+// balance.
 //
-// A run and the balance are two answers: a motor that could stay at a resonance for ever may pass it, since the motion
+// A run may differ from the balance: a motor that could stay at a resonance for ever may pass it, since the motion
 // needs time to build up.
 #include <math.h>
 #include <stdlib.h>
@@ -23,8 +24,8 @@ typedef struct balancing {
     double *x;        ///< [dimension by the angle] a state by the angle
 } balancing;
 
-/// Finds the motor's torque and the one that brakes, mean over a turn of small motions at a speed, rad/s. NaN where
-/// there are none.
+/// Computes the motor's torque and the braking torque, a mean over a turn of small motions at a speed, rad/s. Both are
+/// NaN where there is no small motion.
 static void balance_at(const balancing *b, double speed, double *motor, double *brake) {
     whirl_machine machine;
     *motor = *brake = (double)NAN;
@@ -54,14 +55,14 @@ static double balance_rest(const balancing *b, double speed) {
     return motor - brake;
 }
 
-/// The factor of the motor's torque that would hold a speed.
+/// Returns the factor by which the motor's torque would have to be multiplied to hold a speed.
 static double balance_factor(const balancing *b, double speed) {
     double motor, brake;
     balance_at(b, speed, &motor, &brake);
     return brake / motor;
 }
 
-/// Slope of that factor, by a central difference of the fourth order.
+/// Returns the slope of that factor over the speed, by a central difference of fourth order.
 static double balance_slope(const balancing *b, double speed) {
     const double h = 2e-5 * speed;
     return (8.0 * (balance_factor(b, speed + h) - balance_factor(b, speed - h)) -
@@ -142,7 +143,7 @@ static void balance_go(const balancing *b, size_t count, double highest, balance
         rests[2] = motor - brake;
         if (k == 1) last = (balance_rest_at){speed, rests[2]};
         if (k < 3) continue;
-        // A fold between two speeds parts what is between them into two pieces.
+        // A fold between two speeds splits the interval between them into two.
         const double fold = balance_find_fold(b, speeds, factors, folds);
         const balance_rest_at middle = {fold, fold == speeds[1] ? rests[1] : balance_rest(b, fold)};
         balance_find_speed(b, last, middle, stationary);

@@ -13,7 +13,7 @@ size_t runup_bins(const whirl_runup_options *options) {
     return spectrum_bins((size_t)options->spectrum_turns, (size_t)options->samples, options->highest_order);
 }
 
-/// Turns that have to be kept.
+/// Returns the number of turns that have to be kept.
 static size_t views_room(const whirl_runup_options *options) {
     const int spectrum = options->spectra > 0 ? options->spectrum_turns : 0, orbit = options->orbits > 0;
     const int room = spectrum > options->waveform ? spectrum : options->waveform;
@@ -54,7 +54,7 @@ static whirl_status runup_fill_spectrum(runup_views *views, size_t row) {
     const size_t bins = runup_bins(views->options);
     const double *numbers = turn_history_last(&views->history, turns);
     if (!numbers) return whirl_ok();
-    // The spectrum stands in the middle of them.
+    // The time of a spectrum is the middle of its turns.
     view_numbers(views->view, SPECTRUM_TIME, 0)[row] = 0.5 * (numbers[0] + views->history.end);
     view_numbers(views->view, SPECTRUM_SPEED, 0)[row] = two_pi * (double)turns / (views->history.end - numbers[0]);
     double *x = views->memory, *y = x + count;
@@ -136,7 +136,7 @@ static void runup_fill_waveform(const runup_views *views, size_t which, size_t w
     }
 }
 
-/// Fills the waveforms that are complete after the last turn; `ended`: and all others that began.
+/// Fills the waveforms that are complete after the last turn; with `ended`, also the incomplete ones.
 static void runup_fill_waveforms(const runup_views *views, bool ended) {
     const size_t all = views->samples.probes + views->samples.contacts;
     for (size_t window = 0; window < WHIRL_RUNUP_WAVEFORMS; window++)

@@ -48,8 +48,8 @@ static double squares_of(const double *samples, size_t count) {
     return sum;
 }
 
-/// Share of the motion below which lines are searched at higher orders, too; and size over the largest displacement
-/// below which a motion is none.
+/// enough: share of the motion's mean square which the lines should hold; if they hold less, lines are searched at
+/// higher orders, too. at_rest: sizes below this share of the largest displacement are no motion.
 static const double enough = 0.99, at_rest = 1e-7;
 
 /// Fills in the bins and the lines between them: of `bins` bins, or of twice, four times ... as many up to `most`,
@@ -79,6 +79,7 @@ static double spectrum_fill(whirl_spectrum *spectrum, const wave_transform *wave
     return lines;
 }
 
+/// Returns the largest magnitude of the samples.
 static double largest_of(const double *samples, size_t count) {
     double largest = 0.0;
     for (size_t j = 0; j < count; j++) largest = fmax(largest, fabs(samples[j]));

@@ -10,7 +10,7 @@
 /// Columns of a row: order, x, y, forward, backward.
 enum { SPECTRUM_COLUMNS = 5 };
 
-/// Bins 0 ... of a record up to an order, below half the sampling frequency.
+/// Returns the number of bins of a record up to an order, and below half the sampling frequency.
 size_t spectrum_bins(size_t revolutions, size_t samples_per_revolution, double highest_order);
 
 /// Makes the spectrum of two coordinates [count] over whole revolutions; as whirl_spectrum_new. further: lines may lie

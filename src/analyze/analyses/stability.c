@@ -25,7 +25,7 @@ enum {
     FIELD_COUNT
 };
 
-/// Points of the curve, and its end as a multiple of the anticipated cross coupling (or twice the limit if that is
+/// Points of the curve, and its end as a multiple of the anticipated cross coupling (or of twice the limit if that is
 /// less).
 enum { CURVE_POINTS = 21, CURVE_END = 10 };
 
@@ -193,7 +193,7 @@ static whirl_status stability_probe(probing *p, whirl_variant variant, double va
     return status;
 }
 
-/// Chooses the deciding modes with bearings alone. Freed by forget.
+/// Chooses the deciding modes of the machine with its bearings alone. Freed by stability_free.
 static whirl_status stability_begin(probing *p) {
     deciding *from = &p->from;
     whirl_machine machine;
@@ -215,7 +215,8 @@ static void stability_free(probing *p) {
     free(p->from.partner);
 }
 
-/// Decrement, or that of a barely oscillating mode if no mode could grow: all are overdamped, or backward.
+/// Returns the decrement, or that of a barely oscillating mode if it is NaN: no mode can grow since all are overdamped
+/// or backward.
 static double or_overdamped(double decrement) {
     return isnan(decrement) ? 10.0 : decrement;
 }

@@ -173,7 +173,7 @@ static void torsion_fill_response(const whirl_resting *point, const block_view *
         view_numbers(view, RATE, p)[index] = frequency * size;
         *sum = (isnan(*sum) ? 0.0 : *sum) + size;
     }
-    // Torques of what carries them, with the power lost there.
+    // Sum up the torques on the parts that carry them, and the power lost there.
     for (size_t k = 0; k < torsion->path_count; k++) {
         double torque[2], power;
         double *sum = view_numbers(view, TORQUE_SUM, 0) + k, *lost = view_numbers(view, POWER, 0) + k;

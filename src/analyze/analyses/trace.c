@@ -169,7 +169,7 @@ static bool is_size(double number) {
     return number >= 0.0 && number <= 1e6;
 }
 
-/// Number of leading rows without missing numbers.
+/// Returns the number of leading rows without missing numbers.
 static size_t trace_filled(const double *numbers, size_t rows, size_t columns) {
     size_t count = 0;
     while (count < rows && !isnan(numbers[columns * count])) count++;

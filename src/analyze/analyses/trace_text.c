@@ -35,7 +35,7 @@ const char *whirl_branch_end_text(whirl_branch_end end) {
     return end >= WHIRL_END_OF_RANGE && end <= WHIRL_END_MIRRORED ? texts[end] : "";
 }
 
-/// Criticality of a special point. Along curves over two parameters only Hopf points have one.
+/// Returns the word for the criticality of a special point. On curves over two parameters only Hopf points have one.
 static const char *sense_of(const whirl_branch_point *point) {
     if (point->criticality < 0.0) return ", supercritical";
     if (point->criticality > 0.0) return ", subcritical";

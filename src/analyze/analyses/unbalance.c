@@ -52,14 +52,14 @@ static const field_plan fields[FIELD_COUNT] = {
 
 static const double degree = 3.14159265358979323846 / 180.0;
 
-/// Amplitude that a probe along (c, s) sees, and by how many degrees the peak comes after the mark.
+/// Computes the amplitude which a probe along (c, s) reads, and the lag of its peak after the mark, degrees.
 static void unbalance_look(const double *x, const double *y, double c, double s, double *amplitude, double *lag) {
     const double real = x[0] * c + y[0] * s, imaginary = x[1] * c + y[1] * s;
     *amplitude = hypot(real, imaginary);
     *lag = *amplitude > 0.0 ? fmod(360.0 - atan2(imaginary, real) / degree, 360.0) : (double)NAN;
 }
 
-/// The same with the runout of order 1 added, which is v exp(-i way angle) for a probe at `angle`.
+/// Computes what a probe at `angle` reads with the runout of order 1 added, which is v exp(-i way angle).
 static void look_at_surface(const block_view *view, size_t which, const whirl_probe *probe, const double *x,
                             const double *y, double angle) {
     double *amplitude = view_numbers(view, SEEN, which), *lag = view_numbers(view, SEEN_LAG, which);
@@ -98,7 +98,7 @@ static void fill_station(const block_view *view, size_t which, const double *x, 
     *view_numbers(view, INCLINATION, which) = fmod(turned + 360.0, 180.0);
 }
 
-/// Fills in each station's clearance, and the unbalances that are placed by rule.
+/// Fills in the clearance of each station, and the unbalances that a rule has placed.
 static void fill_beside(const whirl_resting *point, const block_view *view) {
     for (size_t p = 0; p < point->system->probe_count; p++) {
         const whirl_probe *probe = &point->system->probes[p];

@@ -56,13 +56,13 @@ typedef struct turns {
     double backward; ///< share of the samples
 } turns;
 
-/// Angle of a point of the path about its centre, in turns, 0 to 1.
+/// Returns the angle of a point of the path about the centre of the path, in turns, 0 to 1.
 static double angle_at(const path *p, size_t j) {
     const double angle = atan2(p->y[j] - p->centre[1], p->x[j] - p->centre[0]) / (2.0 * pi);
     return angle < 0.0 ? angle + 1.0 : angle;
 }
 
-/// Whole turns end where the path crosses the half line to the right of its centre.
+/// Counts whole turns, which end where the path crosses the half line to the right of its centre.
 static turns count_turns(const path *p) {
     double whole = 0.0, backward = 0.0;
     for (size_t j = 1; j < p->count; j++) {

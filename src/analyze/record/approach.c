@@ -17,7 +17,7 @@ enum { LONGEST = 40 };
 /// A search starts when returns are within the first share of the state's size, after they have shrunk by the second.
 static const double near_enough = 3e-3, has_shrunk = 0.75;
 
-/// Largest difference of the map from its derivative, as a part of what a step shortens.
+/// Largest correct difference of a return from its prediction, as a share of the distance by which the return shortens.
 static const double safety = 0.5;
 
 /// Number of returns that must be predicted correctly, and by how much they must have shortened the distance.
@@ -129,7 +129,7 @@ static double largest_return(const approach *a, const settling *s, size_t k, siz
     return most;
 }
 
-/// Number of returns that are compared together.
+/// Returns the number of successive returns that are compared with each other.
 static size_t window_of(size_t k, int revolution) {
     const size_t longest = 32, eighth = (size_t)revolution / 8, least = k > 4 ? k : 4;
     return eighth < least ? least : eighth < longest ? eighth : longest;
@@ -170,8 +170,8 @@ size_t approach_tries(approach *a, const settling *s, int revolution) {
 
 // ---------------------------------------------------------------- what was found
 
-/// Compares a return with its prediction. It is correct if the derivative leaves less than a part of what a step
-/// shortens.
+/// Compares a return with its prediction by the derivative. The prediction is correct if its error is below `safety`
+/// times the distance by which the return shortens.
 static void note_return(approach *a, const double *x) {
     const size_t n = a->orbit->kept;
     const double from = metric_length(n, a->metric, a->before);
@@ -202,7 +202,7 @@ static void note_past(approach *a, const settling *s) {
     a->begun = a->last;
 }
 
-/// Makes the distances about the orbit; false if it is not stable.
+/// Computes the metric in which the map about the orbit shortens distances. Returns false if the orbit is not stable.
 static bool approach_measure(approach *a, bool *memory) {
     const double margin = 1e-6;
     const size_t n = a->orbit->kept;

@@ -13,12 +13,13 @@
 
 typedef struct approach approach;
 
-/// Makes one for motions of the system with these options. NULL without memory. Freed by approach_free.
+/// Makes the test of approach for motions of the system with these options. Returns NULL without memory. Freed by
+/// approach_free.
 approach *approach_new(const whirl_system *system, const whirl_integrate_options *integrate,
                        const whirl_record_options *options);
 void approach_free(approach *a);
 
-/// Serializes its state.
+/// Writes the state of `a` to, or reads it from, an archive.
 void approach_archive(approach *a, archive *to);
 
 /// Returns the period of an orbit that may be near after `revolution` revolutions, given the last states; 0 if Newton's

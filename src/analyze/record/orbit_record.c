@@ -44,8 +44,8 @@ static whirl_status orbit_record_follow(const whirl_system *system, const whirl_
     return rests ? whirl_ok() : whirl_orbit_observe(system, orbit, options, instants, orbit_record_keep, p);
 }
 
-/// State after so many revolutions, by the cubic between two states of the path whose slopes are those of the chords
-/// around each.
+/// Interpolates the state after a number of revolutions with the cubic between two states of the path, whose slopes are
+/// those of the chords around each state.
 static void state_after(const path *p, double revolutions, double *x) {
     const double at = fmod(revolutions * p->per_revolution, (double)p->count), whole = floor(at + 1e-9);
     const double s = fabs(at - whole) <= 1e-9 ? 0.0 : at - whole;

@@ -232,7 +232,7 @@ static whirl_status searches_begin(const orbit_searches *s, size_t lane, lane_se
     return whirl_ensemble_load(s->ensemble, lane, f->of->system, f->of->nodes);
 }
 
-/// Ends a revolution; *stays tells if the search stays in its lane. `end` has dimension numbers.
+/// Ends a revolution. *stays becomes true if the search stays in its lane. `end` has `dimension` numbers.
 static whirl_status searches_advance(const orbit_searches *s, size_t lane, lane_search *f, double *end, double *room,
                                      bool *stays) {
     const bool bounded = whirl_ensemble_motion(s->ensemble, lane) == WHIRL_BOUNDED;

@@ -43,18 +43,18 @@ double orbit_search_distance(const orbit_search *s, const double *x);
 /// it has one.
 typedef struct orbit_searches orbit_searches;
 
-/// Makes one. WHIRL_BAD_INPUT if the system has no Jacobian, or the method does not carry perturbations. Freed by
-/// orbit_searches_free.
+/// Makes the lanes of searches. Returns WHIRL_BAD_INPUT if the system has no Jacobian, or if the method does not carry
+/// perturbations. Freed by orbit_searches_free.
 whirl_status orbit_searches_new(const whirl_system *system, const whirl_integrate_options *integrate,
                                 orbit_searches **out);
 void orbit_searches_free(orbit_searches *s);
 
-/// Number of searches that run side by side.
+/// Returns the number of searches that run side by side.
 size_t orbit_searches_lanes(const orbit_searches *s);
 
-/// Runs the searches [count], including those in lanes, by full Newton steps from close starts, few of them, until
-/// fewer than `least` >= 1 are left; the others are done. An orbit that closes after fewer revolutions, a divisor, gets
-/// these. Searches in lanes must not be freed before they are done. WHIRL_NO_MEMORY.
+/// Runs the searches [count], including those in lanes, until fewer than `least` >= 1 of them are unfinished. They use
+/// full Newton steps, few of them, since their starts are close to an orbit. An orbit that closes after fewer
+/// revolutions, a divisor, gets these. Searches in lanes must not be freed before they are done. WHIRL_NO_MEMORY.
 whirl_status orbit_searches_run(orbit_searches *s, orbit_search *const *searches, size_t count, size_t least);
 
 #endif

@@ -22,14 +22,14 @@ typedef struct perturbed_copy {
 /// Makes a perturbed copy at x, yet to be placed, for motions of these options. Steps of one-step methods are a smooth
 /// function of the state: motion and copy have the same errors. CVODE's orders and steps have a history, so each motion
 /// has errors of its own, and the copy is 10^4 tolerances away, which makes these errors a small part of the distance.
-/// (Other methods would lose by it: a distance d adds errors of the order of d.)
+/// With other methods such a distance would only harm: a distance d adds errors of the order of d.
 perturbed_copy perturbed_copy_of(const whirl_integrate_options *integrate, const whirl_system *system, double *x);
 
 /// Places the copy next to the state x.
 void perturbed_copy_begin(perturbed_copy *copy, const double *x);
 
-/// Takes the extremes low, high [dimension] of the motion over a revolution: a state that is tiny at the section is no
-/// size of the motion.
+/// Passes on the extremes low, high [dimension] of the motion over a revolution. They are its size in every coordinate,
+/// since a coordinate may be tiny at the section alone.
 void perturbed_copy_size(perturbed_copy *copy, const double *low, const double *high);
 
 /// Returns the natural logarithm of the growth since the last call, and rescales the copy's distance from x. `first`:

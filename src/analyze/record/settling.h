@@ -10,8 +10,8 @@
 /// The last states of a section, and for every k how many revolutions in a row have returned after k.
 typedef struct settling settling;
 
-/// Makes one for motions of the system, which is borrowed: coordinates that turn do not count for returns. NULL without
-/// memory. Freed by settling_free.
+/// Makes the memory of returns for motions of the system, which is borrowed. Coordinates that turn do not count for
+/// returns. Returns NULL without memory. Freed by settling_free.
 settling *settling_new(const whirl_system *system);
 void settling_free(settling *settling);
 
@@ -22,7 +22,8 @@ void settling_archive(settling *settling, archive *a);
 /// returned to 1e-11 of its size for three periods and 32 revolutions; 0 without one.
 size_t settling_note(settling *settling, const double *x);
 
-/// Returns the state [dimension] so many revolutions before the last one; NULL if it is not kept. 129 are kept.
+/// Returns the state [dimension] that lies `back` revolutions before the last one, or NULL if it is not kept. The last
+/// 129 states are kept.
 const double *settling_state(const settling *settling, size_t back);
 
 #endif

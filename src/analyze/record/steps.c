@@ -5,10 +5,12 @@
 
 #include "section.h"
 
-/// Errors of a revolution, over the size of the motion, from which on it is another motion, or may be one.
+/// Error of a revolution, as a share of the size of the motion, from which on the computed motion is another one
+/// (wrong_error), or may be one (coarse_error).
 static const double wrong_error = 0.1, coarse_error = 1e-2;
 
-/// Error at which advised steps aim, and the tolerance at which the equations are followed to measure errors.
+/// Error at which advised steps aim (good_error), and the tolerance with which the equations are integrated to measure
+/// errors (seen_error).
 static const double good_error = 1e-4, seen_error = 1e-5;
 
 static bool are_unstable(double growth) {

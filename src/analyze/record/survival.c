@@ -12,11 +12,12 @@
 #include "whirl/engine/ensemble.h"
 #include "zero_one.h"
 
-/// Copies that run side by side, and those of systems that run alone; the revolutions after their lives that are
-/// judged.
+/// Copies that run side by side, and copies of systems that run alone; and the number of revolutions after which a copy
+/// is judged.
 enum { COPIES = 64, COPIES_ALONE = 32, LOOKED_AT = 128 };
 
-/// Mean lives that copies exclude at 95 %: at least so many revolutions, and so many times those that were watched.
+/// Mean lives that copies must exclude at 95 %: at least this number of revolutions, and this multiple of the watched
+/// number of revolutions.
 static const double least_excluded = 12800.0, long_against_watch = 4.0;
 
 /// Displacement of a copy over the motion's extent in every coordinate, and the revolutions in which copies may diverge
@@ -48,8 +49,8 @@ static void place_copies(const whirl_record *record, double share, size_t count,
     }
 }
 
-/// Records the copies side by side, counts those that have ended, and sums the revolutions that count: of each `lived`
-/// after it has parted, or fewer where it was lost or settled.
+/// Records the copies side by side, counts those that have ended, and sums the revolutions that count: `lived` of each
+/// copy after it has parted, or fewer where it was lost or settled.
 static whirl_status follow_copies(const whirl_system *system, const whirl_integrate_options *integrate,
                                   const whirl_record_options *options, int lived, const double *starts,
                                   whirl_survival *survival) {

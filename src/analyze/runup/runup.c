@@ -11,8 +11,8 @@ static const double two_pi = 6.283185307179586476925;
 /// A search for an instant ends when the interval has shrunk to this share of its first length.
 static const double located = 1e-14;
 
-/// Setting of a state of the run: its machine, the time as variable, unbalances that have appeared, and how the shaft
-/// turned.
+/// The setting in which a state of the run is to be read: the machine, the variable (time or angle), the unbalances
+/// that have appeared, and the turning of the shaft.
 typedef struct runup_where {
     size_t side;
     bool by_time;
@@ -58,10 +58,10 @@ typedef struct runner {
     double turns, angle0;            ///< turns behind, and the angle of the first state
     double *peak_state;              ///< [probes][most] the sample before the largest radius
     double *peak_from, *peak_length; ///< [probes] its angle, and how far the sample after it is
-    runup_where *peak_where;         ///< [probes] to what that belongs
+    runup_where *peak_where;         ///< [probes] setting of that state
     double *torque_state;            ///< [torques][2][most] the samples before the largest and the least torque
     double *torque_length;           ///< [torques][2] how far the samples after them are
-    runup_where *torque_where;       ///< [torques][2] to what these belong
+    runup_where *torque_where;       ///< [torques][2] settings of these states
     bool parted;                     ///< an event happened in the turn
     double *copy;                    ///< [most] a motion that began nearby; NULL: none, or it was lost
     double size;                     ///< largest radius so far
@@ -76,12 +76,13 @@ static double runup_time_of(const runner *r, const double *x) {
     return x[r->rotor + 1] / r->unit;
 }
 
-/// The angle of a state since the beginning of the run; by the angle that of the beginning of its turn.
+/// Returns the angle of a state since the beginning of the run. If the angle is the variable, returns that of the
+/// beginning of the turn.
 static double runup_angle_of(const runner *r, const double *x) {
     return r->by_time ? x[r->rotor + 2] : r->angle0;
 }
 
-/// Chooses the machine and the variable.
+/// Sets the machine and the variable.
 static void runup_go_by(runner *r, size_t side, bool time) {
     r->side = side;
     r->machine = r->sides[side].machine;
@@ -90,7 +91,8 @@ static void runup_go_by(runner *r, size_t side, bool time) {
     r->dimension = r->system->dimension;
 }
 
-/// Returns a state with derivatives by the angle; in workspace where it has derivatives by time.
+/// Returns a state in the form with derivatives by the angle. If its derivatives are by time, the form is written to
+/// workspace.
 static const double *runup_placed(const runner *r, const double *x) {
     if (!r->by_time) return x;
     memcpy(r->placed, x, r->dimension * sizeof *x);
@@ -122,7 +124,7 @@ static whirl_motion runup_carry_part(runner *r, double from, double length, doub
     return whirl_integrator_revolve(r->sides[r->side].part[r->by_time], x, NULL, NULL);
 }
 
-/// The same with all samples.
+/// Carries `x` over a part of a turn like runup_carry_part, and keeps all samples.
 static whirl_motion runup_carry_seen(runner *r, double from, double length, double *x) {
     sampler s = {r, 1};
     memcpy(r->samples, x, r->dimension * sizeof *x);
@@ -130,12 +132,12 @@ static whirl_motion runup_carry_seen(runner *r, double from, double length, doub
     return whirl_integrator_revolve(r->sides[r->side].seen[r->by_time], x, runup_keep_sample, &s);
 }
 
-/// A number of a state: of its station or switch `which`, where it has one.
+/// A quantity of a state, which belongs to the station or switch `which` if it has one.
 typedef double quantity(const runner *r, const double *x, size_t which);
 
-/// Finds where a quantity passes a target on the way of `length` from `state` at the angle `from` on (regula falsi
-/// after Dowell and Jarratt 1971, "Illinois"). low, high: its values at both ends, on different sides of the target.
-/// Gives the length of the way up to there, and the state there.
+/// Finds where a quantity reaches `target` on the way of `length` from `state`, which begins at the angle `from`. low,
+/// high: values of the quantity at both ends, on different sides of the target. Uses regula falsi after Dowell and
+/// Jarratt (1971, "Illinois"). Returns the length of the way up to the target; `there` receives the state.
 static double runup_find_passage(runner *r, quantity *of, size_t which, double target, const double *state, double from,
                                  double length, double low, double high, double *there) {
     double a = 0.0, b = length, fa = low - target, fb = high - target, at = fa == 0.0 ? 0.0 : length;
@@ -174,7 +176,7 @@ static double runup_radius_of(const runner *r, const double *x, size_t probe) {
     return hypot(whirl_probe_value(p, x, 0), whirl_probe_value(p, x, 1));
 }
 
-/// Half the slope of the square of the radius.
+/// Returns half the slope of the squared radius by time.
 static double runup_radial_slope(const runner *r, const double *x, size_t probe) {
     const whirl_probe *p = &r->system->probes[probe];
     return whirl_probe_value(p, x, 0) * whirl_probe_value(p, x, 2) +
@@ -191,7 +193,7 @@ static const double *runup_sample(const runner *r, size_t k) {
     return r->samples + k * r->dimension;
 }
 
-/// Largest radii of the part, and the samples around those that are the largest so far.
+/// Notes the largest radii in a part, and the states around the radii which are the largest so far.
 static void runup_see_radii(runner *r, double from, double step, size_t count) {
     for (size_t p = 0; p < r->probes; p++)
         for (size_t k = 1; k <= count; k++) {
@@ -208,7 +210,7 @@ static void runup_see_radii(runner *r, double from, double step, size_t count) {
         }
 }
 
-/// A contact that closed or opened between two samples: when that was.
+/// Returns when a contact closed or opened between two samples.
 static double runup_find_change(runner *r, size_t contact, const double *state, double from, double length) {
     double *there = r->scratch;
     const size_t which = r->machine->contact_switch(r->machine, contact);
@@ -258,8 +260,8 @@ bool runup_wants_copy(const whirl_runup_options *o, size_t contacts) {
     return strcmp(o->sensitivity, "yes") == 0 || (contacts > 0 && strcmp(o->sensitivity, "contacts") == 0);
 }
 
-/// Distance of the copy: a hundred times the tolerance, so that its own errors do not count, and small beside the
-/// motion.
+/// Returns the distance to be given to the copy: a hundred times the tolerance, so that the copy's own errors do not
+/// count, and small against the motion.
 static double runup_copy_distance(const runner *r) {
     return fmin(1e-3, 100.0 * r->plan->options->rtol) * fmax(r->size, 1e-6);
 }
@@ -277,7 +279,8 @@ static double runup_measure_copy(const runner *r) {
     return sqrt(sum);
 }
 
-/// Places the copy anew: its distance is multiplied by a factor; 0: all coordinates of the rotor differ.
+/// Places the copy anew. Multiplies its distance by a factor; with a factor of 0, makes all coordinates of the rotor
+/// differ.
 static void runup_place_copy(runner *r, double factor) {
     const double apart = runup_copy_distance(r);
     for (size_t i = 0; i < r->dimension; i++)
@@ -341,7 +344,7 @@ static void runup_add_orders(runner *r, double passed, double step, size_t count
 
 // ---------------------------------------------------------------- torques
 
-/// Torques that are watched, at a sample.
+/// Passes on the watched torques of a sample.
 static void runup_watch(const runner *r, const double *x) {
     const double *placed = runup_placed(r, x);
     r->machine->watch(r->machine, placed, runup_angle_of(r, x), r->torque);
@@ -374,7 +377,7 @@ static void runup_see_torques(runner *r, double step, size_t count) {
     }
 }
 
-/// Slope of a torque by time, by a difference along the motion.
+/// Returns the slope of a torque by time, from a difference along the motion.
 static double runup_torque_slope(const runner *r, const double *x, size_t which) {
     double values[2], *slope = r->change, *next = r->change + r->most;
     const double apart = 1e-2 * r->torque_length[which];
@@ -419,7 +422,8 @@ static void runup_keep_instants(runner *r, double passed, double step, size_t co
     }
 }
 
-/// Shows all that happens in a part of a turn. from: its angle (by time: 0); passed: the same within the turn.
+/// Evaluates a part of a turn. from: angle of its beginning (0 with time as variable); passed: the angle of its
+/// beginning within the turn.
 static void runup_see_part(runner *r, double from, double passed, double length) {
     const size_t count = (size_t)r->plan->options->samples;
     const double step = length / (double)count;
@@ -482,7 +486,7 @@ static double runup_time_quantity(const runner *r, const double *x, size_t which
     (void)which;
     return runup_time_of(r, x);
 }
-/// The speed of the motor's station where it twists, else of the shaft.
+/// Returns the speed of the motor's station if it twists, otherwise of the shaft.
 static double runup_speed_quantity(const runner *r, const double *x, size_t which) {
     (void)which;
     if (r->machine->driver >= r->probes) return runup_speed_of(r, x);
@@ -495,7 +499,7 @@ static double runup_angle_quantity(const runner *r, const double *x, size_t whic
     return x[r->rotor + 2];
 }
 
-/// The formula of an event of the course. Where it has no value it counts as far from happening.
+/// Returns the value of the formula of an event of the course, or a value far from the target where it has none.
 static double runup_formula_quantity(const runner *r, const double *x, size_t which) {
     const whirl_run_course *course = r->plan->course;
     // Derivatives by time in its unit: those by the angle times the speed.
@@ -517,12 +521,12 @@ static double runup_formula_quantity(const runner *r, const double *x, size_t wh
     return isnan(value) ? -INFINITY : value;
 }
 
-/// Whole turns behind; 0 for a shaft that swings back at its beginning.
+/// Returns the number of complete turns; 0 for a shaft that swings back at its beginning.
 static double runup_whole_turns(const runner *r) {
     return fmax(floor(r->turns + 1e-9), 0.0);
 }
 
-/// The angle at which the present turn ends.
+/// Returns the angle at which the present turn ends.
 static double runup_turn_end(const runner *r) {
     return r->angle0 + two_pi * (runup_whole_turns(r) + 1.0);
 }
@@ -549,7 +553,8 @@ static size_t runup_list_event(const runner *r, size_t k, coming *list) {
     return count;
 }
 
-/// The corner of the speed table after the present time; the number of its rows behind the last one.
+/// Returns the index of the first row of the speed table after the present time, or the number of rows if there is
+/// none.
 static size_t runup_next_corner(const runner *r) {
     const whirl_run_course *course = r->plan->course;
     const double time = runup_time_of(r, r->x) * (1.0 + 1e-12);
@@ -558,7 +563,7 @@ static size_t runup_next_corner(const runner *r) {
     return k;
 }
 
-/// All that may come in the state that the run is in.
+/// Lists everything that may happen in the present state of the run.
 static size_t runup_list_coming(const runner *r, coming list[MAX_COMING]) {
     const whirl_runup_options *o = r->plan->options;
     const whirl_run_course *course = r->plan->course;
@@ -612,7 +617,7 @@ static whirl_status runup_add_integrators(const runner *r, runup_side *side) {
     return status;
 }
 
-/// Goes on with the machine that the events of the course have made so far.
+/// Continues with the machine that the events of the course have made so far.
 static void runup_change(runner *r, size_t of) {
     const size_t next = r->side_count;
     r->happened[next - 1] = (unsigned char)of;
@@ -628,7 +633,7 @@ static void runup_change(runner *r, size_t of) {
     if (r->copy) r->machine->adopt(r->machine, before, r->by_time, r->copy);
 }
 
-/// Lets an event of the run happen. Returns whether the run ends.
+/// Applies event k of the run. Returns true if the run ends.
 static bool runup_let_happen(runner *r, size_t k) {
     runup_happening *own = &r->run->events[k];
     own->time = runup_time_of(r, r->x);
@@ -643,7 +648,7 @@ static bool runup_let_happen(runner *r, size_t k) {
     return own->is.end || r->status.code != WHIRL_OK;
 }
 
-/// Lets something happen. Returns whether the run ends.
+/// Applies `what` happens. Returns true if the run ends.
 static bool runup_happen(runner *r, int what) {
     bool ends = false;
     if (what == EVENT_NONE || what == EVENT_TURN || what == EVENT_TORQUE) return false;
@@ -660,7 +665,7 @@ static bool runup_happen(runner *r, int what) {
     return ends || what == EVENT_END;
 }
 
-/// Returns whether something happens in the present state.
+/// Returns true if `what` happens in the present state.
 static bool runup_is_here(const runner *r, const coming *what) {
     const double value = what->of(r, r->x, what->which);
     if (what->of == runup_formula_quantity) return value >= 0.0;
@@ -672,7 +677,7 @@ static bool runup_is_here(const runner *r, const coming *what) {
     return fabs(value - what->target) <= 1e-12 * what->target;
 }
 
-/// Lets all happen that comes where the run is now, and what follows from it. Returns whether the run ends.
+/// Applies all that happens in the present state, and what follows from it. Returns true if the run ends.
 static bool runup_happen_now(runner *r) {
     bool ends = false, more = true;
     while (more && r->status.code == WHIRL_OK) {
@@ -690,8 +695,8 @@ static bool runup_happen_now(runner *r) {
     return ends;
 }
 
-/// The first event in the part that was carried last with all samples, of that length from the angle `from` on: where
-/// it is, and the state there.
+/// Finds the first event in the part that was carried last with all samples, which has `length` and begins at the angle
+/// `from`. Writes its place `at` and the state `there`. Returns the kind of event.
 static int runup_find_event(runner *r, double from, double length, double *at, double *there) {
     coming list[MAX_COMING];
     const size_t events = runup_list_coming(r, list), count = (size_t)r->plan->options->samples;
@@ -734,7 +739,7 @@ static runup_end runup_end_of(const runner *r, whirl_motion motion) {
     return r->x[r->rotor] < 1e-3 || isnan(r->x[r->rotor]) ? RUNUP_STALLED : RUNUP_STUCK;
 }
 
-/// The most evaluations of the equations by time for which the samples of a part show each of its steps.
+/// Returns the most evaluations of the equations by time for which the samples of a part show each of its steps.
 static double runup_most_evaluations(const runner *r) {
     // A part has 8 steps at least where the machine has switches; interpolants cost evaluations, too.
     enum { SAMPLES_OF_STEP = 4, STAGES = 16, FEWEST = 16 };
@@ -743,8 +748,8 @@ static double runup_most_evaluations(const runner *r) {
     return steps * (STAGES + (implicit ? 2.0 * (double)r->most : 0.0));
 }
 
-/// Carries `end` over the next part of a turn, of at most *length, with all samples. Writes its length to *length: by
-/// time a part has as many steps as its samples can show.
+/// Carries `end` over the next part of a turn, at most *length long, and keeps all samples. Writes the part's length to
+/// *length: with time as variable, a part has as many steps as its samples can show.
 static whirl_motion runup_carry_next(runner *r, double from, double *length, double *end) {
     enum { TRIES = 6 };
     const double most = runup_most_evaluations(r);
@@ -804,7 +809,8 @@ static bool runup_turn_on(runner *r) {
     return true;
 }
 
-/// From a shaft that stands, by time, to the end of the first turn. False where there is none.
+/// Carries a shaft that stands, with time as variable, to the end of its first turn. Returns false if the shaft makes
+/// none.
 static bool runup_start_turning(runner *r) {
     whirl_torques torques;
     r->machine->torques(r->machine, r->x, r->angle0, &torques);
@@ -848,14 +854,14 @@ static bool runup_settle(runner *r) {
 
 // ---------------------------------------------------------------- all
 
-/// Goes back to what a state belongs to.
+/// Returns to the setting of a state.
 static void runup_go_back(runner *r, const runup_where *to) {
     runup_go_by(r, to->side, to->by_time);
     r->machine->lose(r->machine, to->lost, r->lost);
     r->machine->turn(r->machine, &to->how);
 }
 
-/// The tops of radii between samples.
+/// Locates the peaks of radii between samples.
 static void runup_locate_peaks(runner *r) {
     for (size_t p = 0; p < r->probes; p++) {
         const double *state = r->peak_state + p * r->most;
@@ -873,7 +879,7 @@ static void runup_locate_peaks(runner *r) {
     }
 }
 
-/// The tops and bottoms of torques between samples.
+/// Locates the peaks and valleys of torques between samples.
 static void runup_locate_torques(runner *r) {
     double *there = r->scratch + r->most;
     for (size_t which = 0; which < 2 * r->torques; which++) {

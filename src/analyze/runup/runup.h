@@ -19,7 +19,7 @@ typedef enum runup_end {
     RUNUP_STALLED,  ///< the shaft came to rest, or never turned
     RUNUP_DIVERGED, ///< the motion left all bounds
     RUNUP_STUCK,    ///< the solver could not go on
-    RUNUP_STOPPED   ///< somebody asked for it: what is there means nothing
+    RUNUP_STOPPED   ///< the caller stopped it: the results are meaningless
 } runup_end;
 
 /// A station's motion over a turn of the shaft, in the machine's unit of length.
@@ -70,7 +70,7 @@ typedef struct runup_happening {
     double time, at; ///< s and rad/s of the shaft; NaN: never
 } runup_happening;
 
-/// Most events: a trip and a loss of the options, and those of a course.
+/// Most events: a trip and a loss of the options, and the events of a course.
 enum { RUNUP_EVENTS = WHIRL_MAX_EVENTS + 2 };
 
 /// Writes the events of the options themselves, a trip and a loss, to out [RUNUP_EVENTS]; returns their number. The
@@ -90,10 +90,11 @@ typedef struct runup_run {
     double *last;              ///< [dimension by the angle] the last state
 } runup_run;
 
-/// Is shown a turn.
+/// Receives a turn.
 typedef void runup_see(void *context, const runup_turn *turn);
 
-/// Is shown torques [watched_count], N m, and speeds of stations [probe_count], rad/s, at instants that resolve them.
+/// Receives torques [watched_count], N m, and speeds of stations [probe_count], rad/s, at instants dense enough to show
+/// their course.
 typedef void runup_watch_at(void *context, double time, const double *torque, const double *speed);
 
 /// Plan of a run.
@@ -113,11 +114,11 @@ typedef struct runup_plan {
     turn_samples *samples; ///< filled in before a turn is shown; NULL: none are wanted
 } runup_plan;
 
-/// Returns whether a run is followed by a copy that began nearby, which tells how fast small changes grow.
+/// Returns true if a run is followed by a copy that began nearby, which shows how fast small changes grow.
 bool runup_wants_copy(const whirl_runup_options *options, size_t contacts);
 
-/// Runs it. peaks, contacts, torques, events [RUNUP_EVENTS] and last are the caller's. WHIRL_NO_MEMORY, and errors of
-/// integrators and machines.
+/// Carries out the run. The caller owns peaks, contacts, torques, events [RUNUP_EVENTS] and last. WHIRL_NO_MEMORY, and
+/// errors of integrators and machines.
 whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_run *run);
 
 #endif

@@ -18,13 +18,13 @@ turn_samples turn_samples_new(size_t samples, size_t probes, size_t contacts) {
     return made;
 }
 
-/// Cubic between two values with slopes by time, at the share `s` of a step.
+/// Interpolates at the share `s` of a step, by the cubic between two values with slopes by time.
 static double turn_between(double low, double high, double slope_low, double slope_high, double step, double s) {
     const double t = 1.0 - s;
     return t * low + s * high + s * t * ((t - s) * (low - high) + step * (t * slope_low - s * slope_high));
 }
 
-/// The share of the step at which the shaft has an angle: by the secant method within a bracket (Illinois).
+/// Returns the share of the step at which the shaft has an angle, by the secant method within a bracket (Illinois).
 static double turn_share_at(const turn_instant *low, const turn_instant *high, double angle) {
     const double step = high->numbers[0] - low->numbers[0];
     double a = 0.0, b = 1.0, fa = low->angle - angle, fb = high->angle - angle, s = fa == 0.0 ? 0.0 : 1.0;

@@ -31,7 +31,7 @@ void turn_samples_fill(turn_samples *to, const turn_instant *low, const turn_ins
 
 /// The last turns.
 typedef struct turn_history {
-    size_t room, held; ///< turns that are kept; that there are, up to twice as many
+    size_t room, held; ///< number of turns that must be kept; number in memory, up to twice as many
     size_t turn;       ///< numbers of a turn, samples times width
     double *numbers;   ///< [2 room][turn]
     double end;        ///< s, of the last turn

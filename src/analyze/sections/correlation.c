@@ -7,7 +7,7 @@
 #include "correlation.h"
 #include "section.h"
 
-/// sum over n of (z(n) - mean) . (z(n + lag) - mean), over its value at lag 0.
+/// Returns the sum over n of (z(n) - mean) . (z(n + lag) - mean), divided by the sum at lag 0.
 static double correlation_at(const section *all, const double *mean, size_t lag) {
     const size_t d = all->dimension;
     double product = 0.0, early = 0.0, late = 0.0;
@@ -22,7 +22,7 @@ static double correlation_at(const section *all, const double *mean, size_t lag)
     return early > 0.0 && late > 0.0 ? product / sqrt(early * late) : 0.0;
 }
 
-/// Root mean square distance from the mean.
+/// Returns the root mean square distance of the points from their mean.
 static double correlation_spread(const section *all, const double *mean) {
     double sum = 0.0;
     for (size_t n = 0; n < all->count; n++)

@@ -10,7 +10,8 @@ typedef struct correlation {
     double time; ///< revolutions after which it stays below 0.2; NaN if it does not
 } correlation;
 
-/// Computes it. NaN for fewer than 64 points, and if the root mean square spread is not above `least`.
+/// Computes the correlation. It is NaN for fewer than 64 points, and if the root mean square spread is not above
+/// `least`.
 correlation correlation_find(const section *all, double least);
 
 #endif

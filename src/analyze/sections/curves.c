@@ -105,7 +105,7 @@ typedef struct part_path {
     size_t size, length, ends[2];
 } part_path;
 
-/// Longest way down from a point, in points, and where it ends.
+/// Number of points on the longest way down from a point, and the point where it ends.
 typedef struct descent {
     size_t length, end;
 } descent;

@@ -5,10 +5,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/// For a map m [n][n] whose eigenvalues are all within the unit circle: p = sum over j of (m^j)' m^j, so that |v|^2 =
-/// v' p v shrinks by v' v with every step, whatever directions grow for a while (Lyapunov 1892; the sum by doubling).
-/// *shrinks is the least share by which a step shortens a vector. `room` has 3 n^2 numbers. False if m does not shrink,
-/// or too slowly for the sum to converge, and without memory.
+/// Computes for a map m [n][n] whose eigenvalues are all within the unit circle the matrix p = sum over j of (m^j)'
+/// m^j. In its norm, |v|^2 = v' p v, every step shortens every vector, and |v|^2 by v' v, even in directions that grow
+/// for a while (Lyapunov 1892; the sum is computed by doubling). *shrinks receives the least share by which a step
+/// shortens a vector. `room` has 3 n^2 numbers. Returns false if m does not shrink, if it shrinks too slowly for the
+/// sum to converge, and without memory.
 bool metric_make(size_t n, const double *m, double *p, double *shrinks, double *room);
 
 /// Returns the length of v [n] in that norm.

@@ -9,8 +9,9 @@ typedef struct multiplier {
     double real, imaginary;
 } multiplier;
 
-/// Finds it by least squares on the returns z(n + period) - z(n), while they shrink between a hundredth of the motion's
-/// size and its rounding. NaN if there are too few of these, or if they do not follow one multiplier or a pair.
+/// Finds the multiplier by least squares on the returns z(n + period) - z(n), while they shrink between a hundredth of
+/// the motion's size and its rounding. It is NaN if these are too few, or if they do not follow one multiplier or a
+/// pair.
 multiplier multiplier_find(const section *all, int period, double size, double rounding);
 
 #endif

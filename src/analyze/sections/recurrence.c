@@ -6,14 +6,15 @@
 #include "recurrence.h"
 #include "section.h"
 
-/// Largest |z(n+k) - z(n)| among `count` points from `first` on.
+/// Returns the largest |z(n+k) - z(n)| among `count` points from `first` on.
 static double return_distance(const section *all, size_t first, size_t count, size_t k) {
     double largest = 0.0;
     for (size_t n = first; n + k < first + count; n++) largest = fmax(largest, section_distance(all, n, n + k));
     return largest;
 }
 
-/// Separation of the points of a supposed P-k from a shorter period: for k = p j the shortest return over j.
+/// Returns the separation of the points of a supposed P-k from a shorter period: for k = p j the shortest return over
+/// j.
 static double divisor_distance(const section *all, size_t first, size_t count, size_t k) {
     double least = INFINITY;
     for (size_t j = 1; 2 * j <= k; j++) {
@@ -76,7 +77,7 @@ recurrence recurrence_find(const section *all, size_t record_count, double size,
     return found;
 }
 
-/// Root mean square of |z(n+k) - z(n)| over all points.
+/// Returns the root mean square of |z(n+k) - z(n)| over all points.
 static double mean_return(const section *all, size_t k) {
     double squares = 0.0;
     for (size_t n = 0; n + k < all->count; n++) {

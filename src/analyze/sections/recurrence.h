@@ -27,11 +27,12 @@ static const double recurrence_tolerance = 1e-6;
 
 recurrence recurrence_find(const section *all, size_t record_count, double size, double tolerance);
 
-/// Rounds after which a drift shows its curve, and averages over both halves agree (halves of 5.5 rounds still differ).
+/// Rounds after which a drift shows its curve, and the averages over both halves agree. (Halves of 5.5 rounds still
+/// differ.)
 static const double enough_rounds = 12.0;
 
-/// Revolutions of one round along a closed curve, if the nearest returns show an even drift that has made too few
-/// rounds; else NaN.
+/// Returns the number of revolutions of one round along a closed curve, if the nearest returns show an even drift that
+/// has made too few rounds; otherwise NaN.
 double drift_round(const section *all, const recurrence *returns, double size);
 
 #endif

@@ -11,17 +11,18 @@ typedef struct section {
     const double *points; ///< [count][dimension]
 } section;
 
-/// The last `count` points.
+/// Returns the last `count` points.
 section section_tail(const section *all, size_t count);
 
-/// Euclidean distance of points a and b.
+/// Returns the Euclidean distance of points a and b.
 double section_distance(const section *all, size_t a, size_t b);
 
-/// Size against which distances are judged: half the diagonal of the motion's bounds over the record. It is at least
-/// 1e-6 of the largest coordinate and 1e-12, so that an equilibrium returns although rounding moves it.
+/// Returns the size against which distances are judged: half the diagonal of the motion's bounds over the record. It is
+/// at least 1e-6 of the largest coordinate and 1e-12, so that an equilibrium counts as returning although rounding
+/// moves it.
 double motion_size(const whirl_record *record);
 
-/// Largest distance, over the size of the motion, that may be accumulated rounding.
+/// Returns the largest distance, over the size of the motion, that may be accumulated rounding.
 double motion_rounding(const whirl_record *record);
 
 #endif

@@ -22,7 +22,7 @@ typedef struct fit {
     double residual; ///< unexplained part of the steps, root of squares
 } fit;
 
-/// The step from point n to the next one, along coordinate i.
+/// Returns the step from point n to the next one, along coordinate i.
 static double step_along(const section *all, size_t n, size_t i) {
     return all->points[(n + 1) * all->dimension + i] - all->points[n * all->dimension + i];
 }
@@ -58,7 +58,7 @@ static void settling_map_project(const section *all, size_t n, size_t count, con
     }
 }
 
-/// Fits the map from step to step by least squares, map [count][count]. Returns the larger unexplained share of any
+/// Fits the map from step to step by least squares, map [count][count]. Returns the largest unexplained share of a
 /// step.
 static double fit_map(const section *all, size_t count, const double *axes, const double *sizes, double *map) {
     double square[MAX_DIRECTIONS * MAX_DIRECTIONS] = {0}, product[MAX_DIRECTIONS * MAX_DIRECTIONS] = {0};

@@ -13,8 +13,8 @@ enum { MAX_POINTS = 4000, FREQUENCIES = 25, MAX_LAGS = 50 };
 
 static const double pi = 3.141592653589793238463;
 
-/// One observable of the section, mean 0 and mean square 1: a sum of its coordinates, each scaled by its spread and
-/// with a weight of its own, so that no symmetry of the motion hides. False if only rounding moves.
+/// Computes one observable of the section, with mean 0 and mean square 1: a sum of its scaled coordinates with
+/// different weights, so that no symmetry of the motion hides. Returns false if only rounding moves.
 static bool zero_one_observe(const section *points, double size, double *u) {
     double squares = 0.0;
     for (size_t n = 0; n < points->count; n++) u[n] = 0.0;
@@ -41,7 +41,7 @@ static bool zero_one_observe(const section *points, double size, double *u) {
     return true;
 }
 
-/// p, q [count] driven with frequency c.
+/// Computes p, q [count], driven with frequency c.
 static void zero_one_drive(const double *u, size_t count, double c, double *p, double *q) {
     double px = 0.0, qx = 0.0;
     for (size_t n = 0; n < count; n++) {
@@ -75,7 +75,7 @@ static double zero_one_correlate(const double *a, const double *b, size_t count)
     return aa > 0.0 && bb > 0.0 ? ab / sqrt(aa * bb) : 0.0;
 }
 
-/// K at one frequency.
+/// Returns the growth rate K at one frequency.
 static double growth_at(const double *u, size_t count, double c) {
     double p[MAX_POINTS], q[MAX_POINTS], lags[MAX_LAGS] = {0}, displacement[MAX_LAGS] = {0};
     const size_t longest = count / 10, averaged = count - longest;

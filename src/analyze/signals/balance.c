@@ -144,7 +144,7 @@ static whirl_status find_influence(const whirl_balance *of, whirl_correction *ou
 
 // ---------------------------------------------------------------- correction
 
-/// Effect of a kg m of an unknown at a row.
+/// Returns the effect of a kg m of an unknown on a row.
 static double complex effect_of(const whirl_balance *of, const whirl_correction *out, const whirl_balance_row *row,
                                 size_t unknown) {
     return out->by_set ? balance_number(row->influence[unknown])
@@ -163,7 +163,7 @@ static size_t find_used(const whirl_balance *of, const whirl_correction *out, si
     return count;
 }
 
-/// |vibration| of a row after the correction, with other model coefficients.
+/// Returns |vibration| of a row after the correction, computed with other influence coefficients.
 static double after_with(const whirl_balance *of, const whirl_correction *out, const whirl_balance_row *row,
                          const double (*influence)[2]) {
     double complex sum = balance_number(row->before);
@@ -185,7 +185,7 @@ static void balance_predict(const whirl_balance *of, whirl_correction *out, cons
     }
 }
 
-/// kg m in a plane per kg m of an unknown.
+/// Returns the kg m in a plane per kg m of an unknown.
 static double complex share_of(const whirl_balance *of, const whirl_correction *out, size_t unknown, size_t plane) {
     return of->mode_count > 0 ? balance_number(out->sets[unknown][plane]) : (double)(unknown == plane);
 }
@@ -235,7 +235,7 @@ static whirl_status find_within(const whirl_balance *of, const whirl_correction 
     double complex *share = block + out->row_count * count, *before = block + lines * count;
     balance_goal goal = {
         .n = count, .effect = block, .before = before, .share = share, .limits = limits, .least_max = of->least_max};
-    // Rows: what is to be small.
+    // Write the vibrations that are to become small, each times the root of its weight.
     for (size_t r = 0; r < out->row_count; r++) {
         const double root = sqrt(out->rows[r].weight);
         if (root == 0.0) continue;
@@ -273,7 +273,8 @@ static whirl_status best_weights(const whirl_balance *of, const whirl_correction
     return whirl_ok();
 }
 
-/// Residual of weights: the root of the weighted mean square, or the largest vibration if that is minimized.
+/// Returns what is left with these weights: the root of the weighted mean square, or the largest vibration if that is
+/// minimized.
 static double left_with(const whirl_balance *of, const whirl_correction *out, const double complex *amounts,
                         const size_t *index, size_t count) {
     double sum = 0.0, weights = 0.0, largest = 0.0;

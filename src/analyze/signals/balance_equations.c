@@ -13,7 +13,8 @@ void balance_add(balance_normal *of, const double complex *a, double complex b, 
     }
 }
 
-/// Cholesky's pivots are what the unknowns before leave of each unknown.
+/// Returns true if the columns are independent. Cholesky's pivots are what remains of each unknown beyond the unknowns
+/// before it.
 static bool are_distinct(size_t n, const double complex *matrix) {
     static const double least = 1e-10; // share of an unknown that the others must leave, in squares
     double complex rest[BALANCE_UNKNOWNS * BALANCE_UNKNOWNS];

@@ -39,13 +39,13 @@ void balance_within(const balance_normal *of, const double *limits, double compl
 /// whirl_correction. NaN without memory.
 double balance_condition(const balance_normal *of, double *significance);
 
-/// Number of a correction's unknowns: planes, or sets if there are modes.
+/// Returns the number of a correction's unknowns: planes, or sets if there are modes.
 size_t balance_unknown_count(const whirl_balance *of);
 
-/// Index of the mode that readings at a speed belong to: the one of the nearest speed.
+/// Returns the index of the mode to which readings at a speed belong: the mode of the nearest speed.
 size_t balance_mode_of(const whirl_balance *of, double speed);
 
-/// Effect of a kg m of an unknown at a row, by influence coefficients of planes.
+/// Returns the effect of a kg m of an unknown on a row, by the influence coefficients of planes.
 double complex balance_effect(const whirl_correction *of, const double (*influence)[2], size_t planes, size_t unknown);
 
 #endif

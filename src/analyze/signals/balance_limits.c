@@ -21,13 +21,13 @@ typedef struct barrier {
     double sharpness;             ///< weight of the goal against the barrier
 } barrier;
 
-/// Value of a row at z, of complex coefficients [n].
+/// Returns the value of a row at z, from complex coefficients [n].
 static double complex row_at(const barrier *b, const double complex *of, double complex at_zero, const double *z) {
     for (size_t j = 0; j < b->n; j++) at_zero += of[j] * (z[2 * j] + z[2 * j + 1] * I);
     return at_zero;
 }
 
-/// Derivative of a row by number k of z.
+/// Returns the derivative of a row by number k of z.
 static double complex slope_of(const double complex *of, size_t k) {
     return k % 2 ? of[k / 2] * I : of[k / 2];
 }
@@ -38,7 +38,7 @@ static double balance_limits_wall(double complex u, double limit) {
     return inside > 0.0 ? -log(inside * (limit + cabs(u))) : (double)INFINITY;
 }
 
-/// Function to be minimized: sharpness times the goal, and a wall at every limit.
+/// Returns the function to be minimized: sharpness times the goal, plus a wall at every limit.
 static double barrier_value(const barrier *b, const double *z) {
     double goal = b->bound ? z[b->size - 1] : 0.0, walls = 0.0;
     for (size_t r = 0; r < b->rows; r++) {

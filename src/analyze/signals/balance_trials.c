@@ -27,7 +27,7 @@ static view balance_trials_look(const whirl_balance *of, const whirl_correction 
     return seen;
 }
 
-/// Direction of a trial weight: that of the single weight that minimizes the vibration.
+/// Returns the direction of a trial weight: that of the single weight which minimizes the vibration.
 static double complex direction_of(const whirl_balance *of, const whirl_correction *out, size_t unknown) {
     double complex sum = 0.0;
     for (size_t r = 0; r < out->row_count; r++) {
@@ -37,7 +37,7 @@ static double complex direction_of(const whirl_balance *of, const whirl_correcti
     return cabs(sum) > 0.0 ? sum / cabs(sum) : 1.0;
 }
 
-/// Plane whose bearing gives the force: that of the largest weight.
+/// Returns the plane whose bearing limits the force: that of the largest weight.
 static size_t plane_of(const whirl_balance *of, const whirl_correction *out, size_t unknown) {
     size_t best = 0;
     if (of->mode_count == 0) return unknown;
@@ -46,7 +46,7 @@ static size_t plane_of(const whirl_balance *of, const whirl_correction *out, siz
     return best;
 }
 
-/// Weight, kg m, from the bearing load at the largest speed of the rows; 0: unknown.
+/// Returns a trial weight, kg m, from the bearing load at the largest speed of the rows, or 0 if it is unknown.
 static double by_force(const whirl_balance *of, const whirl_balance_model *model, const whirl_correction *out,
                        size_t unknown, whirl_balance_proposal *own) {
     own->bearing = plane_of(of, out, unknown);
@@ -57,7 +57,7 @@ static double by_force(const whirl_balance *of, const whirl_balance_model *model
     return own->load > 0.0 && own->speed > 0.0 ? force_share * own->load / (own->speed * own->speed) : 0.0;
 }
 
-/// Largest weight in that direction up to which a row stays within its limit; infinite without one.
+/// Returns the largest weight in this direction with which a row stays within its limit; infinite if it has no limit.
 static double balance_trials_within(const view *seen, double complex way) {
     const double complex effect = seen->effect * way;
     const double b = creal(conj(seen->before) * effect), a = creal(effect * conj(effect));

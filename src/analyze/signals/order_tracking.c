@@ -11,8 +11,8 @@ static const double two_pi = 6.283185307179586476925;
 
 // ---------------------------------------------------------------- the angle
 
-/// Duration of a revolution at pulse k: the slope of the parabola through it and its neighbours, limited so that the
-/// cubics stay monotone.
+/// Returns the duration of a revolution at pulse k: the slope of the parabola through it and its neighbours, limited so
+/// that the cubics stay monotone.
 static double slope_at(const double *instants, size_t pulses, size_t k) {
     if (pulses == 2) return instants[1] - instants[0];
     const size_t middle = k == 0 ? 1 : k == pulses - 1 ? pulses - 2 : k;
@@ -31,7 +31,7 @@ static revolution revolution_at(const double *instants, size_t pulses, size_t k)
     return (revolution){instants[k], instants[k + 1], slope_at(instants, pulses, k), slope_at(instants, pulses, k + 1)};
 }
 
-/// Instant at which the shaft has turned by a part (0 to 1) of a revolution.
+/// Returns the instant at which the shaft has turned by a part (0 to 1) of a revolution.
 static double instant_at(const revolution *turn, double part) {
     if (part == 0.0 || part == 1.0) return part == 1.0 ? turn->last : turn->first;
     const double length = turn->last - turn->first, rest = 1.0 - part;
@@ -61,7 +61,7 @@ static size_t sample_before(const double *time, size_t count, double instant) {
     return low;
 }
 
-/// Lagrange's polynomial through the order + 1 samples around an instant, centred where possible.
+/// Returns Lagrange's polynomial through the order + 1 samples around an instant, centred where possible.
 static stencil stencil_at(const double *time, size_t count, double instant, int order) {
     const size_t before = sample_before(time, count, instant), side = (size_t)order / 2;
     stencil s = {.first = before > side ? before - side : 0, .nodes = (size_t)order + 1};

@@ -9,7 +9,8 @@ typedef struct curve {
     const double *x, *y;
 } curve;
 
-/// Value between points i and i + 1, by the cubic through these and one on either side (the parabola at the ends).
+/// Interpolates between points i and i + 1, with the cubic through these and one more on either side (the parabola at
+/// the ends).
 static double peaks_between(const curve *c, size_t i, double at) {
     const size_t first = i > 0 ? i - 1 : 0, after = i + 3 < c->count ? i + 3 : c->count;
     double sum = 0.0;
@@ -24,7 +25,7 @@ static double peaks_between(const curve *c, size_t i, double at) {
 
 enum { HALVINGS = 60 };
 
-/// Location of the largest value between points i - 1 and i + 1, by thirds.
+/// Returns the location of the largest value between points i - 1 and i + 1, by ternary search.
 static double top_of(const curve *c, size_t i) {
     double low = c->x[i - 1], high = c->x[i + 1];
     for (int n = 0; n < HALVINGS; n++) {
@@ -39,7 +40,8 @@ static double top_of(const curve *c, size_t i) {
     return 0.5 * (low + high);
 }
 
-/// Speed at which the response falls to `level` on a side (-1, 1) of peak i, before it rises again; NaN if it does not.
+/// Returns the speed at which the response falls to `level` on a side (-1, 1) of peak i before it rises again; NaN if
+/// it does not fall so far.
 static double side_of(const curve *c, size_t i, int side, double level) {
     size_t from = i;
     while ((side < 0 ? from > 0 : from + 1 < c->count) && c->y[from] > level) {
@@ -60,7 +62,7 @@ static double side_of(const curve *c, size_t i, int side, double level) {
     return 0.5 * (low + high);
 }
 
-/// Slope of the phase across peak i, rad per rad/s, by differences.
+/// Returns the slope of the phase across peak i, rad per rad/s, by differences.
 static double phase_slope(const curve *c, const double *lags, size_t i) {
     const double degrees = remainder(lags[i + 1] - lags[i - 1], 360.0);
     return degrees / 180.0 * 3.14159265358979323846 / (c->x[i + 1] - c->x[i - 1]);
@@ -98,7 +100,7 @@ size_t whirl_response_peaks(size_t count, const double *speeds, const double *am
     return found;
 }
 
-/// Value at a speed from the first point to the last.
+/// Interpolates at a speed from the first point to the last.
 static double peaks_value_at(const curve *c, double at) {
     size_t i = 0;
     while (i + 2 < c->count && c->x[i + 1] < at) i++;

@@ -11,8 +11,8 @@ static bool rain_flow_turns(double last, double middle, double next) {
     return (middle > last && next < middle) || (middle < last && next > middle);
 }
 
-/// Finds the first and last sample and the peaks and valleys between them; equal samples in a row are one. Returns how
-/// many.
+/// Writes to `points` the first and last sample, and the peaks and valleys between them. Equal samples in a row count
+/// as one. Returns their number.
 static size_t rain_flow_turning(const double *values, size_t count, double *points) {
     size_t found = 1;
     points[0] = values[0];
@@ -87,7 +87,8 @@ static whirl_status damage_check(const double *ranges, const double *lives, size
     return whirl_ok();
 }
 
-/// Cycles to failure of a range up to the largest of the curve: straight lines over logarithms, the last one goes on.
+/// Returns the cycles to failure of a range up to the largest of the curve. The curve is straight lines over
+/// logarithms, of which the last one is extended.
 static double damage_life(double range, const double *ranges, const double *lives, size_t points, double slope) {
     if (points == 1) return lives[0] * pow(ranges[0] / range, slope);
     size_t i = 1;

@@ -1,4 +1,4 @@
-// Sensors, their electronics, and the sampling of what they say.
+// Sensors, their electronics, and the sampling of their signals.
 #include "whirl/engine/sensors.h"
 
 #include <math.h>
@@ -52,8 +52,8 @@ static void derive(const sensor_grid *grid, int order, const double *x, double *
     }
 }
 
-/// Lets a spring and mass under a signal that is straight between instants answer it, exactly: y'' = w^2 (u - y) - 2 d
-/// w y'. It begins at rest.
+/// Passes a signal, which is linear between instants, through a spring and mass, exactly: y'' = w^2 (u - y) - 2 d w y'.
+/// The mass begins at rest.
 static void resonate(const sensor_grid *grid, double frequency, double damping, double *u) {
     const double w = two_pi * frequency, a = damping * w, wd = w * sqrt(1.0 - damping * damping), h = grid->step;
     const double e = exp(-a * h), c = e * cos(wd * h), s = e * sin(wd * h) / wd;
@@ -69,7 +69,7 @@ static void resonate(const sensor_grid *grid, double frequency, double damping, 
     }
 }
 
-/// Takes away what is slower than a corner frequency. It begins settled at the mean.
+/// Removes what is slower than a corner frequency. The filter begins settled at the mean.
 static void pass_high(const sensor_grid *grid, double frequency, double *u) {
     const double w = two_pi * frequency, h = grid->step, decay = exp(-w * h);
     double low = 0.0, before = u[0];
@@ -83,7 +83,7 @@ static void pass_high(const sensor_grid *grid, double frequency, double *u) {
     }
 }
 
-/// Fills in what a sensor measures, in volts; x and y [count] of its station are workspace.
+/// Computes the signal of a sensor in volts; x and y [count] of its station are workspace.
 static void measure(const whirl_record *record, const whirl_channel *channel, const whirl_sampling *sampling,
                     const sensor_grid *grid, double *x, double *out) {
     const double *y = x + grid->count, c = cos(channel->angle), s = sin(channel->angle);
@@ -146,8 +146,8 @@ typedef struct sample_weights {
     double *w;           ///< [count]
 } sample_weights;
 
-/// Weights of the instants around a place among them, for `ratio` instants a sample. They are kept for the next sample
-/// if that lies alike.
+/// Computes the weights of the instants around `place`, a fractional index of an instant, for `ratio` instants a
+/// sample. If the weights in `own` are for the same place between two instants, it keeps them.
 static void weigh(const double *table, double ratio, double place, sample_weights *own) {
     const double reach = WHIRL_SENSOR_REACH * ratio;
     own->first = (size_t)ceil(place - reach);
@@ -170,7 +170,7 @@ static void weigh(const double *table, double ratio, double place, sample_weight
 /// Returns the share of the angles from `from` to `to`, in turns, that pulses cover.
 static double pulse_share(const whirl_channel *channel, uint64_t seed, size_t index, double from, double to) {
     const double apart = 1.0 / channel->pulses, half = 0.5 * channel->width / two_pi;
-    // Most samples see no pulse, and need no random number: normals of 53 bits are below 9.
+    // Most samples see no pulse and need no random number: normal numbers made from 53 bits are below 9.
     const double farthest = half + 9.0 * channel->jitter / two_pi;
     double covered = 0.0;
     for (double p = fmax(0.0, floor(from / apart) - 1.0); p * apart <= to + apart; p += 1.0) {
@@ -192,7 +192,7 @@ static double convert(const whirl_channel *channel, double value) {
     return fmin(fmax(code, -steps), steps - 1.0) * channel->full_scale / steps;
 }
 
-/// Adds noise and converts.
+/// Adds noise, and converts volts to the numbers of the channel.
 static void finish(const whirl_channel *channel, uint64_t seed, size_t index, size_t count, double *values,
                    float *out) {
     for (size_t k = 0; k < count; k += 2) {

@@ -61,9 +61,9 @@ typedef struct line_search {
 } line_search;
 
 /// Transform of the Hann window at a distance from its centre, where it is 1 (Harris 1978). That of the rectangular
-/// window is e^(-i angle (count - 1)/count) sin(angle)/(count sin(angle/count)), angle = pi bins. The Hann window's is
-/// this one less half of its two neighbours, a bin away, in which sin(angle) and the phase return except for their
-/// signs.
+/// window is e^(-i angle (count - 1)/count) sin(angle)/(count sin(angle/count)), angle = pi bins. That of the Hann
+/// window is this one minus half of the same one bin above and below, where sin(angle) and the phase are the same
+/// except for their signs.
 static double complex hann_lobe(const line_search *search, turn whole, turn part) {
     // At the bins 0, 1 and -1 both sides of a quotient are 0. Only frequencies at half the sampling rate come so close.
     const double least = 1e-12;
@@ -77,7 +77,7 @@ static double complex hann_lobe(const line_search *search, turn whole, turn part
     return high * ((even * phase.cosine - odd * phase.sine) + I * (even * phase.sine + odd * phase.cosine));
 }
 
-/// Product of a and b; C's own product also handles infinities and is slower.
+/// Returns the product of a and b. The product of the language C also handles infinities, and is slower.
 static double complex lines_times(double complex a, double complex b) {
     return (creal(a) * creal(b) - cimag(a) * cimag(b)) + I * (creal(a) * cimag(b) + cimag(a) * creal(b));
 }
@@ -95,7 +95,8 @@ static void lines_subtract(const line_search *search, wave_amplitudes *value, co
     value->y -= lines_times(line->a.y, there);
 }
 
-/// Transform at `bin` without the leakage of all lines but `own`. Lines whose main lobes overlap that of `own` stay.
+/// Returns the transform at `bin` without the leakage of the lines other than `own`. Lines whose main lobes overlap
+/// that of `own` are not removed.
 static wave_amplitudes lines_isolated(const line_search *search, size_t own, double bin) {
     const frequency at = frequency_of(bin, search->samples);
     wave_amplitudes value = wave_transform_at(search->wave, bin);

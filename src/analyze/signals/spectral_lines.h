@@ -9,10 +9,10 @@
 
 /// Finds up to WHIRL_MAX_LINES lines of a Hann-windowed signal, largest first, with `order` in bins. `power` [bins] is
 /// the squared amplitude at the whole bins 0, 1, ...; lines are searched from bin 2 (lower ones are indistinguishable
-/// from the mean) to bins - 2. Returns how many there are.
+/// from the mean) to bins - 2. Returns their number.
 size_t spectrum_lines(const wave_transform *wave, const double *power, size_t bins, whirl_line *lines);
 
-/// Zero-to-peak amplitudes of the sinusoids of an order.
+/// Returns the zero-to-peak amplitudes of the sinusoids of an order.
 whirl_line spectrum_line(double order, wave_amplitudes at);
 
 #endif

@@ -14,8 +14,8 @@ whirl_status whirl_signals_sweep(double sweep, double *kept) {
     const double most = 1e6;
     if (!(fabs(sweep) <= most))
         return whirl_fail(WHIRL_BAD_INPUT, "the sweep is %g, expected at most %g: take shorter windows", sweep, most);
-    // Over half the window, in its duration: int (1 + cos 2 pi u) e^(i pi sweep u^2) du, by panels of at most a quarter
-    // of a turn of the phase, whose slope is at most pi sweep.
+    // Integrate over half the window, with its duration as unit: int (1 + cos 2 pi u) e^(i pi sweep u^2) du. A panel
+    // covers at most a quarter of a turn of the phase, whose slope is at most pi sweep.
     const size_t panels = 4 + (size_t)ceil(fabs(sweep));
     const double half = 0.25 / (double)panels;
     double re = 0.0, im = 0.0;

@@ -7,12 +7,12 @@
 
 typedef struct wave_transform wave_transform;
 
-/// Makes one of x and y [count]; `window_sum` is the sum of their window. NULL without memory. Freed by
-/// wave_transform_free.
+/// Makes the transform of x and y [count]; `window_sum` is the sum of their window. Returns NULL without memory. Freed
+/// by wave_transform_free.
 wave_transform *wave_transform_new(const double *x, const double *y, size_t count, double window_sum);
 void wave_transform_free(wave_transform *transform);
 
-/// Number of samples.
+/// Returns the number of samples.
 size_t wave_transform_count(const wave_transform *transform);
 
 /// Sums of x and of y times exp(-2 pi i bin j/count), over the window's sum: the amplitude a of a sinusoid a e^(i

@@ -35,7 +35,7 @@ static bool is_clear(whirl_estimate exponent) {
     return fabs(exponent.value) > clear_sigmas * exponent.error;
 }
 
-/// Remaining transient of a motion that returns, over its size, by the exponent.
+/// Returns the remaining transient of a motion that returns, over its size, by the exponent.
 static double left_to_go(const whirl_verdict *v, const evidence *e) {
     if (v->recurrence <= e->rounding) return 0.0;
     const double slowest = v->exponent.value + clear_sigmas * v->exponent.error;
@@ -81,7 +81,7 @@ static whirl_confidence weigh_periodic(const whirl_verdict *v, const evidence *e
     return alone;
 }
 
-/// Exponent by which a motion without a verdict settles, if it is sharp; else NaN.
+/// Returns the exponent by which a motion without a verdict settles, or NaN if the exponent is not sharp.
 static double settling_exponent(const evidence *e) {
     if (e->growth_count == 0) return NAN;
     const whirl_estimate sharp = estimate_regular_mean(e->growth, e->growth_count, 1);
@@ -149,8 +149,8 @@ static double bounded_factor(double factor) {
     return fmin(fmax(factor, least_factor), largest_factor);
 }
 
-/// Factor for the run's length that reduces the remaining transient to a tenth of what counts as settled. It shrinks
-/// with the rate of the returns or with the exponent, whichever is slower.
+/// Returns a factor for the run's length which reduces the remaining transient to a tenth of what counts as settled.
+/// The transient is taken to shrink with the rate of the returns or with the exponent, whichever is slower.
 static double settling_factor(const whirl_verdict *v, const evidence *e, const whirl_record *record) {
     const double by_returns = settling_rate(e);
     const double by_exponent = settling_exponent(e);
@@ -162,7 +162,8 @@ static double settling_factor(const whirl_verdict *v, const evidence *e, const w
     return bounded_factor(1.0 + needed / record->revolutions);
 }
 
-/// Factor for the length of a run whose remaining distance is the size of its motion, at the rate of its section's map.
+/// Returns a factor for the length of a run whose remaining distance is as large as its motion, at the rate of its
+/// section's map.
 static double slow_factor(const whirl_verdict *v, const whirl_record *record) {
     return bounded_factor(1.0 + log(1.0 / (0.1 * settled)) / -v->settling.value / record->revolutions);
 }
@@ -172,18 +173,18 @@ static bool still_settles(const whirl_verdict *v, const evidence *e) {
     return v->recurrence_trend < 0.9 || v->recurrence <= recurrence_tolerance || !isnan(settling_exponent(e));
 }
 
-/// Factor for a slow drift: a torus is recognized after a few rounds.
+/// Returns a factor for a slow drift: a torus is recognized after a few rounds.
 static double drift_factor(const whirl_verdict *v, const evidence *e) {
     return isnan(v->round) ? usual_factor : bounded_factor(enough_rounds * v->round / (double)e->points.count);
 }
 
-/// Factor for the exponent: errors of means shrink with the square root of the revolutions.
+/// Returns a factor that makes the exponent clear: errors of means shrink with the square root of the revolutions.
 static double exponent_factor(whirl_estimate exponent) {
     const double short_of = clear_sigmas * exponent.error / fabs(exponent.value);
     return short_of > 1.0 ? bounded_factor(short_of * short_of) : usual_factor;
 }
 
-/// Returns true if the motion stays, to rounding, on an unstable one, as a balanced rotor that starts at rest does.
+/// Returns true if the motion stays, to rounding, on an unstable motion, as a balanced rotor does that starts at rest.
 static bool stays_on_unstable(const whirl_verdict *v, const evidence *e) {
     return v->recurrence <= e->rounding && v->exponent.value > 0.0 && is_clear(v->exponent);
 }
@@ -238,8 +239,8 @@ static bool leave_alike(const whirl_verdict *a, const whirl_verdict *b) {
     return fabs(a->diverged_at - b->diverged_at) <= fmax(1.0, 0.1 * a->diverged_at);
 }
 
-/// Confidence of two verdicts with the same regime. Different exponents of chaos are artefacts of the steps; those of
-/// periodic motions may belong to two that coexist.
+/// Returns the confidence of two verdicts with the same regime. Different exponents of chaos are artefacts of the
+/// steps; different exponents of periodic motions may belong to two coexisting motions.
 static whirl_confidence joint_confidence(const whirl_verdict *a, const whirl_verdict *b) {
     const whirl_confidence both = confidence_lesser(a->agreement, b->agreement);
     if (a->regime == WHIRL_DIVERGING) return leave_alike(a, b) ? both : WHIRL_LOW;
@@ -290,7 +291,7 @@ static int end_rank(whirl_regime regime) {
     return ranks[regime];
 }
 
-/// Verdict at a copy's end: a motion that returns has settled, even if its record is mostly chaotic.
+/// Returns the verdict at a copy's end: a motion that returns has settled, even if its record is mostly chaotic.
 static whirl_verdict confidence_end_of(const whirl_verdict *later) {
     whirl_verdict end = *later;
     if (end.regime == WHIRL_UNDETERMINED && end.recurrence <= recurrence_tolerance) {

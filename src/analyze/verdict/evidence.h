@@ -19,7 +19,8 @@ typedef struct evidence {
     regularity averages;
     whirl_estimate exponent;
     whirl_estimate second; ///< sharp, for regular motions; NaN unless all perturbations were followed
-    bool forced;           ///< by a phase that fits no revolution: then a stable motion does not return
+    bool forced;           ///< a phase drives the motion which does not repeat after revolutions: a stable motion does
+                           ///< not return then
     bool exponents_failed; ///< the growth is invalid
 } evidence;
 

@@ -155,7 +155,7 @@ static void fit_gather(const fit_plan *plan, const line_bases *bases, const whir
     sums->about_mean = sums->square - square_of(sum) / weights;
 }
 
-/// Amplitudes of a base's forward and backward lines, and of their parts, as t/half is 1.
+/// Amplitudes of a base's forward and backward lines, and of their linear and quadratic parts, at t/half = 1.
 typedef struct base_solved {
     double complex own[2], linear[2], square[2];
 } base_solved;

@@ -43,8 +43,8 @@ static bool is_negative(whirl_estimate exponent) {
     return exponent.value + sigmas * exponent.error < 0.0;
 }
 
-/// Exponent of a motion that returns: over all recorded revolutions or, if the motion settled late, over those whose
-/// returns were compared.
+/// Returns the exponent of a motion that returns: over all recorded revolutions or, if the motion settled late, over
+/// the revolutions whose returns were compared.
 static whirl_estimate returning_exponent(const evidence *e) {
     if (e->growth_count == 0 || e->returns.period == 0) return (whirl_estimate){NAN, NAN};
     const size_t period = (size_t)e->returns.period;
@@ -70,10 +70,12 @@ static bool dies_out_evenly(const evidence *e, size_t period) {
 /// Returns true for P-k: the motion returns, perturbations decay, and the k points are clearly further apart than their
 /// remaining distance to the limit. The last condition excludes a slow spiral seen stroboscopically: with multipliers r
 /// e^(+-i 2 pi p/k) it returns after k revolutions to within 1 - r^k of its distance to the limit.
-/// A motion that does not return as well yet is P-k, too, if a map that shortens all distances by so much cannot lead
-/// it further than this part of its size (Banach's fixed point), over which the map is the same: it shortens them alike
-/// in both halves of the record. This is also required of a motion that returns and has far to go: drifts past a nearby
-/// lock slow down as if they settled, but shorten distances less and less.
+///
+/// A motion that does not return so closely yet is P-k, too, under two conditions. First, a map which shortens all
+/// distances at the same rate can move it no further than a small part of its size (Banach's fixed point theorem).
+/// Second, the map is the same over this part: it shortens distances alike in both halves of the record. The second
+/// condition is also required of a motion that returns and has far to go, since drifts past a nearby lock slow down as
+/// if they settled, but shorten distances less and less.
 static bool is_periodic(const evidence *e, whirl_estimate exponent) {
     const double nearest = 1e-4;
     if (e->growth_count == 0) return e->returns.distance <= blind_tolerance;
@@ -125,7 +127,7 @@ static bool may_be_quasi_periodic(const evidence *e) {
            e->returns.distance > recurrence_tolerance;
 }
 
-/// Revolutions per round of a drift along a curve: perturbations certainly neither grow nor decay.
+/// Returns the revolutions per round of a drift along a curve, on which perturbations certainly neither grow nor decay.
 static double slow_round(const evidence *e, double chaos) {
     const bool neutral = fabs(e->exponent.value) <= fmax(sigmas * e->exponent.error, least_exponent);
     return neutral && chaos <= regular_walk ? drift_round(&e->points, &e->returns, e->size) : (double)NAN;
@@ -221,8 +223,9 @@ static whirl_verdict resting_verdict(const evidence *e, const whirl_record_rest 
     return v;
 }
 
-/// Returns true if averages over both halves agree as only on smooth tori, of any dimension, nothing slows down, and
-/// the motion stays clear of its earlier points: motions that almost return may do so, or drift past a lock.
+/// Returns true if the averages over both halves agree as closely as only those of smooth tori (of any dimension),
+/// nothing slows down, and the motion stays clear of its earlier points. Motions that almost return may be periodic or
+/// drift past a lock.
 static bool is_smooth(const whirl_verdict *v) {
     const double digits = 8.0, trend = 0.1, clear = 0.01;
     return v->regularity >= digits && v->chaos <= regular_walk && v->recurrence > clear &&
@@ -313,7 +316,7 @@ static whirl_verdict judge_bounded(const whirl_record *record) {
     } else {
         verdict = open_verdict(&all);
     }
-    // Ask slower evidence if none does.
+    // Use slower evidence if the fast evidence gives no regime.
     if (verdict.regime == WHIRL_UNDETERMINED) verdict = slow_verdict(&all, verdict);
     if (verdict.regime == WHIRL_UNDETERMINED) verdict = line_verdict(&all, record, verdict);
     // Weigh the verdict with the orbit that was found.

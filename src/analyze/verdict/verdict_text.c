@@ -165,7 +165,7 @@ static void undetermined_reason(const whirl_verdict *v, const char *exponent, ch
     }
 }
 
-/// Change of the amplitude in a hundred revolutions, percent.
+/// Returns the change of the amplitude in a hundred revolutions, percent.
 static double change_in_hundred(double rate) {
     return 100.0 * fabs(expm1(100.0 * rate));
 }
