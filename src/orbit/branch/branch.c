@@ -48,8 +48,8 @@ static whirl_status add_waypoint(follower *f, const waypoint *p) {
     return status;
 }
 
-/// Returns true if the parameter turns round twice between two points at which it changes in the same direction: by the
-/// cubic along the branch through both points with their tangents.
+/// Returns true if the parameter turns round twice between two points although it changes in the same direction at
+/// both. This is judged by the cubic along the branch through both points with their tangents.
 static bool hides_folds(const follower *f, const waypoint *a, const waypoint *b, double *work) {
     const size_t n = f->curve.count;
     const double first = a->tangent[n], last = b->tangent[n], least = 0.1 * fmin(fabs(first), fabs(last));
@@ -60,7 +60,7 @@ static bool hides_folds(const follower *f, const waypoint *a, const waypoint *b,
     return first * last > 0.0 && x > 0.0 && x < 1.0 && copysign(1.0, first) * extreme < least;
 }
 
-/// Tries a step; *good if it found a point that continues the branch.
+/// Tries a step. *good becomes true if the step found a point that continues the branch.
 static whirl_status branch_try_step(follower *f, walk *w, bool *good) {
     const waypoint *now = &w->now, *next = &w->next;
     follower_predict(f, &w->before, now, now, w->step, w->trial);
@@ -78,7 +78,7 @@ static whirl_status branch_try_step(follower *f, walk *w, bool *good) {
     return status;
 }
 
-/// Adds the events between the present point and the next one: the branch's end or special points.
+/// Adds the special points between the present point and the next one, or the branch's end.
 static whirl_status pass_special(follower *f, walk *w, bool *ended) {
     *ended = halved_between(&w->now, &w->next);
     if (*ended) {
@@ -118,7 +118,7 @@ static whirl_status end_at_bound(follower *f, walk *w) {
     return status.code == WHIRL_OK && !ended ? add_waypoint(f, &w->next) : status;
 }
 
-/// Shifts the unknowns of an orbit, or a direction, by so many segments.
+/// Shifts the unknowns of an orbit, or a direction, by a number of segments.
 static void begin_later(const follower *f, const double *u, size_t segments, double *out) {
     const size_t count = f->equations.s->count, kept = f->equations.s->kept_count;
     memcpy(out, u, (f->curve.count + 1) * sizeof *u);

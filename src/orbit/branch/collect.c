@@ -36,17 +36,17 @@ typedef struct collector {
     whirl_collection *found;
 } collector;
 
-/// Distance from an orbit at which a motion has reached it, and between nodes of one orbit, over the largest
-/// coordinate.
+/// near: distance from an orbit at which a motion has reached it. same: distance between nodes which are nodes of the
+/// same orbit. Both are over the largest coordinate.
 static const double near = 1e-4, same = 1e-6;
 
-/// Distance of a return from which Newton's method is tried; it must converge in so few steps.
+/// worth: distance of a return from which Newton's method is tried, which must converge in STEPS_FROM_NEAR steps.
 static const double worth = 0.01;
 enum { STEPS_FROM_NEAR = 8 };
 
 // ---------------------------------------------------------------- starts
 
-/// Start `index` from 0: multiples of the powers of 1/g, where g^(dimension + 1) = g + 1.
+/// Places start `index`, counted from 0, at multiples of the powers of 1/g, where g^(dimension + 1) = g + 1.
 static void place_start(const collector *c, double g, size_t index, double *x) {
     double share = 1.0, whole;
     for (size_t i = 0; i < c->system->dimension; i++) {
@@ -79,7 +79,7 @@ static size_t orbit_near(const collector *c, const double *x, double within) {
     return c->found->count;
 }
 
-/// Least number of revolutions after which an orbit closes.
+/// Returns the least number of revolutions after which an orbit closes.
 static size_t least_revolutions(const whirl_system *system, const whirl_orbit *orbit) {
     const size_t stride = orbit_stride(orbit), repeats = system->repeats > 0 ? system->repeats : 1;
     for (size_t k = repeats; k < orbit->revolutions; k += repeats)
@@ -100,7 +100,7 @@ static whirl_status collect_keep(collector *c, whirl_orbit *orbit) {
     return whirl_ok();
 }
 
-/// Searches an unknown stable orbit near x; *new if there is one.
+/// Searches an unknown stable orbit near x. *new becomes true if there is one.
 static whirl_status look_near(collector *c, const double *x, size_t revolutions, bool *new) {
     whirl_orbit_options options = c->options->orbit;
     whirl_orbit *orbit = NULL, *shorter = NULL;
@@ -169,8 +169,8 @@ static int by_return(const void *a, const void *b) {
     return p->lane < q->lane ? -1 : p->lane > q->lane;
 }
 
-/// Searches orbits from the motions, best returns first; for each number of revolutions only as long as new orbits are
-/// found.
+/// Searches orbits from the motions, best returns first. Motions that return after a number of revolutions are tried
+/// only as long as they lead to new orbits.
 static whirl_status collect_search(collector *c) {
     uint64_t tried = 0; // bit k: motions that return after k + 1 revolutions lead to no more orbits
     whirl_status status = whirl_ok();
@@ -200,7 +200,7 @@ static size_t count_going(const collector *c) {
     return count;
 }
 
-/// Runs the motions, for twice the total time after each search.
+/// Runs the motions. After each search the total time is doubled.
 static whirl_status collect_run(collector *c) {
     const whirl_collect_options *o = c->options;
     size_t done = 0, next = o->settle;
@@ -221,12 +221,13 @@ static whirl_status collect_run(collector *c) {
 
 static whirl_status collect_check(const whirl_system *system, const whirl_collect_options *o) {
     if (!system->tangent)
-        return whirl_fail(WHIRL_BAD_INPUT, "the machine gives no Jacobian, which orbits are found with");
-    if (o->starts == 0 || o->settle == 0 || o->settle + o->longest > o->most_revolutions)
+        return whirl_fail(WHIRL_BAD_INPUT, "the machine gives no Jacobian, which the search for orbits needs");
+    if (o->starts == 0) return whirl_fail(WHIRL_BAD_INPUT, "0 starts, expected 1 or more");
+    if (o->settle == 0 || o->settle + o->longest > o->most_revolutions)
         return whirl_fail(WHIRL_BAD_INPUT,
-                          "%zu starts over %zu to %zu revolutions, expected at least one start and, with %zu for the "
-                          "longest orbit, no more at first than at most",
-                          o->starts, o->settle, o->most_revolutions, o->longest);
+                          "the first search for orbits of up to %zu revolutions is after %zu revolutions, expected 1 "
+                          "or more, and both together at most the %zu revolutions of a motion",
+                          o->longest, o->settle, o->most_revolutions);
     if (o->longest == 0 || o->longest > WHIRL_MAX_ORBIT)
         return whirl_fail(WHIRL_BAD_INPUT, "orbits of up to %zu revolutions, expected 1 to %d", o->longest,
                           WHIRL_MAX_ORBIT);

@@ -47,12 +47,12 @@ double curve_dot(const curve *c, const double *a, const double *b) {
     return sum;
 }
 
-/// Writes the row of the equations whose product with u is curve_dot's with a.
+/// Writes the row whose product with u is curve_dot of a and u.
 static void write_row(const curve *c, const double *a, double *row) {
     for (size_t i = 0; i <= c->count; i++) row[i] = a[i] / c->scale[i] / c->scale[i];
 }
 
-/// Decomposes the matrix with that direction in its last row, unless it already is.
+/// Decomposes the matrix with `direction` in its last row, unless it already is decomposed so.
 static bool decompose_with(curve *c, const double *direction) {
     const size_t all = c->count + 1;
     double *last = c->matrix + c->count * all, *row = c->values;
@@ -84,7 +84,8 @@ static double curve_size_of(void *context, const double *u, const double *value)
     return fmax(c->size(c->context, u, value), fabs(value[c->count]));
 }
 
-/// Newton's limits are small: points are near their prediction, or a shorter step is cheaper.
+/// Most steps and halvings of Newton's method. They are small since points are near their prediction; otherwise a
+/// shorter step is cheaper.
 enum { MAX_STEPS = 8, MAX_HALVINGS = 2 };
 
 newton_result curve_correct(curve *c, const double *direction, double *u) {
@@ -148,13 +149,13 @@ bool curve_tangent(curve *c, const double *across, const double *along, double *
     return true;
 }
 
-/// Rows of the derivative as they are, for unknowns in units of the scale.
+/// Computes the direction. The rows of the derivative are not scaled; the unknowns are in units of the scale.
 bool curve_other(curve *c, const double *tangent, double *other) {
     const size_t n = c->count, all = n + 1;
     double *square = calloc(all * all + all + 1, sizeof *square), *values = square ? square + all * all : NULL;
     double *vectors = calloc(all * all + 1, sizeof *vectors);
     bool good = square && vectors;
-    // Finds the least singular direction of the derivative with the tangent as last row.
+    // Find the least singular direction of the derivative with the tangent as last row.
     write_row(c, tangent, c->matrix + n * all);
     c->decomposed = false;
     for (size_t i = 0; i < all && good; i++)

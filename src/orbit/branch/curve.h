@@ -15,7 +15,7 @@ typedef struct curve {
     double *scale;   ///< [N + 1] unit lengths along the curve
     double *matrix;  ///< [N + 1][N + 1] derivative at the last point found, with a direction in the last row
     bool known;      ///< the matrix is valid
-    double *factors; ///< [N + 1][N + 1] of the matrix, with `order` [N + 1]
+    double *factors; ///< [N + 1][N + 1] factors of the matrix, with the order of its rows [N + 1] in `order`
     size_t *order;
     bool decomposed;                ///< the factors are valid
     double share;                   ///< as in newton_problem
@@ -23,7 +23,7 @@ typedef struct curve {
     const double *direction, *from; ///< data of the present search
 } curve;
 
-/// Options of a curve: bounds of its parameter, and lengths of its steps.
+/// Range of a curve: the bounds of its parameter, and the lengths of its steps.
 typedef struct curve_way {
     double from, to;
     double least_step, step, most_step;
@@ -36,13 +36,13 @@ whirl_status curve_check(const curve_way *way, double value);
 bool curve_begin(curve *c);
 void curve_end(curve *c);
 
-/// Returns a . b in units of the scale.
+/// Returns the scalar product of a and b in units of the scale.
 double curve_dot(const curve *c, const double *a, const double *b);
 
 /// Scales a direction [N + 1] to length 1. False if it is 0.
 bool curve_make_unit(const curve *c, double *direction);
 
-/// Writes the parameter's own direction, of length 1, towards larger values.
+/// Writes the direction of length 1 along the parameter, towards larger values.
 void curve_parameter_direction(const curve *c, double *direction);
 
 /// Orients a tangent so that the parameter changes in the direction of `direction` (+1, -1).

@@ -88,8 +88,8 @@ double follower_lean(const follower *f, const double *tangent) {
 /// Share of the parameter in a tangent above which a branch counts as a function of the parameter.
 static const double steep = 0.3;
 
-/// Returns true if the branch is a function of its parameter from a to b and a little further: neither steep nor much
-/// bent.
+/// Returns true if the branch is a function of its parameter from a to b and a little further: nowhere steep, and
+/// hardly bent.
 static bool is_flat(const follower *f, const waypoint *a, const waypoint *b) {
     const double bent = 0.98;
     if (!a->orbit || !b->orbit) return false;

@@ -22,7 +22,8 @@ typedef struct follower {
     whirl_branch *branch;
 } follower;
 
-/// Makes one at a value. Errors as equations_make. Freed by follower_end, after a failure too.
+/// Makes the follower of a branch that begins at a value. Errors as equations_make. Freed by follower_end, after a
+/// failure too.
 whirl_status follower_begin(follower *f, const whirl_family *family, const whirl_orbit *start, double value,
                             const whirl_branch_options *options);
 void follower_end(follower *f);
@@ -39,17 +40,17 @@ double follower_lean(const follower *f, const double *tangent);
 /// Writes the unknowns of the equations' nodes at a value: u [unknowns].
 void follower_take(const follower *f, double value, double *u);
 
-/// Finds the point orthogonal to `direction` from u [unknowns], with its orbit, and its tangent on the side of `along`;
-/// orbit NULL if none is found. The only error is WHIRL_NO_MEMORY.
+/// Finds the point of the branch that lies orthogonal to `direction` from u [unknowns], its orbit, and its tangent on
+/// the side of `along`. The orbit is NULL if none is found. The only error is WHIRL_NO_MEMORY.
 whirl_status follower_find(follower *f, const double *u, const double *direction, const double *along, waypoint *out);
 whirl_status waypoint_new(const follower *f, waypoint *out);
 void waypoint_free(waypoint *p);
 
-/// Prediction near two points a and b of a branch: by both if the branch is a function of its parameter and hardly
-/// bent, else by the tangent of the point `from` alone.
+/// Chooses how points near two points a and b of a branch are predicted and found: by both points if the branch is a
+/// function of its parameter and hardly bent, otherwise by the tangent of the point `from` alone.
 ///
-/// Returns the direction orthogonal to which a point is searched: the parameter's own, so that its value and therefore
-/// its machine stay the same, or the tangent. `direction` [unknowns] is scratch.
+/// Returns the direction orthogonal to which a point is searched: the parameter's own, so that the parameter and
+/// therefore the machine stay the same, or the tangent. `direction` [unknowns] is scratch.
 const double *follower_across(const follower *f, const waypoint *a, const waypoint *b, const waypoint *from,
                               double *direction);
 

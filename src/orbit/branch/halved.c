@@ -8,7 +8,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/// Difference of an orbit and its shift by half the time, along that difference of another orbit [dimension].
+/// Returns the projection of two differences [dimension] on each other: that of an orbit from its shift by half its
+/// time, and the same of another orbit.
 static double halved_apart(const whirl_orbit *orbit, const whirl_orbit *other) {
     const size_t n = orbit->dimension, later = orbit->segment_count / 2 * n;
     double sum = 0.0;
@@ -23,8 +24,8 @@ bool halved_between(const waypoint *from, const waypoint *to) {
     return halved_apart(a, b) < -0.9 * sqrt(halved_apart(a, a) * halved_apart(b, b));
 }
 
-/// A point near the end: its place along the tangent, the half-time difference of its orbit relative to the first
-/// point's, and its parameter.
+/// A point near the end: its place along the tangent; the half-time difference of its orbit, relative to that of the
+/// first point; and its parameter.
 typedef struct look {
     double at, apart, value;
 } look;
@@ -49,15 +50,16 @@ static void halved_note(looks *to, look one) {
     if (place < NEAREST) to->list[place] = one;
 }
 
-/// Extrapolates the parameter to the end. It is an even function of the half-time difference, since the orbits beyond
-/// the end are the same ones: a polynomial in its square (Neville).
+/// Extrapolates the parameter to the end. The parameter is an even function of the half-time difference, since the
+/// orbits beyond the end are the same ones. It is extrapolated by a polynomial in the square of the difference
+/// (Neville).
 static double value_at_end(const looks *l) {
     double value[NEAREST] = {NAN}, square[NEAREST] = {NAN};
     int count = 0;
     for (int i = 0; i < l->count; i++) {
         square[count] = l->list[i].apart * l->list[i].apart;
         value[count] = l->list[i].value;
-        // Two differences of one size show only the errors of both.
+        // Two differences of the same size show only their errors.
         if (count == 0 || square[count] > 2.0 * square[count - 1]) count++;
     }
     for (int order = 1; order < count; order++)
@@ -66,8 +68,8 @@ static double value_at_end(const looks *l) {
     return value[0];
 }
 
-/// Next place of the search: the zero of the straight line through the nearest points of both sides. After a failure it
-/// is half way back to one of them and the other by turns, ever closer to them.
+/// Returns the next place of the search: the zero of the straight line through the nearest points of both sides. After
+/// failures the place is between the zero and one of these points, by turns and ever closer to them.
 static double next_place(const look sides[2], int missed) {
     const double slope = (sides[1].at - sides[0].at) / (sides[1].apart - sides[0].apart);
     const double zero = sides[0].at - sides[0].apart * slope;
@@ -75,11 +77,12 @@ static double next_place(const look sides[2], int missed) {
     return zero + share * (sides[missed % 2].at - zero);
 }
 
-/// Closes in on the end from both sides. The equations are singular at the end itself, which is therefore avoided. p
-/// becomes the nearest point that was found, if any.
+/// Closes in on the end from both sides. The end itself is avoided, since the equations are singular there. p becomes
+/// the nearest point that was found, if any.
 static whirl_status halved_close_in(follower *f, const waypoint *from, const waypoint *to, waypoint *p, looks *found) {
     enum { MAX_LOOKS = 16 };
-    // The parameter's error is of sixth order in the first; smaller differences belong to the branch with the doubling.
+    // The error of the parameter is of the sixth power of `near`. Orbits with differences below `same` belong to the
+    // branch with the doubling.
     const double near = 1e-2, same = 1e-6;
     const size_t all = f->curve.count + 1;
     waypoint trial = {.u = NULL};

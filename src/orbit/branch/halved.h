@@ -8,8 +8,8 @@
 #include "follower.h"
 
 /// Returns true if orbits between two waypoints close after half their time. The branch ends there: beyond, it repeats
-/// itself with a shift of half the time. The distance of an orbit from its half-time shift changes sign there, or turns
-/// round within a step.
+/// itself with a shift of half the time. The difference of an orbit from its half-time shift reverses its direction
+/// between the waypoints.
 bool halved_between(const waypoint *from, const waypoint *to);
 
 /// Adds the last point of such a branch, where its orbits close after half their time. The only error is

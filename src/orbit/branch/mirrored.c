@@ -1,7 +1,8 @@
-// Pitchforks reached along their side branch, which beyond them is its own mirror image if the machine is symmetric.
+// Pitchforks that are reached on their side branch. Beyond the pitchfork the side branch is its own mirror image if the
+// machine is symmetric.
 //
-// Near a pitchfork the parameter is even along the side branch and the product of all (multiplier - 1) vanishes like
-// the square of the distance (Golubitsky, Schaeffer 1985, chapter VI): the tangent turns back as at a fold, but that
+// Near a pitchfork the parameter is even along the side branch, and the product of all (multiplier - 1) vanishes like
+// the square of the distance (Golubitsky, Schaeffer 1985, chapter VI). The tangent turns back as at a fold, but the
 // product keeps its sign. The point is located on the symmetric branch, where the product passes zero and Newton's
 // method is regular.
 #include "mirrored.h"
@@ -35,7 +36,8 @@ static bool mirrored_turns(const follower *f, const waypoint *a, const waypoint 
     return turns && (vanishing_value(kind, 0, a->orbit) < 0.0) == (vanishing_value(kind, 0, b->orbit) < 0.0);
 }
 
-/// Writes the vertex: where the tangent, linear between both points, has no part along the parameter.
+/// Writes the vertex: the point where the tangent, taken as linear between both points, has no part along the
+/// parameter.
 static void mirrored_vertex(const follower *f, const waypoint *a, const waypoint *b, pitchfork *p) {
     const size_t n = f->curve.count;
     const double x = a->tangent[n] / (a->tangent[n] - b->tangent[n]), y = 1.0 - x;
@@ -47,22 +49,22 @@ static void mirrored_vertex(const follower *f, const waypoint *a, const waypoint
     p->side = fabs(a->u[n] - p->vertex[n]) > fabs(b->u[n] - p->vertex[n]) ? a : b;
 }
 
-/// The distance of two points in the curve's own length.
+/// Returns the distance of two points in units of the curve's scale.
 static double mirrored_distance(const follower *f, pitchfork *p, const double *a, const double *b) {
     for (size_t i = 0; i <= f->curve.count; i++) p->along[i] = a[i] - b[i];
     return sqrt(curve_dot(&f->curve, p->along, p->along));
 }
 
-/// Searches an orbit from p->trial at its value of the parameter. The derivative of the point before is discarded: on
-/// the other branch it has another sign.
+/// Searches an orbit from p->trial at its value of the parameter. The derivative of the previous point is discarded,
+/// since it has another sign on the other branch.
 static whirl_status mirrored_look(follower *f, pitchfork *p, waypoint *out) {
     f->curve.known = false;
     curve_parameter_direction(&f->curve, p->along);
     return follower_find(f, p->trial, p->along, p->along, out);
 }
 
-/// Searches the symmetric branch on both sides of the vertex, far enough away for the product to exceed its errors;
-/// *there is false if it is not found.
+/// Searches the symmetric branch on both sides of the vertex, far enough away that the product exceeds its errors.
+/// *there becomes false if the branch is not found.
 static whirl_status mirrored_centre(follower *f, pitchfork *p, bool *there) {
     const size_t n = f->curve.count;
     const double height = p->side->u[n] - p->vertex[n], least = 1e-4 * fabs(f->options->to - f->options->from);
@@ -80,8 +82,8 @@ static whirl_status mirrored_centre(follower *f, pitchfork *p, bool *there) {
     return status;
 }
 
-/// Searches the side branch on both sides of the symmetric one: mirror images have equal stability, to a part in a
-/// thousand, the accuracy of a product of small numbers.
+/// Searches the side branch on both sides of the symmetric branch. Mirror images have the same stability, to a
+/// thousandth: this is the accuracy of a product of small numbers.
 static whirl_status mirrored_image(follower *f, pitchfork *p, bool *there) {
     const size_t n = f->curve.count;
     const double height = p->side->u[n] - p->vertex[n], reach = p->within.u[n] - p->vertex[n];

@@ -1,7 +1,7 @@
-// Cubic coefficients of normal forms, by differences of the map over the orbit, or of an equilibrium's forces.
+// Cubic coefficients of normal forms, by differences of the map over the orbit, or of the forces of an equilibrium.
 //
-// B(u, v) and C(u, v, w) are the second and third derivatives of the map F, which is differenced along single
-// directions; mixed ones follow by polarisation. q and p are the right and left eigenvectors, <q, q> = 1, <p, q> = 1 (p
+// B(u, v) and C(u, v, w) are the second and third derivatives of the map F. F is differenced along single directions;
+// mixed derivatives follow by polarisation. q and p are the right and left eigenvectors with <q, q> = 1, <p, q> = 1 (p
 // conjugated).
 #include "normal_form.h"
 #include "equations.h"
@@ -19,8 +19,9 @@
 
 typedef double complex number;
 
-/// Length of the first differences, over the largest coordinate; their error is of second order and extrapolated. The
-/// length is halved until two coefficients agree: an orbit may be strongly bent, or a contact near.
+/// reach: length of the first differences, over the largest coordinate. Their error is of second order and
+/// extrapolated. The length is halved until two coefficients agree, since an orbit may be strongly bent, or a contact
+/// near.
 static const double reach = 0x1p-7, agreement = 0.01, noise = 1e-3;
 enum { MAX_HALVINGS = 5 };
 
@@ -46,8 +47,8 @@ typedef struct looks {
     size_t sum[MAX_ABREAST]; ///< index of the sum that each one adds to
 } looks;
 
-/// Maps start points over the orbit's time, images [count][dimension]: F(x + h u); or computes the accelerations of an
-/// equilibrium.
+/// Maps start points over the orbit's time, images [count][dimension]: F(x + h u). For an equilibrium, computes its
+/// accelerations.
 static void normal_form_map(forms *f, const looks *of, const double *u) {
     shooting *s = f->s;
     const size_t d = s->dimension;
@@ -68,7 +69,7 @@ static void normal_form_look_at(looks *of, size_t sum, double h, double weight) 
     of->sum[of->count++] = sum;
 }
 
-/// out = B(u, u) or C(u, u, u), from two lengths of step.
+/// Computes out = B(u, u) or C(u, u, u) from two lengths of step.
 static void normal_form_derivative(forms *f, int order, const double *u, double *out) {
     static const double places[4] = {2.0, 1.0, -1.0, -2.0}, weights[4] = {0.5, -1.0, 1.0, -0.5};
     looks of = {.count = 0};
@@ -87,7 +88,7 @@ static void normal_form_derivative(forms *f, int order, const double *u, double 
     for (size_t i = 0; i < f->n; i++) out[i] = (4.0 * f->sums[1][i] - f->sums[0][i]) / 3.0;
 }
 
-/// out = B(u, v) = (B(u + v, u + v) - B(u - v, u - v))/4; work [3][n].
+/// Computes out = B(u, v) = (B(u + v, u + v) - B(u - v, u - v))/4; work [3][n].
 static void normal_form_bilinear(forms *f, const double *u, const double *v, double *work, double *out) {
     const size_t n = f->n;
     for (int sign = 1; sign >= -1; sign -= 2) {
@@ -97,7 +98,7 @@ static void normal_form_bilinear(forms *f, const double *u, const double *v, dou
     for (size_t i = 0; i < n; i++) out[i] = 0.25 * (out[i] - work[n + i]);
 }
 
-/// out = B(a, b) of complex vectors; work [9][n].
+/// Computes out = B(a, b) of complex vectors; work [9][n].
 static void complex_bilinear(forms *f, const number *a, const number *b, double *work, number *out) {
     const size_t n = f->n;
     double *parts = work + 3 * n, *found = work + 7 * n;
@@ -115,7 +116,7 @@ static void complex_bilinear(forms *f, const number *a, const number *b, double 
     }
 }
 
-/// out = C(q, q, conj q) with q = a + i b: C(a, a, a) + C(a, b, b) + i (C(a, a, b) + C(b, b, b)); work [7][n].
+/// Computes out = C(q, q, conj q) with q = a + i b: C(a, a, a) + C(a, b, b) + i (C(a, a, b) + C(b, b, b)); work [7][n].
 static void normal_form_cubic(forms *f, double *work, number *out) {
     const size_t n = f->n;
     double *a = work, *b = work + n, *along = work + 2 * n, *aaa = work + 3 * n, *bbb = aaa + n, *sum = bbb + n;
@@ -139,7 +140,8 @@ static void normal_form_cubic(forms *f, double *work, number *out) {
 
 // ---------------------------------------------------------------- linear algebra
 
-/// Multiplies the segments' derivatives into the map's: near the unit circle the product is exact enough.
+/// Multiplies the derivatives of the segments, whose product is that of the map. Near the unit circle the product is
+/// exact enough.
 static void multiply_out(forms *f, double *spare) {
     const shooting *s = f->s;
     const size_t n = f->n, size = n * n;
@@ -155,7 +157,7 @@ static void multiply_out(forms *f, double *spare) {
 }
 
 /// Computes the eigenvector of the matrix, or of its transpose, with the eigenvalue nearest to `root`. Fails if none is
-/// near: where multipliers jump over it, as at a kink, there is no normal form.
+/// near `root`: where multipliers jump over it, as at a kink, there is no normal form.
 static void normal_form_eigenvector(forms *f, bool transposed, number root, double *work, number *out) {
     const size_t n = f->n;
     static const double near = 0.01;
@@ -177,7 +179,7 @@ static number normal_form_product(size_t n, const number *p, const number *v) {
     return sum;
 }
 
-/// Solves v = (shift - matrix)^-1 v; work [n][n][2] and [n][2].
+/// Solves (shift - matrix) out = v, and writes out to v; work [n][n][2] and [n][2].
 static void normal_form_resolve(forms *f, number shift, double *work, number *v) {
     const size_t n = f->n;
     double *right = work + 2 * n * n;
@@ -214,7 +216,7 @@ static number third_order(forms *f, number one, number two, double *work, number
     return sum + normal_form_product(n, f->p, outer);
 }
 
-/// Computes the coefficient. A doubling has a real q: the three terms are C(q, q, q) and three times B(q, (1 - A)^-1
+/// Computes the coefficient. A doubling has a real q: the three terms become C(q, q, q) and three times B(q, (1 - A)^-1
 /// B(q, q)).
 static double normal_form_coefficient(forms *f, whirl_special kind, number root, double *work, number *vectors) {
     if (kind == WHIRL_DOUBLING) return -creal(third_order(f, 1.0, 1.0, work, vectors)) / 6.0;
@@ -246,9 +248,9 @@ static double normal_form_compute(forms *f, whirl_special kind, number root, dou
     return f->failed || !isfinite(found) ? (double)NAN : found;
 }
 
-/// Takes the coefficient of the longest differences with the same value at half the length and, for orbits, at a
-/// quarter. Coefficients of smooth maps converge, or differ by noise; at a kink they double with every halving, and
-/// there is none. An equilibrium at zero has no size of its own.
+/// Compares the coefficient of the longest differences with that of half the length and, for orbits, of a quarter.
+/// Coefficients of smooth maps converge, or differ by noise. At a kink they double with every halving, and there is no
+/// coefficient. An equilibrium at zero has no size of its own.
 static double normal_form_converge(forms *f, whirl_special kind, number root, double *work, number *vectors) {
     const double own = shooting_size(f->s, f->orbit->nodes), nothing = 1e-12;
     const bool rests = shooting_rests(f->s);

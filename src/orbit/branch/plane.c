@@ -1,4 +1,4 @@
-// Curves of special points over two parameters: the equations of the orbit and the function that vanishes there.
+// Curves of special points over two parameters, by the equations of the orbit and the function that vanishes there.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,7 +12,7 @@
 #include "whirl/engine/branch.h"
 #include "whirl/engine/orbit.h"
 
-/// State of a curve. Unknowns: those of the orbit, with the first parameter, then the second one.
+/// State of a curve. The unknowns are those of the orbit, which include the first parameter, then the second parameter.
 typedef struct walk {
     const whirl_plane *plane;
     const whirl_branch_options *options;
@@ -62,7 +62,8 @@ static bool values_at(walk *w, const double *u, double *value, double *derivativ
     return isfinite(value[n]);
 }
 
-/// Computes the last row, and with it the last column, by central differences.
+/// Computes the last row of the derivative, that of the test function, and the last column, that of the second
+/// parameter, by central differences.
 static bool plane_differences(walk *w, const double *u, double *derivative) {
     const size_t n = equations_count(&w->equations), all = n + 2;
     for (size_t k = 0; k < all; k++) {
@@ -94,8 +95,8 @@ static bool plane_evaluate(void *context, const double *u, double *value, double
     return true;
 }
 
-/// Size of the residual: the orbit closes to its tolerance, the test function, whose derivatives are differences,
-/// vanishes to 1e-10.
+/// Returns the size of the residual. The orbit must close to its tolerance. The test function must vanish to 1e-10,
+/// since its derivatives are differences.
 static double plane_size_of(void *context, const double *u, const double *value) {
     walk *w = context;
     const double orbit = equations_size(&w->equations, u, value);
@@ -104,8 +105,8 @@ static double plane_size_of(void *context, const double *u, const double *value)
 
 // ---------------------------------------------------------------- the walk
 
-/// Criticality of Hopf points; for orbits it would cost as much again as the curve. The derivative must be the last
-/// point's.
+/// Returns the criticality of a Hopf point, NaN of other points: for orbits it would cost as much again as the curve.
+/// The derivative must be that of the last point.
 static double plane_criticality(walk *w, double angle) {
     const size_t n = equations_count(&w->equations);
     if (w->kind != WHIRL_HOPF) return NAN;
@@ -131,7 +132,7 @@ static bool plane_is_within(const walk *w, const double *u) {
            u[n + 1] >= w->low && u[n + 1] <= w->high;
 }
 
-/// Finds the point orthogonal to the tangent from the trial and moves there.
+/// Finds the point orthogonal to the tangent from the trial, and moves there.
 static bool plane_step(walk *w, newton_result *result) {
     const size_t all = equations_count(&w->equations) + 2;
     double *next = w->aside;
@@ -143,7 +144,8 @@ static bool plane_step(walk *w, newton_result *result) {
     return true;
 }
 
-/// Share of the way from `before` to the present point at which a parameter meets its bound, and the bound; 1 for none.
+/// Returns the share of the way from `before` to the present point at which a parameter meets its bound, 1 if it stays
+/// within; and the bound.
 static double share_to_bound(const walk *w, const double *before, size_t index, double low, double high,
                              double *bound) {
     const double value = w->u[index];
@@ -151,8 +153,8 @@ static double share_to_bound(const walk *w, const double *before, size_t index, 
     return value > high || value < low ? (*bound - before[index]) / (value - before[index]) : 1.0;
 }
 
-/// Adds the last point, at the bound that the first parameter to leave its bounds has passed; room [2][unknowns], of
-/// which the first are those of the point before. If it is not found the curve ends with the point before.
+/// Adds the last point, on the bound which the first parameter to leave its bounds has passed. The first part of room
+/// [2][unknowns] is the point before. If no point is found, the curve ends with the point before.
 static whirl_status end_at_bound(walk *w, double *room) {
     const size_t n = equations_count(&w->equations), all = n + 2;
     const double low = fmin(w->options->from, w->options->to), high = fmax(w->options->from, w->options->to);
@@ -192,7 +194,7 @@ static whirl_status plane_advance(walk *w, bool *ended) {
     return add_point(w);
 }
 
-/// Finds the first point, at the start's second parameter.
+/// Finds the first point, at the second parameter of the start.
 static whirl_status plane_begin(walk *w, const whirl_branch_point *start, int direction) {
     const size_t n = equations_count(&w->equations), nodes = w->equations.s->count * w->equations.s->kept_count;
     equations_take(&w->equations, start->orbit->nodes, w->trial);
@@ -233,7 +235,7 @@ static whirl_status plane_prepare(walk *w, const whirl_branch_point *start) {
     w->branch = calloc(1, sizeof *w->branch);
     w->u = calloc(8 * all + n * (n + 1), sizeof *w->u);
     if (!w->branch || !w->u || !curve_begin(&w->curve)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a curve");
-    // Parts of one allocation.
+    // Divide the one allocation.
     w->tangent = w->u + all;
     w->trial = w->tangent + all;
     w->aside = w->trial + all;

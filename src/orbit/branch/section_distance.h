@@ -6,11 +6,11 @@
 
 #include "whirl/engine/orbit.h"
 
-/// Returns the distance of two states [dimension], over the largest coordinate of the first, without coordinates that
-/// turn.
+/// Returns the distance of two states [dimension], divided by the largest coordinate of the first. Coordinates that
+/// turn do not count.
 double states_distance(const whirl_system *system, const double *a, const double *b);
 
-/// Returns the distance between sections of an orbit, in numbers of its nodes; an orbit with a free period has one
+/// Returns how many numbers of the nodes of an orbit lie between two sections. An orbit with a free period has one
 /// section.
 size_t orbit_stride(const whirl_orbit *orbit);
 

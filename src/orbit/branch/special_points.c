@@ -14,21 +14,22 @@
 
 #include "bracket.h"
 
-/// A test function whose sign change marks a special point.
+/// A test function, whose sign change marks a special point.
 typedef struct test {
     whirl_special kind;
-    size_t touch;     ///< index of a graze's touch
-    size_t intervals; ///< its intervals at the first waypoint
+    size_t touch;     ///< of a graze: index in the orbit's touches
+    size_t intervals; ///< of a graze: number of intervals of contact at the first waypoint
 } test;
 
 // ---------------------------------------------------------------- contacts
 
-/// Number of times that a switching function becomes positive; 0 if it always is.
+/// Returns how many times a switching function becomes positive; 0 if it always is.
 static size_t special_risings(const whirl_touch *touch) {
     return touch->share >= 1.0 ? 0 : touch->intervals;
 }
 
-/// The extreme nearest to zero, with a sign for the side of the graze that the orbit is on.
+/// Returns the extreme of the switching function nearest to zero, with a sign for the side of the graze on which the
+/// orbit is.
 static double graze_value(const test *t, const whirl_orbit *orbit) {
     const whirl_touch *touch = &orbit->touches[t->touch];
     const double size = fmin(fabs(touch->nearest), 1e30);
@@ -37,8 +38,8 @@ static double graze_value(const test *t, const whirl_orbit *orbit) {
 
 // ---------------------------------------------------------------- search
 
-/// Value of the test function. A fold uses the tangent's parameter, since the function of multipliers, which also
-/// vanishes there, has no sign change along the branch.
+/// Returns the value of the test function. A fold uses the tangent's parameter: the product of multipliers also
+/// vanishes there, but has no sign change along the branch.
 static double special_value_of(const follower *f, const test *t, const waypoint *p) {
     if (t->kind == WHIRL_FOLD) return p->tangent[f->curve.count];
     return t->kind == WHIRL_GRAZE ? graze_value(t, p->orbit) : vanishing_value(t->kind, 0, p->orbit);
@@ -56,13 +57,14 @@ static whirl_status special_look(follower *f, const waypoint *from, const waypoi
     return follower_find(f, trial, across, from->tangent, p);
 }
 
-/// A place in the bracket a little off `at`: exactly where branches cross, the direction is undefined.
+/// Returns a place in the bracket a little off `at`. Exactly where branches cross, the direction is undefined.
 static double special_aside(const bracket *r, double at) {
     const double farther = fabs(r->b - at) > fabs(r->a - at) ? r->b : r->a;
     return at + 1e-3 * (farther - at);
 }
 
-/// Closes in on the sign change; *at is its place along the tangent, p the point there. Not found: p has no orbit.
+/// Closes in on the sign change. *at is its place along the tangent, and p the point there, which has no orbit if the
+/// search failed.
 static whirl_status special_close_in(follower *f, const test *t, const waypoint *from, const waypoint *to, waypoint *p,
                                      double *at) {
     enum { MAX_LOOKS = 80 };
@@ -72,7 +74,7 @@ static whirl_status special_close_in(follower *f, const test *t, const waypoint 
     if (!trial) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a point of a branch");
     bracket r = bracket_between(0.0, special_value_of(f, t, from), follower_length(f, from, to, trial),
                                 special_value_of(f, t, to));
-    // Orbits are only as exact as their tolerance.
+    // The test function is only as exact as the tolerance of orbits.
     const double largest = fmax(fabs(r.fa), fabs(r.fb)), nothing = fmax(1e-13, 0.1 * f->options->orbit.tolerance);
     for (int k = 0; k < MAX_LOOKS; k++) {
         *at = bracket_next(&r);
@@ -87,7 +89,7 @@ static whirl_status special_close_in(follower *f, const test *t, const waypoint 
         if (fabs(last) <= nothing * largest || bracket_width(&r) <= 1e-12) break;
     }
     free(trial);
-    // A sign change without a zero: a jump from one extreme to another, or to another orbit.
+    // Discard a sign change without a zero: a jump from one extreme to another, or to another orbit.
     if (p->orbit && fabs(last) > 1e-4 * largest) {
         whirl_orbit_free(p->orbit);
         p->orbit = NULL;

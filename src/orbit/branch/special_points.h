@@ -7,12 +7,12 @@
 #include "follower.h"
 #include "whirl/engine/branch.h"
 
-/// Locates the special points between two waypoints and adds them to the branch in their order, except a fold where the
-/// branch turns back at a pitchfork.
+/// Locates the special points between two waypoints, and adds them to the branch in their order. A fold is left out if
+/// `pitchfork` is true: the branch turns back there at a pitchfork.
 whirl_status special_locate(follower *f, const waypoint *from, const waypoint *to, bool pitchfork);
 
-/// Locates where a multiplier passes 1 between two waypoints: `out` without an orbit if none does. The caller owns the
-/// orbit. The only error is WHIRL_NO_MEMORY.
+/// Locates where a multiplier passes 1 between two waypoints. `out` has no orbit if none does; otherwise the caller
+/// owns the orbit. The only error is WHIRL_NO_MEMORY.
 whirl_status special_crossing(follower *f, const waypoint *from, const waypoint *to, whirl_branch_point *out);
 
 #endif

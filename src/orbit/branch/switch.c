@@ -1,4 +1,4 @@
-// Finds orbits on the branch that begins at a point of another one.
+// Finds orbits on the branch that begins at a special point of another branch.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,7 +28,7 @@ static whirl_orbit *go_round_twice(const whirl_orbit *orbit, double **nodes) {
     return twice;
 }
 
-/// Searches an orbit at a step from the unknowns in `trial`, along `direction`.
+/// Searches an orbit at a distance of `step` along `direction` from the unknowns in `trial`.
 static whirl_status step_aside(follower *f, double step, waypoint *at, double *trial, const double *direction) {
     const double value = follower_value(f, trial);
     for (size_t i = 0; i <= f->curve.count; i++) trial[i] += step * direction[i];
@@ -44,8 +44,8 @@ typedef struct departure_point {
     double *u, *tangent; ///< [unknowns]
 } departure_point;
 
-/// Finds the point from `trial`, then an orbit off it, orthogonal to `tangent`; NULL: to the tangent found there, which
-/// `point` then has.
+/// Finds the special point from `trial`, then an orbit off it. The orbit is searched orthogonal to `tangent`; if that
+/// is NULL, to the tangent of the special point. `point` receives the special point and its tangent.
 static whirl_status leave_across(follower *f, double step, const double *tangent, departure_point *point, waypoint *at,
                                  double *trial, double *direction) {
     const size_t size = (f->curve.count + 1) * sizeof *trial;
@@ -60,8 +60,8 @@ static whirl_status leave_across(follower *f, double step, const double *tangent
     return step_aside(f, step, at, trial, direction);
 }
 
-/// Finds the branch's tangent a thousandth of the span from the point. At the point itself, where two branches cross,
-/// errors turn it towards the other one. No orbit in `beside` if none is found there.
+/// Finds the branch's tangent at a thousandth of the span from the special point. At the point itself, where two
+/// branches cross, errors turn the tangent towards the other branch. `beside` has no orbit if none is found there.
 static whirl_status tangent_beside(follower *f, const departure_point *point, waypoint *beside, double *trial,
                                    double *direction) {
     const size_t n = f->curve.count;
@@ -75,7 +75,8 @@ static whirl_status tangent_beside(follower *f, const departure_point *point, wa
     return follower_find(f, trial, direction, point->tangent, beside);
 }
 
-/// Leaves the point orthogonal to its own tangent or, if errors have turned that, to the neighbouring one.
+/// Leaves the special point orthogonal to its own tangent. If errors have turned that tangent, leaves it orthogonal to
+/// the tangent next to it.
 static whirl_status leave_orbit(follower *f, double value, double step, waypoint *at, double *trial,
                                 double *direction) {
     const size_t all = f->curve.count + 1;
@@ -109,13 +110,13 @@ static size_t whirling_mode(const whirl_modes *modes, double frequency) {
     return found;
 }
 
-/// Adds the mode's motion at a share (0 to 1) of its period, Re(v exp(i 2 pi share)), times a factor.
+/// Adds the motion of the mode, Re(v exp(i 2 pi share)), at a share (0 to 1) of its period, times a factor.
 static void add_mode(const double *vector, size_t dimension, double share, double factor, double *x) {
     const double c = cos(6.283185307179586476925 * share), s = sin(6.283185307179586476925 * share);
     for (size_t i = 0; i < dimension; i++) x[i] += factor * (vector[2 * i] * c - vector[2 * i + 1] * s);
 }
 
-/// Makes an orbit of the size of `step` about the equilibrium from its mode; and the mode as a direction.
+/// Searches an orbit about the equilibrium from its mode, of the size of `step`. `direction` receives the mode.
 static whirl_status leave_rest(follower *f, const whirl_branch_point *point, const double *vector, double step,
                                waypoint *at, double *trial, double *direction) {
     orbit_equations *e = &f->equations;

@@ -17,7 +17,7 @@ static void take_into(product *p, double real, double imaginary) {
     p->real = next;
 }
 
-/// Multiplies by a factor over its possible size, so that products of many factors do not overflow.
+/// Multiplies by a factor divided by its possible size, so that products of many factors do not overflow.
 static void take_over(product *p, double real, double imaginary, double size) {
     take_into(p, real / size, imaginary / size);
 }
@@ -26,7 +26,7 @@ static double vanishing_size_of(const whirl_orbit *orbit, size_t i) {
     return hypot(orbit->multipliers[i].real, orbit->multipliers[i].imaginary);
 }
 
-/// Product of (multiplier - at) over all of them, real because they come in pairs.
+/// Returns the product of (multiplier - at) over all multipliers. It is real because multipliers come in pairs.
 static double product_about(const whirl_orbit *orbit, double at) {
     const size_t own = orbit_own_multiplier(orbit);
     product all = {1.0, 0.0};
@@ -37,8 +37,9 @@ static double product_about(const whirl_orbit *orbit, double at) {
     return all.real;
 }
 
-/// Test function of two multipliers that are a pair on the unit circle, or reciprocal: their product less 1. Of two
-/// eigenvalues that are a pair on the imaginary axis, or opposite: their sum.
+/// Returns the test function of two multipliers: their product minus 1, which vanishes for a pair on the unit circle
+/// and for reciprocal ones. For two eigenvalues of an equilibrium, returns their sum, which vanishes for a pair on the
+/// imaginary axis and for opposite ones.
 static product of_pair(const whirl_orbit *orbit, size_t i, size_t k) {
     const whirl_multiplier p = orbit->multipliers[i], q = orbit->multipliers[k];
     if (orbit->period == 0.0) return (product){p.real + q.real, p.imaginary + q.imaginary};
@@ -48,7 +49,7 @@ static product of_pair(const whirl_orbit *orbit, size_t i, size_t k) {
     return both;
 }
 
-/// Product of that over all pairs.
+/// Returns the product of this test function over all pairs.
 static double product_of_pairs(const whirl_orbit *orbit) {
     const size_t own = orbit_own_multiplier(orbit);
     product all = {1.0, 0.0};

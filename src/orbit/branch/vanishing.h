@@ -8,13 +8,14 @@
 #include "whirl/engine/branch.h"
 #include "whirl/engine/orbit.h"
 
-/// Returns the test function of a kind. Folds and crossings: the product of (multiplier - 1); doublings: of (multiplier
-/// + 1); pairs on the unit circle: of (product of two - 1); each over its possible size. Equilibria: the products of
-/// eigenvalues and of sums of two. Grazes: the touch's extreme nearest to zero.
+/// Returns the test function of a kind. For orbits these are products: at folds and crossings of branches of
+/// (multiplier - 1), at doublings of (multiplier + 1), at Neimark-Sacker points of (product of two multipliers - 1);
+/// each factor is divided by its possible size. For equilibria they are the products of eigenvalues, and of sums of two
+/// eigenvalues. For grazes it is the extreme of the switching function nearest to zero.
 double vanishing_value(whirl_special kind, size_t touch, const whirl_orbit *orbit);
 
-/// Finds the two multipliers whose product is nearest to 1, or eigenvalues whose sum is nearest to 0: false if they are
-/// real. *angle as whirl_branch_point has it.
+/// Finds the two multipliers whose product is nearest to 1, or the two eigenvalues whose sum is nearest to 0. Returns
+/// false if they are real. *angle is as in whirl_branch_point.
 bool vanishing_pair(const whirl_orbit *orbit, double *angle);
 
 #endif

@@ -68,7 +68,7 @@ void equations_take(const orbit_equations *e, const double *nodes, double *u) {
         for (size_t i = 0; i < s->kept_count; i++) u[j * s->kept_count + i] = nodes[j * s->dimension + s->kept[i]];
 }
 
-/// Size below which an orbit lies at zero and has no size of its own.
+/// Size below which an orbit lies at zero, and has no size of its own.
 static const double nothing = 1e-12;
 
 /// Least size of a branch's orbits: equilibria and sections may pass through zero.
@@ -134,7 +134,7 @@ static bool ends_beside(const orbit_equations *e, double value, double period, d
     const bool rests = shooting_rests(e->s);
     const bool good =
         s && (rests ? rest_slope(s, e->nodes, s->ends, false) : shooting_carry(s, e->nodes, period, false));
-    // An equilibrium's equations take the place of the ends of kept coordinates.
+    // The equations of an equilibrium are at the places of kept coordinates: move them to the coordinates of a node.
     for (size_t i = s && rests ? s->kept_count : 0; i-- > 0;) s->ends[s->kept[i]] = s->ends[i];
     if (good) memcpy(ends, s->ends, s->count * s->dimension * sizeof *ends);
     shooting_free(s);
@@ -160,8 +160,9 @@ static bool all_ends_beside(const orbit_equations *e, size_t count, const double
     return true;
 }
 
-/// Computes the derivative of the ends by the parameter, by central differences, into the first row of the workspace
-/// [segments][dimension]. Its error is a sixth of the third derivative times reach^2, and that of the ends over reach.
+/// Computes the derivative of the ends by the parameter, by central differences, and writes it to the first row
+/// [segments][dimension] of the workspace after the first node. Its error is a sixth of the third derivative times
+/// reach^2, plus the error of the ends over reach.
 static bool by_parameter(orbit_equations *e, double period) {
     const double values[2] = {e->value + e->reach, e->value - e->reach};
     const size_t size = e->s->count * e->s->dimension;
@@ -188,7 +189,7 @@ static void write_by_nodes(const orbit_equations *e, size_t columns, double *out
         }
 }
 
-/// Writes the derivative by the period, and the phase condition, which selects the first point.
+/// Writes the derivative by the period, and the phase condition, which selects the first node.
 static void write_by_period(const orbit_equations *e, size_t columns, double *out) {
     const shooting *s = e->s;
     const size_t n = s->kept_count, own = s->count * n;

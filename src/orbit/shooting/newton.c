@@ -9,7 +9,7 @@
 typedef struct newton_work {
     double *value, *tried, *step, *at; ///< [count]
     double *derivative, *there;        ///< [count][count] at u and at the trial point
-    double *own;                       ///< [count][count] factors of it
+    double *own;                       ///< [count][count] factors of the derivative at u
     size_t *own_order;                 ///< [count]
     const double *factors;             ///< factors of the derivative that steps use
     const size_t *order;
@@ -23,7 +23,7 @@ static bool newton_decompose(const newton_problem *p, newton_work *w, const doub
     return elimination_decompose(p->count, w->own, w->own_order);
 }
 
-/// Computes the Newton step from a value of F. False if it is not finite.
+/// Computes the Newton step from a value of F. Returns false if it is not finite.
 static bool step_from(const newton_problem *p, const newton_work *w, const double *value, double *step) {
     memcpy(step, value, p->count * sizeof *step);
     elimination_solve(p->count, w->factors, w->order, step);
@@ -47,16 +47,16 @@ static double newton_length(const newton_problem *p, const double *step) {
     return sqrt(sum);
 }
 
-/// Returns true if the trial point is nearer to the zero: F is smaller there, or the step from there with the same
-/// derivative is shorter, which does not depend on the units of the equations (Deuflhard 2011, 3.3).
+/// Returns true if the trial point is nearer to the zero: F is smaller there, or the next step with the same derivative
+/// would be shorter. The latter does not depend on the units of the equations (Deuflhard 2011, 3.3).
 static bool is_nearer(const newton_problem *p, newton_work *w, double size, double now, double share) {
     if (now < size) return true;
     return isfinite(now) && step_from(p, w, w->tried, w->at) &&
            newton_length(p, w->at) < (1.0 - 0.5 * share) * newton_length(p, w->step);
 }
 
-/// Moves along the step as far as it leads nearer to the zero; returns the size of F there, infinite if no part of the
-/// step does.
+/// Moves along the step as far as it leads nearer to the zero. Returns the size of F there, infinite if no part of the
+/// step leads nearer.
 static double newton_move(const newton_problem *p, newton_work *w, double size, double *u) {
     double share = 1.0, gone = 0.0;
     for (int k = 0; k <= p->most_halvings; k++, share *= 0.5) {
@@ -75,12 +75,12 @@ static double newton_move(const newton_problem *p, newton_work *w, double size, 
     return INFINITY;
 }
 
-/// Returns true if another step will certainly be the last, by the last reduction of F.
+/// Returns true if another step will certainly be the last, judged by the last reduction of F.
 static bool is_last(const newton_problem *p, double size) {
     return p->share && 4.0 * *p->share * size <= p->tolerance;
 }
 
-/// Iterates with the derivative from nearby, as long as each step leaves at most a quarter of F; returns true if that
+/// Iterates with the derivative from nearby, as long as each step leaves at most a quarter of F. Returns true if that
 /// converges.
 static bool iterate_nearby(const newton_problem *p, newton_work *w, double *u) {
     w->factors = p->nearby;

@@ -11,17 +11,17 @@ typedef struct newton_problem {
     void *context;
     /// Writes F(u) [count] and, unless NULL, the derivative [count][count]. False if they cannot be computed.
     bool (*evaluate)(void *context, const double *u, double *value, double *derivative);
-    /// Returns the largest of F in units of the equations.
+    /// Returns the largest number of F in units of the equations.
     double (*size)(void *context, const double *u, const double *value);
-    /// [count][count] and [count]: NULL, or the factors of a derivative from nearby, used as long as its steps converge
-    /// well: it saves a derivative.
+    /// NULL, or the factors [count][count] and their order [count] of a derivative from nearby. They are used as long
+    /// as their steps converge well, which saves a derivative.
     const double *nearby;
     const size_t *nearby_order;
-    /// NULL, or the part of F that such a step left the last time (1: unknown). If it promises convergence, F is
-    /// evaluated only together with its derivative.
+    /// NULL, or the part of F that the last step with a derivative from nearby left (1: unknown). If it promises
+    /// convergence, F is evaluated only together with its derivative.
     double *share;
     const double *scale; ///< [count] units of u; NULL: 1
-    double tolerance;    ///< tolerance of that size
+    double tolerance;    ///< largest size of F at a zero
     int most_steps, most_halvings;
 } newton_problem;
 
@@ -32,9 +32,9 @@ typedef struct newton_result {
     double size; ///< size of F at the last u
 } newton_result;
 
-/// Moves u [count] from a start to a zero, by steps that are halved, up to a limit, until they lead nearer. If it is
-/// found, the last call of evaluate is that of the final u, with the derivative. F that rounding keeps from getting
-/// smaller counts as zero up to 100 times the tolerance. Also not found without memory.
+/// Moves u [count] from a start to a zero. Steps are halved, up to a limit, until they lead nearer. If a zero is found,
+/// the last call of evaluate was at the final u, with the derivative. If rounding keeps F from getting smaller, F up to
+/// 100 times the tolerance counts as zero. Without memory no zero is found.
 newton_result newton_solve(const newton_problem *problem, double *u);
 
 #endif

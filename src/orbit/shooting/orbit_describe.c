@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// Size of an orbit with its arrays, which follow it in one block.
+/// Returns the size in bytes of an orbit with its arrays, which follow it in one block.
 static size_t describe_size_of(const whirl_orbit *orbit) {
     return sizeof *orbit + orbit->multiplier_count * sizeof *orbit->multipliers +
            orbit->touch_count * sizeof *orbit->touches + (orbit->segment_count + 2) * orbit->dimension * sizeof(double);

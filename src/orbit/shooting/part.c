@@ -1,6 +1,6 @@
 #include "part.h"
 
-/// The system's time at a time of the part.
+/// Returns the time of the whole system at a time of the part.
 static double time_at(const part *p, double t) {
     return p->from + p->stretch * t;
 }

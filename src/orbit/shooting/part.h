@@ -4,15 +4,15 @@
 
 #include "whirl/engine/system.h"
 
-/// dx/dt = stretch f(from + stretch t, x) of `whole`, t from 0 to own.period. It must not be moved: the system points
-/// to it.
+/// The system dx/dt = stretch f(from + stretch t, x), where f is the right-hand side of `whole` and t runs from 0 to
+/// own.period. A part must not be moved, since its system points to it.
 typedef struct part {
     whirl_system own;
     const whirl_system *whole;
     double from, stretch;
 } part;
 
-/// Makes the part of that length in its own time.
+/// Makes the part of `whole` that begins at `from`, and whose length in its own time is `length`.
 void part_of(part *p, const whirl_system *whole, double from, double length, double stretch);
 
 #endif

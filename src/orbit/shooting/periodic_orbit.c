@@ -81,7 +81,7 @@ whirl_status whirl_orbit_find(const whirl_system *system, const double *start, s
     return periodic_orbit_find(system, start, revolutions, 0.0, options, orbit);
 }
 
-/// Returns true if the right-hand side depends on time, at instants without any symmetry between them.
+/// Returns true if the right-hand side depends on time. Compares instants without any symmetry between them.
 static bool is_driven(const whirl_system *system, const double *x, double *slopes) {
     enum { LOOKS = 5 };
     double forcing[WHIRL_MAX_FORCING], *other = slopes + system->dimension;
@@ -106,7 +106,7 @@ whirl_status whirl_orbit_find_free(const whirl_system *system, const double *sta
     free(slopes);
     if (driven)
         return whirl_fail(WHIRL_BAD_INPUT, "the machine is driven in time (unbalance, forces that turn), expected one "
-                                           "that is not for an orbit with a time of its own");
+                                           "without such forces for an orbit with a free period");
     return periodic_orbit_find(system, start, 0, period, options, orbit);
 }
 

@@ -1,9 +1,9 @@
 // Eigenvalues of a product of matrices that is never multiplied out.
 //
-// Orthogonal iteration: A_j Q_j = Q_j+1 R_j through all factors, repeatedly. The first columns of Q converge to the
-// fastest growing subspace; then Q_0' M Q_0 = H R with R = R_m ... R_1 upper triangular and H = Q_0' Q_m upper
-// triangular except for blocks of eigenvalues of similar modulus. The diagonal blocks of R are products of those of the
-// factors, so that each block has its own scale and large eigenvalues do not drown small ones.
+// Uses orthogonal iteration: A_j Q_j = Q_j+1 R_j through all factors, repeatedly. The first columns of Q converge to
+// the fastest growing subspace. Then Q_0' M Q_0 = H R, where R = R_m ... R_1 is upper triangular, and H = Q_0' Q_m is
+// upper triangular except for blocks of eigenvalues of similar modulus. The diagonal blocks of R are products of those
+// of the factors: each block has its own scale, and large eigenvalues do not drown small ones.
 #include <float.h>
 #include <limits.h>
 #include <math.h>
@@ -13,8 +13,8 @@
 #include "matrix.h"
 #include "whirl/engine/orbit.h"
 
-/// Rounds through all factors: afterwards moduli that differ by a factor of two are separated to rounding. Moduli
-/// within 2^LIKE need not be separated.
+/// Rounds through all factors. Afterwards moduli that differ by a factor of two are separated to rounding. Moduli
+/// within a factor of 2^LIKE need not be separated.
 enum { MAX_ROUNDS = 60, LIKE = 8 };
 
 typedef struct product {
@@ -44,7 +44,7 @@ static bool go_round(product *p) {
     return true;
 }
 
-/// Computes H = Q_0' Q_m into the workspace; rounding errors become zero.
+/// Computes H = Q_0' Q_m into the workspace, and sets rounding errors to zero.
 static void turn_of(product *p) {
     const size_t n = p->n;
     memset(p->work, 0, n * n * sizeof *p->work);
@@ -56,7 +56,7 @@ static void turn_of(product *p) {
             if (fabs(p->work[i * n + k]) <= 8.0 * DBL_EPSILON * (double)n) p->work[i * n + k] = 0.0;
 }
 
-/// Returns the end of the block that begins at `first`: below it no subdiagonal entry couples it to the rest.
+/// Returns the end of the block that begins at `first`: no entry below the diagonal couples it to later rows.
 static size_t end_of_block(const product *p, size_t first) {
     const size_t n = p->n;
     size_t end = first + 1;
@@ -69,7 +69,7 @@ static size_t end_of_block(const product *p, size_t first) {
     return end;
 }
 
-/// Computes the block of H R, over 2^*scale; nothing in the product under- or overflows.
+/// Computes the block of H R, divided by 2^*scale, so that nothing in the product under- or overflows.
 static void product_block_of(const product *p, size_t first, size_t size, double *block, double *other, int *scale) {
     const size_t n = p->n;
     *scale = 0;
@@ -106,7 +106,7 @@ static int by_modulus(const void *a, const void *b) {
     return p->imaginary > q->imaginary ? -1 : p->imaginary < q->imaginary;
 }
 
-/// Returns the power of two of a diagonal number of R.
+/// Returns the exponent (a power of two) of a diagonal number of R.
 static int size_of_row(const product *p, size_t i) {
     const size_t n = p->n;
     double rest = 1.0;
@@ -118,7 +118,7 @@ static int size_of_row(const product *p, size_t i) {
     return rest == 0.0 ? INT_MIN / 2 : all;
 }
 
-/// Returns true if only eigenvalues of similar modulus are left in one block.
+/// Returns true if every block has eigenvalues of similar modulus only.
 static bool is_apart(product *p) {
     turn_of(p);
     for (size_t first = 0, end; first < p->n; first = end) {

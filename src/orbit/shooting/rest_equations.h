@@ -1,4 +1,4 @@
-/// Equations of an equilibrium, used in place of an orbit's.
+/// The equations of an equilibrium, which replace those of an orbit.
 #ifndef ORBIT_REST_EQUATIONS_H
 #define ORBIT_REST_EQUATIONS_H
 
@@ -6,14 +6,15 @@
 
 #include "shooting.h"
 
-/// Writes the accelerations at a node, of coordinates that do not turn: slope [kept]; with `derivatives` the matrix
-/// becomes their Jacobian and the volume its trace. False if they are not finite.
+/// Writes the accelerations at a node of the coordinates that do not turn: slope [kept]. With `derivatives`, the matrix
+/// becomes their Jacobian, and the volume its trace. Returns false if they are not finite.
 bool rest_slope(shooting *s, const double *node, double *slope, bool derivatives);
 
 /// Returns the largest row sum of the Jacobian.
 double rest_rate(const shooting *s);
 
-/// Returns the largest of the slope [kept], relative to a Jacobian of that rate times a coordinate of that size.
+/// Returns the largest number of the slope [kept], divided by rate times size: by what a Jacobian of this rate makes of
+/// a coordinate of this size.
 double rest_size(const shooting *s, const double *slope, double size, double rate);
 
 #endif

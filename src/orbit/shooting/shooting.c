@@ -118,7 +118,7 @@ void shooting_free(shooting *s) {
 
 // ---------------------------------------------------------------- segments, one after the other
 
-/// Stores a segment's derivative, and adds up the volume.
+/// Stores a segment's derivative, and adds its part of the volume.
 static void take_columns(shooting *s, size_t j, const whirl_perturbations *columns) {
     const size_t d = s->dimension, n = s->kept_count;
     double *matrix = s->matrices + j * n * n;
@@ -155,14 +155,14 @@ static void shooting_place(const shooting *s, whirl_ensemble *lanes, size_t lane
     whirl_ensemble_place(lanes, lane, from);
 }
 
-/// Makes lanes for motions of other machines; false if lanes do not carry them.
+/// Makes lanes for motions of other machines, unless they exist. Returns false if lanes do not carry such motions.
 static bool has_beside(shooting *s) {
     const size_t some = MAX_BESIDE * s->count, lanes = some > MAX_ABREAST ? some : MAX_ABREAST;
     if (!s->lanes || s->beside) return s->beside;
     return whirl_ensemble_flow(s->first, &s->integrate, lanes, 0, &s->beside).code == WHIRL_OK;
 }
 
-/// Carries `count` segments from the first on, in lanes.
+/// Carries `count` segments from segment `first` on, in lanes.
 static bool carry_in_lanes(shooting *s, size_t first, size_t count, const double *nodes, bool derivatives) {
     const size_t d = s->dimension;
     bool good = true;
@@ -258,9 +258,9 @@ bool shooting_map(shooting *s, size_t count, double *x, double period) {
     return true;
 }
 
-/// Translates observations of a part into those of the whole orbit.
+/// Passes on the observations of a segment at times of the whole orbit.
 typedef struct part_observer {
-    double before, stretch; ///< the orbit's time at the segment's start, and per unit of the part's time
+    double before, stretch; ///< the orbit's time at the segment's start; the orbit's time per unit of the part's time
     whirl_observe_fn observe;
     void *observer;
 } part_observer;
@@ -281,7 +281,7 @@ static bool observe_alone(shooting *s, const double *nodes, part_observer *o, do
     return true;
 }
 
-/// Observations of all segments at once, to be reported segment by segment.
+/// Observations of all segments at once, to be passed on segment by segment.
 typedef struct lane_watch {
     const shooting *s;
     double *next; ///< [instants][segments][dimension]
@@ -331,7 +331,7 @@ bool shooting_bounds(shooting *s, const double *nodes, double period, double *lo
         whirl_ensemble_forget(s->lanes, j);
     }
     if (good) whirl_ensemble_revolve(s->lanes, s->count, &watch);
-    // Widen the bounds by those of each.
+    // Widen the bounds by those of each segment.
     for (size_t j = 0; j < s->count && good; j++) {
         good = whirl_ensemble_motion(s->lanes, j) == WHIRL_BOUNDED;
         whirl_ensemble_read(s->lanes, j, &seen);

@@ -6,13 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// The last instant of an orbit that was observed.
+/// State of observing an orbit: the last instant and the present one.
 typedef struct watch {
     const whirl_system *system;
     whirl_orbit *orbit;
     double t;
     double *x, *slope;         ///< [dimension] at the last instant
-    double *x2, *slope2, *mid; ///< [dimension] at this instant, and between both
+    double *x2, *slope2, *mid; ///< [dimension] at the present instant, and between both
     double *gradient;          ///< [dimension]
     double *values;            ///< [switch_count]
     double *from, *rate;       ///< [touch_count] values and their rates at the last instant
@@ -40,7 +40,7 @@ static double touch_value_at(const watch *w, size_t index, double t, const doubl
     return w->values[index];
 }
 
-/// Rate of a switching function along a slope; a one-sided difference if the system gives no gradient.
+/// Returns the rate of a switching function along a slope, by a one-sided difference if the system gives no gradient.
 static double rate_at(const watch *w, size_t index, double t, const double *x, const double *slope) {
     const whirl_system *system = w->system;
     double sum = 0.0;
@@ -56,7 +56,8 @@ static double rate_at(const watch *w, size_t index, double t, const double *x, c
     return (ahead - touch_value_at(w, index, t - h, w->gradient)) / (2.0 * h);
 }
 
-/// State and slope between the last instant and this one, by the cubic through both states and slopes.
+/// Interpolates state and slope between the last instant and the present one, by the cubic through both states and
+/// slopes.
 static void touch_between(const watch *w, double t, double theta, double h, double *x, double *slope) {
     const double a = theta * theta * (3.0 - 2.0 * theta), b = theta * (1.0 - theta);
     for (size_t i = 0; i < w->system->dimension; i++) {
@@ -66,7 +67,7 @@ static void touch_between(const watch *w, double t, double theta, double h, doub
     slope_at(w, t + theta * h, x, slope);
 }
 
-/// The extreme between the last instant and this one, whose rates have opposite signs.
+/// Returns the extreme between the last instant and the present one, whose rates have opposite signs.
 static double extreme_between(const watch *w, size_t index, double t, double h, double rate) {
     double low = 0.0, high = 1.0, *slope = w->mid + w->system->dimension;
     for (int k = 0; k < 40; k++) {
@@ -91,12 +92,12 @@ static void touch_look_at(watch *w, size_t which, double t, double h) {
     if (h == 0.0) return;
     const bool now = value > 0.0, before = from > 0.0;
     touch->intervals += now > before;
-    // The closed part of this interval, by a straight line where it changes.
+    // Add the closed part of this interval; a straight line gives the instant of a change.
     touch->share += h * (now == before ? (double)now : fmax(value, from) / (fabs(value) + fabs(from)));
     if ((from_rate < 0.0) == (rate < 0.0)) return;
     const double extreme = extreme_between(w, touch->index, w->t, h, from_rate);
-    // An extreme beyond zero between two instants on the same side: a contact, or a gap in one, between the instants.
-    // Its length is that of a parabola with these ends.
+    // An extreme beyond zero between two instants on the same side of it is a contact, or a gap in one, between the
+    // instants. Its length is that of a parabola with these ends.
     if (now == before && (extreme > 0.0) != now) {
         const double height = fabs(extreme) + 0.5 * (fabs(value) + fabs(from));
         touch->intervals++;
@@ -105,7 +106,7 @@ static void touch_look_at(watch *w, size_t which, double t, double h) {
     if (fabs(extreme) < fabs(touch->nearest)) touch->nearest = extreme;
 }
 
-/// Observes x at t, the next instant.
+/// Observes x at the next instant t.
 static void touch_add(watch *w, double t, const double *x, double h) {
     whirl_orbit *orbit = w->orbit;
     const size_t d = orbit->dimension;
@@ -126,7 +127,7 @@ static void touch_observe(void *observer, double t, const double *x) {
     touch_add(w, t, x, t - w->t);
 }
 
-/// Initializes bounds, to be narrowed, and the touches' functions.
+/// Initializes the bounds, to be widened, and the functions of the touches.
 static void touch_prepare(watch *w) {
     whirl_orbit *orbit = w->orbit;
     for (size_t i = 0; i < orbit->dimension; i++) {

@@ -5,7 +5,7 @@
 
 static const double two_pi = 6.283185307179586476925;
 
-/// Angle j of `count` equal ones.
+/// Returns angle j of `count` equally spaced ones, rad.
 static double angle_of(size_t j, size_t count) {
     return two_pi * (double)j / (double)count;
 }

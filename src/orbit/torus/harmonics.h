@@ -4,15 +4,15 @@
 
 #include <stddef.h>
 
-/// Computes the series of `count` points [count][n]: series [count][n], the mean, then cosine and sine of each
-/// harmonic.
+/// Computes the Fourier series of `count` points [count][n]: series [count][n], which is the mean, then cosine and sine
+/// of each harmonic.
 void harmonics_of(size_t count, size_t n, const double *points, double *series);
 
 /// Evaluates the curve at an angle and, unless NULL, its derivative by the angle: [n].
 void harmonics_at(size_t count, size_t n, const double *series, double angle, double *value, double *slope);
 
-/// Evaluates the curve at `many` equal angles, the first of which is `from`: values and, unless NULL, slopes [many][n].
-/// Harmonics that so many points do not resolve are left out.
+/// Evaluates the curve at `many` equally spaced angles, the first of which is `from`: values and, unless NULL, slopes
+/// [many][n]. Harmonics which so few points do not resolve are left out.
 void harmonics_spread(size_t count, size_t n, const double *series, double from, size_t many, double *values,
                       double *slopes);
 

@@ -88,7 +88,7 @@ void section_map_put(const section_map *map, const double *point, double *state)
 
 // ---------------------------------------------------------------- carrying points
 
-/// Sets the unit perturbations of the point in a place.
+/// Sets the unit perturbations of the point at a place among those that run at once.
 static void begin_columns(section_map *map, size_t place) {
     const size_t n = map->count, d = map->dimension;
     double *vectors = map->vectors + place * n * d;
@@ -126,7 +126,7 @@ static bool revolve_in_lanes(section_map *map, size_t many, whirl_perturbations 
     return bounded;
 }
 
-/// Carries points that run at once.
+/// Carries the points that run at once.
 static bool section_map_carry_block(section_map *map, size_t many, const double *points, double *images,
                                     double *derivatives, double *volume) {
     const size_t n = map->count;

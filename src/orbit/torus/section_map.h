@@ -22,9 +22,9 @@ typedef struct section_map {
     whirl_perturbations *columns; ///< [side_by_side] perturbations of these
 } section_map;
 
-/// Makes the map of a system, which must outlive it, over so many revolutions. WHIRL_BAD_INPUT if its angles do not
-/// return after them, if it has no Jacobian, and as whirl_integrator_new; WHIRL_NO_MEMORY. Freed by section_map_free,
-/// NULL included.
+/// Makes the map of a system, which must outlive it, over `revolutions` revolutions. WHIRL_BAD_INPUT if the system's
+/// angles do not return after them, if it has no Jacobian, and as whirl_integrator_new; WHIRL_NO_MEMORY. Freed by
+/// section_map_free, which accepts NULL.
 whirl_status section_map_new(const whirl_system *system, const whirl_integrate_options *options, size_t revolutions,
                              section_map **out);
 void section_map_free(section_map *map);
@@ -34,7 +34,7 @@ void section_map_take(const section_map *map, const double *state, double *point
 void section_map_put(const section_map *map, const double *point, double *state);
 
 /// Maps points [many][count]: images [many][count] and, unless NULL, their derivatives [many][count][count] and the
-/// mean of the integrals of the divergence (whirl_perturbations). False if a motion is not bounded.
+/// mean of the integrals of the divergence (whirl_perturbations). Returns false if a motion is not bounded.
 bool section_map_carry(section_map *map, size_t many, const double *points, double *images, double *derivatives,
                        double *volume);
 

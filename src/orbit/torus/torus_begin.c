@@ -1,5 +1,5 @@
-// The first torus of a branch, at a Neimark-Sacker point: up to second order, the map turns the ellipses Re(q exp(i
-// theta)) of its derivative's eigenvector q by the angle of its multiplier.
+// The first torus of a branch, near a Neimark-Sacker point. There, up to second order, the map turns the ellipse Re(q
+// exp(i theta)), where q is an eigenvector of its derivative, by the angle of the multiplier of q.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,8 +11,8 @@
 
 static const double two_pi = 6.283185307179586476925;
 
-/// Computes the eigenvector of a [n][n] with the eigenvalue nearest to exp(i angle): vector [n][2]. False without
-/// memory.
+/// Computes the eigenvector of a [n][n] with the eigenvalue nearest to exp(i angle): vector [n][2]. Returns false
+/// without memory.
 static bool torus_begin_eigenvector(size_t n, double *a, double angle, double *vector) {
     double *real = calloc(2 * n + 2 * n * n, sizeof *real), *imaginary = real ? real + n : NULL;
     double *vectors = real ? imaginary + n : NULL;
@@ -27,7 +27,7 @@ static bool torus_begin_eigenvector(size_t n, double *a, double angle, double *v
     return good;
 }
 
-/// Sets the trial to the orbit with the ellipse around it, and direction and reference to the ellipse.
+/// Sets the trial to the orbit with the ellipse around it, and both direction and reference to the ellipse.
 static bool place_ellipse(torus_follower *f, const whirl_branch_point *point, const double *vector, double step) {
     enum { FIRST_NODES = 11 };
     torus_equations *e = &f->equations;

@@ -60,7 +60,7 @@ static void go_to_next(torus_walk *w) {
     w->next = kept;
 }
 
-/// Gives the present curve so many nodes, and its tangent length 1 in its size.
+/// Gives the present curve `count` nodes, and its tangent the length 1 in the units of that size.
 static bool take_nodes(torus_follower *f, torus_walk *w, size_t count) {
     torus_equations *e = &f->equations;
     torus_waypoint *now = &w->now;
@@ -74,8 +74,8 @@ static bool take_nodes(torus_follower *f, torus_walk *w, size_t count) {
 
 // ---------------------------------------------------------------- steps
 
-/// Cosine between the deviations of two curves (with as many nodes) from their means: negative if the second one has
-/// shrunk through a point to the other side.
+/// Returns the cosine between the deviations of two curves, with equally many nodes, from their means. It is negative
+/// if the second curve has shrunk through a point to the other side.
 static double torus_branch_likeness(const torus_equations *e, const double *a, const double *b) {
     const size_t n = e->n;
     double both = 0.0, first = 0.0, second = 0.0;
@@ -95,7 +95,7 @@ static double torus_branch_likeness(const torus_equations *e, const double *a, c
     return both / sqrt(first * second);
 }
 
-/// Tries a step; *good if it found a curve that continues the branch.
+/// Tries a step. *good becomes true if the step found a curve that continues the branch.
 static whirl_status torus_branch_try_step(torus_follower *f, torus_walk *w, bool *good) {
     torus_equations *e = &f->equations;
     enum { FEW = 4 }; // steps within which a curve may shrink to a point
@@ -117,28 +117,31 @@ static whirl_status torus_branch_try_step(torus_follower *f, torus_walk *w, bool
     return status;
 }
 
-/// Extrapolates the parameter to where a linear quantity, `one` at the last point and `two` at the one before,
-/// vanishes.
-static double vanishing_value(const whirl_torus_point *last, const whirl_torus_point *before, double one, double two) {
+/// Extrapolates the parameter to where a linear quantity vanishes, which is `one` at the last point and `two` at the
+/// one before.
+static double torus_branch_vanishing(const whirl_torus_point *last, const whirl_torus_point *before, double one,
+                                     double two) {
     return last->value - one * (before->value - last->value) / (two - one);
 }
 
-/// Extrapolates to where the square of the radius vanishes.
+/// Returns the parameter to which the square of the radius extrapolates as 0.
 static double shrinking_value(const torus_follower *f, const torus_walk *w, const whirl_torus_branch *b) {
     const whirl_torus_point *last = &b->points[b->count - 1];
     const whirl_torus_point next = {torus_branch_value_at(f, &w->next), w->next.torus};
     const whirl_torus_point *other = b->count > 1 ? last - 1 : &next;
     const double one = last->torus->radius, two = other->torus->radius;
-    return vanishing_value(last, other, one * one, two * two);
+    return torus_branch_vanishing(last, other, one * one, two * two);
 }
 
-/// Extrapolates to where the square of the distance from a resonance vanishes that the last two tori approach.
+/// Returns the parameter to which the square of the distance from a resonance extrapolates as 0, if the last two tori
+/// approach one.
 static double locking_value(const whirl_torus_branch *b) {
     const whirl_torus_point *last = &b->points[b->count - 1];
     const double q = (double)last->torus->resonance, own = last->torus->rotation;
     if (b->count < 2 || q == 0.0) return NAN;
     const double one = own - round(q * own) / q, two = last[-1].torus->rotation - round(q * own) / q;
-    return one * two > 0.0 && fabs(one) < fabs(two) ? vanishing_value(last, last - 1, one * one, two * two) : NAN;
+    return one * two > 0.0 && fabs(one) < fabs(two) ? torus_branch_vanishing(last, last - 1, one * one, two * two)
+                                                    : NAN;
 }
 
 /// Ends the branch where no step of allowed length continues it.
@@ -204,7 +207,7 @@ static whirl_status torus_branch_advance(torus_follower *f, torus_walk *w, whirl
     status = add_point(f, w, &w->next, b);
     w->step = fmin(fmax(w->step * w->next.pace, o->least_step), o->most_step);
     go_to_next(w);
-    // Uses fewer nodes if many are unnecessary; more are used as soon as they are needed.
+    // Use fewer nodes if many are unnecessary; more are used as soon as they are needed.
     if (10 * wanted < 7 * w->now.count && status.code == WHIRL_OK && !take_nodes(f, w, wanted))
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a torus");
     return status;

@@ -29,7 +29,7 @@ void whirl_torus_free(whirl_torus *torus) {
     free(torus);
 }
 
-/// Error of the equation half way between nodes.
+/// Returns the error of the equations half way between nodes.
 static double error_between(torus_equations *e, const double *u) {
     const size_t n = e->n;
     const double half = 0.5 * two_pi / (double)e->count, angle = u[e->count * n];
@@ -42,7 +42,7 @@ static double error_between(torus_equations *e, const double *u) {
     return error;
 }
 
-/// Size of the last two harmonics over the largest.
+/// Returns the size of the last two harmonics divided by that of the largest.
 static double tail_of(torus_equations *e, const double *u) {
     const size_t last = e->count / 2;
     double largest = 0.0;
@@ -104,14 +104,14 @@ bool torus_is_accurate(const torus_equations *e, const double *u, const whirl_to
     return torus->error <= fmax(e->options->accuracy, slight);
 }
 
-/// Size of the harmonics from `first` on.
+/// Returns the size of the harmonics from `first` on.
 static double rest_from(const torus_equations *e, size_t first) {
     double sum = 0.0;
     for (size_t h = first; h <= e->count / 2; h++) sum += harmonics_size(e->n, e->series, h);
     return sum;
 }
 
-/// Number of missing harmonics, by the decay of the present ones.
+/// Returns the number of missing harmonics, by the decay of the present ones.
 static size_t torus_describe_missing(const torus_equations *e, double error) {
     const size_t last = e->count / 2, middle = (last + 1) / 2, least = 1 + last / 5, most = last + 1;
     const double early = harmonics_size(e->n, e->series, middle), late = harmonics_size(e->n, e->series, last);

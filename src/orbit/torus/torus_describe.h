@@ -1,4 +1,4 @@
-/// Tori in memory, and how many nodes they need.
+/// Tori in memory, and the number of nodes they need.
 #ifndef ORBIT_TORUS_DESCRIBE_H
 #define ORBIT_TORUS_DESCRIBE_H
 
@@ -18,14 +18,14 @@ bool torus_is_accurate(const torus_equations *e, const double *u, const whirl_to
 /// accurate as the options require: odd, at most as many as they allow.
 size_t torus_nodes_wanted(torus_equations *e, const double *u, double error);
 
-/// Converts unknowns `from` with `count` nodes to `to` with `many` nodes. False without memory.
+/// Converts unknowns `from` with `count` nodes to `to` with `many` nodes. Returns false without memory.
 bool torus_resample(const torus_equations *e, size_t count, const double *from, size_t many, double *to);
 
-/// Writes that the torus is inaccurate, and near which resonance it is, in `size` bytes of text.
+/// Writes to text [size] that the torus is inaccurate, and near which resonance it is.
 void torus_say_rough(const torus_equations *e, const whirl_torus *torus, char *text, size_t size);
 
 /// Computes the normal exponents of a curve whose derivatives were evaluated last: the torus' exponents [n - 1] and
-/// their error. False without memory or if the curve has no direction.
+/// their errors. Returns false without memory, or if the curve has no direction.
 bool torus_find_exponents(const torus_equations *e, const double *u, whirl_torus *torus);
 
 #endif

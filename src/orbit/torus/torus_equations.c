@@ -75,7 +75,7 @@ size_t torus_equations_unknowns(const torus_equations *e) {
 
 void torus_equations_refer(torus_equations *e, const double *u) {
     harmonics_of(e->count, e->n, u, e->series);
-    // Stores the values in `beside`, which is unused here: only the slopes are needed.
+    // The values go to `beside`, which is unused here; only the slopes are needed.
     harmonics_spread(e->count, e->n, e->series, 0.0, e->count, e->beside, e->along);
 }
 
@@ -129,8 +129,8 @@ static bool images_beside(torus_equations *e, double value, const double *u, dou
     return good;
 }
 
-/// Computes the derivative of the images by the parameter, by central differences: their error, the square of 2^-12 of
-/// the span, costs Newton's method no step and does not move its zeros.
+/// Computes the derivative of the images by the parameter, by central differences. Their error is the square of 2^-12
+/// of the span: it costs Newton's method no step, and does not move its zeros.
 static bool by_parameter(torus_equations *e, const double *u) {
     const size_t size = e->count * e->n;
     double *above = e->beside, *below = above + size;
@@ -142,7 +142,7 @@ static bool by_parameter(torus_equations *e, const double *u) {
 
 // ---------------------------------------------------------------- values and derivatives
 
-/// Index of node k's weight in the curve at theta_j + angle.
+/// Returns the index of node k's weight in the curve at theta_j + angle.
 static size_t torus_equations_place(const torus_equations *e, size_t j, size_t k) {
     return (k + e->count - j) % e->count;
 }

@@ -9,9 +9,9 @@
 
 #include <stddef.h>
 
-/// Unknowns: the nodes [count][n] of the curve, n coordinates that do not turn; the angle by which the map turns it,
-/// rad; the parameter, if machines form a family. Equations: P(x_j) - x(theta_j + angle) at every node, and the phase
-/// condition: of all shifts the curve has the one nearest to a reference curve.
+/// Unknowns: the nodes [count][n] of the curve, without coordinates that turn; the angle by which the map turns the
+/// curve, rad; the parameter, if machines form a family. Equations: P(x_j) - x(theta_j + angle) = 0 at every node; and
+/// the phase condition, which selects of all shifts of the curve the one nearest to a reference curve.
 typedef struct torus_equations {
     const whirl_torus_options *options;
     const whirl_family *family; ///< NULL: one machine, no parameter
@@ -30,18 +30,18 @@ typedef struct torus_equations {
     double *beside;           ///< [3][count][n] workspace
 } torus_equations;
 
-/// Makes the equations of a machine, or of a family at a value (system NULL), without nodes. `at` [dimension], a state,
-/// gives the turning coordinates at sections. Errors as whirl_torus_find and those of machines. Freed by
+/// Makes the equations of a machine, or of a family at a value (system NULL), without nodes. The state `at` [dimension]
+/// gives the turning coordinates at sections. Errors as whirl_torus_find, and the errors of making machines. Freed by
 /// torus_equations_free, after a failure too.
 whirl_status torus_equations_make(torus_equations *e, const whirl_system *system, const whirl_family *family,
                                   double value, const whirl_torus_options *options, size_t revolutions,
                                   size_t dimension, const double *at);
 void torus_equations_free(torus_equations *e);
 
-/// Allocates so many nodes. False without memory.
+/// Allocates `count` nodes. Returns false without memory.
 bool torus_equations_resize(torus_equations *e, size_t count);
 
-/// Return the numbers of equations and, with the parameter, of unknowns.
+/// Return the number of equations, and of unknowns including the parameter.
 size_t torus_equations_count(const torus_equations *e);
 size_t torus_equations_unknowns(const torus_equations *e);
 
@@ -52,8 +52,8 @@ void torus_equations_refer(torus_equations *e, const double *u);
 double torus_equations_reach(const torus_equations *e, const double *u);
 double torus_equations_radius(const torus_equations *e, const double *u);
 
-/// Sets unit lengths along a branch, scale [unknowns]: of nodes, on average, the curve's own size; of the angle one
-/// radian; the span of the parameter.
+/// Sets unit lengths along a branch, scale [unknowns]. The unit of nodes is on average the curve's own size; that of
+/// the angle, one radian; that of the parameter, its span.
 void torus_equations_scale(const torus_equations *e, const double *u, double span, double *scale);
 
 /// Functions for newton_problem.

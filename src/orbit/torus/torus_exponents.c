@@ -1,8 +1,7 @@
-// Normal exponents of a torus: multiplies the map's derivative along the curve, section by section of a long walk by
-// its rotation, each factor interpolated between the nodes (Jorba 2001). The curve's direction is removed from every
-// factor, and the remaining vectors are orthonormalized; the logarithms of their lengths are smooth functions of the
-// angle on a smooth torus, so that their weighted Birkhoff averages converge faster than any power of the walk's
-// length.
+// Normal exponents of a torus. Multiplies the map's derivative along the curve, section by section of a long walk by
+// its rotation; each factor is interpolated between the nodes (Jorba 2001). The curve's direction is removed from every
+// factor, and the remaining vectors are orthonormalized. On a smooth torus the logarithms of their lengths are smooth
+// functions of the angle: their weighted Birkhoff averages converge faster than any power of the walk's length.
 #include "harmonics.h"
 #include "torus_describe.h"
 #include "torus_equations.h"
@@ -45,7 +44,8 @@ static bool look_along(walk *w) {
     return isfinite(length) && length > 0.0;
 }
 
-/// Makes vector k orthonormal to those before and to the curve; returns its former length, 0 if nothing is left.
+/// Makes vector k orthonormal to the vectors before it and to the curve. Returns its former length, 0 if nothing is
+/// left.
 static double torus_exponents_straighten(walk *w, size_t k) {
     double *v = w->vectors + k * w->n;
     for (int twice = 0; twice < 2; twice++) {
@@ -57,7 +57,7 @@ static double torus_exponents_straighten(walk *w, size_t k) {
     return length;
 }
 
-/// Sets the initial vectors: units, without the one nearest to the curve's direction.
+/// Sets the initial vectors: unit vectors without the one nearest to the curve's direction.
 static bool torus_exponents_begin(walk *w) {
     size_t nearest = 0;
     if (!look_along(w)) return false;
@@ -71,7 +71,7 @@ static bool torus_exponents_begin(walk *w) {
     return true;
 }
 
-/// Moves one section further; growth [n - 1] gets the logarithms of the lengths.
+/// Moves one section further. growth [n - 1] receives the logarithms of the lengths.
 static bool torus_exponents_step(walk *w, double *growth) {
     const size_t n = w->n;
     harmonics_at(w->count, n * n, w->factor, w->at, w->matrix, NULL);
@@ -97,8 +97,8 @@ static double torus_exponents_average(const walk *w, size_t which, size_t first,
     return sum / weights;
 }
 
-/// Writes the exponents with their errors; returns the largest of the errors that the walk causes. Between nodes the
-/// factor is off by `slight`, which an exponent feels over its own multiplier.
+/// Writes the exponents with their errors. Returns the largest error that the length of the walk causes. Between nodes
+/// the factor is wrong by `slight`; the error of an exponent is this divided by its multiplier.
 static double write_averages(const walk *w, size_t count, double slight, whirl_torus *torus) {
     const double share = 1.0 / (double)torus->revolutions;
     double largest = 0.0;
@@ -113,7 +113,7 @@ static double write_averages(const walk *w, size_t count, double slight, whirl_t
     return largest;
 }
 
-/// Size of the last two harmonics of the factor.
+/// Returns the size of the last two harmonics of the factor.
 static double missing_of(const walk *w) {
     const size_t size = w->n * w->n, last = w->count / 2;
     return harmonics_size(size, w->factor, last) + harmonics_size(size, w->factor, last - 1);

@@ -62,7 +62,7 @@ bool torus_follower_resize(torus_follower *f, size_t count, const double *u) {
     return true;
 }
 
-/// Changes to more nodes; the search continues from what was found.
+/// Changes to more nodes. The search continues from the curve that was found.
 static bool torus_follower_refine(torus_follower *f, size_t wanted, const double *found) {
     const torus_equations *e = &f->equations;
     const size_t before = e->count;

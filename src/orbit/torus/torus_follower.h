@@ -27,9 +27,9 @@ typedef struct torus_follower {
     double *trial, *direction, *forward; ///< [room] of the present search
 } torus_follower;
 
-/// Makes one at a value, for tori of so many revolutions, with turning coordinates at sections from `at` [dimension].
-/// Its curve has no nodes yet. Errors as torus_equations_make and those of options. Freed by torus_follower_end, after
-/// a failure too.
+/// Makes the follower at a value, for tori of `revolutions` revolutions. Turning coordinates at sections are those of
+/// the state `at` [dimension]. Its curve has no nodes yet. Errors as torus_equations_make, and of invalid options.
+/// Freed by torus_follower_end, after a failure too.
 whirl_status torus_follower_begin(torus_follower *f, const whirl_family *family, size_t revolutions, size_t dimension,
                                   const double *at, double value, const whirl_torus_branch_options *options);
 void torus_follower_end(torus_follower *f);
@@ -37,11 +37,11 @@ void torus_follower_end(torus_follower *f);
 whirl_status torus_waypoint_new(const torus_follower *f, torus_waypoint *out);
 void torus_waypoint_free(torus_waypoint *p);
 
-/// Gives the curve so many nodes, and unit lengths by the size of u, which has them. False without memory.
+/// Gives the curve `count` nodes, and unit lengths by the size of u, which has as many. Returns false without memory.
 bool torus_follower_resize(torus_follower *f, size_t count, const double *u);
 
-/// Finds the point orthogonal to `direction` from the trial, with its tangent on the side of `forward`; all three are
-/// the search's, with as many nodes as the equations. Uses more nodes if accuracy requires them. WHIRL_NO_MEMORY.
+/// Finds the point orthogonal to `direction` from `trial`, and its tangent on the side of `forward`. These three
+/// members have as many nodes as the equations. Uses more nodes if accuracy requires them. WHIRL_NO_MEMORY.
 whirl_status torus_follower_find(torus_follower *f, torus_waypoint *out);
 
 #endif

@@ -1,6 +1,8 @@
+// Fits a curve to the sections of a motion.
+//
 // Weighted Birkhoff averages of x exp(-2 pi i h rho m) over the sections m are the harmonics of the curve, if rho is
-// its rotation number (Das, Saiki, Sander, Yorke 2017). rho is where the average with h = 1 is largest, or a part of
-// that where the largest harmonic is not the first.
+// its rotation number (Das, Saiki, Sander, Yorke 2017). The average with h = 1 is largest at rho; if another harmonic
+// is the largest one, at a multiple of rho.
 #include "torus_start.h"
 #include "harmonics.h"
 #include "section_map.h"
@@ -62,12 +64,13 @@ static cloud *cloud_new(const torus_equations *e, const double *states, size_t c
 
 // ---------------------------------------------------------------- the rotation number
 
-/// Angle of section m at so many turns a section, from the middle one.
+/// Returns the angle of section m at `turns` turns a section, counted from the middle section, rad.
 static double angle_at(const cloud *c, size_t m, double turns) {
     return two_pi * fmod(turns * ((double)m - 0.5 * (double)c->count), 1.0);
 }
 
-/// Averages the residual at so many turns a section into `real` and `minus`; returns the square of its size.
+/// Averages the residual at `turns` turns a section into `real` and `minus`. Returns the square of the size of the
+/// average.
 static double torus_start_average(cloud *c, double turns) {
     double square = 0.0;
     memset(c->real, 0, c->n * sizeof *c->real);
@@ -84,7 +87,7 @@ static double torus_start_average(cloud *c, double turns) {
     return square;
 }
 
-/// Finds the largest average between two places, by golden section.
+/// Returns where between two places the average is largest, by golden section.
 static double largest_between(cloud *c, double low, double high) {
     const double share = 0.6180339887498949;
     double left = high - share * (high - low), right = low + share * (high - low);
@@ -134,8 +137,9 @@ static void take_out(cloud *c, double turns) {
     }
 }
 
-/// Fits the series for a rotation number; returns the residual, root mean square, over the points' size. Each harmonic
-/// is fitted to the residual of lower ones: of two that few sections cannot separate the lower one counts.
+/// Fits the series for a rotation number. Returns the root mean square of the residual, divided by the size of the
+/// points. Each harmonic is fitted to the residual of the lower ones: if few sections cannot separate two harmonics,
+/// the lower one counts.
 static double torus_start_misfit(cloud *c, double rotation) {
     const size_t n = c->n, size = c->count * n;
     const size_t most = c->count / 8 < MAX_HARMONICS ? c->count / 8 : MAX_HARMONICS;
@@ -158,8 +162,8 @@ static double torus_start_misfit(cloud *c, double rotation) {
     return sqrt(off / all);
 }
 
-/// Finds the rotation number: the largest line, or a half or a third of it if that fits and the line itself does not;
-/// leaves its series.
+/// Returns the rotation number: the place of the largest line, or a half or a third of it if that fits and the line
+/// itself does not. Leaves its series.
 static double rotation_of(cloud *c, double *off) {
     const double line = largest_line(c);
     const double fits = 0.05;
@@ -178,7 +182,7 @@ static double rotation_of(cloud *c, double *off) {
     return best;
 }
 
-/// Number of sections after which the points repeat; 0: they do not.
+/// Returns the number of sections after which the points repeat, or 0 if they do not.
 static size_t repeats_after(const cloud *c) {
     for (size_t q = 1; q <= c->count / 2; q++) {
         double away = 0.0;
@@ -192,7 +196,7 @@ static size_t repeats_after(const cloud *c) {
 
 // ---------------------------------------------------------------- the curve
 
-/// Number of harmonics up to three small ones in a row.
+/// Returns the number of harmonics up to three small ones in a row.
 static size_t harmonics_needed(const cloud *c) {
     enum { FEWEST = 3 };
     double largest = 0.0;

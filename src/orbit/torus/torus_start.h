@@ -7,8 +7,8 @@
 
 #include <stddef.h>
 
-/// Fits a curve to `count` consecutive states [count][dimension], by its rotation number, or with NaN by one found for
-/// them: gives the equations as many nodes as needed, and *u [unknowns], malloc'd. Errors as whirl_torus_find.
+/// Fits a curve to `count` consecutive states [count][dimension]. Uses the rotation number, or finds one if it is NaN.
+/// Gives the equations as many nodes as needed, and allocates *u [unknowns] with malloc. Errors as whirl_torus_find.
 whirl_status torus_fit(torus_equations *e, const double *states, size_t count, double rotation, double **u);
 
 #endif

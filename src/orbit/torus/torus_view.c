@@ -1,7 +1,9 @@
 // The view of a torus: the bounds of its motion and of its sections, and the strongest line of its second frequency in
-// every coordinate. With phi = theta + 2 pi rho t/T, T the time of k revolutions, the motions that begin at all angles
-// theta are one function of phi and t that repeats after a turn and after T: its harmonic exp(i phi) has lines at (rho
-// + i)/T for whole numbers i.
+// every coordinate.
+//
+// T is the time of k revolutions, and phi = theta + 2 pi rho t/T. The motions that begin at all angles theta are one
+// function of phi and t, which repeats after a turn of phi and after T. Its harmonic exp(i phi) has lines at (rho +
+// i)/T for whole numbers i.
 #include <complex.h>
 #include <math.h>
 #include <stdlib.h>
@@ -17,8 +19,8 @@ enum { INSTANTS = 64, MIN_ANGLES = 128 };
 
 static const double two_pi = 6.283185307179586476925;
 
-/// Motions that begin at the nodes, at equal instants of all revolutions: at each instant they lie on a closed curve
-/// with as many harmonics as that of the nodes.
+/// Motions that begin at the nodes, at equally spaced instants of all revolutions. At each instant they lie on a closed
+/// curve with as many harmonics as that of the nodes.
 typedef struct grid {
     size_t dimension, nodes, instants, angles;
     double *states;   ///< [instants][nodes][dimension]; instant m is at (m + 1) T/instants
@@ -41,7 +43,8 @@ static void put_state(void *context, double t, const double *x) {
 
 // ---------------------------------------------------------------- bounds
 
-/// Largest of values around a cycle, `stride` apart, times `sign`, by the parabola through it and its neighbours.
+/// Returns the largest (sign 1) or the smallest (sign -1) of values that lie around a cycle, `stride` apart, by the
+/// parabola through it and its neighbours.
 static double peak_of(const double *values, size_t count, size_t stride, double sign) {
     size_t at = 0;
     if (count == 0) return NAN;
@@ -78,8 +81,8 @@ static void find_bounds(const grid *g, size_t coordinate, whirl_torus_view *view
 
 // ---------------------------------------------------------------- lines
 
-/// Size of a coordinate's line at `whole` + rotation turns in all revolutions. turn[m] = exp(-2 pi i m/instants);
-/// slow[m] = exp(-2 pi i rotation (m + 1)/instants), the same for the rotation number.
+/// Returns the size of a coordinate's line at `whole` + rotation turns in all revolutions. turn[m] = exp(-2 pi i
+/// m/instants); slow[m] = exp(-2 pi i rotation (m + 1)/instants).
 static double size_at(const grid *g, size_t coordinate, size_t whole, const number *turn, const number *slow) {
     number line = 0.0;
     for (size_t m = 0; m < g->instants; m++)
@@ -87,8 +90,8 @@ static double size_at(const grid *g, size_t coordinate, size_t whole, const numb
     return cabs(line) / (double)g->instants;
 }
 
-/// Finds the strongest line. Goes through the whole numbers from -instants/2 to instants/2 - 1 (a discrete transform
-/// knows a whole number modulo instants).
+/// Finds the strongest line. Tries the whole numbers from -instants/2 to instants/2 - 1, since a discrete transform
+/// does not distinguish whole numbers that differ by `instants`.
 static void find_strongest(const grid *g, size_t coordinate, const whirl_torus *torus, whirl_torus_view *view) {
     const number *turn = g->turn, *slow = turn + g->instants;
     const size_t half = g->instants / 2;
