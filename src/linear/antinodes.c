@@ -1,11 +1,13 @@
-// Unbalances by rule: at the antinodes of a mode, in proportion to the static loads of the bearings next to them.
+// Unbalances by rule. They are placed at the antinodes of a mode, and are proportional to the static loads of the
+// nearest bearings.
 #include <math.h>
 
 #include "whirl/engine/linear.h"
 
 static const double least = 0.1;
 
-/// A mode shape along the shaft that moves most, as signed displacements along the phase of the largest one.
+/// A mode shape along the shaft that moves most. Its displacements have signs: they are taken along the phase of the
+/// largest displacement.
 typedef struct profile {
     const whirl_system *system;
     const whirl_station_statics *statics;
@@ -38,7 +40,7 @@ static void find_shaft(profile *p) {
     }
 }
 
-/// Returns the nearest bearing at a position or to one side of it (-1, 1); the probe count if there is none.
+/// Returns the nearest bearing at a position or on one side of it (-1, 1), or the probe count if there is none.
 static size_t bearing_beside(const profile *p, double place, int side) {
     size_t found = p->system->probe_count;
     for (size_t i = 0; i < p->system->probe_count; i++) {
@@ -61,7 +63,7 @@ static bool keeps_sign(const profile *p, double from, double to) {
     return true;
 }
 
-/// Returns the mass in kg that the unbalance at a station is proportional to.
+/// Returns the mass, kg, to which the unbalance at a station is proportional.
 static double weight_at(const profile *p, size_t probe) {
     const size_t none = p->system->probe_count;
     const double place = p->system->probes[probe].position;
@@ -75,12 +77,12 @@ static double weight_at(const profile *p, size_t probe) {
     return fabs(loads[ends[1] - place < place - ends[0]]);
 }
 
-/// Returns the excitation of the mode by an unbalance by rule at a station.
+/// Returns how much an unbalance by rule at a station excites the mode.
 static double excitation(const profile *p, size_t probe) {
     return weight_at(p, probe) * fabs(displacement(p, probe));
 }
 
-/// Returns true if no other station of the same stretch of one sign excites the mode more.
+/// Returns true if no other station in the same stretch of one sign excites the mode more.
 static bool is_antinode(const profile *p, size_t probe) {
     const double place = p->system->probes[probe].position, own = displacement(p, probe);
     const double most = excitation(p, probe);

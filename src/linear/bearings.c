@@ -1,5 +1,5 @@
 // The coefficients of bearings: derivatives of their forces. Inner states of bearings (tilting pads, rings,
-// controllers) follow the journal at the frequency of the shaft and are condensed.
+// controllers) follow the journal at the frequency of the shaft. Their effect is included in the coefficients.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,14 +11,14 @@
 #include "mean.h"
 #include "whirl/engine/linear.h"
 
-/// A machine of bearings alone, linearised at its equilibrium, and the inner states of the bearings.
+/// A machine of bearings alone, linearised at its equilibrium, and the inner states of its bearings.
 typedef struct inner_states {
     const mean_system *mean;
     const double *jacobian; ///< [count][count]
     double frequency;       ///< frequency of the whirl, per unit of the system's time
-    size_t count;           ///< number of inner states that are not settled otherwise
+    size_t count;           ///< number of inner states
     size_t *place;          ///< [count] indices among the mean's coordinates
-    double *matrix;         ///< [count][count][2] i frequency - their own Jacobian
+    double *matrix;         ///< [count][count][2] i frequency - the Jacobian of the inner states
     double *side;           ///< [4][count][2] response of the inner states to x, y, vx, vy
 } inner_states;
 
@@ -54,7 +54,7 @@ static bool bearings_take(const inner_states *s, double clock, const whirl_probe
     for (size_t r = 0; r < 2; r++)
         for (size_t c = 0; c < 2; c++) {
             const double *force = s->jacobian + row[r] * n;
-            // Derivatives by the displacement and by the velocity; a velocity is i w times the displacement.
+            // Columns are displacements, then velocities; a velocity is i w times the displacement.
             double by[2] = {force[column[c]], force[column[2 + c]]};
             for (size_t i = 0; i < s->count; i++) {
                 const double *still = s->side + 2 * (c * s->count + i),
@@ -68,7 +68,7 @@ static bool bearings_take(const inner_states *s, double clock, const whirl_probe
     return true;
 }
 
-/// Finds the inner states of bearings: all states behind the displacements and velocities of the stations.
+/// Finds the inner states of bearings: all states other than the displacements and velocities of the stations.
 static void find_states(const mean_system *m, inner_states *s) {
     for (size_t i = 0; i < m->count && m->system->lanes; i++)
         if (m->kept[i] >= 2 * m->system->lanes->degrees) s->place[s->count++] = i;

@@ -12,8 +12,8 @@
 #include "mean_rest.h"
 #include "whirl/engine/linear.h"
 
-/// A machine linearised at its equilibrium, in SI: q'' = stiffness q + rates q' for its displacements q, both matrices
-/// [count][count].
+/// A machine linearised at its equilibrium, in SI units: q'' = stiffness q + rates q' for its displacements q. Both
+/// matrices are [count][count].
 typedef struct matrices {
     size_t count;
     size_t *places; ///< [count] coordinates of the state
@@ -92,17 +92,17 @@ static void matrices_free(matrices *m) {
 
 // ---------------------------------------------------------------- the roots
 
-/// A complex problem of order n written as a real one of order 2n. Its vectors are the real parts above the imaginary
-/// parts, and every root appears twice.
+/// The roots. The complex problem of order n is written as a real one of order 2n: its vectors are the real parts above
+/// the imaginary parts, and every root appears twice.
 typedef struct roots {
-    size_t n, free;  ///< complex directions; number of directions without stiffness, whose roots are 0
+    size_t n, free;  ///< number of complex directions; number of those without stiffness, whose roots are 0
     double *values;  ///< [2n] w^2, rising
     double *vectors; ///< [2n][n][2] in their order
     double *block;   ///< all of these numbers, and workspace
 } roots;
 
-/// Fills the matrices K + s (1 - i G) (left) and 1 - i G (right) of the real problem; K is the stiffness with the
-/// opposite sign.
+/// Fills the matrices K + s (1 - i G) (left) and 1 - i G (right) of the real problem. K is minus the stiffness of
+/// `slow`, and s the shift.
 static void critical_fill(const matrices *slow, const double *gyroscopic, double shift, double *left, double *right) {
     const size_t n = slow->count, all = 2 * n;
     memset(right, 0, all * all * sizeof *right);
@@ -152,8 +152,8 @@ static void transpose(size_t all, double *a) {
         }
 }
 
-/// Solves for the roots by the inverse, in which low speeds are large. The shift makes the matrix invertible with
-/// rigid-body modes too.
+/// Computes the roots from the inverse, in which low speeds are large. The shift makes the matrix invertible even with
+/// rigid-body modes.
 static whirl_status critical_solve(const matrices *slow, const double *gyroscopic, double shift, roots *r) {
     // Parts of one allocation.
     const size_t all = 2 * slow->count;
@@ -172,8 +172,8 @@ static whirl_status critical_solve(const matrices *slow, const double *gyroscopi
     for (size_t i = 0; i < all; i++) largest = fmax(largest, fabs(real[i]));
     for (size_t i = 0; i < all; i++) {
         if (fabs(imaginary[i]) > 1e-6 * fabs(real[i]) + 1e-13 * largest)
-            return whirl_fail(WHIRL_BAD_INPUT, "the stiffness is not symmetric (cross-coupled): critical speeds "
-                                               "without damping are of machines whose stiffness is");
+            return whirl_fail(WHIRL_BAD_INPUT, "the stiffness is not symmetric (cross-coupled), expected a symmetric "
+                                               "one for critical speeds without damping");
         order[i][0] = 1.0 / real[i] - shift;
         order[i][1] = (double)i;
     }
@@ -181,7 +181,7 @@ static whirl_status critical_solve(const matrices *slow, const double *gyroscopi
     return whirl_ok();
 }
 
-/// Sets the range *first to before *last of the roots that are 0 and of all others whose modulus is below `most`.
+/// Sets the range *first to before *last to the roots that are 0, and to all others whose modulus is below `most`.
 static void roots_slowest(const roots *r, double most, size_t *first, size_t *last) {
     const size_t all = 2 * r->n;
     size_t low = 0;
@@ -227,7 +227,8 @@ static whirl_status roots_new(const matrices *slow, const double *gyroscopic, do
     return critical_solve(slow, gyroscopic, shift, r);
 }
 
-/// Computes the smallest roots again by smaller shifts: rounding of the shift hides roots that are far smaller than it.
+/// Computes the smallest roots again with smaller shifts, since rounding of the shift hides roots that are far smaller
+/// than it.
 static whirl_status roots_sharpen(const matrices *slow, const double *gyroscopic, double shift, roots *r) {
     enum { MAX_ROUNDS = 4 };
     const double far_smaller = 1e-4, next_shift = 1e-8;
@@ -251,7 +252,7 @@ static whirl_status roots_sharpen(const matrices *slow, const double *gyroscopic
 
 // ---------------------------------------------------------------- shapes
 
-/// Subtracts from v [n][2] its part along the unit vector u; returns the length of the rest.
+/// Subtracts from v [n][2] its part along the unit vector u. Returns the length of the rest.
 static double without(size_t n, const double *u, double *v) {
     double real = 0.0, imaginary = 0.0, square = 0.0;
     for (size_t i = 0; i < n; i++) {
@@ -272,7 +273,7 @@ static double length_of(size_t n, const double *v) {
     return sqrt(square);
 }
 
-/// Replaces 2m vectors [2m][n][2] that span m complex directions by m orthonormal ones at the front, the most
+/// Replaces 2m vectors [2m][n][2], which span m complex directions, by m orthonormal vectors at the front, the most
 /// independent first.
 static void make_independent(size_t n, size_t m, double *vectors) {
     for (size_t k = 0; k < m; k++) {
@@ -291,12 +292,12 @@ static void make_independent(size_t n, size_t m, double *vectors) {
     }
 }
 
-/// Copies a shape of displacements into all coordinates of the state; the rates stay 0.
+/// Copies a shape of displacements into all coordinates of the state. The rates stay 0.
 static void spread(const matrices *of, const double *v, double *out) {
     for (size_t i = 0; i < of->count; i++) memcpy(out + 2 * of->places[i], v + 2 * i, 2 * sizeof *out);
 }
 
-/// Combines the m shapes of one speed, any combination of which is a shape, into those with the most definite
+/// Combines the m shapes of one speed. Any combination of them is a shape; chosen are those with the most definite
 /// directions of whirl, forward first. work: 8 m m + 2 m + 4 m n numbers.
 static bool sort_directions(const whirl_system *system, size_t m, double *shapes, double *work) {
     if (m < 2) return true;
@@ -332,7 +333,7 @@ static bool sort_directions(const whirl_system *system, size_t m, double *shapes
     return true;
 }
 
-/// Adds the critical speed of the equal roots `first` to before `after`.
+/// Adds the critical speed of the equal roots from `first` to before `after`.
 static bool add_speed(const whirl_system *system, const matrices *of, roots *r, size_t first, size_t after,
                       whirl_critical_speeds *out) {
     const size_t m = (after - first) / 2, d = out->dimension;
@@ -393,7 +394,7 @@ static double largest_of(size_t count, const double *a) {
     return largest;
 }
 
-/// Sets `gyroscopic` to the increase of the rates per rad/s of the speed, with the opposite sign.
+/// Sets `gyroscopic` to minus the increase of the rates per rad/s of the speed.
 static whirl_status critical_compare(const matrices *slow, const matrices *fast, double gained, double *gyroscopic) {
     const size_t n = slow->count;
     if (fast->count != n || gained == 0.0)

@@ -1,4 +1,4 @@
-// Static equilibrium by damped Newton steps; the load is applied in shares if they do not converge at once.
+// Static equilibrium by damped Newton steps. The load is applied in shares if the steps do not converge at once.
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -45,13 +45,13 @@ static double norm_of(const search *s, const double *numbers) {
     return isfinite(sum) ? sqrt(sum) : (double)INFINITY;
 }
 
-/// Sets forces on coordinates that have a balance of their own to 0: these coordinates follow the others.
+/// Sets forces on coordinates that have a balance of their own to 0: these coordinates follow the other coordinates.
 static void leave_settled(const mean_system *m, double *f) {
     for (size_t i = 0; i < m->count; i++)
         if (m->settled[m->kept[i]] != WHIRL_NOT_SETTLED) f[i] = 0.0;
 }
 
-/// Returns the weighted residual at x, after coordinates with a balance of their own were settled.
+/// Settles the coordinates that have a balance of their own, and returns the weighted residual at x.
 static double residual(search *s, double *x) {
     const size_t n = s->mean->count;
     if (!mean_settle(s->mean, x)) return (double)INFINITY;
@@ -61,7 +61,7 @@ static double residual(search *s, double *x) {
     return norm_of(s, s->f);
 }
 
-/// Keeps idle coordinates where they are, as no equation determines them: `own` is the eigenvalue of each.
+/// Keeps idle coordinates where they are, since no equation determines them. `own` becomes the eigenvalue of each.
 static void hold_idle(const mean_system *m, double own, double *jacobian) {
     const size_t n = m->count;
     for (size_t i = 0; i < n; i++) {
@@ -71,8 +71,8 @@ static void hold_idle(const mean_system *m, double own, double *jacobian) {
     }
 }
 
-/// Finds the step to the zero of the linearised system, the shortest one if free motions leave a choice. *leads: the
-/// step reaches the zero.
+/// Finds the step to the zero of the linearised system, the shortest one if free motions leave a choice. *leads becomes
+/// true if the step reaches the zero.
 static bool find_step(search *s, const double *x, bool *leads) {
     const size_t n = s->mean->count;
     mean_jacobian(s->mean, x, s->jacobian);
@@ -90,7 +90,7 @@ static void go(const search *s, const double *x, double part, double *to) {
     for (size_t i = 0; i < s->mean->count; i++) to[s->mean->kept[i]] += part * s->step[i];
 }
 
-/// Returns what rounding makes of the residual at most, by the terms that it is a sum of. The Jacobian is the one at x.
+/// Returns how large rounding may make the residual, from the terms of which it is a sum. The Jacobian is the one at x.
 static double rounding_at(const search *s, const double *x) {
     const double of_a_term = 1e-12;
     const size_t n = s->mean->count;
@@ -104,8 +104,8 @@ static double rounding_at(const search *s, const double *x) {
     return of_a_term * scale * sqrt(squares);
 }
 
-/// Settles x and returns true if it is an equilibrium of the whole load. A search may end where pads jump between two
-/// balances: the forces that it saw there do not return.
+/// Settles x, and returns true if it is an equilibrium of the whole load. A search may end where pads jump between two
+/// balances: then the forces at x are no longer those that the search saw.
 static bool balances(search *s, double *x) {
     const double of_load = 1e-6;
     s->share = 1.0;
@@ -115,8 +115,8 @@ static bool balances(search *s, double *x) {
     return left <= of_load * norm_of(s, s->load) + rounding_at(s, x);
 }
 
-/// Returns true if f at x is rounding of forces that balance each other: near x, f differs from its linear form by as
-/// much. The Jacobian is the one at x.
+/// Returns true if f at x is rounding of forces that balance each other. This is so if near x, f differs from its
+/// linear form by as much. The Jacobian is the one at x.
 static bool is_rounding(search *s, const double *x) {
     static const double beside[][2] = {
         {1e-15, 2e-15}, {-2e-14, 1e-14}, {3e-13, -1e-13}, {-1e-12, -3e-12}, {2e-11, 1e-11}};
@@ -169,8 +169,8 @@ static bool equilibrium_solve(search *s, double *x) {
         if (norm == 0.0) return true;
         if (!find_step(s, x, &leads)) return false;
         const double length = size_of(s->step, n), size = size_of(x, d);
-        // Convergence is quadratic: after a step this short only rounding is left, unless the step does not reach the
-        // zero.
+        // Convergence is quadratic: after a step as short as this only rounding is left, unless the step does not reach
+        // the zero.
         if (length <= 1e-9 * size + 1e-14) {
             go(s, x, 1.0, s->trial);
             const double next = residual(s, s->trial);
@@ -182,8 +182,8 @@ static bool equilibrium_solve(search *s, double *x) {
     return false;
 }
 
-/// Divides each residual by the largest entry of its row of the Jacobian at x, which turns it into a displacement.
-/// Accelerations of a station of little mass, and their rounding, are so large that they would hide all others.
+/// Divides each residual by the largest number in its row of the Jacobian at x, which makes it a displacement.
+/// Otherwise the accelerations of a station of little mass, and their rounding, would hide all others.
 static void weigh_rows(search *s, const double *x) {
     const size_t n = s->mean->count;
     mean_jacobian(s->mean, x, s->jacobian);
@@ -193,7 +193,7 @@ static void weigh_rows(search *s, const double *x) {
     }
 }
 
-/// Applies the load in shares, each from the equilibrium of the one before.
+/// Applies the load in shares. Each search begins at the equilibrium of the previous share.
 static bool bring_load_on(search *s, double *x, double *at) {
     const double least = 1.0 / 4096.0;
     const size_t d = s->mean->system->dimension;
@@ -213,7 +213,7 @@ static bool bring_load_on(search *s, double *x, double *at) {
     return true;
 }
 
-/// Writes the load of a probe's station; returns its size, 0 if it is not finite.
+/// Writes the load of a probe's station. Returns the size of the load, 0 if it is not finite.
 static double load_at(const mean_system *m, const double *load, const whirl_probe *probe, double force[2]) {
     force[0] = force[1] = 0.0;
     for (size_t i = 0; i < m->count; i++) {
@@ -224,7 +224,7 @@ static double load_at(const mean_system *m, const double *load, const whirl_prob
     return isfinite(size) ? size : 0.0;
 }
 
-/// Moves journals out of the exact centre of their films, along their loads: the film's force has a kink in the centre,
+/// Moves journals out of the exact centre of their films, along their loads. In the centre the film's force has a kink,
 /// so that Newton's method has no direction there.
 static void leave_centres(const mean_system *m, const double *load, double *x) {
     const double away = 0.3, quarter = 0.7071067811865475;
@@ -253,8 +253,8 @@ static void move_with_load(const mean_system *m, const double *load, double dist
     }
 }
 
-/// Moves a machine without stiffness at its start (within clearances) along its loads until something supports it;
-/// there the whole load is applied at once.
+/// Moves a machine that has no stiffness at its start (within clearances) along its loads until something supports it.
+/// There the whole load is applied at once.
 static bool fall(search *s, const double *start, double *at) {
     enum { DOUBLINGS = 30 }; // from a millionth of the length scale to a thousand of them
     s->share = 1.0;
@@ -266,7 +266,7 @@ static bool fall(search *s, const double *start, double *at) {
     return false;
 }
 
-/// Counts the coordinates that are idle now and had stiffness at the start; with `unsaid` they become NaN in x.
+/// Counts the coordinates that are idle now and had stiffness at the start. With `unsaid` they become NaN in x.
 static size_t count_lost(const search *s, double *x, bool unsaid) {
     const mean_system *m = s->mean;
     size_t count = 0;
@@ -278,8 +278,8 @@ static size_t count_lost(const search *s, double *x, bool unsaid) {
     return count;
 }
 
-/// Replaces x by an equilibrium in which pads have films again that lost them on the way to x. A pad with a spring may
-/// have two balances, and a search that follows its tilt does not return to the film. at [dimension] is workspace.
+/// Replaces x by an equilibrium with films on the pads that lost theirs on the way to x. A pad with a spring may have
+/// two balances, and a search that follows its tilt does not return to the film. at [dimension] is workspace.
 static void regain_films(search *s, double *x, double *at) {
     const size_t d = s->mean->system->dimension;
     s->share = 1.0;
@@ -295,7 +295,7 @@ static void regain_films(search *s, double *x, double *at) {
 
 // ---------------------------------------------------------------- one of several
 
-/// Returns the largest real part of the eigenvalues at x, without coordinates that are idle; INFINITY if they are not
+/// Returns the largest real part of the eigenvalues at x, without idle coordinates; INFINITY if the eigenvalues are not
 /// found. `room` [count][count + 2] is workspace.
 static double growth_at(search *s, double *x, double *room) {
     const size_t n = s->mean->count;
@@ -330,9 +330,9 @@ static bool place_journals(const search *s, const double *start, double part, do
     return mean_settle(s->mean, at);
 }
 
-/// Replaces an equilibrium that is unstable, or none (`found` false), by a stable one if one is found from other places
-/// of the journals, or by any if there was none: pads have several balances, and so have machines on them. Returns true
-/// if x is an equilibrium.
+/// Replaces an equilibrium that is unstable, or none (`found` false), by a stable one, which is searched from other
+/// places of the journals. If there was no equilibrium, takes an unstable one, too. Pads, and therefore machines on
+/// them, have several balances. Returns true if x is an equilibrium.
 static bool prefer_stable(search *s, bool found, const double *start, double *x, double *at) {
     static const double parts[] = {0.3, 0.6, 0.8, 0.9, 0.96},
                         angles[] = {0.0, 0.2, -0.2, 0.4, -0.4, 0.8, -0.8, 1.4, -1.4};
@@ -359,8 +359,8 @@ static bool prefer_stable(search *s, bool found, const double *start, double *x,
 
 // ---------------------------------------------------------------- the whole
 
-/// Finds the equilibrium from x on, the load applied in shares if need be. *share is the part of the load up to which
-/// the equilibrium was followed.
+/// Finds the equilibrium from x on. The load is applied in shares if necessary. *share becomes the part of the load up
+/// to which the equilibrium was followed.
 static whirl_status rest_follow(mean_system *m, double *x, double *share) {
     const size_t n = m->count, d = m->system->dimension;
     double *block = calloc(5 * n + n * n + 4 * d + 1, sizeof *block);
@@ -373,7 +373,7 @@ static whirl_status rest_follow(mean_system *m, double *x, double *share) {
                 .idle = block + 4 * n,
                 .jacobian = block + 5 * n,
                 .trial = block + 5 * n + n * n};
-    // The load at the start; the weights of all residuals are 1 at first.
+    // Compute the load at the start; the weights of all residuals are 1 at first.
     double *at = s.trial + d, *start = at + d, *begin = start + d;
     memcpy(at, x, d * sizeof *x);
     memcpy(begin, x, d * sizeof *x);
@@ -384,7 +384,7 @@ static whirl_status rest_follow(mean_system *m, double *x, double *share) {
     }
     mean_slope(m, x, s.load);
     leave_centres(m, s.load, x);
-    // The search begins at x, with journals out of their centres.
+    // Begin the search at x, with journals out of their centres.
     bool starts = mean_settle(m, x);
     mean_slope(m, x, s.load);
     leave_settled(m, s.load);
@@ -478,7 +478,7 @@ whirl_status whirl_rest_slope(const whirl_system *system, const double *x, doubl
         memset(slope, 0, d * sizeof *slope);
         memset(jacobian, 0, d * d * sizeof *jacobian);
     }
-    // Put them at the places of the kept coordinates; others have none.
+    // Copy them to the places of the kept coordinates; the other coordinates keep 0.
     for (size_t i = 0; own && i < n; i++) {
         slope[mean.kept[i]] = own[i];
         for (size_t k = 0; k < n; k++) jacobian[mean.kept[i] * d + mean.kept[k]] = own[n + i * n + k];

@@ -1,6 +1,8 @@
-// Free motions: displacements without a restoring force, the null space of a Jacobian, found by elimination. A
-// remainder of a subtraction counts as zero if it is small compared with the subtracted numbers, so that neither units
-// nor stiff parts elsewhere in the machine decide.
+// Free motions: displacements without a restoring force. They are the null space of a Jacobian, and are found by
+// elimination.
+//
+// The remainder of a subtraction counts as zero if it is small against the subtracted numbers. So neither units nor
+// stiff parts elsewhere in the machine decide.
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -11,7 +13,7 @@
 /// A sum below this part of its summands is doubtful: it may be rounding.
 static const double doubtful = 1e-8;
 
-/// Remainder that rounding of the matrix may leave, in units of one rounding of each number.
+/// Remainder that rounding of the matrix may leave, as a multiple of what one rounding of each number leaves.
 static const double roundings = 100.0;
 
 /// An elimination with exchange of rows and columns.
@@ -20,7 +22,7 @@ typedef struct elimination {
     double *matrix;       ///< [n][n] in scaled coordinates, rows and columns where they were
     double *numbers;      ///< [n][n] the factors: upper triangle, and below the diagonal the multipliers of rows
     double *sums;         ///< [n][n] sum of the moduli of all summands of each number
-    double *scale;        ///< [n] powers of two: a coordinate over its scaled one
+    double *scale;        ///< [n] powers of two: a coordinate divided by the scaled coordinate
     size_t *row, *column; ///< [n] positions of rows and columns after the exchanges
     double *room;         ///< [3 n][n] for free shapes
 } elimination;
@@ -62,8 +64,8 @@ static bool find_clear_pivot(const elimination *e, size_t *row, size_t *column) 
     return largest > 0.0;
 }
 
-/// Computes by back substitution the displacement with column `free` at 1 to which only rows from `rank` on respond;
-/// out [rank] is by pivots.
+/// Computes the displacement to which only rows from `rank` on respond, with column `free` at 1, by back substitution.
+/// out [rank] has its numbers for the pivots' columns.
 static void follow_pivots(const elimination *e, size_t free, double *out) {
     const size_t n = e->n;
     for (size_t i = e->rank; i-- > 0;) {
@@ -77,8 +79,8 @@ static void follow_pivots(const elimination *e, size_t free, double *out) {
     }
 }
 
-/// Computes the combination of rows, row `free` once and the pivots' rows out [rank] times, that is 0 in columns before
-/// `rank`.
+/// Computes the combination of rows that is 0 in columns before `rank`: row `free` once, and the rows of pivots out
+/// [rank] times.
 static void sum_rows(const elimination *e, size_t free, double *out) {
     const size_t n = e->n;
     const double *multipliers = e->numbers + (e->rank + free) * n;
@@ -89,12 +91,12 @@ static void sum_rows(const elimination *e, size_t free, double *out) {
     }
 }
 
-/// Finds the remainder that exceeds the rounding of the matrix most, if none is clear. A remainder is u' A v, with u
-/// the combination of rows and v the displacement; roundings of A make up to |u|' |A| |v| of it.
+/// If no remainder is clear, finds the one that exceeds the rounding of the matrix most. A remainder is u' A v, where u
+/// is the combination of rows and v the displacement. Roundings of A make up to |u|' |A| |v| of it.
 static bool find_doubtful_pivot(const elimination *e, size_t *row, size_t *column) {
     const size_t n = e->n, rank = e->rank, left = n - rank;
     double *pivots = e->room, *sums = pivots + left * rank, *moved = sums + left * rank, most = roundings;
-    // The displacement of each free column, and the combination of rows of each remainder.
+    // Compute the displacement of each free column, and the combination of rows of each remainder.
     for (size_t k = 0; k < left; k++) {
         follow_pivots(e, k, pivots + k * rank);
         sum_rows(e, k, sums + k * rank);
@@ -125,7 +127,8 @@ static void swap_places(size_t *places, size_t a, size_t b) {
     places[b] = moved;
 }
 
-/// Exchanges two rows or columns of a matrix [n][n], given by their first numbers and the way to the next.
+/// Exchanges two rows or columns of a matrix [n][n]. a and b point to their first numbers; `next` is the distance to
+/// the next number.
 static void swap_numbers(double *a, double *b, size_t n, size_t next) {
     for (size_t i = 0; i < n * next && a != b; i += next) {
         const double moved = a[i];
@@ -170,13 +173,13 @@ static void eliminate(elimination *e) {
 
 // ---------------------------------------------------------------- one step
 
-/// One replacement of coordinates. A free shape is given by its leading coordinates; the other coordinates follow, and
-/// are replaced by their motion relative to the free shapes.
+/// One replacement of coordinates. A free shape is given by its leading coordinates. The other coordinates follow them,
+/// and are replaced by their motion relative to the free shapes.
 struct free_step {
     size_t n, leading;
     size_t *lead, *follow; ///< [leading], [n - leading] coordinates, each rising
     double *shape;         ///< [n - leading][leading] motion of the followers in each free shape
-    double *pull;          ///< [leading][n - leading] the slope of the leaders by the followers
+    double *pull;          ///< [leading][n - leading] derivative of the leaders' slope by the followers
     struct free_step *next;
 };
 
@@ -222,7 +225,7 @@ static void step_take(free_step *step, double *matrix) {
         for (size_t j = 0; j < follows; j++) {
             double number = matrix[step->follow[i] * n + step->follow[j]];
             for (size_t k = 0; k < leads; k++) number -= step->shape[i * leads + k] * step->pull[k * follows + j];
-            // Rows and columns rise, so that nothing is overwritten before it is read.
+            // Rows and columns ascend, so that nothing is overwritten before it is read.
             matrix[i * follows + j] = number;
         }
 }

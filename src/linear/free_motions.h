@@ -7,10 +7,10 @@
 /// Record of one replacement of coordinates by their motion relative to free shapes.
 typedef struct free_step free_step;
 
-/// Removes all zero eigenvalues from a matrix [n][n], which becomes a matrix [left][left] of the other eigenvalues, to
-/// rounding. A zero is recognised by its null vector, not by its size: an elimination leaves only the rounding of the
-/// subtracted numbers. `displaced` is the number of independent null vectors in which a displacement (place [n] true)
-/// moves. *first, NULL if there is no zero, is freed by free_motions_end. Returns false without memory.
+/// Removes all zero eigenvalues from a matrix [n][n], which becomes a matrix [left][left] with the other eigenvalues,
+/// to rounding. A zero is recognised by its null vector, not by its size: elimination leaves nothing but the rounding
+/// of the subtracted numbers. `displaced` is the number of independent null vectors in which a displacement (place [n]
+/// true) moves. *first is NULL if there is no zero; it is freed by free_motions_end. Returns false without memory.
 bool free_motions_take_out(size_t n, double *matrix, const bool *place, size_t *left, size_t *displaced,
                            free_step **first);
 

@@ -1,4 +1,4 @@
-/// Memory that ran out during a linear analysis.
+/// Failures of linear analyses for lack of memory.
 #ifndef LINEAR_LINEAR_STATUS_H
 #define LINEAR_LINEAR_STATUS_H
 

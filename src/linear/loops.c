@@ -1,5 +1,5 @@
-// The sensitivity of control loops: S(i w) = 1 + c (i w - J)^-1 b. b is the slope of the state per unit of a signal
-// added to the sensor's, c the sensor's signal per unit of the state.
+// The sensitivity of control loops, S(i w) = 1 + c (i w - J)^-1 b. b is the slope of the state per unit of a signal
+// that is added to the sensor's signal; c is the sensor's signal per unit of the state.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,8 +9,8 @@
 #include "mean.h"
 #include "whirl/engine/linear.h"
 
-/// A closed loop in coordinates in which its Jacobian is upper Hessenberg, so that a frequency takes n^2 operations
-/// (Laub 1981), and workspace for its equations.
+/// A closed loop, and workspace for its equations. In its coordinates the Jacobian is upper Hessenberg, so that one
+/// frequency takes n^2 operations (Laub 1981).
 typedef struct closed_loop {
     size_t n;
     const double *jacobian; ///< [n][n]
@@ -18,7 +18,7 @@ typedef struct closed_loop {
     double *matrix, *side;  ///< [n][n][2], [n][2]
 } closed_loop;
 
-/// Subtracts factor b from a, complex numbers [count][2].
+/// Subtracts factor times b from a, complex numbers [count][2].
 static void subtract(double *a, const double *factor, const double *b, size_t count) {
     for (size_t k = 0; k < count; k++) {
         a[2 * k] -= factor[0] * b[2 * k] - factor[1] * b[2 * k + 1];
@@ -34,8 +34,8 @@ static void divide(const double *a, const double *b, double *out) {
     out[0] = real;
 }
 
-/// Solves matrix x = side by elimination with exchange of neighbouring rows; side becomes x. False where a pivot
-/// vanishes.
+/// Solves matrix x = side by elimination with exchange of neighbouring rows; side becomes x. Returns false where a
+/// pivot vanishes.
 static bool solve_hessenberg(size_t n, double *matrix, double *side) {
     // Eliminate the subdiagonal; exchange a row with the next one if that has the larger pivot.
     for (size_t i = 0; i < n; i++) {
@@ -87,7 +87,7 @@ static double sensitivity(const closed_loop *of, double w) {
     return hypot(real, imaginary);
 }
 
-/// Finds the largest value between two frequencies, by golden sections, around a middle one that exceeds both.
+/// Finds the largest value between two frequencies by golden section, if a middle one exceeds both ends.
 static void sharpen(const closed_loop *of, double low, double high, whirl_sensitivity_peak *out) {
     const double golden = 0.6180339887498949;
     double one = high - golden * (high - low), other = low + golden * (high - low);
@@ -116,8 +116,8 @@ static int loops_by_size(const void *a, const void *b) {
 
 enum { EVEN = 240, AROUND = 9 };
 
-/// Writes the rising frequencies at which S is evaluated: evenly over the logarithm around those of all eigenvalues,
-/// and densely around each mode that may cause a peak.
+/// Writes the ascending frequencies at which S is evaluated: evenly over the logarithm, in and around the range of all
+/// eigenvalues, and densely around each mode that may cause a peak.
 static size_t frequencies(const whirl_modes *modes, double *out) {
     double low = INFINITY, high = 0.0;
     size_t count = 0;

@@ -5,7 +5,7 @@
 
 #include "whirl/engine/linear.h"
 
-/// Modal assurance criterion |a* b|^2 / (|a|^2 |b|^2): 1 for equal shapes, 0 for orthogonal ones.
+/// Returns the modal assurance criterion |a* b|^2 / (|a|^2 |b|^2): 1 for equal shapes, 0 for orthogonal ones.
 static double likeness(const double *a, const double *b, size_t dimension) {
     double real = 0.0, imaginary = 0.0, of_a = 0.0, of_b = 0.0;
     for (size_t i = 0; i < 2 * dimension; i += 2) {
@@ -28,7 +28,7 @@ static double distance(const whirl_modes *from, size_t i, const whirl_modes *to,
     return unlike + 4.0 * apart / (sizes > 0.0 ? sizes : 1.0) + 0.1 * fabs(a->direction - b->direction);
 }
 
-/// Pairs modes, the closest pair of those that are left first. apart [from->count][to->count] is overwritten.
+/// Pairs modes: of the modes without a partner, the closest pair first. apart [from->count][to->count] is overwritten.
 static void pair_off(const whirl_modes *from, const whirl_modes *to, double *apart, size_t *partner, double *unlike) {
     for (size_t pairs = 0; pairs < from->count && pairs < to->count; pairs++) {
         size_t best = 0;

@@ -20,7 +20,7 @@ static double look_at(const whirl_system *system, int look) {
     return system->period * (0.07 + 0.19 * look);
 }
 
-/// Sets the mean of the values of time: the value itself if it is constant (a rotor that stands still), else 0.
+/// Sets the steady values of the forcing: the value itself if it is constant (a rotor that stands still), otherwise 0.
 static void find_steady(mean_system *m) {
     double forcing[WHIRL_MAX_FORCING];
     if (m->system->forcing_count == 0) return;
@@ -32,7 +32,7 @@ static void find_steady(mean_system *m) {
     }
 }
 
-/// Sets unit perturbations of the coordinates that are kept.
+/// Sets the unit perturbations of the kept coordinates.
 static void mean_keep(mean_system *m) {
     memset(m->unit, 0, m->count * m->system->dimension * sizeof *m->unit);
     for (size_t i = 0; i < m->count; i++) m->unit[i * m->system->dimension + m->kept[i]] = 1.0;
@@ -80,7 +80,7 @@ void mean_leave_idle(mean_system *m, const double *x) {
     mean_keep(m);
 }
 
-/// Sets the state at one of the phases; returns the time there.
+/// Sets the state at one of the phases. Returns the time of that phase.
 static double at_phase(mean_system *m, const double *x, int sample) {
     const whirl_system *system = m->system;
     const double share = (double)sample / PHASES;
@@ -112,7 +112,7 @@ void mean_contacts(mean_system *m, const double *x, double *force, double *room)
     }
 }
 
-/// Adds `share` times the transposed rows that `tangent` writes.
+/// Adds `share` times the transpose of the rows that `tangent` writes.
 static void add_jacobian(mean_system *m, double t, const double *forcing, const double *x, double share,
                          double *jacobian) {
     const size_t d = m->system->dimension, n = m->count;

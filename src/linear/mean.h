@@ -1,33 +1,35 @@
-/// The mean of a system over time: forcing that varies is set to zero, and the right-hand side is averaged over the
-/// phases of turning parts, or over the period if the system lists no forcing.
+/// The mean of a system over time. Forcing that varies is set to zero. The right-hand side is averaged over the phases
+/// of turning parts, or over the period if the system lists no forcing.
 #ifndef LINEAR_MEAN_H
 #define LINEAR_MEAN_H
 
 #include "whirl/engine/system.h"
 
-/// A system with workspace.
+/// A system, its kept coordinates, and workspace.
 typedef struct mean_system {
     const whirl_system *system;
     size_t count;           ///< coordinates other than angles of turning parts (whirl_system.turns)
     whirl_settled *settled; ///< [dimension] coordinates that mean_settle sets to a balance of their own
     size_t *kept;           ///< [count] coordinates of the state
     int samples;            ///< phases over which the mean is taken
-    double *state;          ///< [dimension] workspace, as the next two
+    double *state;          ///< [dimension] workspace, like slope
     double *slope;          ///< [dimension]
-    double *unit;           ///< [count][dimension]
-    double *rows;           ///< [count][dimension]
+    double *unit;           ///< [count][dimension] unit perturbations of the kept coordinates
+    double *rows;           ///< [count][dimension] workspace: derivatives of the slope
     /// Values of the forcing that do not change with time; 0 for those that do.
     double steady[WHIRL_MAX_FORCING];
 } mean_system;
 
-/// Makes a mean system in one block, *block, which the caller frees by free. WHIRL_BAD_INPUT for a system without a
-/// Jacobian.
+/// Makes a mean system. Its arrays are in one block, *block, which the caller frees with free. WHIRL_BAD_INPUT for a
+/// system without a Jacobian.
 whirl_status mean_begin(mean_system *m, const whirl_system *system, void **block);
 
-/// Moves coordinates that have a balance of their own to that balance (whirl_system.settle). Returns false without one.
+/// Moves coordinates that have a balance of their own to that balance (whirl_system.settle). Returns false if there is
+/// none.
 bool mean_settle(mean_system *m, double *x);
 
-/// Leaves out coordinates that are idle where the machine rests: their motions are not modes of the machine.
+/// Removes coordinates from the kept ones that are idle at the equilibrium x: their motions are not modes of the
+/// machine.
 void mean_leave_idle(mean_system *m, const double *x);
 
 /// Writes the mean system's right-hand side [count] at x [dimension].

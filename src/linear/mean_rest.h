@@ -4,7 +4,7 @@
 
 #include "mean.h"
 
-/// Finds the equilibrium, as whirl_equilibrium does, of a system that is already prepared.
+/// Finds the equilibrium of a system that is already prepared, as whirl_equilibrium does.
 whirl_status rest_find(mean_system *m, double *x);
 
 #endif

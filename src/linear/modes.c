@@ -14,13 +14,13 @@
 #include "modes_memory.h"
 #include "periodic.h"
 
-/// Real and imaginary parts below this part of an eigenvalue are rounding.
+/// Real and imaginary parts below this share of an eigenvalue are rounding.
 static const double rounding = 1e-13;
 
-/// An imaginary part below this part of an eigenvalue is rounding: two equal real eigenvalues became a pair.
+/// Imaginary parts below this share of an eigenvalue are rounding: two equal real eigenvalues became a pair.
 static const double split = 1e-7;
 
-/// An eigenvalue of the matrix, as an exponent, and its place.
+/// An eigenvalue of the matrix as an exponent, and its index.
 typedef struct root {
     double real, imaginary;
     size_t place;
@@ -41,8 +41,8 @@ static int by_real(const void *a, const void *b) {
     return p->place < q->place ? -1 : 1;
 }
 
-/// Converts a multiplier to an exponent, its logarithm over the period; the frequency is between 0 and half that of the
-/// period.
+/// Converts a multiplier to an exponent, its logarithm divided by the period. The imaginary part is at most pi/period
+/// in magnitude.
 static void take_logarithm(double *real, double *imaginary, double period) {
     const double size = hypot(*real, *imaginary), angle = atan2(*imaginary == 0.0 ? 0.0 : *imaginary, *real);
     *real = log(size) / period;
@@ -66,14 +66,14 @@ whirl_modes *modes_allocate(size_t dimension, size_t count) {
     return modes;
 }
 
-/// Sets real parts to 0 that are no more than rounding of the eigenvalue and of the matrix, noise [count].
+/// Sets real parts to 0 that are no larger than the rounding of the eigenvalue or of the matrix, noise [count].
 static void drop_rounding(root *roots, size_t count, const double *noise) {
     for (size_t i = 0; i < count; i++)
         if (fabs(roots[i].real) <= fmax(rounding * fabs(roots[i].imaginary), 16.0 * noise[i])) roots[i].real = 0.0;
 }
 
-/// Separates roots with a frequency from roots without; of a pair it keeps the positive frequency. vectors
-/// [count][n][2] belong to the roots.
+/// Makes modes from roots. Separates roots with a frequency from roots without; of a pair keeps the root with the
+/// positive frequency. vectors [count][n][2] belong to the roots.
 static whirl_modes *sort_out(const mean_system *m, root *roots, size_t count, double period, const double *vectors) {
     const size_t n = m->count, d = m->system->dimension;
     double twists[2 * WHIRL_MAX_PROBES];
@@ -82,7 +82,7 @@ static whirl_modes *sort_out(const mean_system *m, root *roots, size_t count, do
     whirl_modes *modes = modes_allocate(d, n);
     if (!modes) return NULL;
     modes->growth = -(double)INFINITY;
-    // Separate roots with a frequency from real ones; of a pair keep the positive frequency.
+    // Separate roots with a frequency from real roots.
     for (size_t i = 0; i < count; i++) {
         const root own = roots[i];
         const double least = period > 0.0 ? 1e-9 : split * hypot(own.real, own.imaginary);
@@ -172,7 +172,7 @@ static void find_places(size_t n, const double *jacobian, bool *place) {
     for (size_t i = 0; i < n && !any; i++) place[i] = true;
 }
 
-/// Converts the vectors [left][left][2] of the reduced matrix into vectors [left][n][2] of the whole one.
+/// Converts the vectors [left][left][2] of the reduced matrix to vectors [left][n][2] of the whole matrix.
 static void put_back(size_t n, size_t left, const free_step *zeros, solving *s) {
     for (size_t i = left; i-- > 0 && left < n;) {
         double *to = s->vectors + 2 * n * i;
@@ -193,8 +193,8 @@ static int modes_by_size(const void *a, const void *b) {
     return p->place < q->place ? -1 : p->place > q->place;
 }
 
-/// Sorts roots by modulus, the slowest first; returns how many are slower than `most`, counting both of a pair or
-/// neither.
+/// Sorts roots by modulus, the slowest first. Returns the number of roots slower than `most`, which counts both roots
+/// of a pair or neither.
 static size_t sort_slowest(size_t n, const double *real, const double *imaginary, double most, sized *order) {
     size_t count = 0;
     for (size_t i = 0; i < n; i++) order[i] = (sized){hypot(real[i], imaginary[i]), i};
@@ -205,8 +205,8 @@ static size_t sort_slowest(size_t n, const double *real, const double *imaginary
 }
 
 /// Recomputes roots near the rounding of the matrix [n][n], s->copy, as the largest roots of its inverse. Roots with
-/// almost no damping stay, because rounding of the matrix itself decides their real parts. Returns false without
-/// memory; the roots of a singular matrix stay.
+/// almost no damping are kept, because rounding of the matrix itself decides their real parts; so are the roots of a
+/// singular matrix. Returns false without memory.
 static bool sharpen_slowest(size_t n, solving *s) {
     static const double near_rounding = 1e4;
     double *numbers = calloc(n * n + 3 * n + 1, sizeof *numbers);
@@ -216,11 +216,11 @@ static bool sharpen_slowest(size_t n, solving *s) {
         free(order);
         return false;
     }
-    // The roots that are near the rounding.
+    // Find the roots that are near the rounding.
     double *matrix = s->copy, *scale = numbers + n * n, *real = scale + n, *imaginary = real + n, least = INFINITY;
     for (size_t i = 0; i < n; i++) least = fmin(least, s->noise[i]);
     const size_t slow = sort_slowest(n, s->real, s->imaginary, near_rounding * least, order);
-    // Roots of the inverse.
+    // Compute the roots of the inverse.
     matrix_balance(n, matrix, scale);
     for (size_t i = 0; i < n; i++) numbers[i * n + i] = 1.0;
     const int before = exhausted_watch();
@@ -229,7 +229,7 @@ static bool sharpen_slowest(size_t n, solving *s) {
         for (size_t k = 0; k < n; k++) matrix[k * n + i] = numbers[i * n + k];
     good = good && matrix_eigen(n, matrix, real, imaginary, NULL);
     if (good) sort_slowest(n, real, imaginary, 0.0, inverted);
-    // Put them in place of the slow ones, unless they have almost no damping.
+    // Replace the slow roots, except those with almost no damping.
     for (size_t i = 0; i < slow && good; i++) {
         const size_t from = inverted[n - 1 - i].place, to = order[i].place;
         const double square = real[from] * real[from] + imaginary[from] * imaginary[from];
@@ -243,7 +243,8 @@ static bool sharpen_slowest(size_t n, solving *s) {
     return !exhausted(before);
 }
 
-/// Computes modes from the Jacobian (period 0, without free motions), or from the monodromy matrix over a period > 0.
+/// Computes modes from the Jacobian (period 0), whose zero eigenvalues are removed, or from the monodromy matrix over a
+/// period > 0.
 static whirl_status modes_solve(const mean_system *m, double *matrix, double period, const double *rest,
                                 whirl_modes **out) {
     const size_t n = m->count;
@@ -257,13 +258,13 @@ static whirl_status modes_solve(const mean_system *m, double *matrix, double per
         room = solved = free_motions_take_out(n, matrix, s.place, &left, &displaced, &zeros);
     }
     if (solved) memcpy(s.copy, matrix, left * left * sizeof *matrix);
-    // Eigenvalues of the rest; the slowest of them again by the inverse.
+    // Compute the remaining eigenvalues, and the slowest of them again from the inverse.
     const int before = exhausted_watch();
     solved = solved && matrix_eigen_rounding(left, matrix, s.real, s.imaginary, s.vectors, s.noise);
     const bool no_memory = exhausted(before);
     if (solved && period == 0.0) room = solved = sharpen_slowest(left, &s);
     if (solved) put_back(n, left, zeros, &s);
-    // Exponents, and modes from them.
+    // Convert eigenvalues to exponents, and make modes of them.
     for (size_t i = 0; i < left && solved; i++) {
         if (period > 0.0) take_logarithm(&s.real[i], &s.imaginary[i], period);
         s.roots[i] = (root){s.real[i], s.imaginary[i], i};

@@ -23,7 +23,7 @@ static whirl_status periodic_start(const mean_system *m, whirl_integrator **inte
     return status;
 }
 
-/// Integrates x and unit perturbations over the period; the final perturbations are the columns of the monodromy
+/// Integrates x and unit perturbations over the period. The final perturbations are the columns of the monodromy
 /// matrix.
 static bool carry(const mean_system *m, whirl_integrator *integrator, size_t revolutions, double *x, double *vectors,
                   double *monodromy) {
@@ -37,8 +37,8 @@ static bool carry(const mean_system *m, whirl_integrator *integrator, size_t rev
     return true;
 }
 
-/// Takes a Newton step for P(x) = x; the monodromy matrix is the derivative of P. *size is the step's size, at most
-/// `most`.
+/// Takes a Newton step for P(x) = x, where the derivative of P is the monodromy matrix. *size becomes the step's size,
+/// which is limited to `most`.
 static bool step(const mean_system *m, const double *end, const double *monodromy, double most, double *x, double *work,
                  double *size) {
     const size_t n = m->count;
@@ -59,7 +59,7 @@ static bool step(const mean_system *m, const double *end, const double *monodrom
     return isfinite(*size);
 }
 
-/// Returns the largest change of the matrix since the last call, and stores the matrix for the next one.
+/// Returns the largest change of the matrix since the last call, and stores the matrix for the next call.
 static double note_change(const double *matrix, double *noted, size_t count) {
     double change = 0.0, largest = 1.0;
     for (size_t i = 0; i < count; i++) {
@@ -112,7 +112,7 @@ whirl_status periodic_find(const mean_system *m, double *x, bool closed, double 
     return status;
 }
 
-/// Sums over the instants of a revolution.
+/// Sums over the instants of the motion.
 typedef struct harmonic_sum {
     size_t dimension;
     double share, *mean, *harmonic;

@@ -1,4 +1,4 @@
-// The synchronous response: linear response of a machine at rest to forcing once a revolution.
+// The synchronous response: the linear response of a machine at its equilibrium to forcing once per revolution.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,8 +13,8 @@
 
 static const double two_pi = 6.283185307179586476925;
 
-/// Computes the first harmonic [count][2] of what the forcing adds to the slope at rest; phases that turn once a
-/// revolution turn along.
+/// Computes the first harmonic [count][2] of what the forcing adds to the slope at the equilibrium. Phases that turn
+/// once per revolution do so here.
 static void take_forcing(mean_system *m, const double *x, double *out) {
     enum { INSTANTS = 32 };
     const whirl_system *system = m->system;
@@ -22,19 +22,19 @@ static void take_forcing(mean_system *m, const double *x, double *out) {
     double forcing[WHIRL_MAX_FORCING] = {0};
     memset(out, 0, 2 * m->count * sizeof *out);
     for (int k = 0; k < INSTANTS; k++) {
-        // The slope at each instant, at rest.
+        // Compute the slope at this instant, at the equilibrium.
         const double share = (double)k / INSTANTS, t = share * system->period;
         if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
         memcpy(m->state, x, d * sizeof *x);
         system->rhs(system->model, t, forcing, m->state, m->slope);
-        // Phases turn along.
+        // Turn the phases, and compute the slope again with them.
         for (size_t i = 0; system->turns && i < d; i++) {
             const double rounds = m->slope[i] * system->period / (system->turns[i] != 0.0 ? system->turns[i] : 1.0);
             if (system->turns[i] != 0.0 && fabs(fabs(rounds) - 1.0) < 1e-9)
                 m->state[i] += round(rounds) * share * system->turns[i];
         }
         if (system->turns) system->rhs(system->model, t, forcing, m->state, m->slope);
-        // Add to the harmonic.
+        // Add the slope to the harmonic.
         const double c = 2.0 / INSTANTS * cos(two_pi * share), s = 2.0 / INSTANTS * sin(two_pi * share);
         for (size_t i = 0; i < m->count; i++) {
             out[2 * i] += c * m->slope[m->kept[i]];
@@ -43,11 +43,11 @@ static void take_forcing(mean_system *m, const double *x, double *out) {
     }
 }
 
-/// Equations (i w - J) X = F, for the whole forcing and for each of its numbers alone.
+/// Equations (i w - J) X = F, for the whole forcing and for each of its nonzero numbers alone.
 typedef struct response_parts {
     size_t n, count;
     double *jacobian, *matrix; ///< [n][n], [n][n][2]
-    double *side;              ///< [1 + count][n][2] F, then its numbers; after that X
+    double *side;              ///< [1 + count][n][2] F, then each of its numbers alone; when solved, X
     double *block;             ///< all of these numbers
 } response_parts;
 
@@ -76,15 +76,15 @@ static bool parts_solve(mean_system *m, const double *x, response_parts *p) {
     return matrix_solve_complex(n, p->matrix, 1 + p->count, p->side);
 }
 
-/// Relative size, compared with its summands or the largest response, below which a response is rounding: the station
-/// is a node, or nothing excites it.
+/// Size of a response below which it is rounding, relative to its summands or to the largest response: the station is a
+/// node, or nothing excites it.
 static const double nothing = 1e-10;
 
 static double size_of(const double *number) {
     return hypot(number[0], number[1]);
 }
 
-/// Copies the response into all coordinates; sets it to 0 where the responses to single numbers of the forcing cancel.
+/// Copies the response into all coordinates. Sets it to 0 where the responses to single numbers of the forcing cancel.
 static void take_sums(const mean_system *m, const response_parts *p, double *response) {
     memset(response, 0, 2 * m->system->dimension * sizeof *response);
     for (size_t i = 0; i < p->n; i++) {
@@ -95,7 +95,7 @@ static void take_sums(const mean_system *m, const response_parts *p, double *res
     }
 }
 
-/// Sets displacements and rates of stations to 0 that are rounding compared with the largest.
+/// Sets those displacements and rates of stations to 0 that are rounding against the largest one.
 static void drop_rounding(const whirl_system *system, double *response) {
     double largest[2] = {0.0, 0.0};
     for (int pass = 0; pass < 2; pass++)

@@ -1,4 +1,4 @@
-// Response of a machine about its rest to slopes that are given: harmonic ones at any frequency, and constant ones.
+// Response of a machine about its equilibrium to given slopes: harmonic ones at any frequency, and constant ones.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 #include "mean.h"
 #include "whirl/engine/torsion.h"
 
-/// Computes the Jacobian at rest, room for which is `extra` numbers longer. Freed by the caller.
+/// Computes the Jacobian at the equilibrium. Its memory is `extra` numbers longer. Freed by the caller.
 static whirl_status torsion_jacobian(mean_system *m, const double *rest, size_t extra, double **out) {
     const size_t n = m->count;
     *out = calloc(n * n + extra + 1, sizeof **out);
@@ -28,7 +28,7 @@ static whirl_status harmonic_solve(mean_system *m, const double *rest, double fr
     double *jacobian = NULL;
     whirl_status status = torsion_jacobian(m, rest, 2 * n * n + 2 * n, &jacobian);
     if (status.code == WHIRL_OK) {
-        // (i w - J) X = F.
+        // Solve (i w - J) X = F.
         double *matrix = jacobian + n * n, *side = matrix + 2 * n * n;
         for (size_t i = 0; i < n * n; i++) {
             matrix[2 * i] = -jacobian[i];
@@ -46,7 +46,7 @@ static whirl_status harmonic_solve(mean_system *m, const double *rest, double fr
     return status;
 }
 
-/// Returns true if a turn [count] meets no resistance: J turn = 0, to rounding.
+/// Returns true if a turn [count] meets no resistance: J times the turn is 0, to rounding.
 static bool static_is_free(size_t n, const double *jacobian, const double *turn) {
     static const double rounding = 1e-10;
     bool any = false;
@@ -68,7 +68,8 @@ static whirl_status static_solve(mean_system *m, const double *rest, const doubl
     double *jacobian = NULL;
     whirl_status status = torsion_jacobian(m, rest, more * more + 2 * more, &jacobian);
     if (status.code == WHIRL_OK) {
-        // J x = -F; where the turn is free it gets a force of its own along itself, which is 0, and no part of x.
+        // Solve J x = -F. If the turn is free, one more equation excludes it from x, and one more unknown is a force
+        // along it, which becomes 0.
         double *matrix = jacobian + n * n, *side = matrix + more * more, *own = side + more;
         for (size_t i = 0; i < n; i++) own[i] = turn[m->kept[i]];
         const bool is_free = static_is_free(n, jacobian, own);
@@ -91,7 +92,8 @@ static whirl_status static_solve(mean_system *m, const double *rest, const doubl
     return status;
 }
 
-/// Finds the response about `rest`: to steady torques where there is a rigid turn to leave out, else at a frequency.
+/// Computes the response about `rest`: to steady torques if a rigid turn to be excluded is given, otherwise at a
+/// frequency.
 static whirl_status torsion_respond(const whirl_system *system, const double *rest, double frequency,
                                     const double *turn, const double *drive, double *response) {
     mean_system mean;

@@ -1,9 +1,9 @@
-// Modes of a machine whose coefficients depend on the frequency of whirl. A mode's damped frequency must be the
-// frequency at which its coefficients are taken.
+// Modes of a machine whose coefficients depend on the frequency of whirl. The coefficients must be those at the mode's
+// own damped frequency.
 //
 // At a frequency w the eigenvalues are ranked by falling imaginary part: the first, the second, ... The imaginary part
 // of each rank is a continuous function of w, even where modes cross, merge or lose their frequency (then it is 0). The
-// zeros of this imaginary part less w, rank by rank, are all modes, each of them once.
+// modes are the frequencies where this imaginary part equals w, for each rank; each mode is found once.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,13 +14,13 @@
 /// Parts into which the interval between two neighbouring frequencies of the tables is divided.
 enum { PARTS = 2 };
 
-/// A mode that was found: its frequency, and its rank there.
+/// A mode that was found: its frequency, and its rank at that frequency.
 typedef struct zero {
     double frequency;
     size_t rank;
 } zero;
 
-/// A machine with its coefficients at one frequency, and the modes of it.
+/// A machine with its coefficients at one frequency, and its modes.
 typedef struct look {
     double frequency, clock;
     whirl_modes *modes;
@@ -31,8 +31,8 @@ static void look_end(look *own) {
     own->modes = NULL;
 }
 
-/// Computes the modes of the machine at a frequency, about `rest`; if that is NULL, about its own equilibrium, which is
-/// searched.
+/// Computes the modes of the machine at a frequency, about `rest`. If `rest` is NULL, searches the equilibrium and
+/// computes them about it.
 static whirl_status look_at(const whirl_whirling *others, double frequency, const double *rest, look *out) {
     whirl_machine machine = {.system = NULL};
     *out = (look){.frequency = frequency};
@@ -49,7 +49,7 @@ static whirl_status look_at(const whirl_whirling *others, double frequency, cons
     return status;
 }
 
-/// Returns the imaginary part of a rank less the frequency; 0 for a real eigenvalue.
+/// Returns the imaginary part of a rank minus the frequency. The imaginary part of a real eigenvalue is 0.
 static double excess(const look *at, size_t rank) {
     const whirl_modes *modes = at->modes;
     return (rank < modes->count ? at->clock * modes->modes[modes->count - 1 - rank].imaginary : 0.0) - at->frequency;
@@ -98,7 +98,7 @@ static whirl_status find_between(const whirl_whirling *others, const look *a, co
     return status;
 }
 
-/// Finds all zeros [dimension for each part and for the first frequency]; *first is the machine at the first frequency.
+/// Finds all zeros, zeros [dimension times (1 + number of parts)]. *first becomes the machine at the first frequency.
 static whirl_status find_all(const whirl_system *system, const whirl_whirling *others, zero *zeros, size_t *count,
                              look *first) {
     look last;
@@ -131,7 +131,7 @@ static void whirling_take(const look *from, const zero *own, whirl_modes *out) {
     out->growth = isnan(out->growth) ? mode->real : fmax(out->growth, mode->real);
 }
 
-/// Computes the shapes at each zero, once for equal zeros, so that each has a shape of its own.
+/// Computes the shapes at each zero. Equal zeros are computed together, so that each mode has its own shape.
 static whirl_status take_all(const whirl_whirling *others, const zero *zeros, size_t count, whirl_modes *out) {
     look at = {.modes = NULL};
     whirl_status status = whirl_ok();
@@ -146,7 +146,7 @@ static whirl_status take_all(const whirl_whirling *others, const zero *zeros, si
     return status;
 }
 
-/// Copies from the first frequency the equilibrium and, if that frequency is 0, the real eigenvalues.
+/// Copies the equilibrium from the first frequency and, if that frequency is 0, the real eigenvalues.
 static void take_first(const look *first, whirl_modes *out) {
     const whirl_modes *from = first->modes;
     memcpy(out->rest, from->rest, from->dimension * sizeof *out->rest);
