@@ -9,7 +9,7 @@ typedef struct part {
     size_t rows;
 } part;
 
-/// Lays out the arrays in a block of rows; returns the number of rows.
+/// Lays out the arrays in a block of rows. Returns the number of rows.
 static size_t adaptive_lay_out(adaptive_lanes *lanes, double *block) {
     const size_t degrees = lanes->degrees, rates = lanes->rates, probes = lanes->observe.probe_count,
                  switches = lanes->switch_count;
@@ -86,14 +86,14 @@ adaptive_lanes *adaptive_lanes_make(const adaptive_lanes *shape) {
     adaptive_lanes *lanes = malloc(sizeof *lanes);
     if (!lanes) return NULL;
     *lanes = *shape;
-    // The sparsity of the Jacobian, for an implicit method.
+    // Find the sparsity of the Jacobian, for an implicit method.
     if (lanes->method->implicit)
         lanes->rodas5p.sparsity = sparsity_new(lanes->degrees, lanes->rates, lanes->depends, lanes->model);
     if (lanes->method->implicit && !lanes->rodas5p.sparsity) {
         adaptive_lanes_free(lanes);
         return NULL;
     }
-    // One aligned block for all arrays.
+    // Allocate one aligned block for all arrays.
     const size_t bytes = (adaptive_lay_out(lanes, NULL) * lanes->slots * sizeof(double) + 63) / 64 * 64;
     lanes->block = aligned_alloc(64, bytes);
     lanes->queue = calloc(1, sizeof *lanes->queue);
@@ -143,8 +143,7 @@ adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *
                                         .rubs = form->rubs}};
     if (form->damped || form->rubs) shape.observe.contacts = form->contacts[set->number];
     shape.instance = shape.stride == INSTANCE_STRIDE && followed == 0 ? form->instance : NULL;
-    // A structure with loops of its own needs a whole group of vectors; other structures take fewer vectors if there
-    // are few lanes.
+    // A structure with its own loops needs a whole group of vectors; other structures use fewer vectors for few lanes.
     while (!shape.instance && lane_count > 0 && (shape.stride - 1) * set->lanes >= lane_count) shape.stride--;
     shape.slots = shape.stride * set->lanes;
     return adaptive_lanes_make(&shape);

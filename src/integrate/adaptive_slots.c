@@ -24,7 +24,7 @@ static void leave(const adaptive_lanes *lanes, size_t slot) {
     *lane = NO_LANE;
 }
 
-/// Gives a free slot to the next lane with a machine that has not ended.
+/// Gives a free slot to the next lane that has a machine and has not ended. Returns false if no lane waits.
 static bool enter(const adaptive_lanes *lanes, size_t slot) {
     lane_queue *queue = lanes->queue;
     while (queue->next < queue->count) {

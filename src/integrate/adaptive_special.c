@@ -1,9 +1,9 @@
-// Lanes that are handled one by one: those that pass or come near a switch, and those that end.
+// Slots that are handled one by one: those that pass or come near a switch, and those that end.
 //
 // If a switching function clearly falls through zero, the step is tried again so that it ends there, together with the
-// other lanes' next steps: first by the cubic through both ends, then by the function's own value and derivative. In
-// doubtful cases (grazes, two switches at once) a stepper takes the lane's step with its full search for zeros. A
-// stepper also takes all steps of a motion that slides along a switch.
+// next steps of the other slots. The place of the zero is taken from the cubic through both ends, then from the
+// function's own value and derivative. In doubtful cases (grazes, two switches at once) a stepper takes the step, with
+// its full search for zeros. A stepper also takes all steps of a motion that slides along a switch.
 #include <math.h>
 #include <string.h>
 
@@ -27,7 +27,7 @@ static void special_end(const adaptive_lanes *lanes, size_t slot, whirl_motion m
 
 // ---------------------------------------------------------------- by the stepper
 
-/// Copies the state (set 0) or a perturbation to x [dimension].
+/// Copies the state (set 0) or a perturbation of a slot to x [dimension].
 static void give_set(const adaptive_lanes *lanes, size_t slot, size_t set, double *x) {
     const size_t n = lanes->degrees, rates = lanes->rates;
     for (size_t d = 0; d < n; d++) x[d] = *at(lanes, lanes->q, set * n + d, slot);
@@ -94,7 +94,7 @@ static void take_polynomials(const adaptive_lanes *lanes, size_t slot) {
     }
 }
 
-/// Takes a slot's step by a stepper.
+/// Takes the step of a slot with the stepper.
 static void step_alone(const adaptive_lanes *lanes, size_t slot) {
     const bool observed = lanes->observing && lanes->watched[slot] > 0.5;
     stepper *c = lanes->stepper;
@@ -127,8 +127,8 @@ static void step_alone(const adaptive_lanes *lanes, size_t slot) {
 
 // ---------------------------------------------------------------- landing on a switch
 
-/// Computes the Bernstein coefficients of the cubic from values and derivatives at both ends; for a function that
-/// begins at zero, those of its quotient by theta.
+/// Bernstein coefficients of the cubic through values and derivatives at both ends of a step. For a function that
+/// begins at zero they are those of its quotient by theta.
 typedef struct cubic {
     double b[4];
     int degree;
@@ -204,7 +204,7 @@ static void choose_side(const adaptive_lanes *lanes, size_t slot, size_t which) 
     take_sides(lanes, slot);
 }
 
-/// Continues at the end of the step tried, on the other side of switch `which`.
+/// Moves the slot to the end of the step tried, on the other side of switch `which`.
 static void cross(const adaptive_lanes *lanes, size_t slot, size_t which) {
     copy(lanes, lanes->q, lanes->end_q, lanes->degrees, slot);
     copy(lanes, lanes->v, lanes->end_v, lanes->rates, slot);
@@ -221,7 +221,8 @@ static void cross(const adaptive_lanes *lanes, size_t slot, size_t which) {
     if (!(lanes->t[slot] < lanes->until[slot])) lanes->running[slot] = 0.0;
 }
 
-/// Shortens the step so that it ends at a switch; with perturbations the stepper does it and carries them across.
+/// Shortens the step so that it ends at a switch. With perturbations the stepper takes the step, and carries them
+/// across the switch.
 static void begin_landing(const adaptive_lanes *lanes, size_t slot) {
     size_t which = 0;
     double theta;
@@ -235,7 +236,8 @@ static void begin_landing(const adaptive_lanes *lanes, size_t slot) {
     lanes->length[slot] *= theta;
 }
 
-/// Handles a step that was to end at a switch: accepts it if it is near enough, else moves nearer by Newton's method.
+/// Handles a step that was to end at a switch. Accepts it if it is near enough, otherwise moves nearer by Newton's
+/// method.
 static void go_on_landing(const adaptive_lanes *lanes, size_t slot) {
     const size_t which = (size_t)lanes->landing[slot] - 1;
     const double value = *at(lanes, lanes->end_value, which, slot), rate = *at(lanes, lanes->end_rate, which, slot);

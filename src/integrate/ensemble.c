@@ -24,15 +24,15 @@ struct whirl_ensemble {
     double limit;
     rk4_lanes lanes;
     adaptive_lanes *adaptive;  ///< NULL for rk4
-    stepper *stepper;          ///< for steps near switches; NULL: not needed
+    stepper *stepper;          ///< takes steps near switches; NULL: not needed
     whirl_perturbations along; ///< perturbations of the stepper
     double *room;              ///< workspace of the stepper
-    /// [lane_count][2] beginning and end, in the period, of the part that each lane goes over; NULL: whole periods
+    /// [lane_count][2] beginning and end of the part of the period over which each lane is carried; NULL: whole periods
     double *parts;
     alone_lanes *alone; ///< lanes that integrators carry; NULL: kernels carry all lanes
     double *ended;      ///< [lane] whirl_motion
-    /// [dimension] sample that the observer looks at, whose states whirl_ensemble_coordinate returns; NULL: the present
-    /// states
+    /// [dimension][lane_count] sample at which the observer looks, whose states whirl_ensemble_coordinate returns;
+    /// NULL: the present states
     const double *shown;
     const whirl_system **machines; ///< [lane_count] machine of every lane; NULL: empty
     whirl_perturbations **beside;  ///< [lane_count] perturbations carried in the next revolution; NULL: none
@@ -53,7 +53,7 @@ bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_opti
     return strcmp(options->method, "rk4") == 0 && !(options->located && system->lanes->slides);
 }
 
-/// Most perturbations: memory grows with the square of the dimension, and with the lanes.
+/// Most perturbations. Memory grows with the square of the dimension, and with the number of lanes.
 enum { MAX_PERTURBATIONS = 256 };
 
 bool whirl_ensemble_follows(const whirl_system *system, const whirl_integrate_options *options) {
@@ -61,7 +61,7 @@ bool whirl_ensemble_follows(const whirl_system *system, const whirl_integrate_op
            !system->lanes->jumps && !system->lanes->slides && system->dimension <= MAX_PERTURBATIONS;
 }
 
-/// Lays out the arrays in a block of rows; returns the number of rows.
+/// Lays out the arrays in a block of rows. Returns the number of rows.
 static size_t ensemble_lay_out(whirl_ensemble *e, double *block) {
     const size_t degrees = e->lanes.degrees, probes = e->system->probe_count, contacts = e->contact_count;
     const size_t forces = e->alone || e->lanes.observe.contacts ? contacts : 0;
@@ -142,7 +142,7 @@ static void tabulate(whirl_ensemble *e) {
                         e->forcing + (size_t)i * system->forcing_count);
 }
 
-/// Fills in the data that all lanes share; integrators treat all coordinates as rates.
+/// Fills in the data that all lanes share. Integrators treat all coordinates as rates.
 static void fill_shape(whirl_ensemble *e) {
     const whirl_system *system = e->system;
     rk4_lanes *lanes = &e->lanes;
@@ -180,7 +180,7 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
     if (system->lanes->damped || system->lanes->rubs) lanes->observe.contacts = system->lanes->contacts[e->isa->number];
 }
 
-/// Attaches an adaptive method, its stepper for lanes near switches, and the memory of both for perturbations.
+/// Attaches an adaptive method, its stepper for lanes near switches, and memory for their perturbations.
 static bool attach_adaptive(whirl_ensemble *e, const lanes_method *own, const whirl_integrate_options *options,
                             size_t lanes) {
     const size_t most = e->lanes.perturbations, n = e->system->dimension;
@@ -212,17 +212,18 @@ static bool attach_location(whirl_ensemble *e, const whirl_integrate_options *op
     return e->stepper != NULL;
 }
 
-/// Returns how many vectors rk4 carries together, so that each hides the latency of others: as many of 8, 6, 4, 3 and 2
-/// as fit with their numbers and stages into the first cache, else 1. With loops of the structure's own
-/// (rk4_instance.inc) their observations must fit too. The fastest numbers measured, with 512 bits: 6 for disc and
-/// journal, 4 for ten equal stations, 3 for a shaft of 22 coordinates, 1 for fifty stations; with 256 bits 8, 8, 6 and
-/// 1.
+/// Returns how many vectors rk4 carries together, so that each hides the latency of the others: the largest of 8, 6, 4,
+/// 3 and 2 vectors whose numbers and stages fit into the first cache, otherwise 1. With the structure's own loops
+/// (rk4_instance.inc) their observations must fit, too.
+///
+/// The fastest numbers measured with 512 bits are 6 for disc and journal, 4 for ten equal stations, 3 for a shaft of 22
+/// coordinates and 1 for fifty stations; with 256 bits 8, 8, 6 and 1.
 static size_t fast_vectors(const whirl_ensemble *e) {
     static const size_t choices[] = {8, 6, 4, 3, 2, 1};
     const whirl_system *system = e->system;
     const size_t first_cache = 43008, degrees = system->lanes->degrees;
     const size_t observed = system->lanes->instance ? 7 * degrees + 4 * system->lanes->contact_count : 0;
-    const size_t steps = 5 * system->dimension - 3 * degrees; // the state, a stage's, three slopes
+    const size_t steps = 5 * system->dimension - 3 * degrees; // the state, that of a stage, three slopes
     const size_t numbers = system->lanes->part(system->model, e->lanes.places);
     const size_t rows = numbers + (1 + e->lanes.perturbations) * steps + observed;
     const size_t bytes = rows * e->isa->lanes * sizeof(double);
@@ -231,14 +232,14 @@ static size_t fast_vectors(const whirl_ensemble *e) {
     return choices[i];
 }
 
-/// Returns the number of lanes that is fastest. Adaptive methods: ROUNDS for each slot, so that few slots are idle
-/// while the last lanes finish. rk4: the vectors that hide each other's latency.
+/// Returns the number of lanes that is fastest. For adaptive methods this is ROUNDS for each slot, so that few slots
+/// are idle while the last lanes finish; for rk4, the lanes of the vectors that hide each other's latency.
 static size_t fast_lanes(const whirl_ensemble *e) {
     enum { ROUNDS = 8 };
     return e->adaptive ? e->adaptive->slots * ROUNDS : fast_vectors(e) * e->isa->lanes;
 }
 
-/// Completes an ensemble whose method is attached.
+/// Completes an ensemble with an attached method.
 static whirl_status finish(whirl_ensemble *e, size_t lanes, whirl_ensemble **out) {
     e->lanes.stride = (lanes + e->isa->lanes - 1) / e->isa->lanes;
     e->lanes.lane_count = e->lane_count = e->lanes.stride * e->isa->lanes;
@@ -253,7 +254,7 @@ static whirl_status finish(whirl_ensemble *e, size_t lanes, whirl_ensemble **out
     return whirl_ok();
 }
 
-/// Makes an ensemble without a method and lanes; NULL without memory.
+/// Makes an ensemble without a method and without lanes. Returns NULL without memory.
 static whirl_ensemble *ensemble_begin(const whirl_system *system, const whirl_integrate_options *options) {
     whirl_ensemble *e = calloc(1, sizeof *e);
     if (!e) return NULL;
@@ -436,7 +437,7 @@ whirl_status whirl_ensemble_load(whirl_ensemble *e, size_t lane, const whirl_sys
     return whirl_ok();
 }
 
-/// Copies x [dimension] into a lane, as its state (set 0) or a perturbation.
+/// Copies x [dimension] to a lane, as its state (set 0) or a perturbation.
 static void place(whirl_ensemble *e, size_t lane, size_t set, const double *x) {
     const size_t degrees = e->lanes.degrees, rates = e->lanes.rates;
     for (size_t d = 0; d < degrees; d++) e->lanes.q[(set * degrees + d) * e->lane_count + lane] = x[d];
@@ -447,7 +448,7 @@ void whirl_ensemble_place(whirl_ensemble *e, size_t lane, const double *x) {
     place(e, lane, 0, x);
 }
 
-/// Returns a coordinate of the state in all lanes.
+/// Returns the row of a coordinate in all lanes.
 static double *row_of(const whirl_ensemble *e, size_t index) {
     const size_t degrees = e->lanes.degrees;
     return index < degrees ? e->lanes.q + index * e->lane_count : e->lanes.v + (index - degrees) * e->lane_count;
@@ -501,7 +502,7 @@ void whirl_ensemble_move(whirl_ensemble *e, size_t from, size_t to) {
     whirl_ensemble_unload(e, from);
 }
 
-/// Lists the rows that are exchanged between a lane and its slot: machine and state; for observed motions also their
+/// Lists the rows that are exchanged between a lane and its slot: machine and state, and for observed motions their
 /// observations.
 static void fill_exchange(const whirl_ensemble *e, adaptive_lanes *lanes) {
     const lanes_observe *own = &lanes->observe, *theirs = &e->lanes.observe;
@@ -528,7 +529,7 @@ static void fill_exchange(const whirl_ensemble *e, adaptive_lanes *lanes) {
     memcpy(lanes->exchanged, rows, sizeof rows);
 }
 
-/// Hands samples [samples][dimension][lane_count] of a revolution to the observer.
+/// Passes the samples [samples][dimension][lane_count] of a revolution to the observer.
 static void hand_out(whirl_ensemble *e, const double *samples, size_t count, const whirl_ensemble_observe *observe) {
     for (size_t i = 0; i < count; i++) {
         e->shown = samples + i * e->system->dimension * e->lane_count;
@@ -542,7 +543,7 @@ static void revolve_alone(whirl_ensemble *e, size_t count, const whirl_ensemble_
     hand_out(e, e->alone->samples, samples, observe);
 }
 
-/// Copies perturbations into their lanes; returns true if there are any.
+/// Copies perturbations to their lanes. Returns true if there are any.
 static bool begin_perturbations(whirl_ensemble *e, size_t count) {
     const rk4_lanes *lanes = &e->lanes;
     bool any = false;
@@ -550,7 +551,7 @@ static bool begin_perturbations(whirl_ensemble *e, size_t count) {
     memset(e->state, 0, e->system->dimension * sizeof *e->state);
     for (size_t lane = 0; any && lane < count; lane++) {
         const whirl_perturbations *set = e->beside[lane];
-        if (!set && !e->adaptive) continue; // adaptive steps depend on them, so that unused ones must be cleared
+        if (!set && !e->adaptive) continue; // adaptive steps depend on perturbations: unused ones must be cleared
         lanes->volume[lane] = 0.0;
         for (size_t k = 0; k < lanes->perturbations; k++) {
             place(e, lane, k + 1, set ? set->vectors + k * e->system->dimension : e->state);
@@ -561,7 +562,7 @@ static bool begin_perturbations(whirl_ensemble *e, size_t count) {
     return any;
 }
 
-/// Copies perturbations out of their lanes.
+/// Copies perturbations from their lanes.
 static void end_perturbations(whirl_ensemble *e, size_t count) {
     const rk4_lanes *lanes = &e->lanes;
     const size_t degrees = lanes->degrees, rates = lanes->rates;
@@ -579,8 +580,8 @@ static void end_perturbations(whirl_ensemble *e, size_t count) {
     }
 }
 
-/// Orders lanes, observed ones first: as long as one of them is in a slot, every step also computes its interpolant.
-/// Returns how many are observed.
+/// Puts lanes in order, observed ones first: as long as one of them is in a slot, every step also computes its
+/// interpolant. Returns the number of observed lanes.
 static size_t put_in_order(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
     const bool *which = observe ? observe->lanes : NULL;
     size_t observed = 0;
@@ -591,7 +592,8 @@ static size_t put_in_order(whirl_ensemble *e, size_t count, const whirl_ensemble
     return observed;
 }
 
-/// Carries a revolution with a time of its own in every lane; samples are handed out when all are finished.
+/// Carries a revolution in which every lane has its own time. Samples are passed to the observer when all lanes are
+/// finished.
 static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
     // Allocate samples if an observer wants them.
     const size_t wanted = observe && observe->stride > 0 ? (size_t)e->adaptive->instants / observe->stride : 0;
@@ -611,7 +613,7 @@ static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemb
     lanes.queue->order = e->order;
     lanes.queue->observed = put_in_order(e, count, lanes.observing ? observe : NULL);
     fill_exchange(e, &lanes);
-    // Carry all lanes, then hand out what was sampled.
+    // Carry all lanes, then pass their samples to the observer.
     for (size_t i = 0; i < samples * size; i++) lanes.samples[i] = NAN; // remains for lanes whose motion ends early
     for (size_t lane = 0; samples < wanted && lane < count; lane++)
         e->ended[lane] = WHIRL_STUCK; // no memory for its samples
@@ -620,7 +622,7 @@ static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemb
     if (lanes.tangents > 0) end_perturbations(e, count);
 }
 
-/// Brings angles back into their first turn.
+/// Brings angles back to their first turn.
 static void wrap(whirl_ensemble *e, size_t count) {
     const double *turns = e->system->turns, *angles = e->system->angles;
     for (size_t i = 0; (turns || angles) && i < e->system->dimension; i++) {
@@ -630,7 +632,7 @@ static void wrap(whirl_ensemble *e, size_t count) {
     }
 }
 
-/// Returns true if perturbations stay orthonormal and their growth is requested.
+/// Returns true if perturbations are to stay orthonormal and their growth is requested.
 static bool are_measured(const whirl_ensemble *e, size_t count) {
     bool any = false;
     for (size_t lane = 0; lane < count; lane++) any = any || (e->beside[lane] && e->beside[lane]->growth);
@@ -696,8 +698,8 @@ static void note_contacts(const whirl_ensemble *e, size_t lane) {
     }
 }
 
-/// Computes the normal forces at the largest radii, which are the largest if forces depend on the displacement alone.
-/// (max_radius holds squares.)
+/// Computes the normal forces at the largest radii. These are the largest forces if forces depend on the displacement
+/// alone. (max_radius holds squares of radii.)
 static void largest_forces(const whirl_ensemble *e, size_t lane, double *force) {
     const lanes_observe *w = &e->lanes.observe;
     memset(e->state, 0, e->system->dimension * sizeof *e->state);

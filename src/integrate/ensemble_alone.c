@@ -85,8 +85,8 @@ static void observe(void *context, double t, const double *x) {
 
 // ---------------------------------------------------------------- revolutions
 
-/// Allocates the samples of a revolution and sets them to NaN, which stays for lanes that end on the way. Returns how
-/// many samples fit.
+/// Allocates the samples of a revolution, and sets them to NaN, which remains for lanes that end early. Returns the
+/// number of samples that fit.
 static size_t alone_make_room(alone_lanes *alone, size_t samples) {
     const size_t numbers = alone->dimension * alone->lane_count;
     if (samples > alone->sample_room) {

@@ -78,7 +78,7 @@ whirl_status check_options(const whirl_system *system, const whirl_integrate_opt
     return whirl_members_check(whirl_integrate_members(), options);
 }
 
-/// Allocates the workspace of `most` perturbations.
+/// Allocates workspace for `most` perturbations.
 static whirl_status integrator_make_room(whirl_integrator *integrator, size_t most) {
     const size_t rows = integrator->method->rows * (1 + most) + SPARE_ROWS;
     double *slopes = realloc(integrator->slopes, rows * integrator->system->dimension * sizeof *slopes);
@@ -110,7 +110,7 @@ whirl_status whirl_integrator_new(const whirl_system *system, const whirl_integr
     return whirl_ok();
 }
 
-/// Brings angles back into their first turn.
+/// Brings angles back to their first turn.
 static whirl_motion wrap(const whirl_system *system, double *x, whirl_motion motion) {
     for (size_t i = 0; i < system->dimension; i++) x[i] = part_wrapped(system->turns, system->angles, i, x[i]);
     return motion;

@@ -34,7 +34,7 @@ double whirl_probe_way(const whirl_probe *probe) {
 #define PROBE(TYPE, field, symbol, unit, part, fallback, meaning, ...)                                                 \
     MEMBER(whirl_probe, TYPE, #field, field, part, false, #field, symbol, unit, WHIRL_KEY_NUMBER, false, fallback,     \
            __VA_ARGS__, NULL, meaning, "")
-/// Keys of a state in a case are those of the coordinates.
+/// Keys of the state in a case are the names of its coordinates.
 #define COORDINATE(field, symbol, meaning) PROBE(INDEX, field, symbol, "1", "initial", "0", meaning, WHIRL_ANY)
 #define LENGTH(field, meaning) PROBE(NUMBER, field, "", "length", "", "", meaning, WHIRL_NOT_NEGATIVE)
 #define PLACE "displacement in length scales, or with a unit of length"

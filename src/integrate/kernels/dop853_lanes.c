@@ -4,7 +4,7 @@
 // loaded once for these rows.
 #include "adaptive_lanes.inc"
 
-/// Vectors in the sums of slopes at a time: two, or all of a structure with loops of its own.
+/// Vectors in the sums of slopes at a time: two; for a structure with its own loops, all.
 enum { SUMMED_TOGETHER = 2, MAX_TOGETHER = 4 };
 
 /// First rows of a set: of the state (set 0), or of a perturbation.
@@ -16,8 +16,8 @@ static inline set_place place_of_set(const adaptive_lanes *lanes, size_t set) {
     return (set_place){set * lanes->degrees * lanes->stride, set * lanes->rates * lanes->stride};
 }
 
-/// Computes, for a set, the state at which slope `number` is taken: `count` vectors from `first` on, `step` apart. The
-/// last slope contributes to velocities only.
+/// Computes the state, or a perturbation, at which slope `number` is taken: `count` vectors from `first` on, `step`
+/// apart. The last slope contributes to velocities only.
 VECTOR_INLINE void take_stage(const adaptive_lanes *lanes, int number, set_place set, size_t first, size_t step,
                               size_t count, vec *out_q, vec *out_v) {
     const slope_sums *sums = &lanes->dop853.sums.stage[number];
@@ -45,7 +45,7 @@ VECTOR_INLINE void take_stage(const adaptive_lanes *lanes, int number, set_place
     }
 }
 
-/// Computes one of the sums of slopes, for up to MAX_TOGETHER vectors of the rates from the first.
+/// Computes one of the sums of slopes, for up to MAX_TOGETHER vectors of the rates from `first` on.
 VECTOR_INLINE void sum_rates(const adaptive_lanes *lanes, const slope_sums *sums, size_t which, size_t first,
                              size_t count, vec *sum) {
     for (size_t r = 0; r < count; r++) sum[r] = v_set(0.0);
@@ -55,7 +55,7 @@ VECTOR_INLINE void sum_rates(const adaptive_lanes *lanes, const slope_sums *sums
     }
 }
 
-/// Computes a sum for all first-order states of a set: out is from + h times the sum; from may be NULL.
+/// Computes `out` for all first-order states of a set: `from` plus h times one of the sums; `from` may be NULL.
 static void sum_states(const adaptive_lanes *lanes, const slope_sums *sums, set_place set, const vec *from, vec *out) {
     const size_t last = set.v + lanes->rates * lanes->stride;
     const vec *h = VECTORS(length), zero = v_set(0.0);
@@ -83,7 +83,7 @@ static void enter_stage(const adaptive_lanes *lanes, int number, vec *q, vec *v)
     }
 }
 
-/// Memory for the divergence of slope `number`.
+/// Returns the memory for the divergence of slope `number`.
 static inline double *divergence_of(const adaptive_lanes *lanes, int number) {
     return lanes->dop853.divergence + (size_t)number * lanes->slots;
 }
@@ -92,7 +92,7 @@ static void take_slopes_by_stages(const adaptive_lanes *lanes, int from, int to)
     for (int number = from; number < to; number++) {
         const bool end = number == DOP853_STAGES;
         double *q = end ? lanes->end_q : lanes->stage_q, *v = end ? lanes->end_v : lanes->stage_v;
-        // The result's slope is taken at the time of the last stage.
+        // The slope of the result is taken at the time of the last stage.
         if (!end) take_forcing(lanes, all_of(lanes), dop853_c[number], lanes->length);
         enter_stage(lanes, number, (vec *)q, (vec *)v);
         if (number <= DOP853_STAGES)
@@ -104,7 +104,7 @@ static void take_slopes_by_stages(const adaptive_lanes *lanes, int from, int to)
 
 // ---------------------------------------------------------------- error
 
-/// Computes the errors of `count` vectors of a set from the first, `step` apart, by the four sums.
+/// Computes the errors of `count` vectors of a set from `first` on, `step` apart, by the four sums.
 VECTOR_INLINE void sum_errors(const adaptive_lanes *lanes, set_place set, size_t first, size_t step, size_t count,
                               vec *q5, vec *v5, vec *q3, vec *v3) {
     const slope_sums *sums = &lanes->dop853.sums.error;
@@ -128,8 +128,8 @@ VECTOR_INLINE void sum_errors(const adaptive_lanes *lanes, set_place set, size_t
     }
 }
 
-/// Computes the squared error of vector k over the tolerance of all coordinates, from both embedded formulas as DOP853
-/// weighs them; NaN if the state at the end is. The coordinates' errors are in q5 ... v3.
+/// Computes the squared error of vector k, divided by the tolerance of all coordinates, from both embedded formulas as
+/// DOP853 weighs them. It is NaN if the state at the end is. The errors of the coordinates are in q5, v5, q3 and v3.
 VECTOR_INLINE void take_error(const adaptive_lanes *lanes, size_t group_count, const size_t *groups, size_t states,
                               size_t stride, size_t k, const vec *q5, const vec *v5, const vec *q3, const vec *v3) {
     const size_t degrees = groups[group_count];
@@ -137,7 +137,7 @@ VECTOR_INLINE void take_error(const adaptive_lanes *lanes, size_t group_count, c
     const vec *last = VECTORS(end_slope), h = VECTORS(length)[k];
     const vec rtol = v_set(lanes->rtol), atol = v_set(lanes->atol);
     vec square5 = v_set(0.0), square3 = v_set(0.0), most = v_set(0.0), nothing = v_set(0.0);
-    // Degrees, group by group, with the tolerance of the group's size; `nothing` is 0, or NaN with the slopes.
+    // Degrees, group by group, with the tolerance by the group's size. `nothing` is 0, or NaN if a slope is.
     for (size_t g = 0; g < group_count; g++) {
         const vec size = group_size(q, v, end_q, end_v, stride, k, groups[g], groups[g + 1]);
         const vec per = v_div(v_set(1.0), v_fma(rtol, size, atol));
@@ -151,7 +151,7 @@ VECTOR_INLINE void take_error(const adaptive_lanes *lanes, size_t group_count, c
         square3 = v_fma(v_mul(per, per), own3, square3);
         most = v_max(most, size);
     }
-    // States of first order.
+    // The states of first order.
     for (size_t i = degrees * stride + k; i < (degrees + states) * stride; i += stride) {
         const slope_sums *sums = &lanes->dop853.sums.error;
         const vec size = state_size(lanes, v, end_v, i), per = v_div(v_set(1.0), v_fma(rtol, size, atol));
@@ -179,7 +179,7 @@ static void sum_all_errors(const adaptive_lanes *lanes, set_place set, vec *q5, 
     if (even < all) sum_errors(lanes, set, even, 1, 1, q5, v5, q3, v3);
 }
 
-/// Returns the squared length of a set's rows, of vector k.
+/// Returns the squared length of the rows of a set in vector k.
 static inline vec square_length(const adaptive_lanes *lanes, set_place set, size_t k, const vec *q, const vec *v) {
     vec sum = v_set(0.0);
     FOR_DEGREES_OF(k) sum = v_fma(q[set.q + i], q[set.q + i], sum);
@@ -187,13 +187,13 @@ static inline vec square_length(const adaptive_lanes *lanes, set_place set, size
     return sum;
 }
 
-/// Tolerance of a perturbation, in units of rtol times its length. It is loose enough that steps of a motion of
-/// ordinary size do not change: there the perturbation's error follows the state's. It limits steps of a negligible
-/// motion, for which the state alone would allow any length.
+/// Tolerance of a perturbation, in units of rtol times its length. It is so loose that it does not change the steps of
+/// a motion of ordinary size, in which the perturbation's error follows the state's. It limits the steps of a
+/// negligible motion, for which the state alone would allow any length.
 enum { LOOSER = 100 };
 
-/// Returns the squared error of a perturbation over its tolerance. Equations of perturbations are linear, so that there
-/// is no absolute tolerance.
+/// Returns the squared error of a perturbation divided by its tolerance. The equations of perturbations are linear, so
+/// that there is no absolute tolerance.
 static vec error_of_perturbation(const adaptive_lanes *lanes, set_place set, size_t k, const vec *q5, const vec *v5,
                                  const vec *q3, const vec *v3) {
     const slope_sums *sums = &lanes->dop853.sums.error;
@@ -217,8 +217,8 @@ static vec error_of_perturbation(const adaptive_lanes *lanes, set_place set, siz
     return v_div(v_mul(v_mul(h, h), v_mul(square5, square5)), v_max(some, v_set(0x1p-960)));
 }
 
-/// Raises each step's error to that of the worst perturbation, measured by its own, looser tolerance (LOOSER). A NaN of
-/// a perturbation is ignored.
+/// Raises each step's error to that of the worst perturbation, whose tolerance is looser (LOOSER). The NaN of a
+/// perturbation is ignored.
 static void take_errors_of_perturbations(const adaptive_lanes *lanes, vec *q5, vec *v5, vec *q3, vec *v3) {
     for (size_t n = 1; n <= lanes->tangents; n++) {
         const set_place set = place_of_set(lanes, n);
@@ -238,7 +238,7 @@ static void take_errors_by_stages(const adaptive_lanes *lanes, vec *q5, vec *v5,
     take_errors_of_perturbations(lanes, q5, v5, q3, v3);
 }
 
-/// Integrates the divergence over the step, by the weights of the step's result.
+/// Integrates the divergence over the step, with the weights of the step's result.
 static void take_volume(const adaptive_lanes *lanes) {
     FOR_VECTORS {
         vec sum = v_set(0.0);
@@ -250,7 +250,7 @@ static void take_volume(const adaptive_lanes *lanes) {
 
 // ---------------------------------------------------------------- structures with loops of their own
 
-/// Computes cos and sin of t.
+/// Computes cos and sin of t, from which add_angle computes the forcing.
 static void take_base(const adaptive_lanes *lanes) {
     vec *base = VECTORS(dop853.base);
     FOR_VECTORS v_sincos(VECTORS(t)[k], &base[INSTANCE_STRIDE + k], &base[k]);
@@ -269,7 +269,7 @@ VECTOR_INLINE void add_angle(const adaptive_lanes *lanes, double c, size_t k) {
     forcing[SIN_2TAU * apart] = v_mul(v_add(x, x), y);
 }
 
-/// Returns the positions at which slope `number` is taken: the step's end for the result, else the stage.
+/// Returns the positions at which slope `number` is taken: the step's end for the result, otherwise the stage.
 static inline vec *dop853_place(const adaptive_lanes *lanes, int number) {
     return number == DOP853_STAGES ? VECTORS(end_q) : VECTORS(stage_q);
 }
@@ -305,7 +305,7 @@ static void take_errors(const adaptive_lanes *lanes) {
     take_errors_by_stages(lanes, q5, v5, q3, v3);
 }
 
-/// Tries the step: computes the state at its end, the slope there, the error.
+/// Tries the step: computes the state at its end, the slope there and the error.
 static void try_step(const adaptive_lanes *lanes) {
     take_slopes(lanes, 1, DOP853_STAGES + 1);
     take_errors(lanes);
@@ -325,17 +325,17 @@ VECTOR_INLINE void take_cubic(const adaptive_lanes *lanes, size_t j, vec h, vec 
     VECTORS(dense[3])[j] = v_fnma(h, v_add(first, last), v_mul(v_set(2.0), way));
 }
 
-/// Computes the interpolant of the step tried: a cubic, and the polynomials that DOP853 adds by three more slopes
+/// Computes the interpolant of the step tried: a cubic, and the polynomials that DOP853 adds with three more slopes
 /// (Hairer, Norsett, Wanner 1993, II.6).
 static void take_polynomials(const adaptive_lanes *lanes) {
     const size_t after = lanes->degrees * lanes->stride;
     const vec *q = VECTORS(q), *v = VECTORS(v), *end_q = VECTORS(end_q), *end_v = VECTORS(end_v);
     const vec *first = VECTORS(slope), *last = VECTORS(end_slope), *h = VECTORS(length);
-    // Three more slopes, and the cubic.
+    // Compute three more slopes, and the cubic.
     take_slopes(lanes, DOP853_STAGES + 1, DOP853_SLOPES);
     FOR_DEGREES take_cubic(lanes, i, h[k], q[i], end_q[i], v[i], end_v[i]);
     FOR_ROWS(0, lanes->rates) take_cubic(lanes, after + i, h[k], v[i], end_v[i], first[i], last[i]);
-    // The polynomials of positions, which drift by the velocity, and of velocities.
+    // Compute the polynomials of positions, which drift with the velocity, and of velocities.
     for (size_t p = 0; p < DOP853_DENSE; p++) {
         const slope_sums *sums = &lanes->dop853.sums.dense[p];
         const vec *slopes = VECTORS(dop853.k[0]), drift = v_set(lanes->dop853.sums.dense_drift[p]);
@@ -356,9 +356,9 @@ static void take_polynomials(const adaptive_lanes *lanes) {
 
 // ---------------------------------------------------------------- lengths of steps
 
-/// Powers for errors of order 8: proportional and integral control (Gustafsson 1991). The step grows by err^(-3/32)
-/// times err_before^(1/16) times 0.92, so that errors settle at 0.92^32 = 0.07 of the tolerance. Only square roots are
-/// used, no pow(), so that the result has the same bits on every platform.
+/// Returns the powers for errors of order 8, for proportional and integral control (Gustafsson 1991). The step grows by
+/// err^(-3/32) times err_before^(1/16) times 0.92, so that errors settle at 0.92^32 = 0.07 of the tolerance. Only
+/// square roots are used, no pow(), so that the result has the same bits on every platform.
 static inline error_powers powers_of(vec square) {
     vec p = v_max(v_min(square, v_set(1e16)), v_set(1e-16));
     for (int i = 0; i < 5; i++) p = rough_inverse_root(p); // err^-1, err^1/2, err^-1/4, err^1/8, err^-1/16

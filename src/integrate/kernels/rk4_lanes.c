@@ -1,24 +1,26 @@
 // RK4 in Nystrom's form for x'' = f(t, x, x') and its variational equations over vector lanes, compiled once for every
 // instruction set.
 //
-// Stage by stage, quantities outermost, vectors innermost: independent vectors hide each other's latency.
+// Loops go stage by stage, with quantities outermost and vectors innermost: independent vectors hide each other's
+// latency.
 #include "rk4_lanes.h"
 #include "rk4_scheme.h"
 #include "watched_kernel.h"
 
-/// Calls `body` for every vector of the rows from <= d < to, with its index i: in one run where all vectors are in use.
+/// Calls `body` for every vector of the rows from <= d < to, with its index i. The rows are one loop if all vectors are
+/// in use.
 #define FOR_ROWS(lanes, from, to, body)                                                                                \
     for (size_t d = (from), full = (lanes)->vectors == (lanes)->stride,                                                \
                 run = full && (to) > (from) ? (to) - (from) : 1;                                                       \
          d < (to); d += run)                                                                                           \
         for (size_t i = d * (lanes)->stride, last = i + run * (lanes)->vectors; i < last; i++) body
 
-/// Loops over every degree of freedom; over states of first order, which follow the velocities.
+/// Loops over every degree of freedom; and over the states of first order, which follow the velocities.
 #define FOR_ALL(lanes, body) FOR_ROWS(lanes, 0, (lanes)->degrees, body)
 #define FOR_STATES(lanes, body) FOR_ROWS(lanes, (lanes)->degrees, (lanes)->rates, body)
 
-/// Computes accelerations of the state and its perturbations, with the values of time that all lanes share, and at a
-/// stage the divergence.
+/// Computes accelerations of the state and its perturbations, with the forcing that all lanes share, and the divergence
+/// of a stage.
 static void accelerate(const rk4_lanes *lanes, const double *forcing, const vec *q, const vec *v, double *divergence,
                        vec *a) {
     const bool spread = lanes->lane_count > 1; // a single lane needs no copies
@@ -39,7 +41,7 @@ static void accelerate(const rk4_lanes *lanes, const double *forcing, const vec 
     lanes->flow(&view);
 }
 
-/// Computes the scheme's stage or end for the state and all perturbations.
+/// Computes a stage of the scheme, or its end, for the state and all perturbations.
 #define ENTER_SET(stage, scheme)                                                                                       \
     FOR_ALL(lanes, stage(&(scheme), i);)                                                                               \
     FOR_STATES(lanes, stage##_state(&(scheme), i);)
@@ -86,8 +88,8 @@ static void take_step(const rk4_lanes *lanes, const double *forcing) {
     if (lanes->perturbations > 0) add_divergence(lanes);
 }
 
-/// Returns true if velocities are observed after step n: their bounds, which scale distances, need not be exact, and
-/// cost as much as all else that is observed.
+/// Returns true if velocities are observed after step n. Their bounds, which scale distances, need not be exact, and
+/// cost as much as all other observations.
 static inline bool looks_at_speeds(const rk4_lanes *lanes, int n) {
     return n % 4 == 0 || n == lanes->steps;
 }
@@ -159,7 +161,7 @@ static vec_mask rk4_touches(const rk4_lanes *lanes, size_t c, size_t k) {
     return v_less(v_mul(gap, gap), v_fma(x, x, v_mul(y, y)));
 }
 
-/// Counts contact after a step.
+/// Adds one step to the share and the number of contacts.
 static inline void count_contact(vec_mask touching, vec *before, vec *share, vec *number) {
     const vec one = v_set(1.0);
     watch_contact(v_select(touching, one, v_set(0.0)), one, one, before, share, number);
@@ -187,7 +189,7 @@ static void begin_step(const rk4_lanes *lanes) {
     if (locates(lanes)) keep_beginning(lanes);
 }
 
-/// Ends step n: locates switches, observes, takes samples.
+/// Ends step n: locates switches, makes perturbations orthonormal, observes, takes samples.
 static void end_step(const rk4_lanes *lanes, int n) {
     if (locates(lanes)) locate(lanes, n);
     if (lanes->lengths && lanes->perturbations > 0) make_orthonormal(lanes, n + 1);
@@ -198,7 +200,7 @@ static void end_step(const rk4_lanes *lanes, int n) {
     if (lanes->sample_stride > 0 && (size_t)(n + 1) % lanes->sample_stride == 0) lanes->sample(lanes->context);
 }
 
-/// Copies rows of the ensemble to a vector's own, or back.
+/// Copies rows of the ensemble to a vector's own rows, or back.
 static void move_rows(const rk4_lanes *lanes, double *ensemble, size_t k, vec *own, size_t rows, bool back) {
     vec *there = (vec *)ensemble + k;
     for (size_t i = 0; i < rows; i++) {

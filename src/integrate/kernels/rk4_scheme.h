@@ -1,12 +1,12 @@
-/// A step of RK4 in Nystrom's form: the classical method applied to (x, v), where the stages of x follow from those of
-/// v in closed form, which saves half of the combinations. States of first order follow the velocities.
+/// A step of RK4 in Nystrom's form: the classical method applied to (x, v). The stages of x follow from those of v in
+/// closed form, which saves half of the combinations. States of first order follow the velocities.
 #ifndef INTEGRATE_RK4_SCHEME_H
 #define INTEGRATE_RK4_SCHEME_H
 
 #include "vector.h"
 
-/// Workspace of a step; k are the slopes of v. Before the fourth slope is taken, the sum of the second and third goes
-/// where the second is, and the fourth comes to where the third was.
+/// Workspace of a step; k1 to k3 are slopes of v. Before the fourth slope is taken, the sum of the second and third
+/// replaces the second. The fourth slope replaces the third.
 typedef struct scheme {
     vec *q, *v, *k1, *k2, *k3, *stage_q, *stage_v;
     vec whole, half, sixth, quarter_square, half_square, sixth_square; ///< fractions of the step's length
@@ -21,7 +21,7 @@ static inline scheme scheme_of(double h) {
                     .sixth_square = v_set(h * h / 6.0)};
 }
 
-/// The scheme with those arrays.
+/// Returns the scheme with the given arrays.
 VECTOR_INLINE scheme scheme_at(const scheme *constants, vec *q, vec *v, vec *k1, vec *k2, vec *k3, vec *stage_q,
                                vec *stage_v) {
     scheme s = *constants;
@@ -35,7 +35,7 @@ VECTOR_INLINE scheme scheme_at(const scheme *constants, vec *q, vec *v, vec *k1,
     return s;
 }
 
-/// States at which accelerations 2 to 4 are taken, and the state at the step's end.
+/// Compute the states at which accelerations 2 to 4 are taken, and the state at the step's end.
 static inline void enter_second(const scheme *s, size_t i) {
     const vec v = s->v[i];
     s->stage_q[i] = v_fma(s->half, v, s->q[i]);
@@ -57,7 +57,7 @@ static inline void enter_end(const scheme *s, size_t i) {
     s->v[i] = v_fma(s->sixth, v_fma(v_set(2.0), inner, v_add(k1, s->k3[i])), v);
 }
 
-/// The same functions for states of first order.
+/// The same four functions for states of first order.
 static inline void enter_second_state(const scheme *s, size_t i) {
     s->stage_v[i] = v_fma(s->half, s->k1[i], s->v[i]);
 }

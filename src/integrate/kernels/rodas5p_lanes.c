@@ -1,24 +1,25 @@
 // Rodas5P for x'' = f(t, x, x') over vector lanes, compiled once for every instruction set.
 //
-// With s = 1/(gamma h) a stage is
+// With s = 1/(gamma h) the equations of a stage are
 //
 //     s u_q - u_v = r_q,      s u_v - A u_q - B u_v = r_v
 //
-// where A and B are the Jacobian of the accelerations by positions and velocities; u_q = (u_v + r_q)/s leaves
+// where A and B are the Jacobian of the accelerations by positions and by velocities. With u_q = (u_v + r_q)/s they
+// become
 //
 //     (s^2 - s B - A) u_v = s r_v + A r_q,
 //
-// equations for one number a degree. States of first order are velocities without positions: they have columns of B
-// alone, and the matrix has a row for each of the rates, velocities and states. It is decomposed without a change of
-// rows, all lanes alike: s^2 on its diagonal outgrows all else as steps become short. A pivot far below s^2 counts as a
-// sign that the step is too long, and its error is set to at least 1e8.
+// with one unknown for each degree. States of first order are velocities without positions: they have columns of B
+// only. So the matrix has a row for each of the rates, which are velocities and states. It is decomposed without
+// exchange of rows, in the same way for all lanes: as steps become short, s^2 on its diagonal outgrows all else. A
+// pivot far below s^2 is a sign that the step is too long: its error is set to at least 1e8.
 #include "adaptive_lanes.inc"
 
 #include "sparsity.h"
 
 enum { METHOD_DENSE = RODAS5P_DENSE };
 
-/// Loops over some vectors k, and over all degrees or rates too, with the index i of their vector.
+/// Loops over some vectors k, and also over all degrees or rates, where i is the index of their vector.
 #define FOR_SOME(of) for (size_t k = (of).first; k < (of).first + (of).count; k++)
 #define FOR_ROWS_OF_SOME(of, rows)                                                                                     \
     for (size_t d = 0; d < (rows); d++)                                                                                \
@@ -28,7 +29,7 @@ enum { METHOD_DENSE = RODAS5P_DENSE };
 
 // ---------------------------------------------------------------- derivatives
 
-/// Computes the slope at t and the Jacobian.
+/// Computes the slope at t, and the Jacobian.
 static void take_jacobian(const adaptive_lanes *lanes, vectors of) {
     memcpy(lanes->rodas5p.unit_q, lanes->q, lanes->degrees * lanes->stride * sizeof(vec));
     memcpy(lanes->rodas5p.unit_v, lanes->v, lanes->rates * lanes->stride * sizeof(vec));
@@ -38,8 +39,8 @@ static void take_jacobian(const adaptive_lanes *lanes, vectors of) {
     lanes->flow(&view);
 }
 
-/// Places and weights of the forcing's time derivative: a difference formula of fourth order. For cos 4t its error is
-/// 1e-12, that of rounding the same.
+/// Places and weights of the forcing's time derivative, by a difference formula of fourth order. For cos 4t the error
+/// of the formula is 1e-12, and that of rounding is as large.
 static const struct {
     double offset, weight;
 } beside[] = {{0x1p-11, 0x1p11 * 8.0 / 12.0},
@@ -64,7 +65,7 @@ static void add_forcing(const adaptive_lanes *lanes, vectors of, double offset, 
         }
 }
 
-/// Computes the slope's time derivative by a difference of order 4, at times within the revolution.
+/// Computes the slope's time derivative by a difference of fourth order, at times within the revolution.
 static void take_rate_of_slopes(const adaptive_lanes *lanes, vectors of) {
     static const double weights[] = {-25.0, 48.0, -36.0, 16.0, -3.0};
     const vec step = v_set(0x1p-13 * lanes->period), end = v_set(lanes->period);
@@ -84,7 +85,7 @@ static void take_rate_of_slopes(const adaptive_lanes *lanes, vectors of) {
 }
 
 /// Computes the partial derivative of the slope by time. Usually the slope depends on time through the forcing, and
-/// linearly: then the derivative is the slope with the forcing plus its derivative, less the slope.
+/// linearly: then it is the slope with the forcing plus the forcing's derivative, minus the slope.
 static void take_rate(const adaptive_lanes *lanes, vectors of) {
     const size_t forcings = lanes->forcing_count * lanes->stride;
     vec *ahead = VECTORS(rodas5p.ahead);
@@ -103,7 +104,7 @@ static void take_rate(const adaptive_lanes *lanes, vectors of) {
 
 // ---------------------------------------------------------------- equations of a stage
 
-/// Calls `what` for some vectors, all of them together, so that they hide each other's latency, or one by one.
+/// Calls `what` for some vectors: for all of them together, so that they hide each other's latency, or one by one.
 #define TOGETHER(what, of)                                                                                             \
     do {                                                                                                               \
         if ((of).count == 4 && lanes->stride == 4)                                                                     \
@@ -123,7 +124,7 @@ static void take_rate(const adaptive_lanes *lanes, vectors of) {
         for (size_t c = r_##c[0], end_##c = r_##c[1]; c < end_##c; c++)
 #define FOR_COUNT for (size_t c = 0; c < count; c++)
 
-/// Returns the entry in row i of the Jacobian of vector k, in the column that perturbation d determines.
+/// Returns the number in row i of the Jacobian of vector k, in the column that perturbation d determines.
 VECTOR_INLINE const vec *by_perturbation(const vec *by, size_t d, size_t rates, size_t stride, size_t i) {
     return by + ((1 + d) * rates + i) * stride;
 }
@@ -147,19 +148,19 @@ VECTOR_INLINE void fill_row(const adaptive_lanes *lanes, size_t i, size_t stride
     FOR_COUNT row[i * stride + c] = v_fma(shift[c], shift[c], row[i * stride + c]);
 }
 
-/// Decomposes the matrices of `count` vectors from k on, row by row; the factors stay in their place.
+/// Decomposes the matrices of `count` vectors from k on, row by row. The factors replace the matrices.
 VECTOR_INLINE void decompose_some(const adaptive_lanes *lanes, size_t stride, size_t k, size_t count) {
     const size_t n = lanes->rates;
     const sparsity at = *lanes->rodas5p.sparsity; // a copy, so that compilers know that no write changes it
     vec *matrix = VECTORS(rodas5p.matrix) + k, *pivot = VECTORS(rodas5p.pivot) + k;
     vec least[MAX_GROUP], doubt[MAX_GROUP], factor[MAX_GROUP];
-    // Pivots below `least` are doubtful, and so are all of a lane whose shift is 0.
+    // Pivots below `least` are doubtful, and so are all pivots of a lane whose shift is 0.
     FOR_COUNT {
         const vec s = VECTORS(rodas5p.shift)[k + c];
         least[c] = v_mul(v_set(0x1p-8), v_mul(s, s));
         doubt[c] = v_select(v_less(v_set(0.0), least[c]), v_set(0.0), v_set(1.0));
     }
-    // Fill a row, eliminate it by those above, and invert its pivot.
+    // Fill a row, eliminate it with the rows above, and invert its pivot.
     for (size_t i = 0; i < n; i++) {
         vec *row = matrix + i * n * stride, *diagonal = row + i * stride;
         fill_row(lanes, i, stride, k, count, row);
@@ -191,7 +192,7 @@ VECTOR_INLINE void solve_some(const adaptive_lanes *lanes, size_t stride, size_t
     vec x[MAX_GROUP];
     u_q += k;
     u_v += k;
-    // Right-hand side s r_v + A r_q, and forward substitution.
+    // Compute the right-hand side s r_v + A r_q, and substitute forward.
     for (size_t i = 0; i < n; i++) {
         const vec *row = matrix + i * n * stride;
         FOR_COUNT x[c] = v_mul(shift[c], u_v[i * stride + c]);
@@ -202,7 +203,7 @@ VECTOR_INLINE void solve_some(const adaptive_lanes *lanes, size_t stride, size_t
         FOR_ENTRIES(j, at.lower, i) FOR_COUNT x[c] = v_fnma(row[j * stride + c], u_v[j * stride + c], x[c]);
         FOR_COUNT u_v[i * stride + c] = x[c];
     }
-    // Back substitution.
+    // Substitute back.
     for (size_t i = n; i-- > 0;) {
         const vec *row = matrix + i * n * stride;
         FOR_COUNT x[c] = u_v[i * stride + c];
@@ -211,7 +212,7 @@ VECTOR_INLINE void solve_some(const adaptive_lanes *lanes, size_t stride, size_t
                 FOR_COUNT x[c] = v_fnma(row[j * stride + c], u_v[j * stride + c], x[c]);
         FOR_COUNT u_v[i * stride + c] = v_mul(x[c], pivot[i * stride + c]);
     }
-    // Increments of positions, u_q = (u_v + r_q)/s.
+    // Compute the increments of positions, u_q = (u_v + r_q)/s.
     for (size_t i = 0; i < lanes->degrees; i++) FOR_COUNT {
             const vec gamma_h = v_mul(v_set(rodas5p_gamma), VECTORS(length)[k + c]);
             u_q[i * stride + c] = v_mul(gamma_h, v_add(u_v[i * stride + c], right_q[i * stride + c]));
@@ -224,14 +225,14 @@ static void rodas5p_solve(const adaptive_lanes *lanes, vectors of, vec *u_q, vec
 #undef SOLVE
 }
 
-/// 1/h.
+/// Returns 1/h.
 static inline vec per_length(const adaptive_lanes *lanes, size_t k) {
     return v_mul(VECTORS(rodas5p.shift)[k], v_set(rodas5p_gamma));
 }
 
-/// Returns x plus the weighted increments before stage `number`; u is the first increment, `apart` vectors from one to
-/// the next. *right is their sum by the weights of the stage's equations. Each of the last states is the one before
-/// plus its increment.
+/// Returns x plus the weighted increments before stage `number`. u is the first increment; increments are `apart`
+/// vectors apart. *right becomes their sum with the weights of the stage's equations. Each of the last states is the
+/// previous one plus its increment.
 VECTOR_INLINE vec add_increments(int number, const vec *u, size_t apart, vec x, vec *right) {
     *right = v_set(0.0);
     for (int j = 0; j < number; j++, u += apart) {
@@ -241,8 +242,8 @@ VECTOR_INLINE vec add_increments(int number, const vec *u, size_t apart, vec x, 
     return x;
 }
 
-/// Computes the state at which stage `number`'s slope is taken, and the contribution of earlier increments to its
-/// equations, in right_q and u_v. The slopes of positions are the velocities of the stage.
+/// Computes the state at which the slope of stage `number` is taken, and in right_q and u_v the contribution of earlier
+/// increments to its equations. The slopes of positions are the velocities of the stage.
 VECTOR_INLINE void enter_stage(const adaptive_lanes *lanes, vectors of, int number) {
     const rodas5p_work *own = &lanes->rodas5p;
     const bool follows = number > RODAS5P_LAST_SUM;
@@ -261,7 +262,7 @@ VECTOR_INLINE void enter_stage(const adaptive_lanes *lanes, vectors of, int numb
     }
 }
 
-/// Computes the state of a stage with constant arguments, so that its loops have no branches.
+/// Computes the state of a stage. Calls enter_stage with constants, so that its loops have no branches.
 static void take_stage(const adaptive_lanes *lanes, vectors of, int number) {
     _Static_assert(RODAS5P_STAGES == 8, "a case for every stage");
 #define STAGE(n)                                                                                                       \
@@ -272,7 +273,7 @@ static void take_stage(const adaptive_lanes *lanes, vectors of, int number) {
 #undef STAGE
 }
 
-/// Computes the increment of stage `number`, whose slope is a.
+/// Computes the increment of stage `number`, where a is its slope.
 static void take_increment(const adaptive_lanes *lanes, vectors of, int number, const vec *a) {
     const vec *rate = VECTORS(rodas5p.rate);
     vec *u_q = (vec *)lanes->rodas5p.u_q[number], *u_v = (vec *)lanes->rodas5p.u_v[number];
@@ -285,14 +286,14 @@ static void take_increment(const adaptive_lanes *lanes, vectors of, int number, 
 
 // ---------------------------------------------------------------- the step
 
-/// Computes the three sums of the interpolant for row and vector i of increments u.
+/// Computes the three sums of the interpolant for vector i of the increments u.
 VECTOR_INLINE void sum_polynomials(double *const *u, size_t i, vec e[RODAS5P_DENSE - 1]) {
     for (int p = 0; p < RODAS5P_DENSE - 1; p++) e[p] = v_set(0.0);
     for (int n = 0; n < RODAS5P_STAGES; n++)
         for (int p = 0; p < RODAS5P_DENSE - 1; p++) e[p] = v_fma(v_set(rodas5p_h[p][n]), ((const vec *)u[n])[i], e[p]);
 }
 
-/// Computes the interpolant in the middle of the step; returns its derivative by theta there.
+/// Computes the interpolant in the middle of the step. Returns its derivative by theta there.
 VECTOR_INLINE vec take_middle(double *const *u, const vec *begin, const vec *end, size_t i, vec *place) {
     vec e[RODAS5P_DENSE - 1];
     const vec half = v_set(0.5), quarter = v_set(0.25), way = v_sub(end[i], begin[i]);
@@ -301,7 +302,7 @@ VECTOR_INLINE vec take_middle(double *const *u, const vec *begin, const vec *end
     return v_fma(quarter, v_add(e[1], e[2]), way);
 }
 
-/// Estimates the error of the interpolant in the middle of the step, into between_q and between_v: (1/(gamma h) - J)^-1
+/// Estimates the error of the interpolant in the middle of the step, in between_q and between_v: (1/(gamma h) - J)^-1
 /// times the residual of the equations there. In stiff systems the error at the step's end does not show it.
 static void take_error_between(const adaptive_lanes *lanes, vectors of) {
     const rodas5p_work *own = &lanes->rodas5p;
@@ -319,15 +320,16 @@ static void take_error_between(const adaptive_lanes *lanes, vectors of) {
     rodas5p_solve(lanes, of, VECTORS(rodas5p.between_q), right_v);
 }
 
-/// Computes the larger squared error (end, middle) of vector k over the tolerance of all coordinates; NaN if the state
-/// at the end is, and large if a pivot of the stages' equations is too small.
+/// Computes the squared error of vector k, divided by the tolerance of all coordinates: at the end or in the middle,
+/// whichever is larger. It is NaN if the state at the end is, and large if a pivot of the stages' equations is too
+/// small.
 static void take_error(const adaptive_lanes *lanes, size_t k) {
     const vec *q = VECTORS(q), *v = VECTORS(v), *end_q = VECTORS(end_q), *end_v = VECTORS(end_v);
     const vec *u_q = VECTORS(rodas5p.u_q[RODAS5P_STAGES - 1]), *u_v = VECTORS(rodas5p.u_v[RODAS5P_STAGES - 1]);
     const vec *m_q = VECTORS(rodas5p.between_q), *m_v = VECTORS(rodas5p.between_v);
     const vec *last = VECTORS(end_slope), one = v_set(1.0);
     vec end = v_set(0.0), middle = v_set(0.0), most = v_set(0.0), nothing = v_set(0.0);
-    // Degrees, group by group, with the tolerance of the group's size; `nothing` is 0, or NaN with the slopes.
+    // Degrees, group by group, with the tolerance by the group's size. `nothing` is 0, or NaN if a slope is.
     for (size_t g = 0; g < lanes->group_count; g++) {
         const size_t from = lanes->groups[g], to = lanes->groups[g + 1], stride = lanes->stride;
         const vec size = group_size(q, v, end_q, end_v, stride, k, from, to);
@@ -342,7 +344,7 @@ static void take_error(const adaptive_lanes *lanes, size_t k) {
         middle = v_fma(v_mul(per, per), between, middle);
         most = v_max(most, size);
     }
-    // States of first order.
+    // The states of first order.
     FOR_STATES_OF(k) {
         const vec size = state_size(lanes, v, end_v, i);
         const vec per = v_div(one, v_fma(v_set(lanes->rtol), size, v_set(lanes->atol)));
@@ -351,14 +353,14 @@ static void take_error(const adaptive_lanes *lanes, size_t k) {
         nothing = v_add(nothing, v_sub(last[i], last[i]));
         most = v_max(most, size);
     }
-    // The larger error; at least 1e8 if a pivot was too small, NaN if any number is.
+    // Take the larger error: at least 1e8 if a pivot was too small, NaN if any number is.
     const vec error = v_div(v_max(end, middle), v_set((double)lanes->dimension));
     const vec trusted = v_select(is_set(VECTORS(rodas5p.doubtful)[k]), v_max(error, v_set(1e8)), error);
     VECTORS(error)[k] = v_add(v_add(trusted, nothing), v_add(v_sub(end, end), v_sub(middle, middle)));
     VECTORS(size)[k] = most;
 }
 
-/// Tries the step: computes the state at its end, the slope there, the error.
+/// Tries the step: computes the state at its end, the slope there and the error.
 static void try_step(const adaptive_lanes *lanes) {
     const vec *last_q = VECTORS(rodas5p.u_q[RODAS5P_STAGES - 1]), *last_v = VECTORS(rodas5p.u_v[RODAS5P_STAGES - 1]);
     const vectors of = running(lanes);
@@ -382,8 +384,8 @@ static void try_step(const adaptive_lanes *lanes) {
     FOR_SOME(of) take_error(lanes, k);
 }
 
-/// Computes the interpolant of rows from their values at both ends and their increments u. The interpolant is written
-/// into rows `first` and following.
+/// Computes the interpolant of rows from their values at both ends and their increments u, and writes it to rows from
+/// `first` on.
 static void take_polynomials_of(const adaptive_lanes *lanes, size_t first, size_t rows, double *const *u,
                                 const vec *begin, const vec *end) {
     for (size_t i = 0, j = first * lanes->stride; i < rows * lanes->stride; i++, j++) {
@@ -397,15 +399,15 @@ static void take_polynomials_of(const adaptive_lanes *lanes, size_t first, size_
     }
 }
 
-/// Computes the interpolant of the step tried, in factors theta and 1 - theta in turn.
+/// Computes the interpolant of the step tried, a nested product of theta and 1 - theta in turn.
 static void take_polynomials(const adaptive_lanes *lanes) {
     const size_t n = lanes->degrees;
     take_polynomials_of(lanes, 0, n, lanes->rodas5p.u_q, VECTORS(q), VECTORS(end_q));
     take_polynomials_of(lanes, n, lanes->rates, lanes->rodas5p.u_v, VECTORS(v), VECTORS(end_v));
 }
 
-/// Powers for errors of order 5. The step grows by err^(-1/8) times err_before^(1/16) times 0.92, so that errors settle
-/// at 0.92^16 = 0.26 of the tolerance.
+/// Returns the powers for errors of order 5. The step grows by err^(-1/8) times err_before^(1/16) times 0.92, so that
+/// errors settle at 0.92^16 = 0.26 of the tolerance.
 static inline error_powers powers_of(vec square) {
     vec p = v_max(v_min(square, v_set(1e16)), v_set(1e-16));
     for (int i = 0; i < 5; i++) p = rough_inverse_root(p); // err^-1, err^1/2, err^-1/4, err^1/8, err^-1/16

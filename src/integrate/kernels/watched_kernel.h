@@ -1,4 +1,5 @@
-/// Adds an instant to all observed quantities (whirl/engine/watched.h), written once over the vector type.
+/// Adds an instant to all observed quantities (whirl/engine/watched.h). The functions are written once, over the vector
+/// type.
 #ifndef INTEGRATE_WATCHED_KERNEL_H
 #define INTEGRATE_WATCHED_KERNEL_H
 
@@ -29,15 +30,15 @@ VECTOR_INLINE watched_instant watched_at(const whirl_probe *probe, vec x, vec y,
                              .backward = {v_select(v_less(turning, v_set(0.0)), v_set(1.0), v_set(0.0))}};
 }
 
-/// Folds the value at one more instant into a result.
+/// Combines the value at one more instant with the result so far.
 VECTOR_INLINE vec watched_with(whirl_fold fold, vec value, vec so_far) {
     return fold == WHIRL_LARGEST    ? v_max(value, so_far)
            : fold == WHIRL_SMALLEST ? v_min(value, so_far)
                                     : v_add(so_far, value);
 }
 
-/// Adds a contact that is closed `now` (1 or 0) for a time `part`. The share counts instants; per: instants per unit of
-/// time.
+/// Adds a time `part` in which a contact is closed (now = 1) or open (now = 0). The share counts instants; per:
+/// instants per unit of time.
 VECTOR_INLINE void watch_contact(vec now, vec part, vec per, vec *before, vec *share, vec *number) {
     *share = v_fma(v_mul(now, part), per, *share);
     *number = v_fma(now, v_sub(v_set(1.0), *before), *number);

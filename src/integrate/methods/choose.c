@@ -1,6 +1,7 @@
-// Chooses the method for a machine: method "auto". dop853 takes the number of steps that its tolerance requires or, for
-// a stiff machine, the number that keeps it stable, which follows from the eigenvalues of the Jacobian and the method's
-// stability function. If that is a great number, the work of some revolutions by rodas5p is counted and compared.
+// Chooses the method for a machine if the method is "auto". dop853 needs the number of steps that its tolerance
+// requires or, for a stiff machine, the number that keeps it stable. The latter follows from the eigenvalues of the
+// Jacobian and the method's stability function. If that is a great number, the work of both methods over some
+// revolutions is counted and compared.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,15 +17,16 @@ static const double crawl = 1000.0;
 
 enum { PROBED = 16, COUNTED = 4, PHASES = 16 };
 
-/// Limits of a trial run of dop853: steps (if twice as many are not enough, the motion needs them for another reason),
-/// and multiplications, some n^2 a stage: about a second.
+/// Limits of a trial run of dop853, about a second: steps (if twice as many are not enough, the motion needs them for
+/// another reason), and multiplications, some n^2 a stage.
 static const double most_dop853 = 2.0 * PROBED * 1000.0, most_products = 3e9;
 
-/// Limit of multiplications in a trial run of rodas5p, whose equations take n^3 a step: about a second. If these steps
-/// are too few to extrapolate to a revolution, the usual number of steps is taken.
+/// Limits of a trial run of rodas5p. most_rodas5p: multiplications, some n^3 a step, about a second. telling_rodas5p:
+/// number of steps from which on they can be extrapolated to a revolution. usual_rodas5p: steps that are assumed for a
+/// revolution if they cannot.
 static const double most_rodas5p = 4e9, telling_rodas5p = 64.0, usual_rodas5p = 500.0;
 
-/// Number of coordinates up to which eigenvalues take about a second; for larger machines the norm bounds them.
+/// Number of coordinates up to which eigenvalues take about a second. For larger machines the norm bounds them.
 enum { MAX_SOLVED = 400 };
 
 static whirl_status choose_start(const whirl_system *system, const whirl_integrate_options *options, const char *name,
@@ -39,14 +41,14 @@ static whirl_status choose_start(const whirl_system *system, const whirl_integra
 }
 
 /// Returns the share, 0 to 1, of its last revolution that a trial run has completed when its steps ran out; 1 if they
-/// did not.
+/// did not run out.
 static double part_done(const whirl_integrator *integrator) {
     const stepper *c = integrator->workspace;
     return c->tried < integrator->most_steps ? 1.0 : fmin(c->t / integrator->system->period, 1.0);
 }
 
-/// Returns the steps per revolution that keep dop853 stable at the stiffest phase seen, if they exceed the limit up to
-/// which dop853 is kept; else 0.
+/// Returns the steps per revolution that keep dop853 stable at the stiffest phase seen, or 0 if they are within the
+/// limit up to which dop853 is kept.
 static double stable_steps(phase_search *search) {
     const double safe = 2.0; // |z| up to which dop853 is stable in the whole left half plane
     if (search->norm * search->system->period <= safe * crawl) return 0.0;
@@ -56,8 +58,8 @@ static double stable_steps(phase_search *search) {
     return steps > crawl ? steps : 0.0;
 }
 
-/// Carries x by a method over some revolutions and inspects every phase; stops if dop853 would need too many steps, or
-/// if no step is left. Returns the number of revolutions, or -1 if the motion ended.
+/// Carries x with a method over some revolutions, and inspects every phase. Stops if dop853 would need too many steps,
+/// or if no step is left. Returns the number of revolutions, or -1 if the motion ended.
 static double carry(whirl_integrator *integrator, phase_search *search, int revolutions, bool until_stiff,
                     double *steps) {
     for (int i = 0; i < revolutions; i++) {
@@ -70,8 +72,8 @@ static double carry(whirl_integrator *integrator, phase_search *search, int revo
     return revolutions;
 }
 
-/// Counts the work of rodas5p over the last of a few more revolutions; for a machine so large that the trial run ends
-/// earlier, over the part that was carried.
+/// Counts the work of rodas5p over the last of a few more revolutions. For a machine so large that the trial run ends
+/// earlier, counts it over the part that was carried.
 static whirl_status count_rodas5p(phase_search *search, const whirl_integrate_options *options, double *steps,
                                   double *count) {
     whirl_integrator *integrator;
@@ -100,7 +102,7 @@ whirl_status whirl_method_probe(const whirl_system *system, const whirl_integrat
     whirl_integrator *integrator;
     double *block, steps = 0.0;
     *cost = (whirl_method_cost){0.0, (double)NAN};
-    // Bound the cost by the products of a Jacobian.
+    // Bound the cost by the multiplications of a Jacobian.
     const double products = DOP853_STAGES * (double)system->dimension * (double)system->dimension;
     const double most = fmax(1.0, fmin(most_dop853, most_products / products));
     whirl_status status = choose_start(system, options, "dop853", most, &integrator);

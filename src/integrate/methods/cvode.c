@@ -1,13 +1,12 @@
 // SUNDIALS CVODE (Hindmarsh et al. 2005; CVODES: Serban, Hindmarsh 2005) with root finding: the independent reference.
 //
-// Every revolution starts afresh at t = 0, and the integration starts afresh at every zero of a switching function, so
-// that no step straddles a contact. If the system has its laws on given sides of its switches, the sides are fixed
-// between switches, so that CVODE, which steps past a switch before it locates it, never meets a law that changes
-// within a step; what happens at a zero, sliding included, is decided as for dop853 (sides.c). Of other systems the
-// state decides.
+// Every revolution is a new start at t = 0, and every zero of a switching function is a new start, so that no step goes
+// over a contact. If the system can compute its laws on given sides of its switches, the sides are fixed between
+// switches: CVODE, which steps past a switch before it locates it, never meets a law that changes within a step. What
+// happens at a zero, sliding included, is decided as for dop853 (sides.c). For other systems the state decides.
 //
-// A perturbation goes along by the variational equations, as CVODES carries sensitivities: two trajectories of their
-// own would differ by their steps and orders, which are chosen anew for each, more than by the perturbation.
+// A perturbation is carried along by the variational equations, as CVODES carries sensitivities. Two separate
+// trajectories would differ more by their steps and orders, which CVODE chooses for each, than by the perturbation.
 #include <cvodes/cvodes.h>
 #include <math.h>
 #include <nvector/nvector_serial.h>
@@ -23,13 +22,13 @@
 
 enum { MAX_STEPS_A_CALL = 100000, SHORTEST_TOUCH = 256 };
 
-/// Tolerances of a perturbation, relative to its own length and to its unit length at the revolution's beginning.
+/// Tolerances of a perturbation: relative to its own length, and to its length 1 at the revolution's beginning.
 static const double perturbation_rtol = 1e-7, perturbation_atol = 1e-9;
 
 typedef struct cvode {
     const whirl_system *system;
     const whirl_integrate_options *options;
-    stepper *sides; ///< fixed sides, with the state at the last switch; NULL: no sides are fixed
+    stepper *sides; ///< holds the fixed sides, and the state at the last switch; NULL: no sides are fixed
     SUNContext context;
     void *memory;
     N_Vector state;
@@ -46,7 +45,7 @@ static int right_hand_side(realtype t, N_Vector x, N_Vector slope, void *data) {
     cvode *work = data;
     const whirl_system *system = work->system;
     double forcing[WHIRL_MAX_FORCING], *out = NV_DATA_S(slope);
-    if (whirl_stop_is_set(system->stop)) return -1; // for good
+    if (whirl_stop_is_set(system->stop)) return -1; // unrecoverable: CVODE ends
     if (work->sides) {
         stepper_slope(work->sides, t, NV_DATA_S(x), out);
     } else {
@@ -87,7 +86,8 @@ static void cvode_end(whirl_integrator *integrator) {
     free(work);
 }
 
-/// BDF solves its equations by Newton's method with a dense matrix, Adams by fixed-point iteration.
+/// Attaches the solvers: BDF solves its equations by Newton's method with a dense matrix, Adams by fixed-point
+/// iteration.
 static int attach_solvers(cvode *work, int kind) {
     const sunindextype n = NV_LENGTH_S(work->state);
     if (kind == CV_ADAMS) {
@@ -104,7 +104,8 @@ static int look_for_switches(cvode *work) {
     work->roots = calloc(work->system->switch_count, sizeof *work->roots);
     int code = work->roots ? CVodeRootInit(work->memory, count, switching) : CV_MEM_FAIL;
     if (code == CV_SUCCESS) code = CVodeSetNoInactiveRootWarn(work->memory);
-    // CVODE sees a zero by the signs at the ends of a step: two in one step, a short touch, would escape long ones.
+    // CVODE sees a zero by the signs at the ends of a step. Long steps would miss two zeros in one step, which is a
+    // short touch.
     if (code == CV_SUCCESS) code = CVodeSetMaxStep(work->memory, work->system->period / SHORTEST_TOUCH);
     // Functions on fixed sides are positive until a switch is met.
     for (int i = 0; work->roots && i < count; i++) work->roots[i] = -1;
@@ -123,7 +124,7 @@ static int configure(cvode *work, const whirl_integrator *integrator, int kind) 
     return code;
 }
 
-/// Makes room for sides; false where there is no memory.
+/// Makes the stepper that holds the sides, if sides are fixed. Returns false without memory.
 static bool prepare_sides(cvode *work, const whirl_integrate_options *options) {
     const whirl_system *system = work->system;
     if (system->switch_count == 0 || !system->rhs_on_sides) return true;
@@ -154,7 +155,7 @@ static whirl_status start_bdf(whirl_integrator *integrator) {
     return cvode_start(integrator, CV_BDF);
 }
 
-/// Sets up the stepper that decides sides, to carry the perturbation across switches.
+/// Prepares the stepper that decides sides to carry the perturbation across switches.
 static void set_variation(const whirl_integrator *integrator, stepper *sides) {
     const cvode *work = integrator->workspace;
     sides->variation.set = work->set;
@@ -163,7 +164,7 @@ static void set_variation(const whirl_integrator *integrator, stepper *sides) {
     sides->variation.spare = integrator->slopes + integrator->system->dimension;
 }
 
-/// Finds the sides at the beginning of a revolution; the state is put onto a switch that it slides along.
+/// Finds the sides at the beginning of a revolution. If the motion slides along a switch, the state is moved onto it.
 static void find_sides(const cvode *work) {
     stepper *c = work->sides;
     const size_t bytes = c->dimension * sizeof *c->x;
@@ -194,7 +195,7 @@ static int vary(int count, realtype t, N_Vector x, N_Vector slope, N_Vector *per
     return 0;
 }
 
-/// Makes room for a perturbation at the first use.
+/// Allocates memory for a perturbation at its first use.
 static int prepare_perturbation(cvode *work) {
     double tolerance[] = {perturbation_atol};
     work->perturbation[0] = N_VClone(work->state);
@@ -208,7 +209,7 @@ static int prepare_perturbation(cvode *work) {
     return work->for_perturbation ? CVodeSetNonlinearSolverSensStg(work->memory, work->for_perturbation) : CV_MEM_FAIL;
 }
 
-/// Reads the present perturbation, at a switch or at the end; returns false if CVODES fails to provide it.
+/// Reads the present perturbation, at a switch or at the end. Returns false if CVODES fails to provide it.
 static bool fetch_perturbation(const cvode *work) {
     realtype t;
     N_Vector at[] = {work->perturbation[0]};
@@ -218,7 +219,7 @@ static bool fetch_perturbation(const cvode *work) {
     return true;
 }
 
-/// Restarts CVODE at t, with the perturbation or without.
+/// Restarts CVODE at t, with the perturbation or without it.
 static int restart(cvode *work, double t) {
     int code = CVodeReInit(work->memory, t, work->state);
     if (code != CV_SUCCESS) return code;
@@ -246,7 +247,7 @@ static void cross(const cvode *work, double t) {
     memcpy(NV_DATA_S(work->state), c->x, bytes);
 }
 
-/// Integrates from *t to `target`, starting afresh wherever a switching function passes zero.
+/// Integrates from *t to `target`, with a new start wherever a switching function passes zero.
 static whirl_motion advance(const whirl_integrator *integrator, double *t, double target, int *switches) {
     cvode *work = integrator->workspace;
     for (;;) {
@@ -257,7 +258,7 @@ static whirl_motion advance(const whirl_integrator *integrator, double *t, doubl
             if (work->sides) cross(work, *t);
             if (restart(work, *t) != CV_SUCCESS) return WHIRL_STUCK;
             CVodeSetStopTime(work->memory, integrator->system->period);
-            // Closer than CVODE can step: counts as reached.
+            // Closer than CVODE can step: this counts as reached.
             if (target - *t <= 1e-14 * integrator->system->period) return WHIRL_BOUNDED;
             continue;
         }
@@ -289,11 +290,11 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_pertu
         if (motion == WHIRL_BOUNDED) motion = state_motion(integrator, NV_DATA_S(work->state));
         if (motion == WHIRL_BOUNDED && observe) observe(observer, target, NV_DATA_S(work->state));
     }
-    // Store the state, and the perturbation with its length taken out.
+    // Store the state, and the perturbation scaled to length 1.
     memcpy(x, NV_DATA_S(work->state), bytes);
     if (perturbations && motion == WHIRL_BOUNDED) {
         if (!fetch_perturbation(work)) return WHIRL_STUCK;
-        perturbations->volume = (double)NAN; // CVODES takes no integral along
+        perturbations->volume = (double)NAN; // CVODES does not integrate the divergence
         if (perturbations->growth)
             make_orthonormal(integrator->system->dimension, 1, perturbations->vectors, perturbations->growth);
     }

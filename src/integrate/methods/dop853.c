@@ -1,4 +1,4 @@
-// Parts of the method of Dormand and Prince other than the kernel of its steps.
+// The method of Dormand and Prince without the kernel of its steps: stability, perturbations, and its table.
 #include <math.h>
 
 #include "adaptive_lanes.h"
@@ -32,7 +32,8 @@ static void take_stage(const stepper_variation *v, int i, size_t size, double h,
     }
 }
 
-/// Returns the error of perturbation `which` over the step, by the kernel's formula, over the tolerance of its length.
+/// Returns the error of perturbation `which` over the step by the kernel's formula, divided by the tolerance by its
+/// length.
 static double estimated_error(const stepper *c, size_t which) {
     const stepper_variation *v = &c->variation;
     const size_t first = which * c->dimension;

@@ -4,17 +4,17 @@
 #include <stdbool.h>
 #include <string.h>
 
-/// Weights that vanish by the tableau's own conditions are left as rounding.
+/// Size below which weights are 0: they vanish by the tableau's own conditions, and are rounding.
 static const double nothing = 1e-12;
 
-/// Converts weights of velocities to weights of accelerations: weights times the matrix of the tableau.
+/// Converts weights of velocities to weights of accelerations: multiplies them by the matrix of the tableau.
 static void through_velocities(const double *weights, size_t count, double product[DOP853_SLOPES]) {
     memset(product, 0, DOP853_SLOPES * sizeof *product);
     for (size_t j = 0; j < count; j++)
         for (size_t k = 0; k < DOP853_SLOPES - 1; k++) product[k] += weights[j] * dop853_a[j][k];
 }
 
-/// Returns the sums with the rows of `weights`.
+/// Returns the sums whose weights are the rows of `weights`, without slopes that no row uses.
 static slope_sums sums_of(const double (*weights)[DOP853_SLOPES], size_t count, size_t apart) {
     slope_sums sums = {0};
     for (size_t j = 0; j < DOP853_SLOPES; j++) {

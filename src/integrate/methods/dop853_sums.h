@@ -1,9 +1,9 @@
-/// The pair of dop853_tableau.h for x'' = f(t, x, x'): the slopes of positions are velocities, which are sums of
+/// The formulas of dop853_tableau.h for x'' = f(t, x, x'). The slopes of positions are velocities, which are sums of
 /// accelerations themselves. So every state within a step is
 ///
 ///     q + c h v + h^2 sum_j position_j a_j,      v + h sum_j velocity_j a_j,
 ///
-/// with accelerations a_j alone, which halves what is kept of a step.
+/// with accelerations a_j alone. This halves the numbers that are stored of a step.
 #ifndef INTEGRATE_DOP853_SUMS_H
 #define INTEGRATE_DOP853_SUMS_H
 
@@ -19,13 +19,15 @@ typedef struct slope_sums {
     double weight[DOP853_SLOPES][MAX_SUMS];
 } slope_sums;
 
+/// The weighted sums of a step.
 typedef struct dop853_sums {
-    slope_sums stage[DOP853_SLOPES]; ///< position, velocity where a slope is taken; row 12 is the result
+    slope_sums stage[DOP853_SLOPES]; ///< position and velocity at which a slope is taken; row 12 is the result
     slope_sums error; ///< errors of position and velocity by the formula of order 5, then by that of order 3
     slope_sums dense[DOP853_DENSE];   ///< the interpolant's polynomials, of position and velocity
     double dense_drift[DOP853_DENSE]; ///< factor of h v in the positions' polynomials
 } dop853_sums;
 
+/// Computes the sums; `apart` is the distance of the slopes in memory, in numbers.
 void dop853_sums_fill(dop853_sums *sums, size_t apart);
 
 #endif

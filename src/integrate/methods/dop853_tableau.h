@@ -6,11 +6,11 @@
 
 enum {
     DOP853_STAGES = 12, ///< stages of a step; the slope at its end is the next one's first
-    DOP853_SLOPES = 16, ///< with that slope and three more for the interpolant
+    DOP853_SLOPES = 16, ///< slopes with that at the end, and three more for the interpolant
     DOP853_DENSE = 4    ///< polynomials of the interpolant that need all slopes
 };
 
-/// Times of the slopes in steps.
+/// Times of the slopes, in steps.
 static const double dop853_c[DOP853_SLOPES] = {0,
                                                0.05260015195876773,
                                                0.0789002279381516,
@@ -28,7 +28,7 @@ static const double dop853_c[DOP853_SLOPES] = {0,
                                                0.2,
                                                0.7777777777777778};
 
-/// Weights of the slopes before, for the state at which a slope is taken; row 12 is the step's result, of order 8.
+/// Weights of the previous slopes for the state at which a slope is taken. Row 12 is the step's result, of order 8.
 static const double dop853_a[DOP853_SLOPES][DOP853_SLOPES - 1] = {
     {0},
     {0.05260015195876773},
@@ -56,7 +56,7 @@ static const double dop853_a[DOP853_SLOPES][DOP853_SLOPES - 1] = {
      0, 0, -0.0013990241651590145, 2.9475147891527724, -9.15095847217987},
 };
 
-/// The result less those of the embedded formulas of order 5 and 3.
+/// Weights of the result minus those of the embedded formulas of order 5 and 3.
 static const double dop853_e5[DOP853_STAGES] = {0.01312004499419488,
                                                 0,
                                                 0,
@@ -82,7 +82,7 @@ static const double dop853_e3[DOP853_STAGES] = {-0.18980075407240762,
                                                 0.20136540080403034,
                                                 0.02265179219836082};
 
-/// The interpolant's last four polynomials.
+/// Weights of the interpolant's last four polynomials.
 static const double dop853_d[DOP853_DENSE][DOP853_SLOPES] = {
     {-8.428938276109013, 0, 0, 0, 0, 0.5667149535193777, -3.0689499459498917, 2.38466765651207, 2.117034582445028,
      -0.871391583777973, 2.2404374302607883, 0.6315787787694688, -0.08899033645133331, 18.148505520854727,

@@ -1,4 +1,4 @@
-/// A method of integration: a table of functions, one file a method.
+/// A method of integration: a table of functions. Each method has its file.
 #ifndef INTEGRATE_METHOD_H
 #define INTEGRATE_METHOD_H
 
@@ -31,7 +31,7 @@ typedef struct method {
                             whirl_observe_fn observe, void *observer);
     size_t rows; ///< rows of the workspace `slopes`
     void (*end)(whirl_integrator *integrator);
-    const struct method *located;     ///< the variant with located contacts, if the method has both
+    const struct method *located;     ///< the variant of the method with located contacts; NULL: there is only one
     const struct lanes_method *lanes; ///< the adaptive method in lanes, or NULL
     /// For fixed steps, returns |R(z)| at z = real + i imaginary, the factor by which a step multiplies the mode exp(z
     /// t / h). NULL for other methods.
@@ -47,19 +47,19 @@ extern const struct lanes_method dop853_in_lanes, rodas5p_in_lanes;
 double rk4_amplification(double real, double imaginary);
 double dop853_amplification(double real, double imaginary);
 
-/// Returns the adaptive method in lanes that the options name; NULL if they name another method.
+/// Returns the adaptive method in lanes which the options name, or NULL if they name another method.
 const struct lanes_method *adaptive_in_lanes(const whirl_integrate_options *options);
 
-/// Finds a method by its name. WHIRL_BAD_INPUT, with the nearest name, if there is none.
+/// Finds a method by its name. If there is none, returns WHIRL_BAD_INPUT with the nearest name.
 whirl_status method_find(const char *name, const method **found);
 
 /// Checks the system and the options. WHIRL_BAD_INPUT if one of them is invalid.
 whirl_status check_options(const whirl_system *system, const whirl_integrate_options *options);
 
-/// Returns the divergence at (t, x); NaN if the system does not provide it.
+/// Returns the divergence at (t, x), or NaN if the system does not provide it.
 double divergence_at(const whirl_system *system, double t, const double *forcing, const double *x, const double *sides);
 
-/// Returns whether the motion is bounded or diverged, by the options' limit.
+/// Returns WHIRL_BOUNDED or WHIRL_DIVERGED, by the options' limit.
 whirl_motion state_motion(const whirl_integrator *integrator, const double *x);
 
 #endif

@@ -1,8 +1,8 @@
-// The classical Runge-Kutta method of order 4 (Kutta 1901) with fixed steps, for one system of any kind: one lane of
-// the kernel that carries rotors.
+// The classical Runge-Kutta method of order 4 (Kutta 1901) with fixed steps, for one system of any kind. It uses one
+// lane of the kernel for rotors.
 //
-// The values of time at the steps' ends and middles are tabulated once: every revolution sees exactly the same, and no
-// sine is computed while the machine runs.
+// The forcing at the ends and middles of the steps is tabulated once: every revolution sees exactly the same values,
+// and no sine is computed while the machine runs.
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,7 +11,7 @@
 #include "stepper.h"
 #include "stepper_parts.h"
 
-/// Computes the slopes of any system; the values of time are the system's own, followed by t.
+/// Computes the slopes of any system. view->forcing is the system's forcing, followed by t.
 static void rk4_system_flow(const lanes_view *view) {
     const whirl_system *system = view->model;
     const double *forcing = view->forcing, t = forcing[system->forcing_count], *x = view->v;
@@ -25,7 +25,7 @@ static void rk4_system_flow(const lanes_view *view) {
 typedef struct rk4 {
     rk4_one one;
     stepper *beside;  ///< carries perturbations across switches
-    double numbers[]; ///< the table of values of time, then the present values
+    double numbers[]; ///< the table of the forcing, then the present forcing
 } rk4;
 
 static whirl_status rk4_start(whirl_integrator *integrator) {
@@ -57,17 +57,17 @@ static whirl_status rk4_start(whirl_integrator *integrator) {
     return whirl_ok();
 }
 
-/// A revolution under way.
+/// A revolution in progress.
 typedef struct revolution {
     const rk4 *work;
     double period;
-    whirl_perturbations *set; ///< in the lane; NULL: none
-    int done;                 ///< steps
+    whirl_perturbations *set; ///< perturbations in the lane; NULL: none
+    int done;                 ///< steps taken so far
     whirl_observe_fn observe;
     void *observer;
 } revolution;
 
-/// Completes perturbations after a step across a switch.
+/// Corrects perturbations after a step across a switch.
 static void mend_perturbations(const revolution *r) {
     const rk4_lanes *lanes = &r->work->one.lanes;
     const bool due = r->done % rk4_orthonormal_steps(lanes->steps) == 0 || r->done == lanes->steps;
@@ -109,7 +109,7 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_pertu
     lanes->sample = after_step;
     lanes->context = &r;
     rk4_lanes_scalar(lanes);
-    // Copy them back.
+    // Copy them from the lane.
     memcpy(x, lanes->v, n * sizeof *x);
     if (perturbations) {
         memcpy(perturbations->vectors, own.vectors, size);

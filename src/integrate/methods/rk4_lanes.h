@@ -26,13 +26,14 @@ typedef struct lanes_observe {
     double *friction; ///< [contact_count][2]
 } lanes_observe;
 
-/// Location of contacts: steps of lanes that pass or come near a switch are taken again, one lane at a time.
+/// Location of contacts. Steps of lanes that pass or come near a switch are taken again, one lane at a time.
 typedef struct lanes_located {
     lanes_switches *switches; ///< NULL: contacts are not located
     size_t switch_count;
     bool needs_slopes;             ///< the switches' derivatives by time depend on accelerations
     double *begin_q, *begin_v;     ///< [degrees], [rates] the states at the step's beginning
-    double *value[2], *rate[2];    ///< [switch_count] at its beginning and end
+    double *value[2], *rate[2];    ///< [switch_count] switching functions and their rates, at the step's beginning and
+                                   ///< end
     struct stepper *stepper;       ///< takes these steps
     const whirl_system **machines; ///< [lane] NULL: empty lane
     double *ended;                 ///< [lane] whirl_motion
@@ -41,7 +42,7 @@ typedef struct lanes_located {
 typedef struct rk4_lanes {
     const void *model; ///< machine that defines the structure of all lanes
     lanes_flow *flow;
-    const lanes_instance *instance; ///< its structure, if that has loops of its own; else NULL
+    const lanes_instance *instance; ///< its structure if that has its own loops; otherwise NULL
     size_t stride;                  ///< number of vectors
     size_t vectors;                 ///< vectors in use
     size_t lane_count;              ///< number of lanes
@@ -53,11 +54,11 @@ typedef struct rk4_lanes {
     const whirl_stop *stop;  ///< stop of the system
     const double *forcing;   ///< [2 steps + 1][forcing_count]
     size_t perturbations;    ///< perturbations carried: all states, slopes and stages are [1 + perturbations][...]
-    size_t *places;          ///< places of numbers, as in a view
+    size_t *places;          ///< places of numbers, as in lanes_view
     double *numbers, *q, *v; ///< [degrees], [rates]
     double *k[3], *stage_q, *stage_v; ///< [rates], [degrees], [rates] workspace
     double *now;                      ///< [forcing_count] workspace
-    double *divergence[4], *volume;   ///< [1] at the stages of a step, and its integral
+    double *divergence[4], *volume;   ///< [1] divergence at the stages of a step, and its integral over time
     /// [perturbations] products of their lengths since the last logarithm was taken; NULL: perturbations are not made
     /// orthonormal.
     double *lengths, *growth;
@@ -70,8 +71,8 @@ typedef struct rk4_lanes {
     void *context;
 } rk4_lanes;
 
-/// Returns the number of steps between two orthonormalisations of perturbations: 64 times in a revolution, so that fast
-/// decays are not lost in rounding, and at its end.
+/// Returns the number of steps between two orthonormalisations of perturbations. There are 64 of them in a revolution
+/// and one at its end, so that fast decays are not lost in rounding.
 static inline int rk4_orthonormal_steps(int steps) {
     enum { TIMES = 64 };
     return (steps + TIMES - 1) / TIMES;
@@ -80,16 +81,17 @@ static inline int rk4_orthonormal_steps(int steps) {
 /// Takes step n of a lane again from its beginning, split at the switches that it meets.
 void rk4_redo(const rk4_lanes *lanes, int n, size_t lane);
 
-/// One lane of any system, whose coordinates all count as states of first order.
+/// One lane of any system, all coordinates of which count as states of first order.
 typedef struct rk4_one {
     rk4_lanes lanes;
     double divergence[4], volume;
 } rk4_one;
 
-/// Returns lanes without perturbations and without the members that depend on the steps and their values of time.
+/// Returns lanes without perturbations. Members that depend on the steps and on the forcing are not set.
 rk4_one rk4_one_of(lanes_flow *flow, const void *model, size_t dimension);
 
-/// Rows of its memory; `row` is the length of each, in numbers: the first holds the state, then its perturbations.
+/// Number of rows of the lane's memory, and a function that assigns them. `row` is the number of doubles in each row.
+/// The first row holds the state, then its perturbations.
 enum { RK4_ROWS = 5 };
 void rk4_one_place(rk4_one *one, double *rows, size_t row);
 

@@ -33,7 +33,7 @@ double rk4_amplification(double real, double imaginary) {
 
 // ---------------------------------------------------------------- steps of a stepper
 
-/// Takes a step from `start`, with `perturbations` perturbations.
+/// Takes a step from `start`, and carries `perturbations` perturbations.
 static void step(stepper *c, double *rows, size_t row, double h, size_t perturbations) {
     rk4_lanes *lanes = &c->fixed.lanes;
     rk4_one_place(&c->fixed, rows, row);

@@ -1,4 +1,4 @@
-// Parts of rodas5p other than the kernel of its steps.
+// The method rodas5p without the kernel of its steps: perturbations, and its table.
 #include <math.h>
 #include <string.h>
 
@@ -9,7 +9,7 @@
 
 // ---------------------------------------------------------------- perturbations
 
-/// Computes `from` plus the weighted sum of the rows before row `count`.
+/// Computes `from` plus the weighted sum of the first `count` rows.
 static void sum_rows(size_t size, const double *weights, int count, double *const *rows, const double *from,
                      double *out) {
     memcpy(out, from, size * sizeof *out);
@@ -17,12 +17,13 @@ static void sum_rows(size_t size, const double *weights, int count, double *cons
         for (size_t d = 0; d < size; d++) out[d] += weights[j] * rows[j][d];
 }
 
-/// The derivative of the step: with increments w of a perturbation d along those u of the state,
+/// Computes the increment of stage i for the perturbations by the derivative of the step. With the increments w of a
+/// perturbation d, and the increments u of the state,
 ///
 ///     (1/(gamma h) - J) w_i = J(t_i, x_i) (d + sum_j a_ij w_j) + sum_j g_ij/h w_j + (J d)' (u_i, h d_i)
 ///
-/// where the last is the derivative of J d along the increment and by time, by a difference: exact to 1e-9 of the
-/// change of J within the step.
+/// where the last term is the derivative of J d along the increment and by time. It is computed by a difference, which
+/// is exact to 1e-9 of the change of J within the step.
 static void take_varied_increment(const stepper *c, int i, double h) {
     const stepper_variation *v = &c->variation;
     const size_t n = c->dimension, count = v->set->count, size = count * n;
@@ -43,7 +44,7 @@ static void take_varied_increment(const stepper *c, int i, double h) {
     for (size_t k = 0; k < count; k++) c->method->one->solve(c->slot, w[i] + k * n);
 }
 
-/// Integrates the divergence over the step, by Gauss' formula of order 6 along the interpolant.
+/// Integrates the divergence over the step by Gauss' formula of order 6 along the interpolant.
 static double integrated_divergence(stepper *c) {
     static const double weights[] = {5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0};
     const double apart = 0.5 * sqrt(0.6);
@@ -57,7 +58,7 @@ static double integrated_divergence(stepper *c) {
     return c->length * sum;
 }
 
-/// Returns the norm of the error of perturbation `which`, its last increment.
+/// Returns the norm of the error of perturbation `which`, which is its last increment.
 static double estimated_error(const stepper *c, size_t which) {
     const size_t n = c->dimension;
     const double *error = c->variation.k[RODAS5P_STAGES - 1] + which * n;
@@ -100,7 +101,7 @@ static size_t rodas5p_lay_out(adaptive_lanes *lanes, double *block) {
         {&own->right_q, n},       {&own->between_q, n},
         {&own->between_v, m},     {&own->ahead, lanes->forcing_count},
     };
-    // The stages, then all other arrays, one after the other.
+    // Lay out the stages, then all other arrays, one after the other.
     size_t row = 0;
     for (int i = 0; i < RODAS5P_STAGES; i++, row += n + m) {
         own->u_q[i] = lanes_row(lanes, block, row);
@@ -112,7 +113,7 @@ static size_t rodas5p_lay_out(adaptive_lanes *lanes, double *block) {
     return row;
 }
 
-/// Sets the unit perturbations that find the Jacobian; they do not change.
+/// Sets the perturbations that find the Jacobian, which do not change.
 static void rodas5p_prepare(adaptive_lanes *lanes) {
     const size_t n = lanes->degrees, m = lanes->rates, *by = lanes->rodas5p.sparsity->perturbation;
     for (size_t slot = 0; slot < lanes->slots; slot++) {

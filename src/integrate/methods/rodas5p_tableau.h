@@ -12,8 +12,8 @@
 
 enum {
     RODAS5P_STAGES = 8,
-    RODAS5P_LAST_SUM = 5, ///< the stages after it follow one another: each state is the one before and its increment
-    RODAS5P_DENSE = 4     ///< polynomials of the interpolant: the way, and three of rodas5p_h
+    RODAS5P_LAST_SUM = 5, ///< later stages follow one another: each state is the previous one plus its increment
+    RODAS5P_DENSE = 4     ///< polynomials of the interpolant: the difference of both ends, and three of rodas5p_h
 };
 
 static const double rodas5p_gamma = 0.21193756319429014;

@@ -1,10 +1,11 @@
-// Finds the entries of a Jacobian and of its factors that can differ from zero.
+// Finds the numbers of a Jacobian, and of its factors, that can differ from zero.
 #include "sparsity.h"
 
 #include <stdlib.h>
 
-/// Shares perturbations: columns without a common row are found by one perturbation (Curtis, Powell, Reid 1974); each
-/// column takes the first perturbation with no common row. found [columns][rows]: rows that a perturbation determines.
+/// Assigns perturbations to columns. Columns without a common row are found by one perturbation (Curtis, Powell, Reid
+/// 1974): each column takes the first perturbation with which it has no common row. found [columns][rows]: rows that a
+/// perturbation determines.
 static void share_perturbations(sparsity *out, const bool *table, size_t rows, size_t columns, bool *found) {
     for (size_t c = 0; c < columns; c++) {
         size_t own = 0;
@@ -19,7 +20,7 @@ static void share_perturbations(sparsity *out, const bool *table, size_t rows, s
     }
 }
 
-/// Marks the fill-in of an elimination row by row, without exchange.
+/// Marks the numbers that elimination fills in, row by row, without exchange of rows.
 static void fill_in(bool *matrix, size_t n) {
     for (size_t i = 0; i < n; i++)
         for (size_t m = 0; m < i; m++)
@@ -28,8 +29,8 @@ static void fill_in(bool *matrix, size_t n) {
 
 enum { ALL, BELOW_DIAGONAL, ABOVE_DIAGONAL };
 
-/// Lists the runs of entries of a table [rows][width], from column `first` on, into `room`; returns the rest of the
-/// room.
+/// Writes the runs of nonzero numbers in a table [rows][width], from column `first` on, to `room`. Returns the rest of
+/// `room`.
 static size_t *list(sparse_rows *out, size_t *room, const bool *table, size_t rows, size_t width, size_t columns,
                     int part) {
     size_t *next = room + rows + 1;
@@ -58,16 +59,16 @@ sparsity *sparsity_new(size_t n, size_t m, void (*depends)(const void *model, bo
         free(table);
         return NULL;
     }
-    // The table of which slope depends on which coordinate: all on all, if unknown.
+    // Make the table of which slope depends on which coordinate: if unknown, each on all.
     bool *matrix = table + 2 * m * width;
     out->perturbation = (size_t *)(out + 1);
     if (depends) depends(model, table);
     for (size_t i = 0; !depends && i < m * width; i++) table[i] = true;
-    // Perturbations that columns share, and the lists of dependences.
+    // Assign perturbations to columns, and list the dependences.
     share_perturbations(out, table, m, width, table + m * width);
     size_t *next = list(&out->by_q, out->perturbation + width, table, m, width, n, ALL);
     next = list(&out->by_v, next, table + n, m, width, m, ALL);
-    // The pattern of the matrix after elimination.
+    // Find the pattern of the matrix after elimination.
     for (size_t i = 0; i < m; i++)
         for (size_t c = 0; c < m; c++) matrix[i * m + c] = table[i * width + n + c] || (c < n && table[i * width + c]);
     fill_in(matrix, m);

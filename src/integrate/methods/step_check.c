@@ -1,8 +1,9 @@
-// Checks that fixed steps are short enough, by the method's stability region and by the equations themselves.  A step h
-// multiplies the mode of eigenvalue lambda by R(h lambda), the machine by exp(h lambda). Where |R| > 1 in a mode that
-// dies out, the computed motion is not a motion of the machine, however smooth it may look (see docs/theory.md, "Steps
-// that are too long"). Eigenvalues are taken at the phase where the balanced Jacobian is largest, and only where its
-// norm does not show already that all of them lie well within the region.
+// Checks that fixed steps are short enough, by the method's stability region and by the equations themselves.
+//
+// A step h multiplies the mode of eigenvalue lambda by R(h lambda), the machine multiplies it by exp(h lambda). If |R|
+// > 1 in a mode that dies out, the computed motion is not a motion of the machine, however smooth it may look (see
+// docs/theory.md, "Steps that are too long"). Eigenvalues are computed at the phase where the balanced Jacobian is
+// largest, and only if its norm does not already show that all of them lie well within the region.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,13 +14,13 @@
 
 enum { PHASES = 16 };
 
-/// h |lambda| up to which every mode is safe: the region of an explicit method of order 4 holds this half disc, and
-/// where a mode grows R follows exp to a few parts in a hundred.
+/// h |lambda| up to which every mode is safe. The region of an explicit method of order 4 contains this half disc, and
+/// in a mode that grows R differs from exp by a few percent.
 static const double safe_product = 1.0;
 
 // ---------------------------------------------------------------- the region
 
-/// Computes growth and steps from the stiffest phase found.
+/// Computes growth and steps of the check at the stiffest phase found.
 static void judge_phase(phase_search *s, const method *own, int steps, whirl_step_check *check) {
     const double h = s->system->period / steps;
     check->growth = 1.0;
@@ -31,7 +32,7 @@ static void judge_phase(phase_search *s, const method *own, int steps, whirl_ste
 
 // ---------------------------------------------------------------- the revolution
 
-/// Integrates from `start` over a revolution, into x, and inspects the phases.
+/// Integrates from `start` over a revolution, to x, and inspects the phases.
 static whirl_status step_check_follow(phase_search *s, const whirl_integrate_options *options, double tolerance,
                                       double *x, whirl_motion *motion) {
     whirl_integrate_options exact = *options;

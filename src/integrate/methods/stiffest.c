@@ -42,7 +42,7 @@ static void exact_columns(const phase_search *s, double t, const double *forcing
     s->system->tangent(s->system->model, t, forcing, x, NULL, n, s->unit, rows);
 }
 
-/// Computes the columns by differences, for systems without a derivative.
+/// Computes the columns of the Jacobian by differences, for systems without a derivative.
 static void difference_columns(const phase_search *s, double t, const double *forcing, const double *x, double *rows) {
     const whirl_system *system = s->system;
     const size_t n = system->dimension;

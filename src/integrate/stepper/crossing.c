@@ -1,6 +1,6 @@
-// The polynomial of degree 8 through nine Chebyshev points in Bernstein form (Ainsworth and Sanchez 2016). Its least
-// coefficient is a lower bound; halving by de Casteljau's rule sharpens the bound until a piece is clear of zero or
-// seen to pass it.
+// Search for zeros on the polynomial of degree 8 through nine Chebyshev points, in Bernstein form (Ainsworth and
+// Sanchez 2016). Its least coefficient is a lower bound. Halving by de Casteljau's rule sharpens the bound until a
+// piece is clear of zero or is seen to pass it.
 #include "crossing.h"
 
 #include <math.h>
@@ -11,10 +11,11 @@
 enum { DEGREE = CROSSING_DEGREE, CHECKS = 2, SAMPLES = DEGREE + 1 + CHECKS, MAX_DEPTH = 14, MAX_REFINEMENTS = 80 };
 _Static_assert(SAMPLES + 1 == CROSSING_ROWS, "a row for every sample and one for what is refined");
 
-/// Size below which values are underflow: their relative errors are no rounding errors.
+/// Size below which values are underflow: their relative errors are larger than those of rounding.
 static const double LEAST_SIZE = 0x1p-900;
 
-/// (1 - cos(j pi/8))/2, then two points between them, at which the polynomial is compared with the function.
+/// Values of theta: (1 - cos(j pi/8))/2, then two points between them at which the polynomial is compared with the
+/// function.
 static const double places[SAMPLES] = {0.0,
                                        0.038060233744356624,
                                        0.14644660940672624,
@@ -27,7 +28,7 @@ static const double places[SAMPLES] = {0.0,
                                        0.4,
                                        0.8};
 
-/// One function under search.
+/// One function in which a zero is searched.
 typedef struct suspect {
     const crossing_search *search;
     size_t index, degree;
@@ -35,7 +36,7 @@ typedef struct suspect {
     double margin; ///< largest accepted difference of polynomial and function
 } suspect;
 
-/// Bernstein coefficients of the polynomial through the first DEGREE + 1 values.
+/// Computes the Bernstein coefficients of the polynomial through the first DEGREE + 1 values.
 static void interpolate(const double *values, double *c) {
     double f[DEGREE + 1], w[DEGREE + 1] = {1.0};
     memcpy(f, values, sizeof f);
@@ -53,7 +54,7 @@ static void interpolate(const double *values, double *c) {
     }
 }
 
-/// Divides a polynomial at theta = 1/2 into two halves: `left`, and the right one in place of c.
+/// Divides a polynomial at theta = 1/2 into two halves: the left one replaces c, and `right` receives the other.
 static void halve(size_t degree, double *c, double *right) {
     for (size_t k = 0; k <= degree; k++) {
         right[degree - k] = c[degree];
@@ -69,7 +70,7 @@ static double value_at(size_t degree, const double *c, double theta) {
     return b[0];
 }
 
-/// Evaluates the function, divided by theta if it begins at zero.
+/// Evaluates the function. If it begins at zero, divides it by theta.
 static double evaluate(const suspect *s, double theta) {
     double *values = s->search->work + SAMPLES * s->search->count;
     s->search->values(s->search->context, theta, values);
@@ -80,7 +81,7 @@ static double evaluate(const suspect *s, double theta) {
     return value;
 }
 
-/// Finds a zero between `low`, where the function is positive, and `high`, where it is not: regula falsi (Illinois).
+/// Finds a zero between `low`, where the function is positive, and `high`, where it is not, by regula falsi (Illinois).
 static double refine(const suspect *s, double low, double f_low, double high, double f_high) {
     int side = 0;
     for (int i = 0; i < MAX_REFINEMENTS && high - low > 1e-15 && f_high < 0.0; i++) {
@@ -103,8 +104,8 @@ static double refine(const suspect *s, double low, double f_low, double high, do
     return high;
 }
 
-/// Tests a piece too short to be halved: returns true if the function itself is below zero at its ends, or where the
-/// polynomial is least.
+/// Tests a piece that is too short to be halved. Returns true if the function itself is below zero at its ends, or
+/// where the polynomial is least.
 static bool probe(const suspect *s, const double *c, double low, double high, double *theta) {
     const double left = c[0], right = c[s->degree], middle = value_at(s->degree, c, 0.5);
     const double slope = right - left, bend = 2.0 * (left - 2.0 * middle + right);
@@ -122,7 +123,7 @@ static bool probe(const suspect *s, const double *c, double low, double high, do
     return false;
 }
 
-/// Searches the piece from low to high, whose coefficients are c; the left half first.
+/// Searches the piece from low to high, whose coefficients are c, the left half first.
 static bool scan(const suspect *s, double *c, double low, double high, int depth, double *theta) {
     double least = c[0];
     bool falling = true;

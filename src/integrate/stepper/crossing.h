@@ -10,7 +10,7 @@ typedef void crossing_values(void *context, double theta, double *values);
 
 enum { CROSSING_ROWS = 12, CROSSING_DEGREE = 8 };
 
-/// Functions that begin at zero, by the number of leading terms that vanish there. The zero at theta = 0 is ignored.
+/// How a function begins at zero: the number of its leading terms that vanish there. The zero at theta = 0 is ignored.
 enum {
     CROSSING_STEEP = 1,                  ///< the function is zero, its derivative is not
     CROSSING_LEVEL = 2,                  ///< its derivative is zero too
@@ -25,9 +25,8 @@ typedef struct crossing_search {
     double *work;    ///< [CROSSING_ROWS][count]
 } crossing_search;
 
-/// Finds the first zero: returns true with its theta and the function's index. Two zeros in one step, where a function
-/// only dips below zero, are found too: every function is replaced by a polynomial, which its Bernstein coefficients
-/// bound.
+/// Finds the first zero. Returns true with its theta and the function's index. Also finds two zeros in one step, where
+/// a function only dips below zero: every function is replaced by a polynomial, which its Bernstein coefficients bound.
 bool crossing_first(const crossing_search *search, double *theta, size_t *which);
 
 #endif

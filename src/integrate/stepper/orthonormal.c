@@ -12,7 +12,7 @@ static double orthonormal_dot(size_t n, const double *a, const double *b) {
     return sum;
 }
 
-/// Subtracts from u its parts along the `before` vectors; returns the remaining length.
+/// Subtracts from u its parts along the first `before` vectors. Returns the remaining length.
 static double take_off(size_t n, const double *vectors, size_t before, double *u) {
     for (int turn = 0; turn < 2; turn++)
         for (size_t j = 0; j < before; j++) {
@@ -23,8 +23,8 @@ static double take_off(size_t n, const double *vectors, size_t before, double *u
     return sqrt(orthonormal_dot(n, u, u));
 }
 
-/// Writes a unit vector orthogonal to the `before` ones. On average half the length of a unit vector along an axis
-/// remains, so that one of these serves.
+/// Writes a unit vector orthogonal to the first `before` vectors. Of a unit vector along an axis, half its length
+/// remains on average, so that one of them serves.
 static void replace(size_t n, const double *vectors, size_t before, double *u) {
     for (size_t axis = 0; axis < n; axis++) {
         memset(u, 0, n * sizeof *u);

@@ -1,5 +1,5 @@
-// The saltation matrix: a perturbed motion meets the switch slightly earlier or later, and has the other slope in
-// between.
+// The saltation matrix. A perturbed motion meets the switch slightly earlier or later, and has the slope of the other
+// side in between.
 #include "saltation.h"
 
 #include <math.h>

@@ -59,8 +59,8 @@ static void slope_on(const stepper *c, double t, const double *x, const double *
         system->rhs(system->model, t, forcing, x, dxdt);
 }
 
-/// Solves the n by n equations matrix out = right by elimination with the largest pivot; returns false if they are
-/// singular.
+/// Solves the n by n equations matrix out = right by elimination with the largest pivot; `right` becomes out. Returns
+/// false if they are singular.
 bool stepper_solve(size_t n, double matrix[MAX_SLIDING][MAX_SLIDING], double *right) {
     for (size_t k = 0; k < n; k++) {
         size_t pivot = k;
@@ -96,13 +96,14 @@ size_t stepper_list_sliding(const stepper *c, size_t list[MAX_SLIDING]) {
     return count;
 }
 
-/// Computes the slope along all switches on which the motion slides: the slope on their lower sides plus, for each
-/// switch, a share of the difference of its upper side. (Laws are added, so that the convex combination of all sides
-/// has this form.) Writes the shares, 0 to 1 as long as the motion stays on the switch.
+/// Computes the slope along all switches along which the motion slides: the slope on their lower sides plus, for each
+/// switch, a share of the difference of its upper side. (The effects of the switches add up, so that the convex
+/// combination of all sides has this form.) Writes the shares, which are between 0 and 1 as long as the motion stays on
+/// the switch.
 void stepper_slope_along(const stepper *c, double t, const double *x, double *dxdt, double *share) {
     const size_t n = c->dimension;
     size_t list[MAX_SLIDING];
-    // The slope on the lower sides, and what each upper side adds.
+    // Compute the slope on the lower sides, and what each upper side adds.
     const size_t count = stepper_list_sliding(c, list);
     double matrix[MAX_SLIDING][MAX_SLIDING], *added = c->work + n, *sides = stepper_row(c, ROW_SIDES);
     memcpy(sides, c->sides, c->system->switch_count * sizeof *sides);
@@ -114,7 +115,7 @@ void stepper_slope_along(const stepper *c, double t, const double *x, double *dx
         sides[list[j]] = -1.0;
         for (size_t d = 0; d < n; d++) added[j * n + d] -= dxdt[d];
     }
-    // Shares for which no switching function changes along the slope.
+    // Find the shares with which no switching function changes along the slope.
     for (size_t i = 0; i < count; i++) {
         double by_time;
         c->system->switch_gradient(c->system->model, t, x, list[i], c->work, &by_time);
@@ -162,8 +163,8 @@ typedef struct departure {
     bool level;        ///< the first derivative is so small that only the second decides
 } departure;
 
-/// Computes the derivatives at (t, x), where the function is zero.
-static departure depart(stepper *c, size_t which, double side) {
+/// Computes the derivatives of switch `which` at the present state, where it is zero, with its side set to `side`.
+static departure departure_on(stepper *c, size_t which, double side) {
     double *slope = c->work + (MAX_SLIDING + 1) * c->dimension, *later = slope + c->dimension, size = 0.0;
     const double step = 1e-5 * c->system->period, kept = c->sides[which];
     c->sides[which] = side;
@@ -177,20 +178,20 @@ static departure depart(stepper *c, size_t which, double side) {
     out.bend = (stepper_rate(c, which, c->t + step, later, slope) - out.rate) / step;
     c->sides[which] = kept;
     // A function with this rate and bend turns at rate^2/(2 bend) beyond zero. If that is within rounding, the rate
-    // says nothing: level.
+    // says nothing: the function is level.
     out.level = out.rate * out.rate <= 16.0 * DBL_EPSILON * size * fabs(out.bend);
     return out;
 }
 
 /// Returns true if the function moves to `side`.
-static bool goes(const departure *d, double side) {
+static bool moves_to(const departure *d, double side) {
     return side * (d->level ? d->bend : d->rate) > 0.0;
 }
 
 /// Rows of a trial step: four slopes, two states.
 enum { TRIAL_ROWS = 6, TRIAL_STEPS = 8 };
 
-/// Carries x by a classical Runge-Kutta step of length h from t, on the present sides; rows: four slopes, a state.
+/// Carries x from t with the present sides, by a classical Runge-Kutta step of length h. rows: four slopes, a state.
 static void trial_step(stepper *c, double t, double h, double *x, double *rows) {
     static const double shares[4] = {0.0, 0.5, 0.5, 1.0}, weights[4] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
     const size_t n = c->dimension;
@@ -203,9 +204,9 @@ static void trial_step(stepper *c, double t, double h, double *x, double *rows) 
         for (size_t d = 0; d < n; d++) x[d] += weights[k] * h * rows[k * n + d];
 }
 
-/// If first and second derivatives are inconclusive: returns true if the function is on `side` after TRIAL_STEPS steps,
-/// and is farther there than after half of them.
-static bool goes_later(stepper *c, size_t which, double side, double *rows) {
+/// Returns true if, with its side set to `side`, the function is on that side after TRIAL_STEPS steps, and farther
+/// there than after half of them. Used if first and second derivatives are inconclusive.
+static bool moves_there_later(stepper *c, size_t which, double side, double *rows) {
     const size_t n = c->dimension;
     const double h = c->system->period / (64.0 * TRIAL_STEPS), kept = c->sides[which];
     double *x = rows + 5 * n, half = 0.0;
@@ -220,14 +221,14 @@ static bool goes_later(stepper *c, size_t which, double side, double *rows) {
     return whole > half && half > 0.0;
 }
 
-/// Sets the side to which trial steps lead; if they lead to neither, the side stays. In the next step zeros of this
-/// switch are ignored.
-static void try_sides(stepper *c, size_t which) {
+/// Sets the side to which trial steps lead. If they lead to neither, the side stays. Zeros of this switch are ignored
+/// in the next step.
+static void choose_by_trial(stepper *c, size_t which) {
     double *rows = calloc(TRIAL_ROWS * c->dimension, sizeof *rows);
     c->held[which] = CROSSING_ALONG;
-    if (rows && goes_later(c, which, 1.0, rows))
+    if (rows && moves_there_later(c, which, 1.0, rows))
         c->sides[which] = 1.0;
-    else if (rows && goes_later(c, which, -1.0, rows))
+    else if (rows && moves_there_later(c, which, -1.0, rows))
         c->sides[which] = -1.0;
     free(rows);
 }
@@ -237,14 +238,14 @@ static bool can_slide(const stepper *c) {
 }
 
 /// Begins to slide along a switch.
-static void slide(stepper *c, size_t which) {
+static void begin_sliding(stepper *c, size_t which) {
     c->sliding[which] = true;
     c->sliding_count++;
     stepper_project(c, c->x);
 }
 
-/// Ends sliding on the side to which the motion leaves: the upper one if the share of the upper side is 1.
-static void let_go(stepper *c, size_t which) {
+/// Ends sliding, on the side to which the motion leaves: the upper one if the share of the upper side has come to 1.
+static void end_sliding(stepper *c, size_t which) {
     double share[MAX_SLIDING];
     size_t at = 0;
     stepper_slope_along(c, c->t, c->x, c->work + (MAX_SLIDING + 1) * c->dimension, share);
@@ -255,28 +256,28 @@ static void let_go(stepper *c, size_t which) {
     c->held[which] = CROSSING_LEVEL;
 }
 
-/// Returns true if both sides push onto the switch.
-static bool pushed(const departure *below, const departure *above) {
+/// Returns true if both sides push the motion onto the switch.
+static bool both_push(const departure *below, const departure *above) {
     return below->rate > 0.0 && !below->level && above->rate < 0.0 && !above->level;
 }
 
 void stepper_cross(stepper *c, size_t which) {
     if (c->sliding[which]) {
-        let_go(c, which);
+        end_sliding(c, which);
         return;
     }
     const double from = c->sides[which];
-    const departure below = depart(c, which, -1.0), above = depart(c, which, 1.0);
+    const departure below = departure_on(c, which, -1.0), above = departure_on(c, which, 1.0);
     const departure *back = from < 0.0 ? &below : &above, *onward = from < 0.0 ? &above : &below;
-    if (can_slide(c) && pushed(&below, &above)) {
-        slide(c, which);
-    } else if (goes(onward, -from)) {
+    if (can_slide(c) && both_push(&below, &above)) {
+        begin_sliding(c, which);
+    } else if (moves_to(onward, -from)) {
         c->sides[which] = -from;
         c->held[which] = onward->level ? CROSSING_LEVEL : CROSSING_STEEP;
-    } else if (goes(back, from)) {
+    } else if (moves_to(back, from)) {
         c->held[which] = back->level ? CROSSING_LEVEL : CROSSING_STEEP;
     } else {
-        try_sides(c, which);
+        choose_by_trial(c, which);
     }
 }
 
@@ -288,21 +289,21 @@ void stepper_find_sides(stepper *c) {
     c->sliding_count = 0;
     if (system->switch_count == 0) return;
     system->switches(system->model, c->t, c->x, values);
-    // Switches away from zero have the side of their sign.
+    // Switches that are not near zero have the side of their sign.
     for (size_t i = 0; i < system->switch_count; i++) c->sides[i] = values[i] > 0.0 ? 1.0 : -1.0;
-    // At a switch near zero the motion slides or leaves to one side; if derivatives do not tell, trial steps on both
-    // sides do.
+    // At a switch near zero the motion slides, or leaves to one side. If derivatives do not show to which, trial steps
+    // on both sides do.
     for (size_t i = 0; i < system->switch_count; i++) {
         if (fabs(values[i]) > change_by(c, i, c->t, c->x, 0.0, 16.0 * DBL_EPSILON)) continue;
-        const departure below = depart(c, i, -1.0), above = depart(c, i, 1.0);
-        if (can_slide(c) && pushed(&below, &above)) {
-            slide(c, i);
-        } else if (goes(&above, 1.0) || goes(&below, -1.0)) {
-            const departure *taken = goes(&above, 1.0) ? &above : &below;
+        const departure below = departure_on(c, i, -1.0), above = departure_on(c, i, 1.0);
+        if (can_slide(c) && both_push(&below, &above)) {
+            begin_sliding(c, i);
+        } else if (moves_to(&above, 1.0) || moves_to(&below, -1.0)) {
+            const departure *taken = moves_to(&above, 1.0) ? &above : &below;
             c->sides[i] = taken == &above ? 1.0 : -1.0;
             c->held[i] = taken->level ? CROSSING_LEVEL : CROSSING_STEEP;
         } else {
-            try_sides(c, i);
+            choose_by_trial(c, i);
         }
     }
 }

@@ -1,5 +1,5 @@
-// Steps of one motion: slopes, interpolant, and the point at which a step must end. Formulas, error estimates and step
-// lengths are those of the kernels.
+// Steps of one motion: slopes, interpolant, and the point at which a step must end. Formulas, error estimates and
+// lengths of steps are those of the kernels.
 #include "stepper.h"
 #include "bernstein.h"
 #include "crossing.h"
@@ -14,7 +14,7 @@
 
 // ---------------------------------------------------------------- the system as kernels see it
 
-/// The value of time is t itself.
+/// Computes the forcing that the kernel sees: the time t itself.
 static void forcing_at(const void *model, size_t stride, size_t vectors, const void *t, void *forcing) {
     (void)model, (void)stride, (void)vectors;
     *(double *)forcing = *(const double *)t;
@@ -53,7 +53,7 @@ static void stepper_system_flow(const lanes_view *view) {
 
 // ---------------------------------------------------------------- memory
 
-/// Joins the groups of two coordinates, so that their sizes are measured together.
+/// Joins the groups of two coordinates, whose sizes are then measured together.
 static void join(size_t *mates, size_t a, size_t b) {
     for (size_t i = mates[a]; i != a; i = mates[i])
         if (i == b) return;
@@ -63,8 +63,8 @@ static void join(size_t *mates, size_t a, size_t b) {
     mates[b] = next;
 }
 
-/// A coordinate that passes zero need not be more exact for that: coordinates of one probe, or of a group of a rotor,
-/// count together.
+/// Groups coordinates whose sizes are measured together: those of one probe, or of a group of a rotor. So a coordinate
+/// that passes zero need not be more exact there.
 static void find_mates(size_t *mates, const whirl_system *system) {
     const whirl_lanes *lanes = system->lanes;
     for (size_t d = 0; d < system->dimension; d++) mates[d] = d;
@@ -83,7 +83,7 @@ static void find_mates(size_t *mates, const whirl_system *system) {
 
 static const size_t no_groups[] = {0};
 
-/// Makes the kernel's slot; returns false without memory.
+/// Makes the kernel's slot. Returns false without memory.
 static bool make_slot(stepper *c, const whirl_system *system) {
     find_mates(c->mates, system);
     adaptive_lanes *slot = adaptive_lanes_make(&(adaptive_lanes){.method = c->method,
@@ -101,7 +101,7 @@ static bool make_slot(stepper *c, const whirl_system *system) {
                                                                  .rtol = c->rtol,
                                                                  .atol = c->atol,
                                                                  .limit = INFINITY});
-    // Name the slot's arrays as those of the step.
+    // Use the slot's arrays as those of the step.
     c->slot = slot;
     if (!slot) return false;
     slot->running[0] = 1.0;
@@ -128,7 +128,7 @@ stepper *stepper_new(const lanes_method *own, const whirl_system *system, const 
                    .limit = options->limit,
                    .fixed = rk4_one_of(stepper_system_flow, c, n),
                    .dense_count = CUBIC};
-    // Parts of one allocation.
+    // Divide the one allocation.
     double *row = (double *)(c + 1);
     double **const parts[] = {&c->x,     &c->start,    &c->end,      &c->first,   &c->last,
                               &c->stage, &c->dense[0], &c->dense[1], &c->dense[2]};
@@ -154,8 +154,8 @@ void stepper_free(stepper *c) {
 
 // ---------------------------------------------------------------- one step
 
-/// Tries a step of length h from `start`, whose first slope is known: end, slope at the end; returns the norm of its
-/// error over the tolerance, NaN if the step leaves the equations' domain.
+/// Tries a step of length h from `start`, whose slope at the beginning is known. Computes its end and the slope there.
+/// Returns the norm of its error divided by the tolerance, or NaN if the step leaves the equations' domain.
 static double try_step(stepper *c, double h) {
     adaptive_lanes *slot = c->slot;
     c->length = h;
@@ -176,8 +176,8 @@ static double try_varied(stepper *c) {
     return c->method ? c->method->try_varied(c) : rk4_try_varied(c);
 }
 
-/// Includes the errors of perturbations in the norm, so that they are as exact as the state. If their error is NaN the
-/// state decides.
+/// Tries a step of the state and of its perturbations, so that these are as exact as the state. Returns the larger norm
+/// of their errors. If the error of perturbations is NaN, the state decides.
 static double try_all(stepper *c, double h) {
     const double error = try_step(c, h);
     if (!(error <= 1.0)) return error;
@@ -246,8 +246,8 @@ static void observe(void *context, double theta, double *values) {
     stepper_guarded(c, c->begin + theta * c->length, c->stage, values);
 }
 
-/// Takes the step again so that it ends where function `which` is zero: first at theta of its length by the
-/// interpolant, then corrected by the remaining value. Shares of sliding are curved, most of all near the end of a
+/// Takes the step again so that it ends where function `which` is zero. Ends it first at theta of its length, by the
+/// interpolant, then corrects it by the remaining value. Shares of sliding are curved, most of all near the end of a
 /// contact: their slope is taken from the last two steps.
 static void land(stepper *c, double theta, size_t which) {
     const int tries = c->sliding[which] ? 12 : 4;
@@ -271,9 +271,9 @@ static void land(stepper *c, double theta, size_t which) {
     }
 }
 
-/// Returns true if all switching functions certainly keep their signs, by their values and derivatives at both
-/// ends of the step. The last step of a part may begin and end so near to a switch that its function counts as zero:
-/// then the sides are those that the next part finds.
+/// Returns true if all switching functions certainly keep their signs, by their values and derivatives at both ends of
+/// the step. The last step of a part may begin and end so near to a switch that its function counts as zero: then the
+/// next part finds the sides.
 static bool is_clear(stepper *c, bool last) {
     const double end = c->begin + c->length;
     double *from = stepper_row(c, ROW_FROM), *to = stepper_row(c, ROW_TO);
@@ -292,7 +292,7 @@ static bool is_clear(stepper *c, bool last) {
     return true;
 }
 
-/// A part of a step, from its beginning up to a share of its length.
+/// The first part of a step, up to a share of its length.
 typedef struct beginning {
     stepper *c;
     double share;
@@ -303,8 +303,8 @@ static void observe_beginning(void *context, double theta, double *values) {
     observe(part->c, part->share * theta, values);
 }
 
-/// Searches the part before a zero again, until no earlier one is found. Near the end of a contact the share of a
-/// sliding friction changes rapidly, between the points at which a whole step is sampled.
+/// Searches the part before a zero again, until no earlier zero is found. Near the end of a contact the share of a
+/// sliding friction may change rapidly between the points at which a whole step is sampled.
 static void look_closer(stepper *c, double *theta, size_t *which) {
     enum { LOOKS = 8 };
     const double same = 1.0 - 1e-9;
@@ -322,7 +322,8 @@ static void look_closer(stepper *c, double *theta, size_t *which) {
 
 /// Finds the theta at which the step just tried must end; 0 is its beginning.
 static bool meets_switch(stepper *c, double until, double *theta, size_t *which) {
-    // Within a few roundings of the time no crossing has a place: what the interpolant finds there is rounding.
+    // In a step as short as a few roundings of the time a crossing has no place: what the interpolant finds there is
+    // rounding.
     const bool sliver = c->length <= 2.0 * DBL_EPSILON * fmax(fabs(c->begin), 1.0);
     if (c->system->switch_count == 0 || sliver || is_clear(c, c->begin + c->length >= until)) {
         if (c->observed) stepper_interpolate(c);
@@ -343,7 +344,7 @@ static void go_on(stepper *c, double t) {
     if (c->sliding_count > 0) stepper_project(c, c->x);
 }
 
-/// Returns a length for the step from t that leaves no tiny step before `until`.
+/// Returns a length for the next step which leaves no tiny step before `until`.
 static double next_length(const stepper *c, double until) {
     const double left = until - c->t;
     if (!c->slot) return left;
@@ -397,8 +398,8 @@ whirl_motion stepper_step(stepper *c, double until) {
         }
         stepper_cross_varied(c, which);
         if (theta > 0.0) return judge(c);
-        // The state is so near to the switch that the interpolant, exact to the tolerance, contradicts the derivatives
-        // there.
+        // The state is so near to the switch that the interpolant, which is exact to the tolerance, contradicts the
+        // derivatives there.
         if (stays >= MAX_STAYS && c->held[which] > 0) c->held[which] = CROSSING_ALONG;
     }
 }

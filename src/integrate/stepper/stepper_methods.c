@@ -1,8 +1,8 @@
-// The methods that carry one machine with located switches: the method of Dormand and Prince of orders 8(5,3), Rodas5P,
-// and RK4 on a fixed grid, whose steps are split where they meet a switch.
+// The methods that carry one machine with located switches: that of Dormand and Prince of orders 8(5,3), Rodas5P, and
+// RK4 on a fixed grid, whose steps are split where they meet a switch.
 //
-// Every revolution of an adaptive method begins with a length of step that depends on its first state alone, so that
-// nothing is remembered from one call to the next.
+// The first step of every revolution of an adaptive method has a length that depends on the first state alone: nothing
+// is remembered from one call to the next.
 #include <stdlib.h>
 #include <string.h>
 
@@ -31,7 +31,7 @@ static whirl_motion stepper_begin_motion(whirl_integrator *integrator, const dou
     return motion;
 }
 
-/// Reports the instants from `instant` on up to the motion's time; returns the next instant.
+/// Reports the instants from `instant` on up to the motion's time. Returns the next instant.
 static int stepper_report(stepper *c, double period, int instants, int instant, whirl_observe_fn observe,
                           void *observer) {
     for (; instant <= instants; instant++) {
@@ -50,7 +50,8 @@ static bool is_cut_short(const whirl_integrator *integrator) {
            (integrator->most_steps > 0 && c->tried >= integrator->most_steps);
 }
 
-/// Steps of rk4 end at every instant; steps of adaptive methods do so only for perturbations at instants.
+/// Carries x over a revolution. Steps of rk4 end at every instant. Steps of adaptive methods do so only if
+/// perturbations are observed at instants.
 static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_perturbations *perturbations,
                             whirl_observe_fn observe, void *observer) {
     stepper *c = integrator->workspace;
@@ -73,7 +74,8 @@ static void stepper_end(whirl_integrator *integrator) {
     stepper_free(integrator->workspace);
 }
 
-/// A step takes ten right-hand sides, a Jacobian of as many as there are coordinates, and its equations (measured).
+/// Returns the work in right-hand sides: a step takes ten, a Jacobian of as many as there are coordinates, and the
+/// solution of its equations (measured).
 static double rodas5p_work(const whirl_integrator *integrator) {
     const double n = (double)integrator->system->dimension;
     return (double)((const stepper *)integrator->workspace)->tried * (10.0 + n + 0.01 * n * n);

@@ -1,4 +1,4 @@
-/// Parts of a step, between the files of the stepper.
+/// Functions that the files of the stepper share.
 #ifndef INTEGRATE_STEPPER_PARTS_H
 #define INTEGRATE_STEPPER_PARTS_H
 
@@ -10,7 +10,7 @@
 /// Computes dx/dt at (t, x) on the present sides, sliding included.
 void stepper_slope(const stepper *c, double t, const double *x, double *dxdt);
 
-/// Returns the derivative by time of switch `which` along `slope`: by the system's gradient, else by central
+/// Returns the derivative of switch `which` by time along `slope`, by the system's gradient, otherwise by central
 /// differences.
 double stepper_rate(const stepper *c, size_t which, double t, const double *x, const double *slope);
 
@@ -18,53 +18,53 @@ double stepper_rate(const stepper *c, size_t which, double t, const double *x, c
 void stepper_find_sides(stepper *c);
 
 /// Writes the functions [switch_count] that must stay positive during a step: the switching functions times their
-/// sides, and for switches with sliding a function of the share that is positive between 0 and 1.
+/// sides; and for a switch along which the motion slides a function of the share that is positive between 0 and 1.
 void stepper_guarded(const stepper *c, double t, const double *x, double *values);
 
-/// Continues after a step that ended on switch `which`: on its other side, or along it.
+/// Continues after a step that ended at switch `which`: on its other side, or along it.
 void stepper_cross(stepper *c, size_t which);
 
-/// Projects perturbations onto switches with sliding at the beginning of a revolution, along the difference of the
-/// slopes on both sides.
+/// Projects perturbations, at the beginning of a revolution, onto the switches along which the motion slides. They move
+/// along the difference of the slopes on both sides.
 void stepper_vary_begin(stepper *c);
 
-/// The Jacobian at (t, x) on the present sides, sliding included, applied to `vectors`; vectors and out are
-/// [count][dimension], with sliding at most as many as perturbations.
+/// Applies the Jacobian at (t, x) on the present sides, sliding included, to `vectors`. vectors and out are
+/// [count][dimension]; with sliding, count is at most the number of perturbations.
 void stepper_apply_jacobian(const stepper *c, double t, const double *x, size_t count, const double *vectors,
                             double *out);
 
-/// Takes a step of rk4 from `start`, of the state and its perturbations.
+/// Take a step of rk4 from `start`, of the state and of its perturbations.
 void rk4_try_step(stepper *c, double h);
 double rk4_try_varied(stepper *c);
 
-/// Returns the tolerance of perturbation `which` in the step tried. Equations of perturbations are linear, so that
+/// Returns the tolerance of perturbation `which` in the step tried. The equations of perturbations are linear, so that
 /// there is no absolute tolerance.
 double stepper_varied_tolerance(const stepper *c, size_t which);
 
-/// Returns the divergence at (t, x) on the present sides; NaN along switches.
+/// Returns the divergence at (t, x) on the present sides, or NaN along switches.
 double stepper_divergence(const stepper *c, double t, const double *x);
 
-/// Moves the perturbations to the end of the step tried; called before the motion moves.
+/// Moves the perturbations to the end of the step tried. To be called before the motion moves.
 void stepper_vary(stepper *c);
 
 /// Crosses a switch like stepper_cross, with the saltation of the perturbations.
 void stepper_cross_varied(stepper *c, size_t which);
 
-/// Notes the state x at c->t, where a step of rk4 begins that does not locate switches.
+/// Notes the state x at c->t as the beginning of a step of rk4 that does not locate switches.
 void unlocated_begin(stepper *c, const double *x);
 
-/// Applies the saltation of all switches within that step to perturbations, at its end (t, x); `slope` is the slope at
-/// its beginning.
+/// Applies the saltation of all switches within such a step to perturbations, at its end (t, x). `slope` is the slope
+/// at its beginning.
 void unlocated_saltate(stepper *c, double t, const double *slope, const double *x, whirl_perturbations *perturbations);
 
-/// Lists the switches along which the motion slides; returns their number.
+/// Lists the switches along which the motion slides. Returns their number.
 size_t stepper_list_sliding(const stepper *c, size_t list[MAX_SLIDING]);
 
-/// Computes the slope along these switches and the shares of their upper sides; the differences of the sides stay in
-/// the rows of `work` from the second on.
+/// Computes the slope along these switches, and the shares of their upper sides. The differences between the sides
+/// remain in `work`, in rows from the second on.
 void stepper_slope_along(const stepper *c, double t, const double *x, double *dxdt, double *share);
 
-/// Solves n by n equations in place of `right`; returns false if they are singular.
+/// Solves n by n equations; `right` becomes the solution. Returns false if they are singular.
 bool stepper_solve(size_t n, double matrix[MAX_SLIDING][MAX_SLIDING], double *right);
 
 /// Moves x back onto the switches along which it slides.

@@ -7,7 +7,7 @@
 #include "stepper.h"
 #include "stepper_parts.h"
 
-/// Single vectors of the workspace.
+/// Indices of single vectors of the workspace.
 enum { BEFORE, AFTER, GRADIENT, CURVED };
 
 static double *spare(const stepper *c, int which) {
@@ -32,7 +32,8 @@ static double variation_dot(size_t n, const double *a, const double *b) {
 
 // ---------------------------------------------------------------- the Jacobian of motion along switches
 
-/// Computes the mean of the Jacobians on both sides of all switches with sliding, weighted as the slopes are.
+/// Computes the mean of the Jacobians on both sides of all switches along which the motion slides, weighted as the
+/// slopes are.
 static void mean_jacobian(const stepper *c, double t, const double *x, const size_t *list, const double *share,
                           size_t count, const double *vectors, double *out) {
     const whirl_system *system = c->system;
@@ -55,8 +56,9 @@ static void mean_jacobian(const stepper *c, double t, const double *x, const siz
     }
 }
 
-/// The slope keeps n . f + dh/dt = 0 for every switch that is slid along; so must its change by a perturbation u: the
-/// shares change by what solves sum_j (n_i . added_j) dshare_j = -(n_i . J u + (H_i u) . f).
+/// Applies the Jacobian of a motion that slides. Its slope keeps n . f + dh/dt = 0 for every switch along which it
+/// slides, and so must the change of the slope by a perturbation u. So the shares change by the solution of sum_j (n_i
+/// . added_j) dshare_j = -(n_i . J u + (H_i u) . f).
 static void slide_along(const stepper *c, double t, const double *x, size_t vector_count, const double *vectors,
                         double *out) {
     const whirl_system *system = c->system;
@@ -64,7 +66,7 @@ static void slide_along(const stepper *c, double t, const double *x, size_t vect
     const double *added = c->work + n;
     double share[MAX_SLIDING], by_time, *slope = c->work + (MAX_SLIDING + 1) * n, *curved = spare(c, CURVED);
     size_t list[MAX_SLIDING];
-    // Slope and shares along the switches, and the mean Jacobian applied to the vectors.
+    // Compute slope and shares along the switches, and apply the mean Jacobian to the vectors.
     stepper_list_sliding(c, list);
     stepper_slope_along(c, t, x, slope, share);
     mean_jacobian(c, t, x, list, share, vector_count, vectors, out);

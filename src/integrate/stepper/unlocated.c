@@ -1,7 +1,8 @@
-// Effect on perturbations of a fixed step that has gone over a switch.  The step ignores the switch; its derivative
-// misses the effect of the jump of the right-hand side. The saltation matrix at the point where the step's cubic meets
-// the switch corrects this at the step's end, to first order in the step. It is the identity where the right-hand side
-// is continuous, as in an elastic contact.
+// Effect on perturbations of a fixed step that has gone over a switch.
+//
+// The step ignores the switch, so that its derivative misses the effect of the jump of the right-hand side. The
+// saltation matrix at the point where the step's cubic meets the switch corrects this at the step's end, to first order
+// in the step. It is the identity where the right-hand side is continuous, as in an elastic contact.
 #include <string.h>
 
 #include "saltation.h"
@@ -24,7 +25,7 @@ static void take_sides(stepper *c, const double *values) {
     for (size_t i = 0; i < c->system->switch_count; i++) c->sides[i] = values[i] > 0.0 ? 1.0 : -1.0;
 }
 
-/// Bisects the step for the change of switch `which`; sets the state there (c->stage), its time and sides.
+/// Bisects the step for the change of switch `which`. Computes the state there (c->stage), its time and its sides.
 static double find_change(stepper *c, size_t which, bool from) {
     enum { HALVINGS = 50 };
     double low = 0.0, high = 1.0, t = c->begin, *values = stepper_row(c, ROW_FOUND);
