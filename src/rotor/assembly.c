@@ -1,12 +1,12 @@
-// Coordinates, inertia and linear terms.
+// Assembly of a rotor: numbers the coordinates, and sums their inertia and the linear terms of their accelerations.
 #include "assembly.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/// Turn of a shaft at standstill: so slow that terms in proportion to the speed are lost in rounding, and not 0, by
-/// which film laws divide.
+/// Turn of a shaft at standstill. It is so slow that terms proportional to the speed are lost in rounding, but is not
+/// 0, since film laws divide by it.
 static const double slowest = 0x1p-60;
 
 whirl_status assembly_begin(assembly *to, double speed, double length, size_t station_count) {
@@ -85,7 +85,8 @@ static double twist_inertia(const assembly_station *station) {
     return station->polar + station->shaft_polar;
 }
 
-/// The station whose coordinate the twist of a station is, and its share of it; NO_STATION for gears in a circle.
+/// Returns the station whose coordinate determines the twist of a station, and the ratio of this twist to that
+/// coordinate in `share`. Returns NO_STATION for gears in a circle.
 static size_t root_of_gears(const assembly *of, size_t station, double *share) {
     *share = 1.0;
     for (size_t steps = 0; of->stations[station].geared_to != NO_STATION; steps++) {
@@ -96,8 +97,8 @@ static size_t root_of_gears(const assembly *of, size_t station, double *share) {
     return station;
 }
 
-/// Adds the twists: a coordinate for each station that is not geared to another one, with the inertia of all that are
-/// geared to it.
+/// Adds the twists: a coordinate for each station that is not geared to another one. Its inertia is that of all
+/// stations geared to it.
 static whirl_status add_twists(assembly *to) {
     for (size_t s = 0; s < to->station_count; s++)
         if (to->stations[s].twists && to->stations[s].geared_to == NO_STATION)
@@ -165,7 +166,7 @@ whirl_status assembly_number(assembly *to, const size_t *order) {
     }
     for (size_t s = 0; s < to->station_count; s++)
         if (!in_plane(&to->stations[s]) && !to->stations[s].hidden) add_displacements(to, &to->stations[s]);
-    // Twists, then tilts.
+    // Number the twists, then the tilts.
     to->first_twist = to->degrees;
     const whirl_status status = add_twists(to);
     if (status.code != WHIRL_OK) return status;
@@ -174,7 +175,7 @@ whirl_status assembly_number(assembly *to, const size_t *order) {
         const assembly_station *at = &to->stations[s];
         if (at->diametral > 0.0 && at->moves_x + at->moves_y > 0 && !at->hidden) add_tilts(to, &to->stations[s]);
     }
-    // Nodes of shafts that are no stations come last.
+    // Number the nodes of shafts that are no stations last.
     for (size_t s = 0; s < to->station_count; s++) {
         if (!to->stations[s].hidden) continue;
         add_displacements(to, &to->stations[s]);
@@ -231,7 +232,7 @@ double assembly_force_scale(const assembly *of, size_t coordinate) {
     return of->inertia[coordinate] * of->clock * of->clock * of->unit[coordinate];
 }
 
-/// Grows a list [count] of items of `size` bytes by one; NULL without memory, and then to->no_memory is set.
+/// Grows a list [count] of items of `size` bytes by one item. Without memory, returns NULL and sets to->no_memory.
 static void *room_for_one(assembly *to, void *list, size_t count, size_t *room, size_t size) {
     if (count < *room) return list;
     void *longer = realloc(list, (2 * count + 64) * size);
@@ -300,7 +301,7 @@ static void note_link(assembly *to, const size_t coordinate[2], const double sha
     if (!twists[0] && !twists[1]) return;
     if (twists[0] != twists[1] && by->stiffness == 0.0 && by->damping == 0.0 && by->inertance == 0.0) return;
     if (twists[0] != twists[1] && coordinate[twists[0]] != NO_COORDINATE) return;
-    const size_t first = twists[0] ? 0 : 1; // the ground is the second place
+    const size_t first = twists[0] ? 0 : 1; // the ground is the second of the two
     const twist_link own = {{coordinate[first], coordinate[1 - first]},
                             {share[first], share[1 - first]},
                             by->stiffness,
@@ -324,7 +325,8 @@ void assembly_join(assembly *to, const size_t coordinate[2], const double share[
             const double both = moved[i] * moved[j];
             assembly_stiffness(to, coordinate[i], coordinate[j], both * by->stiffness);
             assembly_damping(to, coordinate[i], coordinate[j], both * by->damping);
-            // An entry of the mass matrix counts for both ways round, unless both are one coordinate.
+            // A number of the mass matrix counts for row and column, and for column and row, unless both are one
+            // coordinate.
             if (i <= j || coordinate[0] == coordinate[1])
                 assembly_inertance(to, coordinate[i], coordinate[j], both * by->inertance);
         }
@@ -389,7 +391,7 @@ void assembly_turning(assembly *to, size_t x, size_t y, double force, double ang
     assembly_forcing(to, y, SIN_TAU, force * cos(angle));
 }
 
-/// Appends a load of a row to a list.
+/// Appends an item to a list of forces on rows.
 static void add_load(assembly *to, turning_inertia **loads, size_t *count, size_t *room, turning_inertia one) {
     if (one.row == NO_COORDINATE) return;
     turning_inertia *list = room_for_one(to, *loads, *count, room, sizeof *list);
@@ -439,7 +441,7 @@ void assembly_runout(assembly *to, size_t station, whirl_runout seen) {
     to->runouts[to->runout_count++] = (station_runout){station, seen};
 }
 
-/// Returns the force by a pull of 1 m/s2 along a displacement, kg, or on a tilt, kg m.
+/// Returns the force by a pull of 1 m/s2: kg along a displacement, kg m on a tilt.
 static double weight_along(const assembly_station *at, axis along) {
     const bool tilts = along == AXIS_TILT_X || along == AXIS_TILT_Y;
     return !tilts ? at->mass : at->shaft != NO_SHAFT ? at->pull_moment : 0.0;
@@ -449,7 +451,7 @@ static bool is_along_y(axis along) {
     return along == AXIS_Y || along == AXIS_TILT_Y;
 }
 
-/// Adds the weight of a shaft at a node, without the weight of stations of the design.
+/// Adds the weight of a shaft at a node. It does not include the weight of the design's stations.
 static void pull_node(assembly *to, const assembly_station *at, double x, double y) {
     for (axis along = at->hidden ? AXIS_X : AXIS_TILT_X; along <= AXIS_TILT_Y; along++)
         body_add(&to->body, at->coordinate[along], 0, (body_kind){BODY_ONE, RATE_STATIC, BODY_STEADY},
@@ -463,7 +465,7 @@ static int assembly_by_size(const void *a, const void *b) {
 
 whirl_status assembly_frequencies(assembly *to, size_t count, const double *frequencies) {
     const size_t before = to->frequency_count;
-    // Frequencies that both tables know.
+    // Find the range that both tables cover.
     double low = frequencies[0], high = frequencies[count - 1];
     if (before > 0) {
         low = fmax(low, to->frequencies[0]);
@@ -475,7 +477,7 @@ whirl_status assembly_frequencies(assembly *to, size_t count, const double *freq
             "is known at frequencies of whirl from %g to %g rad/s, and another table from %g to %g rad/s, "
             "expected tables with frequencies in common",
             frequencies[0], frequencies[count - 1], to->frequencies[0], to->frequencies[before - 1]);
-    // Merge them, each once.
+    // Merge the frequencies, each once.
     double *all = realloc(to->frequencies, (before + count) * sizeof *all);
     if (!all) return whirl_fail(WHIRL_NO_MEMORY, "no memory for frequencies of whirl");
     memcpy(all + before, frequencies, count * sizeof *all);
@@ -535,7 +537,7 @@ static int compare_terms(const void *one, const void *other) {
     if (a->row != b->row) return a->row < b->row ? -1 : 1;
     if (a->source != b->source) return a->source < b->source ? -1 : 1;
     if (a->column != b->column) return a->column < b->column ? -1 : 1;
-    // By size, so that the sum does not depend on the order in which elements are listed.
+    // Sort equal terms by size, so that the sum does not depend on the order in which elements are listed.
     return a->number < b->number ? -1 : a->number > b->number;
 }
 

@@ -1,9 +1,9 @@
-/// Assembly of a rotor: its coordinates, their inertia, and the linear terms that stations and elements build together.
+/// Assembly of a rotor: its coordinates, their inertia, and the sum of the linear terms of stations and elements.
 ///
-/// Stations that move in x and y have their coordinates first, in pairs; stations that move along one axis, twists,
-/// tilts and the nodes of shafts follow. All inputs are in SI; the assembly scales: time by 1/clock, displacements by
-/// the length scale, tilts by the length scale over the station's radius of gyration (so that both weigh alike in
-/// errors and distances), twists by the length scale over 1 m.
+/// Stations that move in x and y have their coordinates first, in pairs. Stations that move along one axis, twists,
+/// tilts and the nodes of shafts follow. All inputs are in SI units. The assembly scales them: time by 1/clock;
+/// displacements by the length scale; tilts by the length scale divided by the station's radius of gyration (so that
+/// tilts and displacements weigh alike in errors and distances); twists by the length scale divided by 1 m.
 #ifndef ROTOR_ASSEMBLY_H
 #define ROTOR_ASSEMBLY_H
 
@@ -15,7 +15,7 @@
 #include "whirl/engine/system.h"
 #include "whirl/status.h"
 
-// Symbols that elements outside the library use have names of the library.
+// Symbols that elements outside the library use have names that begin with whirl_.
 #define assembly_find whirl_assembly_find
 #define assembly_find_plane whirl_assembly_find_plane
 #define assembly_inertia whirl_assembly_inertia
@@ -45,27 +45,28 @@
 #define assembly_weigh whirl_assembly_weigh
 #define assembly_ground_damping whirl_assembly_ground_damping
 
-/// Marks a motion without a coordinate, a station without a shaft, and a missing station.
+/// NO_COORDINATE: a motion without a coordinate. NO_SHAFT: a station that is on no shaft.
 #define NO_COORDINATE ((size_t)-1)
 #define NO_SHAFT ((size_t)-1)
 #define NO_STATION ((size_t)-1)
 
-/// Directions in which a station can move: along x and y, the slopes dx/dz and dy/dz of its axis, z along the shaft,
-/// and the twist about z, from x towards y, without the steady rotation.
+/// Directions in which a station can move: along x and y; the slopes dx/dz and dy/dz of its axis, where z is along the
+/// shaft; and the twist about z, from x towards y, without the steady rotation.
 typedef enum axis { AXIS_X, AXIS_Y, AXIS_TILT_X, AXIS_TILT_Y, AXIS_TWIST, AXES } axis;
 
-/// Numbers of a station that moves in x and y which do not depend on its place; see station_kernel.h.
+/// Numbers of a station that moves in x and y, without those that depend on its position; see station_kernel.h.
 enum { STATION_DAMPING, STATION_UNBALANCE_COS, STATION_UNBALANCE_SIN, STATION_PULL_X, STATION_PULL_Y, STATION_NUMBERS };
 
-/// Values that depend on time alone, as the kernels index them.
+/// Indices of the forcing (whirl_system.forcing): cosine and sine of tau and of 2 tau.
 enum { COS_TAU, SIN_TAU, COS_2TAU, SIN_2TAU, FORCING_COUNT };
 
-/// A term of the acceleration of a coordinate: its number times a coordinate, a velocity, a value of time, or 1.
+/// A term of the acceleration of a coordinate: its number times a coordinate, a velocity, a number of the forcing, or
+/// 1.
 typedef enum source { SOURCE_PLACE, SOURCE_VELOCITY, SOURCE_FORCING, SOURCE_ONE } source;
 typedef struct linear_term {
     size_t row;
     source source;
-    size_t column; ///< coordinate, or value of time
+    size_t column; ///< coordinate, or index of the forcing
     double number;
 } linear_term;
 
@@ -75,30 +76,30 @@ typedef struct mass_term {
     double mass;
 } mass_term;
 
-/// A harmonic of the runout at a station, in m.
+/// A harmonic of the runout at a station, m.
 typedef struct station_runout {
     size_t station;
     whirl_runout seen;
 } station_runout;
 
-/// An inertia that turns with the shaft, an unbalance or a skew, as one coordinate feels it: the force is the square of
-/// the speed times cos C + sin S, with C and S the values of time COS_TAU and SIN_TAU.
+/// Effect of an inertia that turns with the shaft, an unbalance or a skew, on one coordinate. The force on it is the
+/// square of the speed times (cos COS_TAU + sin SIN_TAU), of which the latter are the values of the forcing.
 typedef struct turning_inertia {
     size_t row;
     double cos, sin; ///< kg m, of tilts kg m2
 } turning_inertia;
 
-/// A spring between two twists: their coordinates, and the twist of each place over that of its coordinate.
+/// A spring between two twists. coordinate: those of the twists; share: ratio of each twist to its coordinate.
 typedef struct twist_link {
     size_t coordinate[2];
     double share[2];
-    double stiffness, damping, inertance; ///< N m/rad, N m s/rad, kg m2
-    double modulus;                       ///< m3, of its weakest section against torsion; 0: unknown
+    double stiffness, damping, inertance; ///< N m/rad, N m s/rad and kg m2
+    double modulus;                       ///< torsional section modulus of the weakest section, m3; 0: unknown
 } twist_link;
 
-/// Frequencies of harmonic torques.
+/// How the frequency of a harmonic torque is given.
 typedef enum harmonic_rate {
-    HARMONIC_STEADY,     ///< it does not
+    HARMONIC_STEADY,     ///< the torque is steady
     HARMONIC_BY_ROTOR,   ///< `rate` times the speed of the rotor
     HARMONIC_BY_STATION, ///< `rate` times the speed of its station
     HARMONIC_FIXED       ///< `rate` rad/s
@@ -109,8 +110,8 @@ typedef struct harmonic_torque {
     size_t station;
     harmonic_rate of;
     double rate, phase; ///< phase: rad, at t = 0
-    bool about_z;       ///< it counts about z; else along the rotation of its station
-    bool felt;          ///< a steady torque that the machine's equations have already
+    bool about_z;       ///< it is positive about z; otherwise along the rotation of its station
+    bool felt;          ///< a steady torque that the machine's equations already contain
     size_t count;       ///< rows of its table over the speed of its station; 1: constant
     double speeds[WHIRL_MAX_LIST], torques[WHIRL_MAX_LIST]; ///< rad/s, N m
 } harmonic_torque;
@@ -118,9 +119,9 @@ typedef struct harmonic_torque {
 /// S-N curve of the torque between two stations, by ranges (peak to peak) of the torque or of the shear stress.
 typedef struct twist_fatigue {
     size_t station[2];
-    bool by_stress;       ///< ranges are Pa; else N m
-    double modulus;       ///< m3, of the section that counts; 0: the one of what joins the stations
-    double concentration; ///< stress concentration in it
+    bool by_stress;       ///< ranges are in Pa; otherwise in N m
+    double modulus;       ///< section modulus, m3; 0: that of the part which joins the stations
+    double concentration; ///< factor of stress concentration in the section
     size_t count;         ///< points of the curve
     double ranges[WHIRL_MAX_LIST], lives[WHIRL_MAX_LIST]; ///< falling ranges, growing lives
     double slope, endurance;                              ///< as in whirl_signals_damage
@@ -132,12 +133,13 @@ typedef struct assembly_station {
     double shaft_polar;            ///< kg m2 of the shaft, against twist alone
     double fluid;                  ///< kg of fluid that is moved along; inertia without weight or unbalance
     bool moves_x, moves_y, twists;
-    size_t geared_to;        ///< station whose twist, times `gear`, is its own; NO_STATION: it has its own coordinate
-    double gear;             ///< its twist over that of the coordinate, 1 without a rigid gear
+    size_t geared_to;        ///< station whose twist times `gear` is the twist of this station; NO_STATION: the twist
+                             ///< has its own coordinate
+    double gear;             ///< ratio of its twist to that coordinate; 1 without a rigid gear
     size_t shaft;            ///< shaft of finite elements of which it is a node; NO_SHAFT: none
-    double ratio;            ///< speed of that shaft over the rotor's; 1
+    double ratio;            ///< ratio of that shaft's speed to the rotor's; 1 without a shaft
     double position;         ///< position along that shaft, m
-    double pull_moment;      ///< kg m, moment of the shaft's weight between its nodes, over gravity
+    double pull_moment;      ///< moment of the shaft's weight between its nodes, divided by gravity, kg m
     bool hidden;             ///< a node of the mesh that is not a station of the design
     size_t place;            ///< index among the stations that move in x and y
     size_t coordinate[AXES]; ///< NO_COORDINATE for directions in which it does not move
@@ -146,38 +148,40 @@ typedef struct assembly_station {
 typedef struct assembly {
     double speed, length;              ///< speed of the shaft, rad/s, in either direction; length scale, m
     double clock;                      ///< rad/s of the phase that defines sections: tau = clock t
-    double pace;                       ///< the speed for laws of surfaces that slide: never 0
+    double pace;                       ///< speed for the laws of sliding surfaces, rad/s: never 0
     double turn;                       ///< pace/clock, negative if the shaft turns clockwise, from y to x
-    bool phased;                       ///< the shaft's phase is a state: forces that turn with it are terms only
+    bool phased;                       ///< the shaft's phase is a state; forces that turn with the shaft are terms, not
+                                       ///< numbers of stations
     size_t station_count, plane_count; ///< stations, and those that move in x and y
     assembly_station *stations;
     double (*numbers)[STATION_NUMBERS]; ///< [plane_count]
     size_t degrees;
     size_t twist_count, first_twist; ///< coordinates that are twists, and the first of them
-    double *inertia, *unit;          ///< [degrees] kg or kg m2; m or rad of one unit
+    double *inertia, *unit;          ///< [degrees] inertia of each coordinate, kg or kg m2; size of its unit, m or rad
     size_t term_count, term_room;
     linear_term *terms;
     size_t mass_count, mass_room;
     mass_term *masses;
     body body;           ///< shafts of finite elements
-    bool in_time;        ///< frequency-dependent coefficients are functions with states of their own
-    double frequency;    ///< rad/s of whirl, for frequency-dependent coefficients
-    double *frequencies; ///< [frequency_count] rad/s, of all tables over it, rising
+    bool in_time;        ///< frequency-dependent coefficients become transfer functions with states
+    double frequency;    ///< frequency of whirl at which frequency-dependent coefficients are taken, rad/s
+    double *frequencies; ///< [frequency_count] ascending frequencies of all tables over the frequency, rad/s
     size_t frequency_count;
     size_t runout_count, runout_room;
     station_runout *runouts; ///< runout of probes
     size_t turning_count, turning_room;
     turning_inertia *turnings; ///< inertias that turn with the rotor's own shaft
     size_t weight_count, weight_room;
-    turning_inertia *weights; ///< forces by a pull of 1 m/s2 along x (cos) and along y (sin), kg or kg m of a tilt
-    double pull[2];           ///< m/s2, gravity across the shafts
+    turning_inertia *weights; ///< forces by a pull of 1 m/s2 along x (cos) and along y (sin): kg, of tilts kg m
+    double pull[2];           ///< gravity across the shafts, m/s2
     shaft_drive drive;        ///< motor and load of a shaft whose speed is a state
     size_t torque_count;
     shaft_torque *torques; ///< [torque_count] other torques on such a shaft
     size_t link_count, link_room;
-    twist_link *links; ///< [link_count] what joins twists
+    twist_link *links; ///< [link_count] joints between twists
     size_t hold_count, hold_room;
-    twist_link *holds; ///< [hold_count] what joins twists to the ground; the second coordinate is NO_COORDINATE
+    twist_link *holds; ///< [hold_count] joints between twists and the ground, whose coordinate, the second one, is
+                       ///< NO_COORDINATE
     size_t harmonic_count, harmonic_room;
     harmonic_torque *harmonics; ///< [harmonic_count] torques to which the twists respond
     size_t fatigue_count, fatigue_room;
@@ -190,37 +194,38 @@ typedef struct assembly {
     bool no_memory;          ///< a term was lost
 } assembly;
 
-/// Makes an assembly of stations that move in x and y and have no mass yet; WHIRL_NO_MEMORY. Freed by assembly_clear.
-/// speed: negative (or -0.0) clockwise. At standstill the unit of time is a second, and laws have their limits for a
-/// speed that goes to 0: `pace` and `turn` are those of a shaft that turns once in 2e11 years.
+/// Makes an assembly of stations that move in x and y and have no mass yet. speed: negative (or -0.0) for a clockwise
+/// shaft. At standstill the unit of time is a second, and laws have their limits for a speed that goes to 0: `pace` and
+/// `turn` are those of a shaft that turns once in 2e11 years. WHIRL_NO_MEMORY. Freed by assembly_clear.
 whirl_status assembly_begin(assembly *to, double speed, double length, size_t station_count);
 void assembly_clear(assembly *to);
 
-/// Returns the shaft's speed, rad/s, negative clockwise.
+/// Returns the shaft's speed, rad/s, negative for a clockwise shaft.
 double assembly_spin(const assembly *of);
 
-/// Returns true if the shaft stands still, at its angle of t = 0. Stiffness that turns with it (flats, cracks) stays at
-/// that angle; forces that turn with it count with their mean over a turn, 0.
+/// Returns true if the shaft stands still, at its angle of t = 0. Stiffness that turns with the shaft (flats, cracks)
+/// stays at that angle. Forces that turn with the shaft count with their mean over a turn, which is 0.
 bool assembly_stands(const assembly *of);
 
-/// Numbers the coordinates, once all inertia is known, in the order [station_count] of the stations, NULL: as listed.
-/// WHIRL_BAD_INPUT for a station without mass.
+/// Numbers the coordinates, when all inertia is known. order [station_count]: order of the stations; NULL: as they are
+/// listed. WHIRL_BAD_INPUT for a station without mass.
 whirl_status assembly_number(assembly *to, const size_t *order);
 
-/// Finds the coordinate of a station along an axis. WHIRL_BAD_INPUT with a sentence if it has none.
+/// Finds the coordinate of a station along an axis. If it has none, returns WHIRL_BAD_INPUT with a sentence.
 whirl_status assembly_find(const assembly *of, size_t station, axis along, size_t *coordinate);
 
-/// Returns the motion of a station along an axis over that of its coordinate: 1, for twists the ratio of rigid gears.
+/// Returns the ratio of the motion of a station along an axis to its coordinate: 1, for twists the ratio of rigid
+/// gears.
 double assembly_share(const assembly *of, size_t station, axis along);
 
-/// Makes the twist of one station that of another one times `ratio` (rigid gears), before coordinates are numbered.
-/// WHIRL_BAD_INPUT where the station follows another one already.
+/// Makes the twist of one station that of another one times `ratio` (rigid gears). To be called before coordinates are
+/// numbered. WHIRL_BAD_INPUT if the station already follows another one.
 whirl_status assembly_gear(assembly *to, size_t station, size_t other, double ratio);
 
-/// Finds the coordinates along x and y, port[0] and port[1].
+/// Finds the coordinates of a station along x, port[0], and y, port[1].
 whirl_status assembly_find_plane(const assembly *of, size_t station, size_t port[2]);
 
-/// Returns the kg that a force on a station accelerates along x and y: its own mass and that of the fluid.
+/// Returns the mass that a force on a station accelerates along x and y, kg: its own and that of the fluid.
 double assembly_inertia(const assembly *of, size_t station);
 
 /// Returns the scale of a stiffness on a station, kg rad^2/s^2.
@@ -229,40 +234,42 @@ double assembly_stiffness_scale(const assembly *of, size_t station);
 /// Returns the divisor that turns a force (N or N m) on a coordinate into its acceleration.
 double assembly_force_scale(const assembly *of, size_t coordinate);
 
-/// Adds -stiffness times the coordinate `by`, or -damping times its velocity, to the force on `row`; nothing where one
-/// of them is NO_COORDINATE. In N/m, N s/m, or with tilts N, N m, N s, N m s.
+/// Adds -stiffness times the coordinate `by`, or -damping times its velocity, to the force on `row`; nothing if one of
+/// them is NO_COORDINATE. Units are N/m and N s/m; with tilts N, N m, N s and N m s.
 void assembly_stiffness(assembly *to, size_t row, size_t by, double stiffness);
 void assembly_damping(assembly *to, size_t row, size_t by, double damping);
 
-/// Adds a spring or damper between two coordinates, one of them perhaps NO_COORDINATE, the ground.
+/// Adds a spring or damper between two coordinates. One of them may be NO_COORDINATE, the ground.
 void assembly_spring(assembly *to, size_t one, size_t other, double stiffness);
 void assembly_damper(assembly *to, size_t one, size_t other, double damping);
 
-/// Adds -mass times the acceleration of the coordinate `by` to the force on `row`, and, where these are two, the other
-/// way round: an entry of the mass matrix. In kg, or with tilts kg m, kg m2. Nothing where one is NO_COORDINATE.
+/// Adds -mass times the acceleration of the coordinate `by` to the force on `row` and, if these are two coordinates,
+/// the same with both exchanged: a number of the mass matrix. mass: kg, with tilts kg m or kg m2. Adds nothing if one
+/// of them is NO_COORDINATE.
 void assembly_inertance(assembly *to, size_t row, size_t by, double mass);
 
-/// Adds a mass that resists the acceleration of one coordinate relative to another (an inerter: Smith 2002), one of
-/// them perhaps NO_COORDINATE, the ground.
+/// Adds a mass that resists the acceleration of one coordinate relative to another (an inerter: Smith 2002). One of
+/// them may be NO_COORDINATE, the ground.
 void assembly_inerter(assembly *to, size_t one, size_t other, double mass);
 
-/// Stiffness, damping and inertance between two places: N/m, N s/m and kg, of angles N m/rad, N m s/rad and kg m2.
+/// A joint between two places: stiffness, damping and inertance in N/m, N s/m and kg; between angles in N m/rad, N m
+/// s/rad and kg m2.
 typedef struct joining {
     double stiffness, damping, inertance;
     double modulus; ///< as in twist_link
 } joining;
 
-/// Returns the section modulus of a round shaft against torsion, m3: shear stress is the torque over it.
+/// Returns the torsional section modulus of a round shaft, m3, by which a torque is divided to give the shear stress.
 static inline double joining_modulus(double outer, double inner) {
     const double share = inner / outer;
     return 0.19634954084936207740 * outer * outer * outer * (1.0 - share * share * share * share); // pi/16
 }
 
-/// Joins two places, one of them perhaps the ground, whose coordinate is NO_COORDINATE. share: the motion of each place
-/// over that of its coordinate (assembly_share).
+/// Joins two places. One of them may be the ground, whose coordinate is NO_COORDINATE. share: ratio of the motion of
+/// each place to its coordinate (assembly_share).
 void assembly_join(assembly *to, const size_t coordinate[2], const double share[2], const joining *by);
 
-/// Joins the twists of two stations, one of them perhaps NO_STATION, the ground. Nothing where neither twists.
+/// Joins the twists of two stations. One of them may be NO_STATION, the ground. Does nothing if neither twists.
 void assembly_twist(assembly *to, size_t one, size_t other, const joining *by);
 
 /// Adds a torque to which the twists respond.
@@ -271,36 +278,36 @@ void assembly_harmonic(assembly *to, const harmonic_torque *torque);
 /// Adds the S-N curve of a torque.
 void assembly_fatigue(assembly *to, const twist_fatigue *curve);
 
-/// Checks that a torque on a station, or on the shaft as a whole (NO_STATION), turns the rotor's own shaft or a station
-/// that twists. WHIRL_BAD_INPUT for a shaft of another speed that does not twist.
+/// Checks that a torque on a station, or on the shaft as a whole (NO_STATION), acts on the rotor's own shaft or on a
+/// station that twists. WHIRL_BAD_INPUT if its shaft has another speed and does not twist.
 whirl_status assembly_turns(const assembly *of, size_t station);
 
-/// Adds a torque that acts while the speed of the shaft is a state. WHIRL_BAD_INPUT for one too many, and as
+/// Adds a torque that acts while the speed of the shaft is a state. WHIRL_BAD_INPUT for one torque too many, and as
 /// assembly_turns.
 whirl_status assembly_torque(assembly *to, const shaft_torque *torque);
 
 /// Adds a term that is already scaled.
 void assembly_term(assembly *to, linear_term term);
 
-/// Adds a force (N or N m) times a value of time to the coordinate; none where the shaft stands still.
+/// Adds a force (N or N m) times a value of the forcing to the coordinate; nothing if the shaft stands still.
 void assembly_forcing(assembly *to, size_t row, size_t value, double force);
 
 /// Adds a force on a pair of coordinates that turns with the shaft, from `angle` (rad) at tau = 0.
 void assembly_turning(assembly *to, size_t x, size_t y, double force, double angle);
 
-/// Adds the gyroscopic moments of a polar inertia (kg m2) at a station that tilts: I_d phi'' - i I_p omega phi' = M,
-/// phi = tilt_x + i tilt_y.
+/// Adds the gyroscopic moments of a polar inertia (kg m2) at a station that tilts: I_d phi'' - i I_p omega phi' = M
+/// with phi = tilt_x + i tilt_y.
 void assembly_gyroscopic(assembly *to, size_t station, double polar);
 
 /// Notes an inertia (kg m, of tilts kg m2) at `angle` (rad) that turns with the shaft, for machines whose speed
-/// changes; its force at the constant speed is added by others.
+/// changes. Its force at the constant speed must be added separately.
 void assembly_inertial(assembly *to, size_t x, size_t y, double moment, double angle);
 
 /// Adds an unbalance of `moment` (kg m) at `angle` (rad, from the x axis at tau = 0).
 void assembly_unbalance(assembly *to, size_t station, double moment, double angle);
 
-/// Registers frequencies of whirl [count], rising, of a coefficient table. With several tables, the frequencies that
-/// all of them cover are kept. WHIRL_BAD_INPUT if there is no common range.
+/// Registers ascending frequencies of whirl [count] of a table of coefficients. Of several tables, the frequencies that
+/// all of them cover are kept. WHIRL_BAD_INPUT if they have no common range.
 whirl_status assembly_frequencies(assembly *to, size_t count, const double *frequencies);
 
 /// Adds a harmonic (m) of the runout at a station to what probes see there.
@@ -309,13 +316,13 @@ void assembly_runout(assembly *to, size_t station, whirl_runout seen);
 /// Adds a pull (m/s2) on the own masses of all stations.
 void assembly_pull(assembly *to, double x, double y);
 
-/// Lists the forces that a pull along x and y has on all masses. Call it once, when all inertia is known.
+/// Lists the forces of a pull along x and y on all masses. To be called once, when all inertia is known.
 void assembly_weigh(assembly *to);
 
 /// Adds damping (N s/m) between a station and the ground.
 void assembly_ground_damping(assembly *to, size_t station, double damping);
 
-/// Sorts the terms by row and merges terms of one row, column and kind. Returns false if a term was lost for lack of
+/// Sorts the terms by row, and merges terms of one row, column and kind. Returns false if a term was lost for lack of
 /// memory.
 bool assembly_finish(assembly *to);
 

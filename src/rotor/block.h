@@ -1,6 +1,6 @@
 /// Arguments of kernels: vectors of one instruction set.
 ///
-/// Rotors side by side, each lane at its own time and on its own sides of the switches, with perturbations.
+/// Rotors are side by side in lanes. Each lane has its own time and its own sides of the switches, and perturbations.
 #ifndef ROTOR_BLOCK_H
 #define ROTOR_BLOCK_H
 
@@ -11,16 +11,17 @@
 typedef struct block {
     size_t stride, vectors;
     size_t perturbations;
-    size_t next, next_v; ///< distance in vectors between the positions of states or perturbations, and between the rest
-    size_t forcing_stride; ///< distance in vectors between values of time
+    size_t next, next_v;   ///< distance in vectors from the positions of one state or perturbation to the next, and of
+                           ///< their other numbers
+    size_t forcing_stride; ///< distance in vectors between numbers of the forcing
     const vec *forcing, *q, *v;
-    const vec *turned;       ///< derivatives of the values of time by the shaft's phase, if that is a state; else NULL
+    const vec *turned;       ///< derivatives of the forcing by the shaft's phase if that is a state; otherwise NULL
     size_t phase;            ///< row of that state among the rates
     vec *a, *divergence;     ///< divergence: NULL unless requested
     const vec *numbers;      ///< numbers of the machine
     const size_t *places;    ///< start of each part's numbers; NULL: each has its own
     const vec *sides;        ///< sides of its switches; NULL: the state decides
-    const coupling *coupled; ///< by masses; or NULL
+    const coupling *coupled; ///< coupling of accelerations by masses, or NULL
 } block;
 
 /// Returns the numbers of an element, for the first vector.
@@ -31,7 +32,7 @@ static inline const vec *sides_of(const block *b, const element *own) {
     return b->sides ? b->sides + own->first_switch * b->stride : NULL;
 }
 
-/// Returns the block as one of a single vector, as large machines have it: compilers then drop loops and strides.
+/// Returns the block as one of a single vector, as large machines have it. Compilers then remove loops and strides.
 static inline block single(const block *b) {
     block one = *b;
     one.stride = one.vectors = 1;
@@ -47,8 +48,8 @@ static inline int wants_tangent(const block *b) {
     return b->perturbations > 0 || b->divergence;
 }
 
-/// Returns the part of the trace of a derivative: of the acceleration that forces give the coordinate `row` alone, by
-/// the velocity of `by`.
+/// Returns the contribution of `derivative` to the trace. It is the derivative by the velocity of `by` of the
+/// acceleration that forces would give the coordinate `row` without mass coupling.
 static inline vec of_trace(const block *b, size_t row, size_t by, vec derivative) {
     if (b->coupled) return v_mul(v_set(coupling_share(b->coupled, by, row)), derivative);
     return row == by ? derivative : v_set(0.0);

@@ -1,5 +1,5 @@
-/// Linear terms that all machines of a block share although their speeds differ: the shaft's own numbers (stiffness,
-/// damping, gyroscopic moments in SI), scaled by powers of the speed when the machine runs.
+/// Linear terms that all machines of a block share although their speeds differ: numbers of the shaft (stiffness,
+/// damping, gyroscopic moments in SI) that are scaled by powers of the speed when the machine runs.
 ///
 /// Shafts of finite elements have thousands of such terms. They are stored once for all lanes; each lane has only its
 /// rates.
@@ -9,11 +9,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/// Factor of a body's term.
+/// What the number of a body's term is multiplied by.
 typedef enum body_source { BODY_PLACE, BODY_VELOCITY, BODY_ONE } body_source;
 
 /// Rates that scale a body's numbers when time is tau = clock t. Each rate is the next one times a factor that is
-/// finite at every speed, so that sums over all of them use Horner's scheme.
+/// finite at every speed, so that their sums can use Horner's scheme.
 typedef enum body_rate {
     RATE_GYRO,      ///< speed/clock: moments of velocities, proportional to the speed
     RATE_FOLLOWING, ///< speed/clock^2: forces of displacements, proportional to the speed
@@ -25,14 +25,15 @@ typedef enum body_rate {
 /// Marks terms that do not depend on time.
 enum { BODY_STEADY = -1 };
 
-/// Kind of a term. If `value` is not BODY_STEADY it is also multiplied by that value of time (COS_2TAU, ...).
+/// Kind of a term. If `value` is not BODY_STEADY, the term is also multiplied by this number of the forcing (COS_2TAU,
+/// ...).
 typedef struct body_kind {
     body_source source;
     body_rate rate;
     int value;
 } body_kind;
 
-/// The force (N or N m) on coordinate `row` for 1 m or 1 rad of `column`, for its velocity, or by itself.
+/// The force (N or N m) on coordinate `row` by 1 m or 1 rad of `column`, by its velocity, or constant.
 typedef struct body_term {
     size_t row, column;
     body_kind kind;
@@ -41,25 +42,25 @@ typedef struct body_term {
 
 enum { PANEL_ROWS = 8 };
 
-/// The terms of one kind in a panel: columns that all rows share, with zeros for rows without a term, and columns that
-/// each row has alone.
+/// The terms of one kind in a panel: columns that all rows share, with zeros for rows without a term, then columns of
+/// single rows.
 typedef struct body_part {
     body_kind kind;
-    size_t common, lone; ///< number of columns; for each row
+    size_t common, lone; ///< number of shared columns; number of columns of each row alone
     size_t first_column; ///< first of [common], then [lone][rows], in the list of columns
     size_t first_number; ///< first of [common + lone][rows] in the list of numbers
 } body_part;
 
 /// A few rows that share most of their columns, so that each column is read once for all of them and their sums stay in
-/// registers. Contains the terms of one value of time, part by part in the order of the rates.
+/// registers. A panel contains the terms of one value of the forcing, part by part in the order of the rates.
 typedef struct body_panel {
     int value;
-    bool begins; ///< its sums are the first contributions to its rows
+    bool begins; ///< the panel's sums are the first contributions to its rows
     size_t rows, row[PANEL_ROWS];
     size_t part_count, first_part;
 } body_panel;
 
-/// Storage of panels; with panels NULL they are only counted.
+/// Storage of panels. With `panels` NULL they are only counted.
 typedef struct body_panels {
     size_t count, part_count, column_count, number_count;
     body_panel *panels;
@@ -68,7 +69,7 @@ typedef struct body_panels {
     double *numbers;
 } body_panels;
 
-/// Index of column c, the shared ones first and then those of row r alone.
+/// Returns the column with index c of row r: shared columns come first, then those of the row alone.
 static inline size_t body_column(const body_panels *in, const body_part *part, size_t rows, size_t c, size_t r) {
     return in->columns[part->first_column + (c < part->common ? c : part->common + (c - part->common) * rows + r)];
 }
@@ -79,18 +80,18 @@ typedef struct body {
     bool no_memory; ///< a term was lost
 } body;
 
-/// Adds a term; one that is zero is left out.
+/// Adds a term, unless it is zero.
 void body_add(body *to, size_t row, size_t column, body_kind kind, double number);
 void body_clear(body *of);
 
-/// Sorts the terms by row and kind and merges terms of one row, column and kind. Returns false if a term was lost for
+/// Sorts the terms by row and kind, and merges terms of one row, column and kind. Returns false if a term was lost for
 /// lack of memory.
 bool body_finish(body *of);
 
 /// Gathers the sorted terms into panels. Returns false without memory.
 bool body_gather(const body *of, body_panels *to);
 
-/// Marks panels as the first contributions to the last rows of `rows`, but not before `first`; returns the first such
+/// Marks panels as the first contributions to the last rows of `rows`, but not before `first`. Returns the first such
 /// row.
 size_t body_begin(body_panels *of, size_t first, size_t rows);
 
@@ -100,11 +101,11 @@ bool body_alike(const body_panels *one, const body_panels *other);
 /// Orders kinds: negative, 0 or positive.
 int body_compare_kinds(body_kind one, body_kind other);
 
-/// Number of quotients of rates: each rate over all later ones, and the rate itself.
+/// Number of quotients of rates: each rate divided by each later one, and each rate itself.
 enum { BODY_STEPS = RATES * (RATES + 1) / 2 };
 void body_rates(double speed, double clock, double steps[BODY_STEPS]);
 
-/// Index of the quotient of a rate and a later one; for RATES of the rate itself.
+/// Returns the index of the quotient of a rate and a later one; with RATES as the later one, of the rate itself.
 static inline size_t body_step(body_rate rate, body_rate later) {
     return rate * (2 * RATES + 1 - rate) / 2 + later - rate - 1;
 }

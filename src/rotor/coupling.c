@@ -19,8 +19,8 @@ size_t coupling_count(const assembly *from) {
     return count;
 }
 
-/// The mass matrix M of the coupled coordinates, over the roots of their own inertias: symmetric, 1 where nothing
-/// couples.
+/// Fills in the mass matrix M of the coupled coordinates, divided by the roots of their own inertias: symmetric, and 1
+/// on the diagonal where nothing couples.
 static void add_masses(const coupling *out, const assembly *from, double *m) {
     const size_t n = out->count;
     for (size_t i = 0; i < n; i++) m[i * n + i] = 1.0;
@@ -33,9 +33,9 @@ static void add_masses(const coupling *out, const assembly *from, double *m) {
     }
 }
 
-/// Numbers the coordinates so that those that couple with one another, directly or not, are adjacent.
+/// Numbers the coordinates so that those which couple with one another, directly or indirectly, are adjacent.
 static size_t number_coupled(coupling *out, const assembly *from) {
-    size_t *first = out->place, n = 0; // first coordinate that each couples with
+    size_t *first = out->place, n = 0; // first coordinate with which each couples
     for (size_t d = 0; d < from->degrees; d++) first[d] = d;
     for (bool changed = true; changed;) {
         changed = false;

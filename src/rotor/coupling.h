@@ -1,7 +1,7 @@
-/// Mass coupling: off-diagonal entries of the mass matrix.
+/// Mass coupling: off-diagonal numbers of the mass matrix.
 ///
-/// Elements, stations and linear terms give g = F / (own inertia), coordinate by coordinate; with mass coupling the
-/// accelerations are a = C g with C = M^-1 diag(own inertia), scaled as the assembly scales.
+/// Elements, stations and linear terms compute g = F/(own inertia) for every coordinate alone. With mass coupling the
+/// accelerations are a = C g with C = M^-1 diag(own inertia), in the units of the assembly.
 #ifndef ROTOR_COUPLING_H
 #define ROTOR_COUPLING_H
 
@@ -11,11 +11,11 @@ typedef struct coupling {
     size_t count;  ///< number of coupled coordinates
     size_t *row;   ///< [count] their indices; those of one group are adjacent
     size_t *end;   ///< [count] end of the group of each coordinate
-    size_t *place; ///< [degrees] index among the coupled ones; NO_COORDINATE for others
+    size_t *place; ///< [degrees] index among the coupled coordinates; NO_COORDINATE for others
     double *share; ///< [count][count] C
 } coupling;
 
-/// Entry of C: the acceleration of `row` per acceleration that a force on `by` would give that alone.
+/// Returns a number of C: the acceleration of `row` by a force that would give `by` alone an acceleration of 1.
 static inline double coupling_share(const coupling *in, size_t row, size_t by) {
     const size_t i = in->place[row], j = in->place[by];
     if (i == NO_COORDINATE || j == NO_COORDINATE) return row == by ? 1.0 : 0.0;

@@ -1,9 +1,10 @@
 // Drag of films and seals on shafts whose speed is a state: shear between the surfaces, and the couple of a force that
 // acts beside the line of centres.
 //
-// The fluid has no inertia: what turns journal and housing, T and T' about their own centres, and the force F on the
-// journal at r from the housing's centre balance, T + T' + r x F = 0. Pressure has half of the couple on either side
-// where the surfaces shear the fluid between them; S is the torque of the shear.
+// The fluid has no inertia, so that its effects are in balance: T + T' + r x F = 0, where T and T' are the torques on
+// journal and housing about their own centres, and F is the force on the journal, which is at r from the housing's
+// centre. Half of the couple of the pressure acts on either side. To it is added the torque S of the shear between the
+// surfaces.
 #include <math.h>
 
 #include "machine.h"
@@ -24,7 +25,7 @@ void rotor_drag_with(const whirl_rotor *rotor, const element *own, double *numbe
     const element_place at = rotor_see(rotor, own, x);
     double a[MAX_ROWS];
     const lanes_view view = {.model = rotor, .stride = 1, .vectors = 1, .numbers = numbers, .q = x, .v = x + n, .a = a};
-    // Accelerations by this element alone are its force over the inertia of its ports.
+    // Collect the accelerations by this element alone, which are its forces divided by the inertia of its ports.
     for (size_t p = 0; p < MAX_PORTS; p++)
         if (own->port[p] != NO_COORDINATE) a[own->port[p]] = 0.0;
     machine_element_flow(&view, own);

@@ -1,4 +1,4 @@
-/// Torques that turn a shaft whose speed is a state of the machine: motors, loads and others.
+/// Torques on a shaft whose speed is a state of the machine: motors, loads and others.
 #ifndef ROTOR_DRIVE_H
 #define ROTOR_DRIVE_H
 
@@ -7,41 +7,42 @@
 
 #include "whirl/engine/descriptor.h"
 
-/// The drive: a motor's torque over the speed, and a load. SI. Torques and speeds count in the sense of the rotation.
+/// The drive: a motor's torque over the speed, and a load, in SI. Torques and speeds are positive in the sense of the
+/// rotation.
 typedef struct shaft_drive {
     bool given;
     size_t at, load_at; ///< stations of the motor and of its load; NO_STATION: the shaft as a whole
-    double inertia;     ///< kg m2, of all turning parts about axes through their centres of mass; 0: that of twisting
-                        ///< stations
-    double torque;      ///< N m of the motor at standstill
-    double no_load;     ///< rad/s at which the torque has fallen linearly to 0; 0: the torque is constant
+    double inertia;     ///< of all turning parts about axes through their centres of mass, kg m2; 0: that of the
+                        ///< twisting stations
+    double torque;      ///< torque of the motor at standstill, N m
+    double no_load;     ///< speed at which the torque has fallen linearly to 0, rad/s; 0: the torque is constant
     size_t count;       ///< rows of the table that replaces torque and no_load; 0: no table
     double speeds[WHIRL_MAX_LIST], torques[WHIRL_MAX_LIST];
     double load, linear, quadratic; ///< N m, N m s, N m s2: the load is load + linear w + quadratic w |w|
 } shaft_drive;
 
-/// Returns the torque of the motor, N m, at a speed in rad/s; beyond its table the value at the table's end.
+/// Returns the torque of the motor at a speed in rad/s, N m. Beyond the ends of its table it is the value there.
 double drive_torque(const shaft_drive *drive, double speed);
 
-/// Returns the torque of the load against the rotation, N m. Dry friction (`load`) counts as for a turning shaft from
-/// the speed `slip` on, and falls to 0 in proportion below; slip 0: at standstill too.
+/// Returns the torque of the load against the rotation, N m. From the speed `slip` on, dry friction (`load`) counts as
+/// for a turning shaft. Below, it falls to 0 in proportion; with slip 0 it acts even at standstill.
 double drive_load(const shaft_drive *drive, double speed, double slip);
 
-/// Returns the highest speed for which the motor is described, rad/s: its no-load speed, or the end of its table; 0:
-/// unlimited.
+/// Returns the highest speed for which the motor is described, rad/s: its no-load speed, or the end of its table; 0 if
+/// it is unlimited.
 double drive_highest(const shaft_drive *drive);
 
-/// Most torques of a rotor, states of one, and numbers of its law.
+/// Most torques of a rotor; most states of a torque; most numbers of its law.
 enum { MAX_TORQUES = 16, TORQUE_STATES = 4, TORQUE_NUMBERS = 8 };
 
-/// Time, speed and angle at which a torque acts: SI, in the sense of its station's rotation.
+/// Time, speed and angle at which a torque acts, SI; the latter are positive in the sense of its station's rotation.
 typedef struct torque_place {
     double time;         ///< s
     double speed, angle; ///< rad/s and rad, of its station
     const double *state; ///< states of the torque
 } torque_place;
 
-/// A torque on a station of a shaft whose speed changes, by time, speed and angle.
+/// A torque on a station of a shaft whose speed changes. It depends on time, speed and angle.
 typedef struct shaft_torque {
     const struct torque_law *law;
     size_t station;                ///< NO_STATION: the shaft as a whole

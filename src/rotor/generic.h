@@ -4,29 +4,31 @@
 /// The including file defines
 ///
 ///     KERNEL_FILE      the header of the kernel, in quotes
-///     KERNEL_AXES      displacements that it sees: of its place, or of one place from another
-///     KERNEL_STATES    first-order states of its own, 0 where it has none; with KERNEL_FEWER_STATES at most so many,
-///                      own->states of them
-///     KERNEL_NUMBERS   its numbers; as many as there are ports follow, by which forces become accelerations
-///     KERNEL_SWITCHES  switching functions, affine in what it sees unless KERNEL_CURVED is defined and the type has a
-///                      switch_curvature of its own; 0 where it is smooth
-///     KERNEL_PHASED    1 where it looks at values of time, n_phase(view, COS_TAU), ...; may be left out where not
-///     KERNEL_TILTS     where its axes may be tilts, whose units differ from station to station: behind the numbers of
-///                      the ports follow their units over that of the element, generic_tilts (with the shares of gears)
+///     KERNEL_AXES      number of its displacements: of its place, or of one place relative to another
+///     KERNEL_STATES    number of its first-order states; with KERNEL_FEWER_STATES the most of them, and an element has
+///                      own->states
+///     KERNEL_NUMBERS   number of its numbers; they are followed by one for every port, which converts forces to
+///                      accelerations
+///     KERNEL_SWITCHES  number of switching functions, 0 if the force is smooth; they are affine in displacements,
+///                      velocities and states, unless KERNEL_CURVED is defined and the type has a switch_curvature
+///     KERNEL_PHASED    1 if it uses the forcing, n_phase(view, COS_TAU), ...; otherwise undefined
+///     KERNEL_TILTS     defined if its axes may be tilts, whose units differ from station to station; then the numbers
+///                      of the ports are followed by the ports' units divided by that of the element, which
+///                      generic_tilts sets (with the shares of gears)
 ///
 /// and the kernel's header, included twice, defines
 ///
 ///     KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s, num *force,
 ///                   num *slope)
-///         the forces along the axes [KERNEL_AXES] at displacements d and velocities w, in any unit, and the slopes of
-///         its own states s;
+///         computes the forces along the axes [KERNEL_AXES] at displacements d and velocities w, in any unit, and the
+///         slopes of its states s;
 ///     KERNEL(switches)(const element *own, const kernel_view *view, const num *d, const num *w, num *values)
-///         where KERNEL_SWITCHES is not 0; `force` then looks at view->sides where they are not NULL. With
-///         KERNEL_SWITCHES_BY_STATES its states stand before the values; of KERNEL_SWITCHES_OF(own), a macro, an
-///         element has fewer.
+///         computes the switching functions, if KERNEL_SWITCHES is not 0; `force` then uses view->sides unless they are
+///         NULL. If KERNEL_SWITCHES_BY_STATES is defined, the states are an argument before the values. If the macro
+///         KERNEL_SWITCHES_OF(own) is defined, an element has that number of switches, at most KERNEL_SWITCHES.
 ///
 /// An element has 2 KERNEL_AXES ports: the coordinates of its place, then those of the other place or NO_COORDINATE.
-/// The force acts on the first with its sign and on the other against it.
+/// The force acts on the first place with its sign, and on the other place with the opposite sign.
 #ifndef ROTOR_GENERIC_H
 #define ROTOR_GENERIC_H
 
@@ -48,7 +50,7 @@ _Static_assert(2 * KERNEL_AXES <= (int)MAX_PORTS, "an element sees at most MAX_P
 typedef struct kernel_view {
     size_t stride;
     const vec *number;                               ///< number n of the element is number[n * stride]
-    vec phase[FORCING_COUNT], turned[FORCING_COUNT]; ///< values of time, and their derivatives by the shaft's phase
+    vec phase[FORCING_COUNT], turned[FORCING_COUNT]; ///< the forcing, and its derivatives by the shaft's phase
     const vec *sides;                                ///< side of switch s: sides[s * stride]; NULL: the state decides
 } kernel_view;
 
@@ -67,12 +69,12 @@ static inline dual phase_dual(const kernel_view *view, int value) {
 }
 #include KERNEL_FILE
 
-/// Inputs of an element from a state or a perturbation.
+/// Inputs of an element, from a state or a perturbation.
 typedef struct kernel_inputs {
     vec d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1], phase;
 } kernel_inputs;
 
-/// `value` of the coordinate of a port in vector k, in the unit of the element.
+/// Returns `value`, which is that of the coordinate of a port in vector k, in the unit of the element.
 VECTOR_INLINE vec in_unit(const element *own, const block *b, size_t k, size_t port, vec value) {
 #ifdef KERNEL_TILTS
     return v_mul(numbers_of(b, own)[(KERNEL_NUMBERS + KERNEL_PORTS + port) * b->stride + k], value);
@@ -82,8 +84,8 @@ VECTOR_INLINE vec in_unit(const element *own, const block *b, size_t k, size_t p
 #endif
 }
 
-/// Returns true if its place moves along all axes, in their own units, and the other place is the ground: the most
-/// frequent case, with fewer branches.
+/// Returns true if the element's place moves along all axes, in their own units, and the other place is the ground.
+/// This is the most frequent case, with fewer branches.
 static inline bool is_grounded(const element *own) {
 #ifdef KERNEL_TILTS
     bool grounded = false;
@@ -95,7 +97,7 @@ static inline bool is_grounded(const element *own) {
     return grounded;
 }
 
-/// Difference of both places along axis a, for vector k of a row.
+/// Returns the difference of both places along axis a, for vector k of a row.
 VECTOR_INLINE vec between(const element *own, const block *b, const vec *row, size_t k, size_t a) {
     const size_t one = own->port[a], other = own->port[KERNEL_AXES + a];
     const vec here = one == NO_COORDINATE ? v_set(0.0) : in_unit(own, b, k, a, row[one * b->stride + k]);
@@ -103,7 +105,7 @@ VECTOR_INLINE vec between(const element *own, const block *b, const vec *row, si
     return v_sub(here, in_unit(own, b, k, KERNEL_AXES + a, row[other * b->stride + k]));
 }
 
-/// Gathers the inputs for vector k of state or perturbation n.
+/// Collects the inputs for vector k of state or perturbation n.
 VECTOR_INLINE void inputs_of(const element *own, const block *b, size_t n, size_t k, bool grounded, kernel_inputs *in) {
     const vec *q = b->q + n * b->next, *v = b->v + n * b->next_v;
     if (grounded)
@@ -131,7 +133,7 @@ VECTOR_INLINE kernel_view view_of(const element *own, const block *b, size_t k) 
     return view;
 }
 
-/// Adds forces to the accelerations, and slopes, of vector k of state or perturbation n.
+/// Adds forces to the accelerations, and the slopes of states, in vector k of state or perturbation n.
 VECTOR_INLINE void spread(const element *own, const block *b, size_t n, size_t k, bool grounded, const vec *force,
                           const vec *slope) {
     const size_t stride = b->stride;
@@ -155,7 +157,7 @@ VECTOR_INLINE void add_plain(const element *own, const block *b, size_t k, bool 
     spread(own, b, 0, k, grounded, force, slope);
 }
 
-/// Applies the derivative of `of` to a perturbation.
+/// Applies the derivative of `of` to the inputs of a perturbation.
 VECTOR_INLINE vec along(const element *own, const dual *of, const kernel_inputs *in) {
     (void)own;
     vec sum = v_set(0.0);
@@ -217,7 +219,8 @@ static void add_dual(const element *own, const block *b, size_t k) {
     if (b->divergence) b->divergence[k] = v_add(b->divergence[k], trace_of(own, b, k, force, slope));
 }
 
-/// Block and element are copied, so that compilers know that no write changes them.
+/// Computes the accelerations of elements. Block and element are copied, so that compilers know that no write changes
+/// them.
 static void generic_flow(const element *first, size_t count, const block *b) {
     const block at = *b;
     for (size_t i = 0; i < count; i++) {
@@ -242,7 +245,8 @@ static void generic_flow(const element *first, size_t count, const block *b) {
 #define SWITCHES_AT(own, view, d, w, s, value) ((void)(s), switches_dual(own, view, d, w, value))
 #endif
 
-/// Values, and their derivatives along velocities, accelerations and the slopes of states.
+/// Computes the switching functions, and their derivatives by time along velocities, accelerations and the slopes of
+/// states.
 static void generic_switches(const element *own, const block *b, void *values, void *rates) {
     for (size_t k = 0; k < b->vectors; k++) {
         // Evaluate the switches with derivatives.
@@ -252,7 +256,7 @@ static void generic_switches(const element *own, const block *b, void *values, v
         dual d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1], value[KERNEL_SWITCHES];
         seed(own, &in, d, w, s);
         SWITCHES_AT(own, &view, d, w, s, value);
-        // Add up the rate along the motion.
+        // Sum the rate along the motion.
         for (size_t i = 0; i < SWITCHES_OF(own); i++) {
             vec rate = v_set(0.0);
             for (size_t a = 0; rates && a < KERNEL_AXES; a++) {
@@ -306,7 +310,7 @@ static void generic_gradient(const element *own, const element_place *at, size_t
 }
 
 #ifndef KERNEL_CURVED
-/// Second derivatives of affine functions: zero.
+/// Writes the second derivatives of affine functions: zero.
 static void generic_curvature(const element *own, const element_place *at, size_t index, const element_place *along,
                               element_place *by) {
     (void)own, (void)at, (void)index, (void)along;
@@ -329,7 +333,7 @@ static void generic_curvature(const element *own, const element_place *at, size_
 #endif
 
 #if VECTOR_ISA == VECTOR_SCALAR
-/// Fills in the numbers that turn a force of `unit` newtons into accelerations; with unit 1 for forces in newtons.
+/// Fills in the numbers that convert a force of `unit` newtons to accelerations; unit 1 is for forces in newtons.
 static inline void generic_scale(element *own, const assembly *to, double unit) {
     for (size_t port = 0; port < KERNEL_PORTS; port++)
         own->number[KERNEL_NUMBERS + port] = own->port[port] == NO_COORDINATE
@@ -338,8 +342,8 @@ static inline void generic_scale(element *own, const assembly *to, double unit) 
 }
 
 #ifdef KERNEL_TILTS
-/// The same for forces in N or moments in N m; with the units of the ports over that of the element, which is returned:
-/// m or rad.
+/// Does the same for forces in N and moments in N m, and fills in the units of the ports divided by that of the
+/// element. Returns the latter, m or rad.
 static double generic_tilts(element *own, const assembly *to) {
     double unit = 0.0;
     for (size_t port = KERNEL_PORTS; port-- > 0;)

@@ -1,9 +1,9 @@
-/// The structures that integrators have loops of their own for: the most frequent rotors.
+/// The structures for which integrators have their own loops: the most frequent rotors.
 ///
-/// A structure <name> is src/rotor/<name>_kernel.h, the phases of its acceleration, and <name>.c, which knows it when
-/// it is built. It has one line and one block here. Integrators write their loops once
-/// (integrate/kernels/*_instance.inc), with INSTANCE(word) for <name>_word and INSTANCE_SIZE(WORD) for <NAME>_WORD:
-/// where INSTANCE_FILE is defined, this header includes that file for every structure.
+/// A structure <name> consists of src/rotor/<name>_kernel.h, with the phases of its acceleration, and <name>.c, which
+/// recognizes it when a rotor is built. It has one line and one block here. Integrators write their loops once
+/// (integrate/kernels/*_instance.inc), with INSTANCE(word) for <name>_word and INSTANCE_SIZE(WORD) for <NAME>_WORD. If
+/// INSTANCE_FILE is defined, this header includes that file for every structure.
 #ifndef ROTOR_INSTANCES_H
 #define ROTOR_INSTANCES_H
 
@@ -15,7 +15,7 @@
 enum { INSTANCES(INSTANCE_NUMBER) INSTANCE_COUNT };
 #undef INSTANCE_NUMBER
 
-/// Tests for the structure NAME; NULL: none of them.
+/// Tests whether an instance, which may be NULL, is of the structure NAME.
 #define IS_INSTANCE(NAME, instance) ((instance) && (instance)->structure == INSTANCE_##NAME)
 
 #endif

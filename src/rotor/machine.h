@@ -10,7 +10,8 @@
 #include "whirl/engine/system.h"
 #include "whirl/internal/model.h"
 
-/// The twist of a station: its coordinate, NO_COORDINATE where it does not twist, and its share of that.
+/// The twist of a station: its coordinate, NO_COORDINATE if the station does not twist; and the ratio of the twist to
+/// it.
 typedef struct station_twist {
     size_t coordinate;
     double share;
@@ -24,16 +25,16 @@ typedef struct rigid_pair {
 
 struct whirl_rotor {
     double speed, clock, length;
-    double cross_coupling; ///< N/m, of all stages
-    /// -1: what turns with the shaft turns by -tau; if the phase is a state, its slope has the sign instead. 0:
-    /// standstill.
+    double cross_coupling; ///< sum of the cross couplings of all stages, N/m
+    /// -1: the shaft turns clockwise, and what turns with it turns by -tau (if the phase is a state, its slope has the
+    /// sign instead). 0: the shaft stands still.
     double way;
     char keyphasor[WHIRL_NAME_SIZE + 16]; ///< name of the phase that defines sections; "": the shaft's
-    /// Row of the shaft's phase among the rates if it is a state, whose slope is the last number; else 0.
+    /// If the shaft's phase is a state: its row among the rates; its slope is the last number. Otherwise 0.
     size_t phase;
     whirl_system system;
     whirl_lanes lanes;
-    lanes_instance instance;           ///< structure with loops of its own
+    lanes_instance instance;           ///< structure with its own loops
     size_t station_count, plane_count; ///< stations, and those that move in x and y
     size_t term_count, element_count, contact_count;
     linear_term *terms;
@@ -41,37 +42,40 @@ struct whirl_rotor {
     /// Terms of shafts of finite elements; the same in all machines of a block.
     body_panels body;  ///< numbers, scaled except for their rates
     size_t first_rate; ///< index of the machine's rates among its numbers
-    size_t begun;      ///< first coordinate that the body initializes; those before are initialized by stations or zero
-    between_term *between; ///< [between_count] displacements between stations as functions of the stations'
+    size_t begun;      ///< first coordinate that the body initializes; previous ones are initialized by stations or are
+                       ///< 0
+    between_term *between; ///< [between_count] displacements of nodes between stations as functions of those of the
+                           ///< stations
     size_t between_count;
     double *frequencies; ///< [frequency_count] as in whirl_system
     size_t frequency_count;
     element *elements; ///< [element_count] elements with kernels, in the registry's order
-    double *numbers;   ///< [plane_count][STATION_NUMBERS], those of the terms, then those of the elements
+    double *numbers;   ///< [plane_count][STATION_NUMBERS] numbers of stations, then those of the terms, then those of
+                       ///< the elements
     size_t *places;    ///< [plane_count + element_count] as in whirl_lanes
     whirl_probe *probes;
     whirl_runout *runouts;           ///< runouts of the probes, station after station
     size_t *groups;                  ///< [lanes.group_count + 1]
     double *turns;                   ///< [dimension] as in whirl_system
-    bool turning;                    ///< some of them are not 0
+    bool turning;                    ///< some of `turns` are not 0
     size_t repeats;                  ///< as in whirl_system
     bool kinked;                     ///< as in whirl_system
     size_t held;                     ///< number of elements, the first ones, whose `hold` succeeded
-    bool mute;                       ///< there is friction of unknown power
-    double *inertia, *unit;          ///< [degrees] kg or kg m2 of coordinates; m or rad of one unit
+    bool mute;                       ///< there is friction whose power is unknown
+    double *inertia, *unit;          ///< [degrees] inertia of coordinates, kg or kg m2; size of their unit, m or rad
     size_t twist_count, first_twist; ///< as in the assembly
     station_twist *twists;           ///< [station_count]
     size_t turning_count;
     turning_inertia *turnings; ///< [turning_count] as in the assembly
     double pull[2];            ///< m/s2, gravity across the shafts
-    double *weight;            ///< [2][degrees] kg, or kg m of a tilt: force by a pull of 1 m/s2 along x, then along y
+    double *weight;            ///< [2][degrees] force by a pull of 1 m/s2 along x, then along y: kg, of a tilt kg m
     shaft_drive drive;         ///< as in the assembly
     size_t torque_count;
     shaft_torque *torques; ///< [torque_count] as in the assembly
     size_t link_count;
     twist_link *links; ///< [link_count] as in the assembly
-    /// [degrees] of twists: the twist in a rigid turn of the shaft over the shaft's own, positive about z, and the
-    /// angular momentum of that turn, kg m2 (NULL: nothing twists).
+    /// [degrees] In a rigid turn of the shaft: the ratio of each twist to the shaft's angle, positive about z; and the
+    /// angular momentum per speed, kg m2 (NULL: nothing twists).
     double *rigid, *momentum;
     bool grounded; ///< a spring holds a twist to the ground
     size_t hold_count, harmonic_count, pair_count;
@@ -80,35 +84,34 @@ struct whirl_rotor {
     size_t fatigue_count;
     twist_fatigue *fatigues; ///< [fatigue_count] likewise
     rigid_pair *pairs;       ///< [pair_count] rigid gears
-    double *polar;           ///< [station_count] kg m2 of the stations against twist
+    double *polar;           ///< [station_count] inertia of the stations against twist, kg m2
     size_t excitation_count;
     whirl_excitation *excitations; ///< [excitation_count]
     whirl_torsion torsion;
-    size_t driver; ///< station whose turn is the shaft's, of its motor; the number of stations: none twists
-    /// Station that nothing joins to the others' twists; NO_STATION: all turn together.
+    size_t driver; ///< station of the motor, whose turn is that of the shaft; the number of stations: none twists
+    /// A station whose twist nothing joins to those of the others; NO_STATION: all turn together.
     size_t aside;
     size_t *contacts; ///< [contact_count] indices of elements
     char (*contact_text)[WHIRL_NAME_SIZE + 32];
     const char **contact_names;
 };
 
-/// The most first-order states that the elements of a rotor have together, its coordinates, and rows of its
-/// accelerations.
+/// Most first-order states that the elements of a rotor have together; most coordinates; most rows of accelerations.
 enum {
     MAX_OWN_STATES = 2 * WHIRL_MAX_ELEMENTS,
     MAX_DEGREES = AXES * WHIRL_MAX_STATIONS,
     MAX_ROWS = MAX_DEGREES + MAX_OWN_STATES
 };
 
-enum { INSTANCE_STATIONS = 2 }; ///< most of one
+enum { INSTANCE_STATIONS = 2 }; ///< most stations of a structure
 
-/// Function of a structure of instances.h that recognizes it: returns true if a machine has it with its stations'
-/// coordinates in this order, and its laws [INSTANCE_LAWS].
+/// Function by which a structure of instances.h recognizes a machine. Returns true if the machine has this structure,
+/// with the coordinates of its stations in this order, and its laws [INSTANCE_LAWS].
 typedef bool instance_find(const assembly *of, const element *elements, size_t count, size_t order[INSTANCE_STATIONS],
                            int *laws);
 instance_find pair_find;
 
-/// Functions of rotors for lanes.h: one of each kind for every instruction set of vector.h (kernels/machine.c).
+/// Functions of rotors for lanes.h, one of each kind for every instruction set of vector.h (kernels/machine.c).
 FOR_EVERY_ISA(lanes_flow, machine_flow);
 FOR_EVERY_ISA(lanes_switches, machine_switches);
 FOR_EVERY_ISA(lanes_forcing, machine_forcing);
@@ -117,32 +120,32 @@ FOR_EVERY_ISA(lanes_contacts, machine_contacts);
 /// Fills in the other members for lanes.h (rotor_lanes.c), after the rotor's parts.
 void rotor_lanes_fill(whirl_rotor *rotor);
 
-/// Finds the rigid turn of a rotor whose stations twist, from its links and its elements (turn.c).
+/// Finds the rigid turn of a rotor whose stations twist, from its links and elements (turn.c).
 void rotor_find_turn(whirl_rotor *rotor, const assembly *from);
 
-/// Computes accelerations by time from forces [degrees], N or N m, including mass coupling between coordinates: out
-/// [degrees] in units of the coordinates.
+/// Computes accelerations by time from forces [degrees], N or N m, including mass coupling: out [degrees] in units of
+/// the coordinates.
 void rotor_accelerate(const whirl_rotor *rotor, const double *force, double *out);
 
 /// Fills in the inertias, speeds and joints of stations that twist. Errors as whirl_rotor_new (train.c).
 whirl_status rotor_model_train(const whirl_design *design, whirl_model *out);
 
-/// Checks that every S-N curve has a torque. WHIRL_BAD_INPUT (torsion.c).
+/// Checks that every S-N curve belongs to a torque. WHIRL_BAD_INPUT (torsion.c).
 whirl_status rotor_check_fatigue(const whirl_rotor *rotor);
 
-/// Finds what excites the twists and what carries torque, after the rigid turn (torsion.c).
+/// Finds what excites the twists, and what carries torque. To be called after rotor_find_turn (torsion.c).
 void rotor_find_torsion(whirl_rotor *rotor, const assembly *from);
 
 /// Returns the number of states that an element sees, at most MAX_ELEMENT_STATES.
 size_t rotor_states_seen(const element *own);
 
-/// Returns the places, velocities and states that an element sees in a state x [dimension].
+/// Returns the displacements, velocities and states that an element sees in a state x [dimension].
 element_place rotor_see(const whirl_rotor *rotor, const element *own, const double *x);
 
-/// Returns true for an element that carries torque between two twists, or a twist and the ground.
+/// Returns true for an element that carries torque between two twists, or between a twist and the ground.
 bool rotor_carries(const whirl_rotor *rotor, const element *own);
 
-/// A path of torsion (whirl_torsion.path): one of these, the others NULL.
+/// A path of torsion (whirl_torsion.path): one of the members, the others are NULL.
 typedef struct rotor_path {
     const twist_link *link;
     const element *element;
@@ -150,53 +153,54 @@ typedef struct rotor_path {
 } rotor_path;
 rotor_path rotor_path_at(const whirl_rotor *rotor, size_t index);
 
-/// Returns the station whose twist is that of an end of a link; the number of stations for a node between them.
+/// Returns the station whose twist is that of an end of a link, or the number of stations for a node between stations.
 size_t rotor_link_station(const whirl_rotor *rotor, const twist_link *own, size_t end);
 
-/// Returns element `index` of those that carry torque (rotor_carries); NULL past the last.
+/// Returns element `index` of those that carry torque (rotor_carries), or NULL past the last.
 const element *rotor_carrier(const whirl_rotor *rotor, size_t index);
 
-/// Returns the torque that such an element carries in a state x [dimension], with other numbers of the machine in place
-/// of its own, as whirl_torque_path says.
+/// Returns the torque that such an element carries in a state x [dimension]. `numbers` of a machine replace the rotor's
+/// own, as in whirl_torque_path.
 double rotor_carried(const whirl_rotor *rotor, const element *carrier, double *numbers, const double *x);
 
-/// Returns the number of torques that a run-up watches: its own, of springs between twists, of meshes and springs with
-/// play.
+/// Returns the number of torques that a run-up observes: those of springs between twists, of meshes, and of springs
+/// with play.
 size_t rotor_watched_count(const whirl_rotor *rotor);
 
-/// Returns the speed of a station in a rigid turn over that of the shaft, at least 0; 1 if it does not twist.
+/// Returns the ratio of a station's speed in a rigid turn to that of the shaft, at least 0; 1 if the station does not
+/// twist.
 double rotor_turns(const whirl_rotor *rotor, size_t station);
 
 /// Fills in the functions of the rotor's system (rotor_system.c).
 void rotor_system_fill(whirl_rotor *rotor);
 
-/// Functions of the rotor's system with other numbers [lanes.number_count] in place of its own, those of the machine at
-/// another speed.
+/// Functions of the rotor's system with other numbers [lanes.number_count], those of the machine at another speed.
 void rotor_flow_with(const whirl_rotor *rotor, const double *numbers, const double *forcing, const double *sides,
                      const double *x, double *dxdt);
 void rotor_switches_with(const whirl_rotor *rotor, const double *numbers, const double *x, double *values);
 void rotor_contacts_with(const whirl_rotor *rotor, const double *numbers, const double *x, double *normal_force,
                          double *friction);
-/// Computes the torques, N m, of the fluid of an element (element_type.drag) on the shafts of its journal and housing,
-/// in the sense of the rotation of the rotor's shaft, at a speed of that in rad/s. numbers, x: of that speed, by the
-/// angle; spin: rad/s of journal and housing in the same sense (drag.c).
+/// Computes the torques of the fluid of an element (element_type.drag) on the shafts of its journal and housing, N m,
+/// in the sense of the rotation of the rotor's shaft (drag.c). speed: speed of the shaft, rad/s; numbers, x: of the
+/// machine at that speed, by the angle; spin: speeds of journal and housing in the same sense, rad/s.
 void rotor_drag_with(const whirl_rotor *rotor, const element *own, double *numbers, const double *x, double speed,
                      const double spin[2], double torque[2]);
-/// Computes the accelerations by one element alone: rows of its ports and states in view->a (kernels/machine.c).
+/// Computes the accelerations by one element alone, to the rows of its ports and states in view->a (kernels/machine.c).
 void machine_element_flow(const lanes_view *view, const element *own);
 /// Writes the derivatives of switch `index` by x, gradient [dimension].
 void rotor_gradient_with(const whirl_rotor *rotor, double *numbers, const double *x, size_t index, double *gradient);
 
-/// Returns the rotor of a system; NULL if the system is not a rotor's.
+/// Returns the rotor of a system, or NULL if the system is not a rotor's.
 const whirl_rotor *rotor_of_system(const whirl_system *system);
 
 // ---------------------------------------------------------------- repeats
 // Revolutions after which phases that turn at ratios of the speed repeat.
 
-/// Returns the smallest q up to WHIRL_MAX_REPEATS for which q times `ratio` is whole, to rounding; 0 without one.
+/// Returns the smallest q up to WHIRL_MAX_REPEATS for which q times `ratio` is a whole number, to rounding; 0 if there
+/// is none.
 size_t repeats_of(double ratio);
 
-/// Combines the repeats a and b (0: never) of two phases.
+/// Returns the repeats of two phases together, from the repeats a and b of each (0: never).
 size_t repeats_of_both(size_t a, size_t b);
 
 #endif

@@ -1,8 +1,8 @@
-/// The numbers of kernels that are written once and compiled twice: vectors, and duals over vectors, which carry the
-/// derivatives by DUAL_INPUTS inputs along. Included with NUMBERS_DUAL defined or not; a kernel names its functions
-/// KERNEL(name) and its numbers num.
+/// The numbers of kernels that are written once and compiled twice: for vectors, and for duals over vectors, which
+/// carry along the derivatives by DUAL_INPUTS inputs. Included with NUMBERS_DUAL defined or not. A kernel names its
+/// functions KERNEL(name) and its numbers num.
 ///
-/// Comparisons look at values; a dual chosen by a mask has the derivative of its side.
+/// Comparisons look at values. A dual chosen by a mask has the derivative of the chosen one.
 #ifndef ROTOR_NUMBERS_H
 #define ROTOR_NUMBERS_H
 
@@ -23,7 +23,7 @@ VECTOR_INLINE dual dual_of(vec value) {
 VECTOR_INLINE dual dual_set(double value) {
     return dual_of(v_set(value));
 }
-/// Input number `input`.
+/// Returns the input with index `input`, whose derivative by itself is 1.
 VECTOR_INLINE dual dual_input(vec value, int input) {
     dual out = dual_of(value);
     out.by[input] = v_set(1.0);
@@ -44,7 +44,7 @@ VECTOR_INLINE dual dual_mul(dual a, dual b) {
     FOR_INPUTS out.by[i] = v_fma(a.by[i], b.value, v_mul(a.value, b.by[i]));
     return out;
 }
-/// Scales by a number that depends on no input.
+/// Scales a dual by a number that depends on no input.
 VECTOR_INLINE dual dual_scale(vec factor, dual a) {
     a.value = v_mul(factor, a.value);
     FOR_INPUTS a.by[i] = v_mul(factor, a.by[i]);
@@ -61,7 +61,7 @@ VECTOR_INLINE dual dual_div(dual a, dual b) {
     FOR_INPUTS out.by[i] = v_mul(over, v_fnma(out.value, b.by[i], a.by[i]));
     return out;
 }
-/// Square root of a number above 0; 0 has the derivative 0.
+/// Returns the square root of a number above 0. The root of 0 has the derivative 0.
 VECTOR_INLINE dual dual_sqrt(dual a) {
     dual out = {.value = v_sqrt(a.value)};
     const vec half = v_div(v_set(0.5), v_max(out.value, v_set(0x1p-1000)));
@@ -69,21 +69,21 @@ VECTOR_INLINE dual dual_sqrt(dual a) {
     FOR_INPUTS out.by[i] = v_mul(over, a.by[i]);
     return out;
 }
-/// Power of a number above 0, with an exponent that depends on no input.
+/// Returns a power of a number above 0, with an exponent that depends on no input.
 VECTOR_INLINE dual dual_pow(dual a, vec power) {
     dual out = {.value = v_pow(a.value, power)};
     const vec slope = v_mul(power, v_div(out.value, a.value));
     FOR_INPUTS out.by[i] = v_mul(slope, a.by[i]);
     return out;
 }
-/// 1/sqrt(a) of a normal number above 0.
+/// Returns 1/sqrt(a) for a normal number above 0.
 VECTOR_INLINE dual dual_over_root(dual a) {
     dual out = {.value = v_over_root(a.value)};
     const vec slope = v_mul(v_mul(v_set(-0.5), out.value), v_mul(out.value, out.value));
     FOR_INPUTS out.by[i] = v_mul(slope, a.by[i]);
     return out;
 }
-/// Ninth root of a normal number above 0.
+/// Returns the ninth root of a normal number above 0.
 VECTOR_INLINE dual dual_ninth_root(dual a) {
     dual out = {.value = v_ninth_root(a.value)};
     const vec slope = v_div(out.value, v_mul(v_set(9.0), a.value));
@@ -113,7 +113,7 @@ VECTOR_INLINE void dual_sincos(dual a, dual *sine, dual *cosine) {
         cosine->by[i] = v_mul(v_sub(v_set(0.0), s), a.by[i]);
     }
 }
-/// The angle of (x, y) for x > 0, atan(y/x).
+/// Returns the angle of (x, y) for x > 0, atan(y/x).
 VECTOR_INLINE vec plain_angle(vec x, vec y) {
     const vec over = v_div(v_set(1.0), v_fma(x, x, v_mul(y, y)));
     return v_half_angle(v_fms(x, v_mul(x, over), v_set(0.5)), v_mul(x, v_mul(y, over)));

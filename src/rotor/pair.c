@@ -1,12 +1,13 @@
-// Recognition of the structure of pair_kernel.h.
+// Recognizes the structure of pair_kernel.h.
 #include "machine.h"
 #include "pair_kernel.h"
 #include "registry.h"
 
-/// Its elements: a shaft, a film at one end, a rub at the other.
+/// The elements of a pair: a shaft, a film at one end, a rub at the other end.
 enum { SHAFT, FILM, RUB, ELEMENTS_OF_PAIR };
 
-/// Tests for the pair with the disc's coordinates before or after the journal's.
+/// Returns true if a machine is a pair, with the coordinates of the disc before or (reversed) after those of the
+/// journal.
 static bool is_pair(const assembly *of, const element *e, size_t count, bool reversed) {
     const size_t disc = reversed ? 2 : 0, journal = 2 - disc;
     return of->station_count == PAIR_STATIONS && of->degrees == PAIR_DEGREES && of->plane_count == PAIR_STATIONS &&

@@ -1,9 +1,9 @@
-/// A disc on a shaft to a journal in a film, with a rub at the disc: the rotor of most studies of oil film and rub, the
-/// paper's of 2015 among them. Integrators have loops of their own for it (instances.h), made of these phases of an
-/// acceleration.
+/// A disc on a shaft to a journal in a film, with a rub at the disc: the rotor of most studies of oil film and rub,
+/// such as the paper of 2015. Integrators have their own loops for it (instances.h), which consist of these phases of
+/// an acceleration.
 ///
-/// The same kernels in the same order as kernels/machine.c calls them from its lists, so the same bits; three
-/// vectors are under way at a time, so that the divider never waits.
+/// It calls the same kernels in the same order as kernels/machine.c does from its lists, so that the bits are the same.
+/// Three vectors are in progress at a time, so that the CPU's divider never waits.
 #ifndef ROTOR_PAIR_KERNEL_H
 #define ROTOR_PAIR_KERNEL_H
 
@@ -16,14 +16,14 @@
 #include "elements/shafts/station_kernel.h"
 #include "lanes.h"
 
-/// Coordinates: of the disc, which has the one contact, then of the journal.
+/// Coordinates: those of the disc, which has the only contact, then those of the journal.
 enum { PAIR_STATIONS = 2, PAIR_DEGREES = 4, PAIR_CONTACT = 0, PAIR_JOURNAL = 2 };
 enum { PAIR_SHAFT_LAW, PAIR_RUB_LAW };
 
-/// Coordinates whose sizes are measured together, as whirl_lanes has them.
+/// Coordinates whose sizes are measured together, as in whirl_lanes.
 static const size_t pair_groups[] = {0, PAIR_JOURNAL, PAIR_DEGREES};
 
-/// First numbers of the parts.
+/// Indices of the first numbers of the parts.
 enum {
     PAIR_DISC_NUMBERS = 0,
     PAIR_JOURNAL_NUMBERS = PAIR_DISC_NUMBERS + STATION_NUMBERS,
@@ -33,14 +33,14 @@ enum {
     PAIR_NUMBERS = PAIR_RUB_NUMBERS + RUB_NUMBERS
 };
 
-/// Accelerations on their way, one in each phase, by their number modulo FILM_PLACES. All arrays have the stride that
-/// the line is used with.
+/// Accelerations in progress, one in each phase, at their number modulo FILM_PLACES. All arrays have the stride with
+/// which the line is used.
 typedef struct pair_line {
-    bool balanced; ///< no journal has an unbalance, as usual: nothing is added for it
+    bool balanced; ///< no journal has an unbalance, as usual: none is computed
     size_t begun;
     const vec *number[FILM_PLACES], *q[FILM_PLACES], *v[FILM_PLACES];
-    const vec *sides[FILM_PLACES];    ///< as rub_kernel takes them
-    const void *forcing[FILM_PLACES]; ///< doubles that all lanes share, or vectors
+    const vec *sides[FILM_PLACES];    ///< as for rub_kernel
+    const void *forcing[FILM_PLACES]; ///< numbers that all lanes share, or vectors
     vec *a[FILM_PLACES];
     film_work film;
 } pair_line;
@@ -64,7 +64,7 @@ VECTOR_INLINE void pair_put(pair_line *line, size_t at, const vec *number, const
     line->a[at] = a;
 }
 
-/// Begins an acceleration: starts the film's root in the divider.
+/// Begins an acceleration: starts the root of the film in the CPU's divider.
 VECTOR_INLINE void pair_send(pair_line *line, size_t stride, const vec *number, const void *forcing, const vec *sides,
                              const vec *q, const vec *v, vec *a) {
     const element film = {.port = {2, 3}};
@@ -73,7 +73,7 @@ VECTOR_INLINE void pair_send(pair_line *line, size_t stride, const vec *number, 
     pair_put(line, at, number, forcing, sides, q, v, a);
 }
 
-/// Stations and shaft, which do not wait for the divider, into `frame`.
+/// Computes the accelerations by stations and shaft, which do not wait for the divider, in `frame`.
 VECTOR_INLINE void pair_frame(const lanes_instance *pair, size_t stride, const pair_line *line, size_t at, bool shared,
                               vec *frame) {
     const element shaft = {.port = {0, 1, 2, 3}, .law = pair->law[PAIR_SHAFT_LAW]};
@@ -92,7 +92,7 @@ VECTOR_INLINE void pair_frame(const lanes_instance *pair, size_t stride, const p
     shaft_kernel(&shaft, c2, s2, stride, number + PAIR_SHAFT_NUMBERS * stride, q, frame);
 }
 
-/// Adds film and rub.
+/// Adds the accelerations by film and rub.
 VECTOR_INLINE void pair_end(const lanes_instance *pair, size_t stride, const pair_line *line, size_t at, vec *frame) {
     const element rub = {.port = {0, 1}, .law = pair->law[PAIR_RUB_LAW]};
     const vec *number = line->number[at];
@@ -104,7 +104,7 @@ VECTOR_INLINE void pair_end(const lanes_instance *pair, size_t stride, const pai
     rub_kernel(&rub, stride, number + PAIR_RUB_NUMBERS * stride, line->sides[at], line->q[at], line->v[at], a);
 }
 
-/// Finishes the acceleration begun PAIR_UNDER_WAY - 1 before the last one.
+/// Finishes the acceleration that was begun PAIR_UNDER_WAY - 1 before the last one.
 VECTOR_INLINE void pair_receive(const lanes_instance *pair, size_t stride, pair_line *line, bool shared) {
     const size_t divided = (line->begun - 2) % FILM_PLACES, ended = (line->begun - 3) % FILM_PLACES;
     vec frame[PAIR_DEGREES * PAIR_MAX_STRIDE];
@@ -113,7 +113,7 @@ VECTOR_INLINE void pair_receive(const lanes_instance *pair, size_t stride, pair_
     pair_end(pair, stride, line, ended, frame);
 }
 
-/// Computes a single acceleration; arguments as pair_send.
+/// Computes a single acceleration. The arguments are as for pair_send.
 VECTOR_INLINE void pair_alone(const lanes_instance *pair, size_t stride, const vec *number, const void *forcing,
                               bool shared, const vec *sides, const vec *q, const vec *v, vec *a) {
     pair_line line;
@@ -132,7 +132,7 @@ VECTOR_INLINE void pair_drain(const lanes_instance *pair, size_t stride, pair_li
     pair_receive(pair, stride, line, shared);
 }
 
-/// Prepares a line: the first results, which were never begun, go nowhere.
+/// Prepares a line. The first results, which were never begun, are written to `nowhere`.
 VECTOR_INLINE void pair_open(pair_line *line, bool balanced, const vec *number, const void *forcing, const vec *sides,
                              const vec *q, const vec *v, vec *nowhere) {
     memset(&line->film, 0, sizeof line->film);

@@ -1,4 +1,4 @@
-// The equations of motion of a rotor in SI, for programs with integrators of their own.
+// The equations of motion of a rotor in SI, for programs with their own integrators.
 #include "whirl/engine/rotor.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/// The elements, one line each, in the order in which they act (the order fixes the last bits of a sum).
+/// The elements, one line each, in the order in which they act. The order fixes the last bits of a sum.
 #ifndef ROTOR_REGISTRY_H
 #define ROTOR_REGISTRY_H
 

@@ -3,7 +3,7 @@
 #include <math.h>
 
 size_t repeats_of(double ratio) {
-    // Ratios of a frequency and a speed carry a few roundings.
+    // Ratios of a frequency to a speed have a few roundings.
     const double rounding = 1e-14;
     for (size_t q = 1; q <= WHIRL_MAX_REPEATS; q++) {
         const double turns = (double)q * ratio;

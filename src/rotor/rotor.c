@@ -1,4 +1,4 @@
-// The rotor: assembles its parts in one block, and the system that it makes.
+// The rotor: puts its parts into one block, and fills in its system.
 #include "whirl/engine/rotor.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@
 #include "instances.h"
 #include "machine.h"
 
-/// Recognizes a structure with loops of its own, with its stations' coordinates in this order.
+/// Recognizes a structure that has its own loops. `order` becomes the order of its stations' coordinates.
 static bool find_instance(const building *b, size_t order[INSTANCE_STATIONS], lanes_instance *out) {
     if (b->keyphasor || b->mesh.node_count > 0 || b->assembly.turn != 1.0) return false;
 #define FIND(name, NAME)                                                                                               \
@@ -33,14 +33,14 @@ static size_t aligned(size_t size) {
     return (size + 15) / 16 * 16;
 }
 
-/// Cuts `size` bytes off the block; with a block of NULL only counts.
+/// Cuts `size` bytes off the block. With a block of NULL it only counts.
 static void *cut(char *block, size_t *used, size_t size) {
     void *part = block ? block + *used : NULL;
     *used += aligned(size);
     return part;
 }
 
-/// Index of the first element's numbers: after those of stations and terms.
+/// Returns the index of the first element's numbers, which follow those of stations and terms.
 static size_t first_of_elements(const building *b) {
     return b->assembly.plane_count * STATION_NUMBERS + b->assembly.term_count;
 }
@@ -56,9 +56,9 @@ static size_t count_contacts(const building *b) {
     return count;
 }
 
-/// Lays the parts of a rotor out in a block and returns the block's size.
+/// Lays out the parts of a rotor in a block. Returns the size of the block.
 static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) {
-    // Cut the parts one after the other; without a block only their sizes count.
+    // Cut the parts one after the other. Without a block only their sizes count.
     const size_t stations = b->design->station_count, contacts = count_contacts(b);
     const size_t coupled = coupling_count(&b->assembly);
     const body_panels *shafts = &b->panels;
@@ -100,7 +100,7 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
         cut(block, &used, stations * sizeof *rotor->polar),
         cut(block, &used, (b->assembly.harmonic_count + b->element_count) * sizeof *rotor->excitations),
         cut(block, &used, b->assembly.fatigue_count * sizeof *rotor->fatigues)};
-    // Point to them, in the same order.
+    // Point to the parts, in the same order.
     if (!rotor) return used;
     rotor->elements = parts[0];
     rotor->numbers = parts[1];
@@ -141,10 +141,11 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
     return used;
 }
 
-/// A station that moves along one axis, or twists alone, has one coordinate, which is used for both.
+/// Fills in the probes. A station that moves along one axis, or only twists, has one coordinate, which is used for both
+/// axes.
 static void add_probes(whirl_rotor *rotor, const building *b) {
     const size_t degrees = b->assembly.degrees;
-    // Coordinates of the stations.
+    // Set the coordinates of the stations.
     for (size_t s = 0; s < b->design->station_count; s++) {
         const size_t *coordinate = b->assembly.stations[s].coordinate;
         const bool along_x = coordinate[AXIS_X] != NO_COORDINATE, along_y = coordinate[AXIS_Y] != NO_COORDINATE;
@@ -159,7 +160,7 @@ static void add_probes(whirl_rotor *rotor, const building *b) {
                                          .clockwise = b->assembly.turn < 0.0};
         strcpy(rotor->probes[s].name, b->assembly.stations[s].name);
     }
-    // Places on shafts of finite elements.
+    // Set the positions on shafts of finite elements.
     for (size_t i = 0; i < b->mesh.node_count; i++) {
         const mesh_node *node = &b->mesh.nodes[i];
         if (node->station >= b->design->station_count) continue;
@@ -176,7 +177,7 @@ static void add_twists(whirl_rotor *rotor, const assembly *from) {
             (station_twist){from->stations[s].coordinate[AXIS_TWIST], assembly_share(from, s, AXIS_TWIST)};
 }
 
-/// Adds the runouts in length scales, those of a station adjacent.
+/// Adds the runouts in length scales. Those of a station are adjacent.
 static void add_runouts(whirl_rotor *rotor, const assembly *from) {
     whirl_runout *next = rotor->runouts;
     for (size_t s = 0; s < rotor->station_count; s++) {
@@ -221,7 +222,7 @@ static void add_numbers(whirl_rotor *rotor, const building *b) {
     if (b->keyphasor) *number = b->assembly.turn;
 }
 
-/// The body's terms, scaled as coordinates are.
+/// Scales the body's terms as coordinates are scaled.
 static void scale_body(assembly *of) {
     for (size_t i = 0; i < of->body.count; i++) {
         body_term *term = &of->body.terms[i];
@@ -238,7 +239,7 @@ static bool add_body(whirl_rotor *rotor, const assembly *from) {
     return true;
 }
 
-/// Names a contact: "rub at disc"; further equal ones are "rub at disc (2)", ...
+/// Names a contact "rub at disc"; further contacts of that name are "rub at disc (2)", ...
 static void name_contact(whirl_rotor *rotor, size_t k) {
     const element *own = &rotor->elements[rotor->contacts[k]];
     char again[16] = "";
@@ -267,7 +268,8 @@ static void note_contact(whirl_rotor *rotor, size_t index) {
     name_contact(rotor, k);
 }
 
-/// Updates the revolutions after which the phases repeat by a phase with so many rounds per revolution (NaN: never).
+/// Combines the revolutions after which all phases repeat with those of a phase that has `rounds` per revolution (NaN:
+/// it never repeats).
 static void note_phase(whirl_rotor *rotor, double rounds) {
     const size_t repeats = repeats_of(rounds);
     rotor->repeats = rotor->turning ? repeats_of_both(rotor->repeats, repeats) : repeats;
@@ -312,7 +314,7 @@ static void add_elements_to(whirl_rotor *rotor, const building *b) {
     }
 }
 
-/// Adds the shaft's phase as the last state. If nothing depends on it, it does not keep motions from returning.
+/// Adds the shaft's phase as the last state. If nothing depends on it, motions may return at any phase.
 static void add_phase(whirl_rotor *rotor, const building *b) {
     enum { MOST = 2 * AXES * WHIRL_MAX_STATIONS + MAX_OWN_STATES };
     const size_t dimension = rotor->system.dimension, last = dimension - 1;
@@ -331,12 +333,12 @@ static void add_phase(whirl_rotor *rotor, const building *b) {
 }
 
 static whirl_rotor *finish(building *b) {
-    // One block for the rotor and its arrays.
+    // Allocate one block for the rotor and its arrays.
     scale_body(&b->assembly);
     whirl_rotor *rotor = body_gather(&b->assembly.body, &b->panels) ? calloc(1, rotor_lay_out(NULL, NULL, b)) : NULL;
     if (!rotor) return NULL;
     rotor_lay_out(rotor, (char *)rotor, b);
-    // Copy from the assembly.
+    // Copy the data of the assembly.
     rotor->speed = b->assembly.speed;
     rotor->way = assembly_stands(&b->assembly) ? 0.0 : !b->keyphasor && b->assembly.turn < 0.0 ? -1.0 : 1.0;
     rotor->clock = b->assembly.clock;
@@ -372,7 +374,7 @@ static whirl_rotor *finish(building *b) {
     rotor->harmonic_count = b->assembly.harmonic_count;
     if (b->assembly.harmonics)
         memcpy(rotor->harmonics, b->assembly.harmonics, rotor->harmonic_count * sizeof *rotor->harmonics);
-    // Stations, numbers and elements.
+    // Copy stations, numbers and elements.
     for (size_t i = 0; i < b->assembly.weight_count; i++) {
         const turning_inertia *own = &b->assembly.weights[i];
         rotor->weight[own->row] += own->cos;
@@ -389,7 +391,7 @@ static whirl_rotor *finish(building *b) {
     }
     add_elements_to(rotor, b);
     rotor_find_turn(rotor, &b->assembly);
-    // Functions of lanes and of the system.
+    // Fill in the functions of lanes and of the system.
     rotor->lanes.degrees = b->assembly.degrees;
     rotor_find_torsion(rotor, &b->assembly);
     rotor->lanes.states = b->state_count;
@@ -410,7 +412,7 @@ static whirl_status check_states(const building *b) {
 }
 
 static whirl_status rotor_check_model(const whirl_rotor *rotor) {
-    // Contacts are at most as many as elements.
+    // There are at most as many contacts as elements.
     _Static_assert((int)WHIRL_MAX_ELEMENTS <= (int)WHIRL_MAX_CONTACTS, "a contact for every element");
     if (rotor->lanes.switch_count > WHIRL_MAX_SWITCHES)
         return whirl_fail(WHIRL_BAD_INPUT, "the rotor has %zu switches, expected at most %d", rotor->lanes.switch_count,
@@ -440,7 +442,7 @@ whirl_status whirl_rotor_outline(const whirl_design *design, whirl_rotor **out) 
     *out = NULL;
     if (design->station_count == 0)
         return whirl_fail(WHIRL_BAD_INPUT, "the rotor has no station, expected at least one");
-    // Assemble; once more in the order of stations that a structure with loops of its own requires.
+    // Assemble the rotor, and once more if a structure with its own loops requires another order of stations.
     whirl_status status = building_assemble(&b, design, NULL);
     if (status.code == WHIRL_OK && find_instance(&b, order, &found) && !in_order(&b, order)) {
         building_end(&b);
@@ -488,7 +490,7 @@ void whirl_rotor_free(whirl_rotor *rotor) {
     free(rotor);
 }
 
-/// Sets the elements' own states if none of them was given.
+/// Sets the states of elements if none of them was given.
 static void begin_elements(const whirl_rotor *rotor, double *x) {
     for (size_t i = 0; i < rotor->element_count; i++) {
         const element *own = &rotor->elements[i];

@@ -1,4 +1,4 @@
-// The rotor's functions in whirl_lanes (base/lanes.h): its structure and its numbers.
+// The rotor's functions for whirl_lanes (base/lanes.h): its structure and its numbers.
 #include <string.h>
 
 #include "machine.h"
@@ -39,8 +39,8 @@ static bool lane_alike(const void *one, const void *other) {
     return couplings_alike(&a->coupled, &b->coupled);
 }
 
-/// If the `count` numbers from `own` on differ from those at *place, which are shared, the part gets its own: *place =
-/// own. Returns the count of own numbers, else 0.
+/// Finds where the numbers of a part are. If the `count` numbers from `own` on differ from the shared ones at *place,
+/// the part gets its own, and *place becomes `own`. Returns how many numbers the part has itself, 0 if it shares them.
 static size_t part_from(const double *number, size_t own, size_t count, size_t *place) {
     if (memcmp(number + own, number + *place, count * sizeof *number) != 0) *place = own;
     return *place == own ? count : 0;
@@ -102,7 +102,7 @@ static void lane_depends(const void *model, bool *table) {
     // Rotating forces depend on the shaft's phase if that is a state.
     for (size_t i = 0; rotor->phase && i < degrees + rotor->lanes.states; i++)
         table[i * width + degrees + rotor->phase] = true;
-    // Accelerations that couple by mass depend on all that any of them depends on.
+    // Accelerations that are coupled by mass depend on everything on which one of them depends.
     for (size_t c = 0; c < width; c++) {
         bool any = false;
         for (size_t i = 0; i < coupled->count; i++) any |= table[coupled->row[i] * width + c];

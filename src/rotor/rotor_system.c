@@ -1,4 +1,4 @@
-// A rotor as a system, by the one-lane build of its kernels.
+// The system of a rotor, by the one-lane build of its kernels.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -77,12 +77,12 @@ static void rotor_friction(const void *model, const double *x, double *friction)
     machine_contacts_scalar(&view, normal_force, friction);
 }
 
-/// The state and as many perturbations as fit, with positions apart from the rest as lanes need them.
+/// The state and as many perturbations as fit. Positions are separate from the other numbers, as lanes need them.
 typedef struct group {
     double q[2 * MAX_DEGREES], v[2 * MAX_ROWS], a[2 * MAX_ROWS];
 } group;
 
-/// Copies state or perturbation x to place n of the group's positions and of the rest.
+/// Copies the state or perturbation x to place n of the group: its positions to q, its other numbers to v.
 static void rotor_put(const whirl_rotor *rotor, double *q, double *v, size_t n, const double *x) {
     const size_t degrees = rotor->lanes.degrees, rows = degrees + rotor->lanes.states;
     memcpy(q + n * degrees, x, degrees * sizeof *x);
@@ -128,7 +128,7 @@ static double divergence_at(const void *model, double t, const double *forcing, 
     return divergence;
 }
 
-/// Returns the element that has switch *index, and sets *index to the switch's index in that element.
+/// Returns the element that has switch *index. *index becomes the switch's index in that element.
 static const element *owner_of(const whirl_rotor *rotor, size_t *index) {
     const element *own = rotor->elements;
     for (;; own++) {
@@ -138,7 +138,7 @@ static const element *owner_of(const whirl_rotor *rotor, size_t *index) {
     }
 }
 
-/// Converts a derivative by the inputs of an element into one by the state.
+/// Converts a derivative by the inputs of an element to one by the state.
 static void spread(const whirl_rotor *rotor, const element *own, const element_place *by, double *out) {
     const size_t degrees = rotor->lanes.degrees;
     memset(out, 0, rotor->system.dimension * sizeof *out);
@@ -179,8 +179,8 @@ static void switch_curvature(const void *model, double t, const double *x, size_
     spread(model, own, &by, out);
 }
 
-/// Returns true if a contact begins at a switch: the first one of elements with a gap all around, every one of springs
-/// and looseness.
+/// Returns true if a contact begins at a switch: at the first switch of elements with a gap all around, at each switch
+/// of springs and looseness.
 static bool switch_touches(const void *model, size_t index) {
     const element *own = owner_of(model, &index);
     if (own->type->touches) return own->type->touches(own, index);
@@ -203,7 +203,7 @@ static bool rotor_named_order(const void *model, size_t index, whirl_named_order
     return false;
 }
 
-/// Extracts extremes as an element sees them; NaN for unknown ones.
+/// Returns the extremes as an element sees them; NaN for unknown ones.
 static element_seen see_extremes(const whirl_rotor *rotor, const element *own, const whirl_extremes *of) {
     const size_t first = rotor->lanes.degrees + own->state;
     const whirl_probe *probe = &rotor->probes[own->station];
@@ -220,12 +220,12 @@ static element_seen see_extremes(const whirl_rotor *rotor, const element *own, c
 }
 
 static bool rotor_range(const void *model, size_t index, const whirl_extremes *seen, whirl_law_range *out) {
-    // Without extremes nothing is known of what a part has reached.
+    // Without extremes it is unknown what a part has reached.
     static const double none[MAX_OWN_STATES];
     const whirl_rotor *rotor = model;
     const element_seen nothing = {.radius = NAN, .state_low = none, .state_high = none};
     element_range found;
-    // Count the ranges of all parts up to the one that is asked for.
+    // Count the ranges of all parts up to the requested one.
     for (size_t i = 0; i < rotor->element_count; i++) {
         const element *own = &rotor->elements[i];
         const element_seen at = seen ? see_extremes(rotor, own, seen) : nothing;
@@ -293,7 +293,7 @@ static bool rotor_settle(const void *model, double *x, whirl_settled *kinds) {
     return balanced;
 }
 
-/// Returns the station that moves with one of two ports; station_count if none does.
+/// Returns the station that moves with one of two ports, or station_count if none does.
 static size_t station_of_ports(const whirl_rotor *rotor, const size_t port[2]) {
     size_t station = 0;
     for (; station < rotor->station_count; station++)
@@ -302,7 +302,8 @@ static size_t station_of_ports(const whirl_rotor *rotor, const size_t port[2]) {
     return station;
 }
 
-/// Returns the film of an element between journal ports 2 index, 2 index + 1 and the ports of its housing.
+/// Returns the film of an element between its ports 2 index and 2 index + 1, which are the journal's, and the ports of
+/// its housing.
 static element_film film_of(const whirl_rotor *rotor, const element *own, const double *x, size_t index) {
     const element_type *type = own->type;
     const element_place at = rotor_see(rotor, own, x);
@@ -332,7 +333,8 @@ static bool film(const void *model, const double *x, size_t probe, whirl_film_ga
     return found;
 }
 
-/// Finds the element of another rotor that corresponds to `own`: of its type, at its station, in the same sequence.
+/// Finds the corresponding element of another rotor: the one of the same type, at the same station, and with the same
+/// index among these.
 static const element *counterpart(const whirl_rotor *rotor, const element *own, const whirl_rotor *other) {
     size_t before = 0;
     for (const element *e = rotor->elements; e < own; e++) before += e->type == own->type && e->station == own->station;

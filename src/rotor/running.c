@@ -1,4 +1,4 @@
-// Machines whose speed changes: the numbers of a rotor as functions of its speed, and the equation of its shaft.
+// Machines whose speed changes: the numbers of a rotor as functions of the speed, and the equation of its shaft.
 #include "whirl/engine/running.h"
 
 #include <math.h>
@@ -8,23 +8,25 @@
 #include "machine.h"
 #include "matrix.h"
 
-/// Number of powers of the speed in a sum that represents a number; the lowest power is -2.
+/// Number of powers of the speed in a sum that represents a number, and the lowest of these powers.
 enum { POWERS = 5, LOWEST_POWER = -2 };
 
-/// Number of speeds at which machines are made to find the powers, and to check the sum.
+/// Number of speeds at which machines are made to find the powers and to check the sum.
 enum { POWER_SPEEDS = 11 };
 
-/// Nodes of splines, speeds of the nodes and of the checks between them, and stored numbers of a spline.
+/// SPLINE_NODES: nodes of a spline. SPLINE_SPEEDS: speeds of its nodes, and of the checks between them. SPLINE_NUMBERS:
+/// stored numbers of a spline.
 enum { SPLINE_NODES = 33, SPLINE_SPEEDS = 2 * SPLINE_NODES - 1, SPLINE_NUMBERS = 2 * SPLINE_NODES };
 
-/// Error, over its largest value, below which a number counts as a sum of powers.
+/// Largest error of a number that counts as a sum of powers, divided by the number's largest value.
 static const double power_error = 2e-12;
 
-/// Least speed, over the unit, at which numbers are evaluated: laws divide by the speed. A slower shaft counts as
-/// standing.
+/// Least speed, divided by the unit, at which numbers are evaluated, since laws divide by the speed. A slower shaft
+/// counts as standing.
 static const double slowest = 1e-6;
 
-/// Speed, over the unit, below which dry friction of a load yields, for machines that may stand while torques pulsate.
+/// Speed, divided by the unit, below which the dry friction of a load yields, for machines that may stand while torques
+/// pulsate.
 static const double slipping = 1e-4;
 
 /// A number of the machine that changes with the speed w: the sum of power[k] w^(k - 2), or a spline over w^lift.
@@ -37,36 +39,37 @@ typedef struct number_of_speed {
 
 /// A rotor whose speed changes.
 typedef struct running_rotor {
-    whirl_running shown;   ///< the public part; first, so that a pointer to it is one to this struct
+    whirl_running shown;   ///< the public part, which is first, so that a pointer to it also points to this struct
     whirl_machine machine; ///< the machine at the unit of speed; machines of all speeds have its structure
     const whirl_rotor *rotor;
     double unit;
     whirl_turning how;
-    double *numbers; ///< [number_count] numbers at the speed *at, workspace
+    double *numbers; ///< [number_count] workspace: numbers at the speed *at
     double *at;
     size_t varying_count;
     number_of_speed *varying;
     double *splines; ///< all of them
     double lowest_node, node_distance;
-    /// [degrees] effect of turning unbalances on each coordinate, by the values of time C and S: accelerations at a
-    /// speed of 1 unit (own_), and forces over the square of the speed, kg or kg m2 of a unit of the coordinate
-    /// (force_). The same for the unbalances of `lose` (lost_).
+    /// [degrees] Effect of turning unbalances on each coordinate, by the values C and S of the forcing: accelerations
+    /// at a speed of 1 unit (own_), and forces divided by the square of the speed, kg, or kg m2, of a unit of the
+    /// coordinate (force_). lost_ is the same for the unbalances of `lose`.
     double *own_cos, *own_sin, *force_cos, *force_sin;
     double *lost_cos, *lost_sin, *lost_force_cos, *lost_force_sin;
     double *lever_force, *lever_acceleration; ///< [degrees] workspace: levers of theta'' on a coordinate
-    unsigned char *along;  ///< [degrees] 0 of displacements of stations along x, 1 along y, 2 of all others
+    unsigned char *along;  ///< [degrees] 0 for displacements of stations along x, 1 along y, 2 for all other
+                           ///< coordinates
     double *block;         ///< all arrays from own_cos on
     double *place, *slope; ///< [dimension] workspace
     double *evaluations;   ///< evaluations of the equations so far
     double *friction;      ///< [contact_count][3] workspace
-    /// [degrees] workspace: torques on twists, N m, and the accelerations that they give.
+    /// [degrees] workspace: torques on twists, N m, and the accelerations by these torques.
     double *torque, *torque_acceleration;
     double *shaken;      ///< [2][degrees] accelerations of coordinates by a pull of 1 m/s2 along x, then along y
-    double *shake;       ///< [2] workspace: m/s2, acceleration of the ground along x and y
+    double *shake;       ///< [2] workspace: acceleration of the ground along x and y, m/s2
     size_t own;          ///< number of states of torques
-    size_t at_speed;     ///< index of the speed among the states, after the rotor's and these
-    double turn_inertia; ///< kg m2, of all that turns
-    double slip;         ///< rad/s, below which dry friction of the load yields; 0: it never does
+    size_t at_speed;     ///< index of the speed among the states; it follows the rotor's states and those of torques
+    double turn_inertia; ///< inertia of all turning parts, kg m2
+    double slip;         ///< speed below which the dry friction of the load yields, rad/s; 0: it never does
     bool driven;         ///< torques drive the machine
     whirl_system by_angle, by_time;
     double from; ///< angle at which the current part of a revolution begins
@@ -84,7 +87,7 @@ static bool running_fit_powers(size_t count, const int *of, const double *w, con
     return matrix_solve(count, a, 1, out);
 }
 
-/// Finds the fewest powers whose sum is y at all speeds w [POWER_SPEEDS]. Returns false if no such sum exists.
+/// Finds the fewest powers whose sum is y at all speeds w [POWER_SPEEDS]. Returns false if there is no such sum.
 static bool running_find_powers(const double *w, const double *y, double power[POWERS]) {
     double largest = 0.0;
     for (size_t i = 0; i < POWER_SPEEDS; i++) largest = fmax(largest, fabs(y[i]));
@@ -97,7 +100,7 @@ static bool running_find_powers(const double *w, const double *y, double power[P
             for (int k = 0; k < POWERS; k++)
                 if (set >> k & 1) of[size++] = k + LOWEST_POWER;
             if (size != count) continue;
-            // Fit at about every second speed, over the whole range; the others check the fit.
+            // Fit at about every second speed, over the whole range. The other speeds check the fit.
             for (size_t i = 0; i < count; i++) {
                 const size_t pick = count == 1 ? 0 : i * (POWER_SPEEDS - 1) / (count - 1);
                 at[i] = w[pick];
@@ -156,7 +159,7 @@ static double running_number_at(const running_rotor *r, const number_of_speed *o
     return ((c[0] / w + c[1]) / w + c[2]) + w * (c[3] + w * c[4]);
 }
 
-/// Evaluates the numbers at a speed, into workspace.
+/// Evaluates the numbers at a speed, in workspace.
 static double *running_numbers_at(const running_rotor *r, double w) {
     const double bounded = fmax(w, slowest);
     for (size_t i = 0; i < r->varying_count && bounded != *r->at; i++)
@@ -165,7 +168,7 @@ static double *running_numbers_at(const running_rotor *r, double w) {
     return r->numbers;
 }
 
-/// Checks the torques of a machine and what they turn.
+/// Checks the torques of a machine, and what they turn.
 static whirl_status running_check_torques(const whirl_rotor *rotor) {
     size_t stations[MAX_TORQUES + 2], count = 0;
     const bool twists = rotor->twist_count > 0;
@@ -222,7 +225,7 @@ whirl_status whirl_running_check_change(const whirl_system *system, const whirl_
                                        "other numbers of the same parts");
 }
 
-/// Returns true if masses between the same coordinates of both machines differ.
+/// Returns true if the coupling by mass between the same coordinates of both machines differs.
 static bool running_couples_otherwise(const whirl_rotor *one, const whirl_rotor *other) {
     const coupling *a = &one->coupled, *b = &other->coupled;
     return a->count > 0 && a->count == b->count &&
@@ -250,7 +253,7 @@ static whirl_status running_check_machine(const running_rotor *r, const whirl_ma
     return whirl_ok();
 }
 
-/// Makes the machine at speeds w [count], over the unit, and writes its numbers, out [count][number_count].
+/// Makes the machine at speeds w [count], divided by the unit, and writes its numbers, out [count][number_count].
 static whirl_status running_sample(const running_rotor *r, whirl_machine_at *make, const void *context, size_t count,
                                    const double *w, double *out) {
     const size_t numbers = r->rotor->lanes.number_count;
@@ -267,15 +270,15 @@ static whirl_status running_sample(const running_rotor *r, whirl_machine_at *mak
     return status;
 }
 
-/// Returns the lift of a number by its values at the two lowest speeds, w [2]: stiffnesses grow as 1/w^2 towards low
-/// speeds, dampings as 1/w, ratios not at all. Below its first node a spline keeps its value, so that with another lift
-/// a number would vanish or grow without end there.
+/// Returns the lift of a number, by its values at the two lowest speeds, w [2]: towards low speeds stiffnesses grow as
+/// 1/w^2, dampings as 1/w, and ratios do not grow. Below its first node a spline keeps its value, so that with another
+/// lift a number would vanish or grow without limit there.
 static int spline_find_lift(const double *w, double lowest, double next) {
     const double growth = log(fabs(lowest / next)) / log(w[1] / w[0]);
     return growth > 1.5 ? 2 : growth > 0.5 ? 1 : 0; // 0 also where it is not a number
 }
 
-/// Fits splines to the numbers that are not sums of powers, from y [SPLINE_SPEEDS][number_count], and notes the largest
+/// Fits splines to the numbers that are not sums of powers, from y [SPLINE_SPEEDS][number_count]. Notes the largest
 /// error half way between nodes.
 static void running_fit_splines(running_rotor *r, const double *w, const double *y) {
     const size_t numbers = r->rotor->lanes.number_count;
@@ -320,7 +323,7 @@ static whirl_status running_find_numbers(running_rotor *r, whirl_machine_at *mak
     const size_t numbers = r->rotor->lanes.number_count;
     double *y = malloc((POWER_SPEEDS * numbers + 1) * sizeof *y);
     size_t splines = 0;
-    // Numbers of the machine at a few speeds.
+    // Compute the numbers of the machine at a few speeds.
     for (size_t i = 0; i < POWER_SPEEDS; i++) w[i] = low + share[i] * (1.0 - low);
     r->numbers = calloc(numbers + 1, sizeof *r->numbers);
     r->at = r->numbers ? r->numbers + numbers : NULL;
@@ -328,12 +331,12 @@ static whirl_status running_find_numbers(running_rotor *r, whirl_machine_at *mak
     whirl_status status = y && r->numbers && r->varying
                               ? whirl_ok()
                               : whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine over its speed");
-    if (status.code == WHIRL_OK) { // the first speed is the one of the machine that exists already
+    if (status.code == WHIRL_OK) { // the first speed is that of the existing machine
         memcpy(r->numbers, r->rotor->numbers, numbers * sizeof *r->numbers);
         memcpy(y, r->rotor->numbers, numbers * sizeof *y);
         status = running_sample(r, make, context, POWER_SPEEDS - 1, w + 1, y + numbers);
     }
-    // Each number that varies is a sum of powers, or else a spline.
+    // Represent each number that varies by a sum of powers, or else by a spline.
     for (size_t n = 0; n < numbers && status.code == WHIRL_OK; n++) {
         number_of_speed own = {.index = n};
         double values[POWER_SPEEDS];
@@ -356,7 +359,7 @@ static whirl_status running_find_numbers(running_rotor *r, whirl_machine_at *mak
 
 // ---------------------------------------------------------------- what turns with the shaft
 
-/// Returns true if a station moves along x (way: 0) or y (1).
+/// Returns true if a station moves along x (way: 0) or along y (way: 1).
 static bool running_probe_moves(const whirl_probe *probe, size_t way) {
     return probe->x != probe->y || (way == 1) == probe->along_y;
 }
@@ -382,13 +385,13 @@ static whirl_status running_add_turnings(running_rotor *r) {
     r->evaluations = r->friction + 3 * rotor->contact_count;
     r->shake = r->evaluations + 1;
     r->shaken = r->shake + 2;
-    // Accelerations by the ground, by unbalances and by loads that turn.
+    // Compute the accelerations by the ground, by unbalances and by turning loads.
     for (size_t way = 0; way < 2; way++) rotor_accelerate(rotor, rotor->weight + way * n, r->shaken + way * n);
     for (size_t i = 0; i < rotor->turning_count; i++) {
         r->force_cos[rotor->turnings[i].row] += rotor->turnings[i].cos;
         r->force_sin[rotor->turnings[i].row] += rotor->turnings[i].sin;
     }
-    // The way of each displacement: 0 along x, 1 along y, 2 neither.
+    // Find the direction of each displacement: 0 along x, 1 along y, 2 neither.
     memset(r->along, 2, n);
     for (size_t p = 0; p < rotor->station_count; p++)
         for (unsigned char way = 0; way < 2; way++)
@@ -423,25 +426,25 @@ static void running_lose(whirl_running *running, size_t count, const whirl_place
 
 // ---------------------------------------------------------------- the equation of the shaft
 
-/// Returns whether torques on a station twist it; else they turn the shaft as a whole.
+/// Returns true if torques on a station twist it. Otherwise they turn the shaft as a whole.
 static bool running_twists(const running_rotor *r, size_t station) {
     return r->rotor->twist_count > 0 && station != NO_STATION && r->rotor->twists[station].coordinate != NO_COORDINATE;
 }
 
-/// Returns the turn of a station that twists over the shaft's, in a rigid turn: positive about z.
+/// Returns the ratio of a station's twist to the shaft's angle in a rigid turn, positive about z.
 static double running_turns_of(const running_rotor *r, size_t station) {
     const station_twist *own = &r->rotor->twists[station];
     return r->rotor->rigid[own->coordinate] * own->share;
 }
 
-/// A state by the angle: the speed `exact` of the shaft, the speed w by which derivatives by the angle were taken (at
-/// least `slowest`), the angle, and the state.
+/// A state by the angle: the exact speed of the shaft; the speed w by which derivatives by the angle were taken (at
+/// least `slowest`); the angle; and the state.
 typedef struct running_state {
     double exact, w, angle;
     const double *x;
 } running_state;
 
-/// Finds the time, and the speed and angle of a station in the sense of its rotation.
+/// Returns the time, and the speed and angle of a station in the sense of its rotation.
 static torque_place running_place_of(const running_rotor *r, size_t station, const running_state *s) {
     const double *x = s->x;
     torque_place at = {.time = x[r->at_speed + 1] / r->unit, .speed = s->exact * r->unit, .angle = s->angle};
@@ -463,7 +466,7 @@ static double running_add_torque(const running_rotor *r, size_t station, double 
     return 0.0;
 }
 
-/// Returns whether the course of the run has a formula.
+/// Returns true if the course of the run has a formula.
 static bool running_has(const running_rotor *r, whirl_run_formula formula) {
     return r->how.course && r->how.course->has[formula];
 }
@@ -476,7 +479,7 @@ static double running_value(const running_rotor *r, whirl_run_formula formula, d
     return course->value(course->owner, formula);
 }
 
-/// Returns the torque of the drive's motor, and of its load.
+/// Return the torque of the drive's motor, and of its load.
 static double running_motor_at(const running_rotor *r, const running_state *s) {
     const shaft_drive *drive = &r->rotor->drive;
     if (!drive->given || r->how.tripped) return 0.0;
@@ -492,7 +495,7 @@ static double running_load_at(const running_rotor *r, const running_state *s) {
                                               : -drive_load(drive, at.speed, r->slip);
 }
 
-/// Returns another torque; writes the slopes of its states by time unless NULL.
+/// Returns the torque with this index. Writes the slopes of its states by time, unless `slopes` is NULL.
 static double running_torque_at(const running_rotor *r, size_t index, const double *state, const running_state *s,
                                 double *slopes) {
     const shaft_torque *own = &r->rotor->torques[index];
@@ -546,8 +549,8 @@ static double running_add_drag(const running_rotor *r, const running_state *s, d
     return whole;
 }
 
-/// Finds all torques with the numbers of the speed w: those on twists in workspace. Writes the slopes of their states
-/// by time unless NULL. Returns the part that turns the shaft as a whole.
+/// Finds all torques, with the numbers of the speed w. Those on twists are written to workspace. Writes the slopes of
+/// their states by time, unless `slopes` is NULL. Returns the part that turns the shaft as a whole.
 static double running_find_torques(const running_rotor *r, const double *numbers, const running_state *s,
                                    double *slopes, whirl_torques *out) {
     const whirl_rotor *rotor = r->rotor;
@@ -569,7 +572,8 @@ static double running_find_torques(const running_rotor *r, const double *numbers
     return whole + running_add_drag(r, s, &out->drag);
 }
 
-/// Computes the levers: force and acceleration of every coordinate by a unit of theta'', at the values of time C and S.
+/// Computes the levers, which are force and acceleration of every coordinate by a unit of theta'', at the values C and
+/// S of the forcing.
 static void running_find_levers(const running_rotor *r, const double *forcing) {
     const double way = r->rotor->way, c = way * forcing[COS_TAU], s = way * forcing[SIN_TAU];
     for (size_t i = 0; i < r->rotor->lanes.degrees; i++) {
@@ -581,20 +585,20 @@ static void running_find_levers(const running_rotor *r, const double *forcing) {
     }
 }
 
-/// Returns the pull of gravity on an unbalance at a coordinate, less the acceleration of the ground, m/s2.
+/// Returns the pull of gravity on an unbalance at a coordinate minus the acceleration of the ground, m/s2.
 static double running_pull_on(const running_rotor *r, size_t coordinate) {
     const size_t way = r->along[coordinate];
     return way < 2 ? r->rotor->pull[way] - r->shake[way] : 0.0;
 }
 
-/// theta'' over the square of the unit of speed: all of it, and the part by torques on twists.
+/// theta'' divided by the square of the unit of speed: all of it, and the part by torques on twists.
 typedef struct faster {
     double all, twisted;
 } faster;
 
 /// Returns theta'' with the numbers of the speed w. a [degrees]: accelerations by the angle without theta'', to which
-/// those of torques on twists are added. slopes: of the states of torques by time, or NULL. torques: written for a
-/// shaft that torques drive only.
+/// those by torques on twists are added. slopes: of the states of torques by time, or NULL. torques: written only if
+/// torques drive the shaft.
 static faster running_faster(const running_rotor *r, const double *numbers, const running_state *s, double *a,
                              double *slopes, whirl_torques *torques) {
     const whirl_rotor *rotor = r->rotor;
@@ -605,7 +609,7 @@ static faster running_faster(const running_rotor *r, const double *numbers, cons
         whole = running_find_torques(r, numbers, s, slopes, torques);
     else if (slopes)
         memset(slopes, 0, r->own * sizeof *slopes);
-    // All that twists changes the angular momentum of the rigid turn.
+    // The accelerations of all twists change the angular momentum of the rigid turn.
     if (driven && twists) rotor_accelerate(rotor, r->torque, r->torque_acceleration);
     for (size_t i = rotor->first_twist; i < rotor->first_twist + rotor->twist_count; i++) {
         if (driven) a[i] += r->torque_acceleration[i] / (square * w * w);
@@ -617,7 +621,7 @@ static faster running_faster(const running_rotor *r, const double *numbers, cons
             rate += running_value(r, WHIRL_FORMULA_RATE, s->x[r->at_speed + 1] / r->unit, s->exact * r->unit);
         return (faster){rate / square, twists ? turned / inertia : 0.0};
     }
-    // Unbalances as levers.
+    // Unbalances act as levers.
     for (size_t i = 0; i < rotor->lanes.degrees; i++) {
         const double u = r->lever_force[i];
         if (u == 0.0) continue;
@@ -628,8 +632,9 @@ static faster running_faster(const running_rotor *r, const double *numbers, cons
     return (faster){(whole / square + turned + reaction) / inertia, turned / r->turn_inertia};
 }
 
-/// Adds to the accelerations by the angle a [degrees], with velocities v: q'' = (d2q/dt2 - theta'' q')/theta'^2, with
-/// the force of unbalances by theta'' and the inertia of twists, which count from the turning shaft.
+/// Adds the effect of theta'' to the accelerations by the angle a [degrees], with velocities v: q'' = (d2q/dt2 -
+/// theta'' q')/theta'^2. Includes the force of unbalances by theta'', and the inertia of twists, which are relative to
+/// the turning shaft.
 static void running_add_faster(const running_rotor *r, faster by, double w, const double *v, double *a) {
     const whirl_rotor *rotor = r->rotor;
     const double share = by.all / (w * w), twisted = by.twisted / (w * w);
@@ -638,8 +643,8 @@ static void running_add_faster(const running_rotor *r, faster by, double w, cons
         a[i] -= twisted * rotor->rigid[i] / rotor->unit[i];
 }
 
-/// Adds theta'' `share` times to the slopes, a [rows], of states of elements that stand for derivatives by the angle, v
-/// [rows].
+/// Adds the effect of theta'', times `share`, to the slopes a [rows] of element states that stand for derivatives by
+/// the angle, v [rows].
 static void running_add_pace(const running_rotor *r, double share, const double *v, double *a) {
     double paced[MAX_ELEMENT_STATES];
     for (size_t i = 0; i < r->rotor->element_count; i++) {
@@ -651,7 +656,7 @@ static void running_add_pace(const running_rotor *r, double share, const double 
     }
 }
 
-/// Adds the inertia of all masses on a ground that moves to the accelerations by the angle a [degrees].
+/// Adds the effect of a moving ground on all masses to the accelerations by the angle a [degrees].
 static void running_add_shake(const running_rotor *r, double w, const double *x, double *a) {
     const size_t n = r->rotor->lanes.degrees;
     const double by_angle = 1.0 / (r->unit * r->unit * w * w);
@@ -663,8 +668,8 @@ static void running_add_shake(const running_rotor *r, double w, const double *x,
     }
 }
 
-/// Computes the levers, and the slopes dxdt [dimension of the rotor] by the angle for a constant speed w, from x by the
-/// angle. Returns the numbers at w.
+/// Computes the levers, and the slopes by the angle dxdt [dimension of the rotor] for a constant speed w, from the
+/// state x by the angle. Returns the numbers at w.
 static const double *running_flow(const running_rotor *r, double w, const double *forcing, const double *sides,
                                   const double *x, double *dxdt) {
     const double *numbers = running_numbers_at(r, w);
@@ -687,7 +692,7 @@ static void running_rhs_by_angle(const void *model, double t, const double *give
     double forcing[FORCING_COUNT];
     whirl_torques torques;
     (void)given;
-    // The rotor at constant speed, then theta'' by the torques.
+    // Compute the slopes of the rotor at constant speed, then theta'' by the torques.
     rotor->system.forcing(rotor, angle, forcing);
     const double *numbers = running_flow(r, w, forcing, sides, x, dxdt);
     const faster by = running_faster(r, numbers, &(running_state){w, w, angle, x}, dxdt + n, dxdt + d, &torques);
@@ -704,7 +709,7 @@ static void running_scale_to_angle(const running_rotor *r, double *x) {
     for (size_t i = n; i < 2 * n; i++) x[i] /= w;
 }
 
-/// Returns a state with derivatives by time as one with derivatives by the angle, in workspace.
+/// Converts a state with derivatives by time to one with derivatives by the angle, in workspace.
 static const double *running_placed_by_angle(const running_rotor *r, const double *x) {
     memcpy(r->place, x, (r->at_speed + 2) * sizeof *r->place);
     running_scale_to_angle(r, r->place);
@@ -720,13 +725,13 @@ static void running_rhs_by_time(const void *model, double t, const double *given
     double forcing[FORCING_COUNT];
     whirl_torques torques;
     (void)given, (void)t;
-    // The rotor at constant speed by the angle, then theta'' by the torques.
+    // Compute the slopes of the rotor at constant speed by the angle, then theta'' by the torques.
     rotor->system.forcing(rotor, angle, forcing);
     const double *place = running_placed_by_angle(r, x);
     const double *numbers = running_flow(r, w, forcing, sides, place, dxdt);
     const faster by =
         running_faster(r, numbers, &(running_state){x[at], w, angle, place}, dxdt + n, dxdt + d, &torques);
-    // Derivatives by the angle become derivatives by time.
+    // Convert derivatives by the angle to derivatives by time.
     for (size_t i = 0; i < n; i++) {
         dxdt[i] = x[n + i];
         dxdt[n + i] = w * w * dxdt[n + i] + by.all * r->lever_acceleration[i];
@@ -762,8 +767,8 @@ static void running_switches_by_time(const void *model, double t, const double *
     running_switches_by_angle(r, t, running_placed_by_angle(r, x), values);
 }
 
-/// Writes the gradient of a switch; by the speed as a difference quotient, since switches depend on the speed through
-/// the numbers.
+/// Writes the gradient of a switch. The derivative by the speed is a difference quotient, since switches depend on the
+/// speed through the numbers.
 static void running_gradient_at(const running_rotor *r, const double *x, size_t index, double *gradient) {
     const size_t at = r->at_speed;
     const double w = x[at], step = 1e-6 * fmax(w, slowest);
@@ -841,14 +846,14 @@ static double running_adopt(const whirl_running *running, const whirl_running *f
     const running_rotor *r = (const running_rotor *)running, *other = (const running_rotor *)from;
     const whirl_rotor *rotor = r->rotor;
     const size_t n = rotor->lanes.degrees, at = r->at_speed;
-    // Units of tilts follow the inertia.
+    // Units of tilts depend on the inertia.
     for (size_t i = 0; i < n; i++) {
         const double units = other->rotor->unit[i] / rotor->unit[i];
         x[i] *= units;
         x[n + i] *= units;
     }
     if (rotor->twist_count == 0) return 0.0;
-    // Twists count from a mean turn by inertia: another inertia has another mean, by angle and by speed.
+    // Twists are relative to a mean turn, weighted by inertia. Another inertia has another mean, by angle and by speed.
     double turned[2] = {0.0, 0.0};
     const double speed = by_time ? 1.0 : fmax(x[at], slowest);
     for (size_t i = rotor->first_twist; i < rotor->first_twist + rotor->twist_count; i++)
@@ -879,7 +884,8 @@ static void running_torques(const whirl_running *running, const double *x, doubl
     out->acceleration = r->unit * r->unit * by.all;
 }
 
-/// Returns the torque of a spring between twists, positive where its first place drives the second along the rotation.
+/// Returns the torque of a spring between twists, positive if its first place drives the second in the sense of the
+/// rotation.
 static double running_link_torque(const running_rotor *r, const twist_link *own, const running_state *s) {
     const whirl_rotor *rotor = r->rotor;
     double twist = 0.0, rate = 0.0;
@@ -982,7 +988,7 @@ static void running_release(whirl_running *running) {
     free(r);
 }
 
-/// Counts the states of torques and what is watched, and finds the inertia of all that turns.
+/// Counts the states of torques and the observed torques, and finds the inertia of all turning parts.
 static void running_count(running_rotor *r) {
     const whirl_rotor *rotor = r->rotor;
     const size_t torques = r->driven ? rotor->torque_count : 0;
@@ -1005,7 +1011,7 @@ whirl_status whirl_running_new(whirl_machine_at *make, const void *context, doub
     r->unit = highest;
     r->driven = driven;
     r->lowest_node = fmin(fmax(lowest / highest, 1.0 / 256.0), 0.999);
-    // The machine at the highest speed, and its numbers as functions of the speed.
+    // Make the machine at the highest speed, and find its numbers as functions of the speed.
     whirl_status status = make(context, highest, &r->machine);
     if (status.code == WHIRL_OK) status = running_check_machine(r, &r->machine);
     if (status.code == WHIRL_OK) {
@@ -1019,7 +1025,7 @@ whirl_status whirl_running_new(whirl_machine_at *make, const void *context, doub
         return status;
     }
     running_fill_systems(r);
-    // Members of the public struct.
+    // Fill in the members of the public struct.
     r->shown.by_angle = &r->by_angle;
     r->shown.by_time = &r->by_time;
     r->shown.unit = highest;

@@ -1,4 +1,4 @@
-// Excitations of the twists of a rotor, and paths of torque from station to station, for its response to torques
+// Excitations of the twists of a rotor, and paths of torque from station to station, for the response to torques
 // (whirl/engine/torsion.h).
 #include <math.h>
 #include <stdlib.h>
@@ -28,7 +28,7 @@ static double torsion_table(const whirl_rotor *rotor, const harmonic_torque *own
                        fmin(fmax(speed, own->speeds[0]), own->speeds[own->count - 1]));
 }
 
-/// Returns 1, or -1 for a torque that counts along the rotation of a station that turns against z.
+/// Returns 1; or -1 for a torque that is positive along the rotation of a station which turns against z.
 static double torsion_sense(const whirl_rotor *rotor, const harmonic_torque *own) {
     const station_twist *at = &rotor->twists[own->station];
     return own->about_z ? 1.0 : copysign(1.0, rotor->rigid[at->coordinate] * at->share);
@@ -42,7 +42,7 @@ static whirl_excitation torsion_rate(const whirl_rotor *rotor, const harmonic_to
     return (whirl_excitation){false, order, order * speed};
 }
 
-/// Returns whether two excitations have one frequency: fixed ones and orders of the speed are kept apart.
+/// Returns true if two excitations have the same frequency. Fixed frequencies and orders of the speed are kept apart.
 static bool torsion_are_one(const whirl_excitation *a, const whirl_excitation *b) {
     static const double rounding = 1e-9;
     if (a->fixed != b->fixed) return false;
@@ -65,7 +65,7 @@ bool rotor_carries(const whirl_rotor *rotor, const element *own) {
 
 static const element_place at_centre;
 
-/// Returns the excitation by the error of a mesh; order 0 without one.
+/// Returns the excitation by the error of a mesh, with order 0 if there is none.
 static whirl_excitation torsion_error(const whirl_rotor *rotor, const element *own) {
     element_carried carried;
     if (!rotor_carries(rotor, own)) return (whirl_excitation){.order = 0.0};
@@ -108,15 +108,16 @@ static whirl_status torsion_check(const void *model) {
 
 // ---------------------------------------------------------------- steady torques
 
-/// Returns the torque of the load of the drive at its station, along its rotation; NO_STATION where it has none.
+/// Returns the torque of the drive's load, along the rotation of its station. *station becomes that station, or
+/// NO_STATION if there is no load.
 static double torsion_load(const whirl_rotor *rotor, size_t *station) {
     *station = rotor->drive.given ? rotor->drive.load_at : NO_STATION;
     if (*station == NO_STATION || rotor->twists[*station].coordinate == NO_COORDINATE) *station = NO_STATION;
     return *station == NO_STATION ? 0.0 : -drive_load(&rotor->drive, torsion_speed(rotor, *station), 0.0);
 }
 
-/// Returns the sum of the steady torques that the equations do not have yet, without the motor of the drive, referred
-/// to the rotor's speed along its rotation.
+/// Returns the sum of the steady torques that the equations do not contain, without the motor of the drive, referred to
+/// the rotor's speed, along its rotation.
 static double torsion_sum(const whirl_rotor *rotor, double *size) {
     size_t loaded;
     const double load = torsion_load(rotor, &loaded);
@@ -132,8 +133,8 @@ static double torsion_sum(const whirl_rotor *rotor, double *size) {
     return sum;
 }
 
-/// Returns the torque of the motor, which takes up the others: of the first motor, or of the drive; its station in
-/// `station`, NO_STATION without one.
+/// Returns the torque of the motor, which balances the other torques: the first motor, or that of the drive. *station
+/// becomes its station, or NO_STATION if there is no motor.
 static double torsion_motor(const whirl_rotor *rotor, size_t *station) {
     bool driven = rotor->drive.given;
     double size;
@@ -149,7 +150,8 @@ static double torsion_unbalanced(const void *model, double *size) {
     return motor == NO_STATION ? sum : 0.0;
 }
 
-/// Adds the torque of an excitation on a station about z, complex; felt: also steady ones that the equations have.
+/// Adds the complex torque of an excitation on a station, about z. felt: includes steady torques that the equations
+/// contain.
 static void torsion_at(const whirl_rotor *rotor, size_t station, size_t index, bool felt, double torque[2]) {
     for (size_t i = 0; i < rotor->harmonic_count; i++) {
         const harmonic_torque *own = &rotor->harmonics[i];
@@ -166,7 +168,7 @@ static void torsion_at(const whirl_rotor *rotor, size_t station, size_t index, b
     if (driven == station) torque[0] += sense * motor;
 }
 
-/// Adds the forces of a mesh's error on coordinates, N or N m: real parts [degrees], then imaginary ones.
+/// Adds the forces of a mesh's error on coordinates, N or N m: real parts [degrees], then imaginary parts.
 static void torsion_add_error(const whirl_rotor *rotor, const element *own, size_t index, double *force) {
     const whirl_excitation rate = torsion_error(rotor, own);
     if (!(rate.order > 0.0) || index >= rotor->excitation_count || !torsion_are_one(&rate, &rotor->excitations[index]))
@@ -187,7 +189,8 @@ static void torsion_drive(const void *model, size_t index, double *slope) {
     const whirl_rotor *rotor = model;
     const size_t n = rotor->lanes.degrees;
     memset(slope, 0, 2 * rotor->system.dimension * sizeof *slope);
-    // Generalized forces in the places of the displacements, real parts first, then their accelerations.
+    // Write generalized forces to the places of the displacements, real parts first, then convert them to
+    // accelerations.
     for (size_t s = 0; s < rotor->station_count; s++) {
         const station_twist *own = &rotor->twists[s];
         double torque[2] = {0.0, 0.0};
@@ -213,7 +216,7 @@ static void torsion_turn(const void *model, double *turn) {
 
 // ---------------------------------------------------------------- paths
 
-/// A motion about the rest that an excitation drives, or the displacement by steady torques.
+/// A motion about the equilibrium by an excitation, or the displacement by steady torques.
 typedef struct torsion_motion {
     const whirl_rotor *rotor;
     size_t index;
@@ -222,7 +225,7 @@ typedef struct torsion_motion {
     const double *rest, *v;
 } torsion_motion;
 
-/// Adds `factor` times the twist of a coordinate with a share: of a motion its amplitude, of a displacement with rest.
+/// Adds `factor` times the twist of a coordinate: of a motion its amplitude; of a displacement, including that at rest.
 static void torsion_twist(const torsion_motion *m, size_t coordinate, double factor, double out[2]) {
     if (coordinate == NO_COORDINATE) return;
     const double unit = factor * m->rotor->unit[coordinate];
@@ -230,8 +233,8 @@ static void torsion_twist(const torsion_motion *m, size_t coordinate, double fac
     if (!m->steady) out[1] += unit * m->v[2 * coordinate + 1];
 }
 
-/// Finds the moment with which the first place of a link drives the second about z; with the inertia between both or
-/// without it. Returns the power of its damping.
+/// Finds the moment with which the first place of a link drives the second, about z. inertia: includes the inertia
+/// between both. Returns the power of its damping.
 static double torsion_link(const torsion_motion *m, const twist_link *own, bool inertia, double out[2]) {
     const double rate = m->w * m->rotor->clock; // rad/s
     double twist[2] = {0.0, 0.0};
@@ -260,7 +263,7 @@ static double torsion_carried(const torsion_motion *m, const element *own, eleme
     force[0] = by->stiffness * closing[0] - damper * closing[1];
     force[1] = by->stiffness * closing[1] + damper * closing[0];
     if (m->steady) {
-        // Without the error, and with the mean stiffness.
+        // The force is without the error, and with the mean stiffness.
         double pressed = 0.0;
         for (size_t p = 0; p < MAX_PORTS; p++) pressed += by->closing[p] * at.q[p];
         force[0] = by->stiffness * (pressed - copysign(fmin(by->play, fabs(pressed)), pressed) + closing[0]);
@@ -282,8 +285,8 @@ size_t rotor_watched_count(const whirl_rotor *rotor) {
     return count + carriers;
 }
 
-/// Returns the factor from the force that an element carries to its torque about the axis of its first place, or where
-/// that is the ground of its second, along the rotation.
+/// Returns the factor that converts the force which an element carries to its torque along the rotation: about the axis
+/// of its first place or, if that is the ground, of its second place.
 static double torsion_lever(const whirl_rotor *rotor, const element *own, const element_carried *by) {
     const size_t first = own->ends[0] == GROUND ? 1 : 0;
     const station_twist *at = &rotor->twists[own->ends[first]];
@@ -299,7 +302,7 @@ double rotor_carried(const whirl_rotor *rotor, const element *carrier, double *n
     return torsion_lever(rotor, carrier, &by) * by.force;
 }
 
-/// Returns whether an element acts on the twist of a station in a way that is not known here.
+/// Returns true if an element acts on the twist of a station in a way that is unknown here.
 static bool torsion_unknown(const whirl_rotor *rotor, size_t coordinate) {
     for (size_t i = 0; i < rotor->element_count; i++) {
         const element *own = &rotor->elements[i];
@@ -310,13 +313,13 @@ static bool torsion_unknown(const whirl_rotor *rotor, size_t coordinate) {
     return false;
 }
 
-/// Adds the moments about z that act on a station from links, meshes, springs to the ground and from outside, without
-/// those of rigid gears.
+/// Adds the moments about z on a station from links, meshes, springs to the ground and from outside. Those of rigid
+/// gears are left out.
 static void torsion_moments(const torsion_motion *m, size_t station, double sum[2]) {
     const whirl_rotor *rotor = m->rotor;
     const station_twist *at = &rotor->twists[station];
     double own[2];
-    // Moments from outside, links and springs to the ground.
+    // Add moments from outside, from links and from springs to the ground.
     torsion_at(rotor, station, m->index, true, sum);
     for (size_t i = 0; i < rotor->link_count + rotor->hold_count; i++) {
         const twist_link *link = i < rotor->link_count ? &rotor->links[i] : &rotor->holds[i - rotor->link_count];
@@ -326,7 +329,7 @@ static void torsion_moments(const torsion_motion *m, size_t station, double sum[
                 if (link->coordinate[end] == at->coordinate && link->share[end] == at->share)
                     sum[k] += end == 0 ? -own[k] : own[k];
     }
-    // Meshes.
+    // Add the moments of meshes.
     for (size_t i = 0; i < rotor->element_count; i++) {
         const element *e = &rotor->elements[i];
         element_carried by;
@@ -338,7 +341,7 @@ static void torsion_moments(const torsion_motion *m, size_t station, double sum[
     }
 }
 
-/// Finds the moment about z on the second gear of a rigid pair from the first, by the balance of the second.
+/// Finds the moment about z by which the first gear of a rigid pair acts on the second, from the balance of the second.
 static void torsion_pair(const torsion_motion *m, const rigid_pair *pair, double out[2]) {
     const whirl_rotor *rotor = m->rotor;
     const station_twist *at = &rotor->twists[pair->second];
@@ -356,7 +359,6 @@ static void torsion_pair(const torsion_motion *m, const rigid_pair *pair, double
         out[k] = (m->steady ? 0.0 : -rotor->polar[pair->second] * rate * rate * twist[k]) - sum[k];
 }
 
-/// Returns the station whose twist is that of an end of a link; the number of stations for a node between them.
 size_t rotor_link_station(const whirl_rotor *rotor, const twist_link *own, size_t end) {
     size_t found = rotor->station_count;
     for (size_t s = rotor->station_count; s-- > 0;)
@@ -364,7 +366,8 @@ size_t rotor_link_station(const whirl_rotor *rotor, const twist_link *own, size_
     return found;
 }
 
-/// Returns the link that goes on from an end of another one at a node between stations, and its far end; NULL without.
+/// Returns the link that continues from an end of another link at a node between stations, and its far end; NULL if
+/// there is none.
 static const twist_link *torsion_next(const whirl_rotor *rotor, const twist_link *own, size_t end, size_t *far) {
     for (size_t i = 0; i < rotor->link_count; i++)
         for (size_t k = 0; k < 2; k++)
@@ -375,7 +378,7 @@ static const twist_link *torsion_next(const whirl_rotor *rotor, const twist_link
     return NULL;
 }
 
-/// Returns the first station from an end of a link on, along the pieces of its shaft.
+/// Returns the first station that is reached from an end of a link along the pieces of its shaft.
 static size_t torsion_end(const whirl_rotor *rotor, const twist_link *own, size_t end) {
     size_t found = rotor_link_station(rotor, own, end);
     for (size_t steps = 0; own && found == rotor->station_count && steps < rotor->link_count; steps++) {
@@ -411,7 +414,7 @@ static void torsion_path(const void *model, size_t index, whirl_torque_path *out
     out->station[1] = own.pair->second;
 }
 
-/// Returns the curve of a path; NULL without one.
+/// Returns the S-N curve of a path, or NULL if it has none.
 static const twist_fatigue *torsion_fatigue(const whirl_rotor *rotor, const whirl_torque_path *path) {
     for (size_t i = 0; i < rotor->fatigue_count; i++) {
         const size_t *station = rotor->fatigues[i].station;
@@ -422,7 +425,7 @@ static const twist_fatigue *torsion_fatigue(const whirl_rotor *rotor, const whir
     return NULL;
 }
 
-/// Returns the section that a curve of stresses counts for, m3; 0: unknown.
+/// Returns the section modulus for which a curve of stresses holds, m3; 0 if it is unknown.
 static double torsion_section(const twist_fatigue *own, const whirl_torque_path *path) {
     return own->modulus > 0.0 ? own->modulus : path->modulus;
 }
@@ -443,7 +446,7 @@ static bool torsion_curve(const void *model, size_t path, whirl_torque_curve *ou
 }
 
 whirl_status rotor_check_fatigue(const whirl_rotor *rotor) {
-    // An element that is checked alone has nothing to join its stations.
+    // An element that is checked alone has nothing that joins its stations.
     for (size_t i = 0; i < rotor->fatigue_count && rotor->torsion.path_count > 0; i++) {
         const twist_fatigue *own = &rotor->fatigues[i];
         const char *name[2] = {rotor->probes[own->station[0]].name, rotor->probes[own->station[1]].name};
@@ -477,7 +480,7 @@ static void torsion_carry(const void *model, size_t path, size_t index, const do
                               rest,  v};
     double sense = 1.0;
     *power = 0.0;
-    // A link, a mesh, or a pair of rigid gears.
+    // Distinguish a link, a mesh, and a pair of rigid gears.
     if (own.link) {
         sense = rotor->rigid[own.link->coordinate[0]] * own.link->share[0];
         *power = torsion_link(&m, own.link, false, torque);
@@ -492,7 +495,7 @@ static void torsion_carry(const void *model, size_t path, size_t index, const do
         for (size_t k = 0; k < 2; k++) torque[k] *= own.pair->ratio;
         if (torsion_unknown(rotor, at->coordinate)) torque[0] = torque[1] = NAN;
     }
-    // Positive where the first station drives the second along the rotation.
+    // Make the torque positive if the first station drives the second along the rotation.
     for (size_t k = 0; k < 2; k++) torque[k] = copysign(1.0, sense) * torque[k];
 }
 
@@ -513,17 +516,17 @@ static const char *torsion_open(const void *model, const double *rest) {
 
 void rotor_find_torsion(whirl_rotor *rotor, const assembly *from) {
     size_t paths = 0;
-    // Rigid pairs of gears.
+    // Find the rigid pairs of gears.
     for (size_t s = 0; s < rotor->station_count; s++) {
         rotor->polar[s] = from->stations[s].polar + from->stations[s].shaft_polar;
         if (from->stations[s].geared_to != NO_STATION)
             rotor->pairs[rotor->pair_count++] = (rigid_pair){from->stations[s].geared_to, s, from->stations[s].gear};
     }
-    // Excitations by torques and by errors of meshes.
+    // Find the excitations by torques and by errors of meshes.
     for (size_t i = 0; i < rotor->harmonic_count; i++)
         if (rotor->harmonics[i].of != HARMONIC_STEADY)
             torsion_add_excitation(rotor, torsion_rate(rotor, &rotor->harmonics[i]));
-    // Count what carries torque.
+    // Count the parts that carry torque.
     for (size_t i = 0; i < rotor->element_count; i++) {
         const whirl_excitation error = torsion_error(rotor, &rotor->elements[i]);
         if (error.order > 0.0) torsion_add_excitation(rotor, error);

@@ -1,10 +1,10 @@
-// The train of a design as data: inertias and speeds of stations that twist, and what joins them.
+// Description of the train of a design: inertias and speeds of stations that twist, and joints between them.
 #include <math.h>
 #include <stdlib.h>
 
 #include "machine.h"
 
-/// Adds a joint, or a piece of a shaft to the joint of its stretch between two stations.
+/// Adds a joint; or adds a piece of a shaft to the joint of its stretch between two stations.
 static void train_add(whirl_model *to, const whirl_model_joint *own, bool piece) {
     for (size_t i = 0; i < to->joint_count && piece; i++) {
         whirl_model_joint *same = &to->joints[i];
@@ -46,7 +46,7 @@ whirl_status rotor_model_train(const whirl_design *design, whirl_model *out) {
                 piece = piece || rotor_link_station(rotor, of.link, end) == rotor->station_count;
         }
         if (of.element) {
-            // Stiffness and damping about the axis of the first gear.
+            // Compute stiffness and damping about the axis of the first gear.
             element_carried by;
             of.element->type->carry(of.element, &(element_place){.q = {0.0}}, &by);
             own.stiffness = by.stiffness / by.unit * by.lever[0] * by.lever[0];

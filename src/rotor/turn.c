@@ -1,5 +1,5 @@
-// The rigid turn of a rotor whose stations twist: how far each station goes while the shaft turns, by its gears, and
-// the angular momentum of that.
+// The rigid turn of a rotor whose stations twist: how far each station turns while the shaft turns, by its gears; and
+// the angular momentum of this turn.
 #include <math.h>
 
 #include "machine.h"
@@ -8,7 +8,8 @@ static bool turn_twists(const whirl_rotor *rotor, size_t coordinate) {
     return coordinate != NO_COORDINATE && coordinate - rotor->first_twist < rotor->twist_count;
 }
 
-/// Lets a turn pass from one of two joined coordinates to the other: both places turn alike. Returns whether it did.
+/// Passes a turn on from one of two joined coordinates to the other: both places turn by the same angle. Returns true
+/// if it did so.
 static bool turn_pass(whirl_rotor *rotor, const size_t coordinate[2], const double share[2]) {
     for (size_t i = 0; i < 2; i++) {
         const size_t from = coordinate[i], to = coordinate[1 - i];
@@ -19,7 +20,7 @@ static bool turn_pass(whirl_rotor *rotor, const size_t coordinate[2], const doub
     return false;
 }
 
-/// Lets it pass through an element: its first two ports that twist.
+/// Passes a turn on through an element, between its first two ports that twist.
 static bool turn_pass_element(whirl_rotor *rotor, const element *own) {
     size_t coordinate[2], count = 0;
     double share[2];
@@ -31,8 +32,8 @@ static bool turn_pass_element(whirl_rotor *rotor, const element *own) {
     return count == 2 && turn_pass(rotor, coordinate, share);
 }
 
-/// The station whose turn is that of the shaft: of the first motor, of the drive, of the first torque, or the first
-/// that twists.
+/// Returns the station whose turn is that of the shaft: of the first motor, of the drive, of the first torque, or the
+/// first station that twists.
 static size_t turn_begins_at(const whirl_rotor *rotor) {
     const size_t motor = rotor->drive.given ? rotor->drive.at : NO_STATION;
     size_t first = NO_STATION;
@@ -56,7 +57,7 @@ void rotor_find_turn(whirl_rotor *rotor, const assembly *from) {
         return;
     }
     rotor->driver = first;
-    // From the first station along all that joins twists, until nothing new turns.
+    // Begin at the first station, and pass the turn on along all joints of twists until no further station turns.
     rotor->rigid[root] =
         copysign(1.0, from->turn) * from->stations[first].ratio / assembly_share(from, first, AXIS_TWIST);
     for (bool passed = true; passed;) {
@@ -70,7 +71,7 @@ void rotor_find_turn(whirl_rotor *rotor, const assembly *from) {
         const size_t own = rotor->twists[s].coordinate;
         if (own != NO_COORDINATE && rotor->rigid[own] == 0.0) rotor->aside = s;
     }
-    // Angular momentum: the mass matrix times the turn.
+    // Compute the angular momentum: the mass matrix times the turn.
     for (size_t d = 0; d < rotor->twist_count; d++) {
         const size_t own = rotor->first_twist + d;
         rotor->momentum[own] = rotor->inertia[own] * rotor->rigid[own];

@@ -15,8 +15,8 @@ static whirl_status named(const building *b, size_t index, whirl_status status) 
     return whirl_fail(status.code, "%s %.300s", b->design->elements[index].type->group.name, status.message);
 }
 
-/// Handles a problem with element `index` (WHIRL_NO_ELEMENT: no single one): if problems are reported one by one it is
-/// reported, and building continues.
+/// Reports a problem with element `index` (WHIRL_NO_ELEMENT: with no single one) if problems are reported one by one;
+/// building then continues. Otherwise returns it.
 static whirl_status with_element(building *b, size_t index, whirl_status status) {
     if (status.code == WHIRL_OK) return status;
     status = named(b, index, status);
@@ -26,7 +26,7 @@ static whirl_status with_element(building *b, size_t index, whirl_status status)
     return whirl_ok();
 }
 
-/// Most numbers that an element of a type may have, whatever its `build` makes of it.
+/// Returns the most numbers that an element of a type may have, whatever its `build` makes of it.
 static size_t most_numbers(const element_type *type) {
     const size_t other = type->variant ? type->variant->number_count : 0;
     return type->number_count > other ? type->number_count : other;
@@ -39,7 +39,7 @@ static whirl_status building_begin(building *b, const whirl_design *design) {
     size_t culprit;
     whirl_status status = mesh_make(design, &b->mesh, &culprit);
     if (status.code != WHIRL_OK) {
-        // Without its mesh, further problems would be consequences only.
+        // Without the mesh, further problems would only be consequences of this one.
         if (status.code == WHIRL_NO_MEMORY || culprit == WHIRL_NO_ELEMENT || !b->tell) return named(b, culprit, status);
         with_element(b, culprit, status);
         return whirl_ok();
@@ -66,7 +66,7 @@ const key_value *building_value(const design_element *own, const char *key) {
     return NULL;
 }
 
-/// Role of an element in the rotor. Bearing elements have a key for it (bearing.c); without stiffness they are not
+/// Role of an element in the rotor. Bearing elements have a key for it (bearing.c). Without stiffness they are not
 /// bearings.
 typedef enum role { ROLE_BEARING, ROLE_DRAG, ROLE_OTHER } role;
 
@@ -91,7 +91,7 @@ static bool on_springs(const whirl_design *design) {
     return design->bearings == WHIRL_BEARINGS_SPRINGS || design->bearings == WHIRL_BEARINGS_HELD;
 }
 
-/// Returns true if an element is replaced, or left out.
+/// Returns true if an element is replaced or left out.
 static bool is_replaced(const building *b, const design_element *own) {
     const whirl_bearings what = b->design->bearings;
     const bool drags = role_of(own) == ROLE_DRAG;
@@ -99,13 +99,13 @@ static bool is_replaced(const building *b, const design_element *own) {
     if (drags && b->design->drag == WHIRL_DRAG_AT &&
         (building_value(own, "at")->station[0] != b->design->drag_at || strcmp(own->type->group.name, "stage") == 0))
         return true;
-    // On soft springs it would sag into stators, which is outside the scope of critical speed maps.
+    // On soft springs the rotor would sag into stators, which critical speed maps do not describe.
     if (on_springs(b->design) && strcmp(own->type->group.name, "gravity") == 0) return true;
     return on_springs(b->design) ? role_of(own) != ROLE_OTHER
                                  : what == WHIRL_BEARINGS_ALONE && role_of(own) != ROLE_BEARING;
 }
 
-/// Adds all inertia, after which coordinates can be numbered, and sets the unit of time from the phase that defines
+/// Adds all inertia, after which coordinates can be numbered. Sets the unit of time from the phase that defines
 /// sections.
 static whirl_status add_inertia(building *b) {
     const whirl_design *design = b->design;
@@ -157,7 +157,8 @@ static whirl_status check_spin(const building *b, const design_element *own) {
     return whirl_ok();
 }
 
-/// Adds springs at both ends of a bearing, unless the bearing lies between two shafts.
+/// Adds the springs that replace a bearing: between journal and housing; in the variant `held`, between each of them
+/// and the ground, except for a bearing between two shafts.
 static whirl_status add_springs(building *b, const key_value *at, const key_value *from, double stiffness) {
     element place = {.type = NULL};
     const whirl_status status = element_in_housing(at, from, &b->assembly, &place);
@@ -170,7 +171,7 @@ static whirl_status add_springs(building *b, const key_value *at, const key_valu
     return status;
 }
 
-/// Adds a spring instead of a bearing, two in series for a floating ring; nothing instead of other replaced elements.
+/// Adds a spring in place of a bearing, two in series for a floating ring. Other replaced elements are left out.
 static whirl_status add_replaced(building *b, const design_element *own) {
     const key_value nowhere = {.given = false}, *at = building_value(own, "at"), *from = building_value(own, "from");
     const key_value *const ring = building_value(own, "ring"), *const house = from ? from : &nowhere;
@@ -187,12 +188,12 @@ static whirl_status add_elements(building *b, const element_type *type) {
     for (size_t i = 0; i < b->design->element_count && status.code == WHIRL_OK; i++) {
         element *own = &b->elements[b->element_count];
         if (b->design->elements[i].type != type) continue;
-        // Springs replace bearings in some variants of a machine, and nothing replaces other elements.
+        // In some variants of a machine springs replace bearings, and nothing replaces other elements.
         if (is_replaced(b, &b->design->elements[i])) {
             status = with_element(b, i, add_replaced(b, &b->design->elements[i]));
             continue;
         }
-        // Let the type build its instance: numbers and states follow those of earlier instances.
+        // Let the type build its instance. Its numbers and states follow those of earlier instances.
         *own = (element){.type = type, .number = b->numbers + b->number_count};
         own->state = b->assembly.degrees + b->state_count;
         own->states = STATES_OF_TYPE;
@@ -201,7 +202,7 @@ static whirl_status add_elements(building *b, const element_type *type) {
         if (own->states == STATES_OF_TYPE) own->states = own->type->state_count;
         if (status.code == WHIRL_OK) status = check_spin(b, &b->design->elements[i]);
         status = with_element(b, i, status);
-        // Lumped elements have added all they have to the matrices.
+        // Lumped elements have added all their effects to the matrices.
         if (!type->kernels || own->lumped) continue;
         b->number_count += own->type->number_count;
         b->state_count += own->states;
@@ -213,7 +214,7 @@ static whirl_status add_elements(building *b, const element_type *type) {
 whirl_status building_assemble(building *b, const whirl_design *design, const size_t *order) {
     whirl_status status = building_begin(b, design);
     if (status.code == WHIRL_OK && b->problems == 0) status = add_inertia(b);
-    if (b->problems > 0) return status; // without its inertia, further problems would be consequences only
+    if (b->problems > 0) return status; // without the inertia, further problems would only be consequences
     size_t culprit = WHIRL_NO_ELEMENT;
     if (status.code == WHIRL_OK) status = thrust_build(b, &culprit);
     if (status.code != WHIRL_OK) status = with_element(b, culprit, status);
@@ -234,14 +235,14 @@ whirl_status building_assemble(building *b, const whirl_design *design, const si
     b->assembly.balanced = false;
     for (size_t i = 0; i < design->placed_count && status.code == WHIRL_OK; i++)
         assembly_unbalance(&b->assembly, design->placed[i].station, design->placed[i].moment, design->placed[i].angle);
-    // The forces of bearings alone act on the stations' own masses.
+    // With bearings alone, their forces act on the stations' own masses.
     if (design->bearings == WHIRL_BEARINGS_ALONE) b->assembly.mass_count = 0;
     return status.code == WHIRL_OK ? check_aside(b) : status;
 }
 
 whirl_status building_finish(building *b) {
     whirl_status status = reduction_make(&b->mesh, &b->assembly, b->elements, b->element_count, b->reductions, NULL);
-    if (b->keyphasor) b->state_count++; // the shaft's phase
+    if (b->keyphasor) b->state_count++; // the shaft's phase is a state
     if (status.code == WHIRL_OK && !assembly_finish(&b->assembly))
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu elements", b->design->element_count);
     if (status.code != WHIRL_OK) return status;

@@ -1,4 +1,4 @@
-/// From a design to an assembly: what stations, shafts and elements build together, before it is a rotor.
+/// Builds an assembly from a design: the sum of stations, shafts and elements, before it becomes a rotor.
 #ifndef ROTOR_BUILDING_H
 #define ROTOR_BUILDING_H
 
@@ -9,9 +9,9 @@
 
 /// Axial support of a vertical shaft.
 typedef struct shaft_thrust {
-    bool held;         ///< false: none, the shaft is horizontal
+    bool held;         ///< false: the shaft is horizontal and needs no support
     size_t station;    ///< index in the design
-    double mass, load; ///< kg and N, of the shaft with all that is on it
+    double mass, load; ///< kg and N, of the shaft with everything on it
 } shaft_thrust;
 
 /// State of building a rotor from a design.
@@ -30,31 +30,31 @@ typedef struct building {
     between_term *between; ///< [between_count]
     size_t between_count;
     body_panels panels;              ///< counts only
-    const design_element *keyphasor; ///< element whose phase defines sections; NULL: the shaft's does
+    const design_element *keyphasor; ///< element whose phase defines sections; NULL: the shaft's phase defines them
 } building;
 
-/// Builds stations, then elements; their coordinates in the order [station_count] of all stations, NULL: as listed.
-/// Shafts have all coordinates of their meshes. WHIRL_BAD_INPUT, unless problems are reported one by one;
-/// WHIRL_NO_MEMORY. Ended by building_end in any case.
+/// Builds stations, then elements. order [station_count]: order of the stations' coordinates; NULL: as they are listed.
+/// Shafts have all coordinates of their meshes. Returns WHIRL_BAD_INPUT, unless problems are reported one by one, and
+/// WHIRL_NO_MEMORY. Ended by building_end, also after a failure.
 whirl_status building_assemble(building *b, const whirl_design *design, const size_t *order);
 
-/// Reduces the shafts, sorts the assembly, and finds how shafts follow their stations.
+/// Reduces the shafts, sorts the assembly, and finds how the coordinates of shafts follow those of their stations.
 whirl_status building_finish(building *b);
 
 void building_end(building *b);
 
-/// Adds the weight of vertical shafts to the axial forces of their pieces; called while stations have the masses of
-/// stations and discs alone. WHIRL_BAD_INPUT with *culprit, the design's element gravity, for a shaft without axial
-/// support.
+/// Adds the weight of vertical shafts to the axial forces of their pieces. To be called while stations have only the
+/// masses of stations and discs. WHIRL_BAD_INPUT for a shaft without axial support; *culprit is then the design's
+/// element gravity.
 whirl_status thrust_build(building *b, size_t *culprit);
 
-/// Returns the value of a key of an element; NULL without such a key.
+/// Returns the value of a key of an element, or NULL if the element has no such key.
 const key_value *building_value(const design_element *own, const char *key);
 
-/// Returns true if an element is a bearing, by its kind and its `role`.
+/// Returns true if an element is a bearing, by its kind and its key `role`.
 bool building_carries(const design_element *own);
 
-/// Returns true if an element is a seal, an impeller or a stage, by its kind and its `role`.
+/// Returns true if an element is a seal, an impeller or a stage, by its kind and its key `role`.
 bool building_drags(const design_element *own);
 
 #endif

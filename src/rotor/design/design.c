@@ -1,4 +1,4 @@
-// Builds designs: settings are checked against the descriptors, here and nowhere else.
+// Builds designs. Settings are checked against the descriptors here and nowhere else.
 #include "design.h"
 
 #include <ctype.h>
@@ -111,7 +111,8 @@ static whirl_status unknown_part(const part_list *in, const char *name, size_t l
     return whirl_fail(WHIRL_BAD_INPUT, "no %s is called '%s'", in->kind, word);
 }
 
-/// Reads the name of a shaft or a material; steel that the design does not define is one past the last.
+/// Reads the name of a shaft or a material. If the design does not define steel, its index is one past the last
+/// material.
 static whirl_status design_read_name(whirl_design *design, const whirl_key *key, const char *name, size_t *index) {
     const bool is_material = strcmp(key->choices, "materials") == 0;
     const part_list in = is_material ? materials_of(design) : shafts_of(design);
@@ -130,7 +131,7 @@ static whirl_status read_station(whirl_design *design, const char *name, size_t 
     return find_part(&in, name, length, station) ? whirl_ok() : unknown_part(&in, name, length);
 }
 
-/// "disc, journal" with any space around the names.
+/// Reads two stations, "disc, journal", with any space around the names.
 static whirl_status read_stations(whirl_design *design, const char *text, size_t stations[2]) {
     for (int i = 0; i < 2; i++) {
         text += strspn(text, " \t");
@@ -148,7 +149,7 @@ static whirl_status read_stations(whirl_design *design, const char *text, size_t
     return whirl_ok();
 }
 
-/// Allocates all numbers of a text.
+/// Allocates memory for all numbers of a text.
 static bool make_list(const char *text, key_value *value) {
     size_t most = 1;
     for (const char *c = text; *c; c++) most += *c == ',' || *c == ';';
@@ -157,10 +158,10 @@ static bool make_list(const char *text, key_value *value) {
     return value->list != NULL;
 }
 
-/// "1e7, 1.2e7", or rows of as many numbers each, "1e7, 1.2e7; 2e7, 2.1e7".
+/// Reads a list of numbers, "1e7, 1.2e7", or rows with equally many numbers, "1e7, 1.2e7; 2e7, 2.1e7".
 static whirl_status read_list(const whirl_key *key, const char *text, key_value *value) {
     static const char *const expected = "is no list of numbers, expected 'one, other, ...'";
-    size_t first = 0, width = 0; // start of the row, and the numbers of the row before
+    size_t first = 0, width = 0; // start of the row, and number of numbers in the previous row
     if (!make_list(text, value)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a list of numbers");
     for (;;) {
         // Read a number.
@@ -170,7 +171,7 @@ static whirl_status read_list(const whirl_key *key, const char *text, key_value 
         const whirl_status status = whirl_key_check_number(key, number);
         if (status.code != WHIRL_OK) return status;
         value->list[value->count++] = number;
-        // Check the length of lists and of their rows.
+        // Check the lengths of the list and of its rows.
         end += strspn(end, " \t");
         if (value->count - first > WHIRL_MAX_LIST || value->rows > WHIRL_MAX_LIST)
             return whirl_fail(WHIRL_BAD_INPUT, "has more than %d numbers", WHIRL_MAX_LIST);
@@ -182,7 +183,7 @@ static whirl_status read_list(const whirl_key *key, const char *text, key_value 
             width = value->count - first;
             first = value->count;
         }
-        // End, or go on with the next number or row.
+        // End, or continue with the next number or row.
         if (*end == '\0') {
             if (value->count == 1) value->number = number; // a list of one number is that number
             return whirl_ok();

@@ -1,4 +1,4 @@
-/// Internal representation of a design, for the builder of the rotor.
+/// Internal representation of a design, from which the rotor is built.
 #ifndef ROTOR_DESIGN_H
 #define ROTOR_DESIGN_H
 
@@ -22,19 +22,19 @@ struct whirl_design {
     double speed, length;
     whirl_bearings bearings; ///< replacement of the bearings
     double stiffness;        ///< stiffness of the springs that replace them
-    whirl_drag drag;         ///< seals and impellers to be included
+    whirl_drag drag;         ///< which seals and impellers are included
     size_t drag_at;          ///< station of the seals and impellers that are included, if not all
     double stages;           ///< factor of stages
-    bool in_time;            ///< frequency-dependent coefficients are functions with states of their own
+    bool in_time;            ///< frequency-dependent coefficients become transfer functions with states
     bool asynchronous;       ///< frequency-dependent coefficients are those at `frequency`
-    double frequency;        ///< rad/s, instead of the shaft's
+    double frequency;        ///< rad/s, in place of the shaft's speed
     size_t placed_count;
-    const whirl_placed *placed; ///< [placed_count] unbalances that replace its own; borrowed
+    const whirl_placed *placed; ///< [placed_count] unbalances that replace those of the design; borrowed
     size_t station_count, element_count, shaft_count, material_count;
     design_part stations[WHIRL_MAX_STATIONS], shafts[WHIRL_MAX_SHAFTS], materials[WHIRL_MAX_MATERIALS];
     design_element elements[WHIRL_MAX_ELEMENTS];
     size_t type_count;
-    const element_type *types[MAX_TYPES]; ///< the library's, then those that were added; in the order in which they act
+    const element_type *types[MAX_TYPES]; ///< types of the library, then added ones, in the order in which they act
 };
 
 #endif

@@ -1,4 +1,4 @@
-// Laws that elements use when a machine is designed.
+// Laws of elements that are evaluated when a machine is designed: annular seals, doubts, Hertz contacts, tables.
 #include "black.h"
 #include "doubts.h"
 #include "hertz.h"
@@ -16,7 +16,7 @@
 // ---------------------------------------------------------------- black
 // Equations: docs/theory.md, "Annular seal".
 
-/// Friction of a smooth annulus whose inner wall turns (Yamada 1962).
+/// Returns the friction factor of a smooth annulus whose inner wall turns (Yamada 1962).
 static double friction(double axial, double around) {
     const double turned = 7.0 * around / (8.0 * axial);
     return 0.079 * pow(axial, -0.25) * pow(1.0 + turned * turned, 0.375);
@@ -26,7 +26,7 @@ black_coefficients black_find(const black_seal *seal, double speed) {
     const double c = seal->clearance, surface = seal->radius * speed, inlet = 1.0 + seal->loss;
     const double thin = seal->density * c / seal->viscosity, around = thin * surface;
     double velocity = sqrt(2.0 * seal->pressure / seal->density / inlet), lambda = 0.0;
-    // The friction falls more slowly than 1/V, so that every pass halves the error, or better.
+    // Each pass at least halves the error, since friction falls more slowly than 1/V.
     for (int i = 0; i < 100; i++) {
         lambda = friction(2.0 * thin * velocity, around);
         velocity = sqrt(2.0 * seal->pressure / seal->density / (inlet + 2.0 * lambda * seal->length / c));
@@ -36,7 +36,8 @@ black_coefficients black_find(const black_seal *seal, double speed) {
     const double damper = 2.0 * s / a * (0.5 * inlet * ((1.0 + s) / a - s / (a * a)) + s / 6.0);
     const double mass = 2.0 * s / a * (0.5 * inlet * (0.5 / a - (1.0 + s) / (a * a) + s / (a * a * a)) + 1.0 / 12.0);
     const double scale = 3.14159265358979323846 * seal->radius * seal->pressure / lambda;
-    // The shear along the axis is lambda rho V^2/2; around the shaft it is to that as the slip is to V.
+    // The shear along the axis is lambda rho V^2/2. The ratio of the shear around the shaft to it is that of the slip
+    // to V.
     const double ratio = 0.5 - (seal->swirl - 0.5) * expm1(-s) / s, slip = surface * (1.0 - ratio);
     const double area = 6.28318530717958647692 * seal->radius * seal->length;
     return (black_coefficients){.stiffness = scale * spring,
@@ -61,7 +62,7 @@ void doubt_value(const doubt_teller *to, const char *key, const char *format, ..
 }
 
 void doubt_clearance(const doubt_teller *to, const char *key, double clearance, double radius) {
-    // Bearings and dampers have 5e-4 to 5e-3 (San Andres 2010); a wrong unit is off by 1000.
+    // Bearings and dampers have 5e-4 to 5e-3 (San Andres 2010). A wrong unit is wrong by a factor of 1000.
     const double share = clearance / radius, least = 1e-4, most = 1e-2, largest = 10.0;
     if (share < least || share > most)
         doubt_value(to, key, "is %.3g times the radius, and films have %g to %g times", share, least, most);
@@ -69,7 +70,7 @@ void doubt_clearance(const doubt_teller *to, const char *key, double clearance, 
 }
 
 void doubt_length(const doubt_teller *to, const char *key, double length, double radius, const char *instead) {
-    // theory.md, "Oil film of a short journal bearing".
+    // The range of the law is in theory.md, "Oil film of a short journal bearing".
     const double share = length / (2.0 * radius), most = 0.5 * (1.0 + 1e-9);
     if (share > most)
         doubt_value(to, key,
@@ -89,7 +90,7 @@ bool doubt_flow(const doubt_teller *to, double reynolds, double radius, double c
     return reynolds >= most;
 }
 
-/// Returns the speed of the shaft of an element's first station; the rotor's if it is on no shaft.
+/// Returns the speed of the shaft of an element's first station, or of the rotor if the station is on no shaft.
 static double speed_at(const whirl_design *design, const design_element *own) {
     for (size_t k = 0; k < own->type->group.key_count; k++) {
         const whirl_key_kind kind = own->type->group.keys[k].kind;
@@ -118,11 +119,11 @@ void whirl_design_doubts(const whirl_design *design, whirl_design_tell *tell, vo
 
 static const double pi = 3.14159265358979323846;
 
-/// E/(1 - nu^2), Pa.
+/// E/(1 - nu^2) of steel, Pa.
 static const double modulus = 2.06e11 / (1.0 - 0.09);
 
 double hertz_ball_load(double diameter, double race, double groove) {
-    // Radii along the rolling and across it; ellipses by the fit of Brewe, Hamrock 1977.
+    // Compute the radii of curvature along the rolling and across it; the ellipse is by the fit of Brewe, Hamrock 1977.
     const double along = 1.0 / (2.0 / diameter + 1.0 / race);
     const double across = 1.0 / (2.0 / diameter - 1.0 / (groove * diameter));
     const double radius = 1.0 / (1.0 / along + 1.0 / across), shape = 1.0339 * pow(across / along, 0.636);
@@ -134,7 +135,8 @@ double hertz_ball_load(double diameter, double race, double groove) {
 }
 
 double hertz_roller_load(double diameter, double race, double stiffness) {
-    // Approach of one contact: 3.84e-5 Q^0.9/l^0.8 mm, lengths in mm (Palmgren); two of them give the stiffness.
+    // The approach of one contact is 3.84e-5 Q^0.9/l^0.8 mm with lengths in mm (Palmgren). Two contacts in series give
+    // the stiffness.
     const double of_one = pow(2.0 * 3.84e-5, -10.0 / 9.0) * pow(1e3, 10.0 / 9.0);
     const double length = 1e-3 * pow(stiffness / of_one, 9.0 / 8.0);
     const double radius = 1.0 / (2.0 / diameter + 1.0 / race);
@@ -143,7 +145,7 @@ double hertz_roller_load(double diameter, double race, double stiffness) {
 
 // ---------------------------------------------------------------- table
 
-/// Slope at an end, by the parabola through three points, limited to stay monotone (Fritsch, Carlson 1980).
+/// Returns the slope at an end, by the parabola through three points, limited to stay monotone (Fritsch, Carlson 1980).
 static double end_slope(double near, double far, double rise, double next) {
     const double slope = ((2.0 * near + far) * rise - near * next) / (near + far);
     if (slope * rise <= 0.0) return 0.0;
@@ -158,7 +160,7 @@ static double rise(const double *x, const double *y, size_t i) {
     return (y[i + 1] - y[i]) / width(x, i);
 }
 
-/// Slope at a point in the middle: the weighted harmonic mean of the rises on both sides, 0 at an extreme.
+/// Returns the slope at an inner point: the weighted harmonic mean of the rises on both sides, 0 at an extreme.
 static double slope_at(size_t count, const double *x, const double *y, size_t i) {
     if (count == 2) return rise(x, y, 0);
     if (i == 0) return end_slope(width(x, 0), width(x, 1), rise(x, y, 0), rise(x, y, 1));

@@ -14,7 +14,7 @@ bool oil_given(const oil *of) {
     return false;
 }
 
-/// Finds the one way in which viscosity is given.
+/// Finds the only way in which the viscosity is given.
 static whirl_status way_of(const oil *of, int *way) {
     int count = 0;
     for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
@@ -29,7 +29,7 @@ static whirl_status way_of(const oil *of, int *way) {
     return whirl_ok();
 }
 
-/// Rejects keys that belong to another way.
+/// Rejects keys that belong to another way of giving the viscosity.
 static whirl_status check_strays(const oil *of, int way) {
     const bool warm = way == OIL_GRADE || way == OIL_TEMPERATURES;
     if (of->keys[OIL_TEMPERATURE].given && !warm)

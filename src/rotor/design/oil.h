@@ -1,10 +1,10 @@
-/// Oil of a film: dynamic or kinematic viscosity, or viscosity by temperature; and density.
+/// Oil of a film: its dynamic or kinematic viscosity, or viscosity by temperature, and its density.
 #ifndef ROTOR_OIL_H
 #define ROTOR_OIL_H
 
 #include "element.h"
 
-/// Keys of oil of an element, in this order.
+/// Keys of an element for its oil, in this order.
 enum {
     OIL_DYNAMIC,
     OIL_KINEMATIC,
@@ -14,13 +14,13 @@ enum {
     OIL_TEMPERATURES,
     OIL_VISCOSITIES,
     OIL_TEMPERATURE,
-    OIL_SUPPLY_TEMPERATURE, ///< this and the following describe a bearing in documents; no force depends on them
+    OIL_SUPPLY_TEMPERATURE, ///< this key and the next describe a bearing in documents; no force depends on them
     OIL_SUPPLY_PRESSURE,
     OIL_KEYS
 };
 
-/// Rows of tables of keys. A value in cSt requires the density; with one in Pa s it is optional, and is used to check
-/// that the film's inertia is negligible.
+/// Rows of the tables of keys. A viscosity in cSt requires the density. With one in Pa s it is optional, and serves to
+/// check that the film's inertia is negligible.
 // clang-format off
 #define OIL_ROWS(first, text)                                                                                          \
     [(first) + OIL_DYNAMIC] = NUMBER_KEY("viscosity", "mu", "Pa s", OPTIONAL, WHIRL_POSITIVE, text),                   \
@@ -50,13 +50,13 @@ typedef struct oil {
     const key_value *keys;
 } oil;
 
-/// Returns true if they define a viscosity.
+/// Returns true if the keys define a viscosity.
 bool oil_given(const oil *of);
 
-/// Computes mu in Pa s. WHIRL_BAD_INPUT unless it is given in exactly one way.
+/// Computes the dynamic viscosity, Pa s. WHIRL_BAD_INPUT unless it is given in exactly one way.
 whirl_status oil_viscosity(const oil *of, double *viscosity);
 
-/// Returns rho speed length^2/mu; 0 without a density.
+/// Returns the Reynolds number rho speed length^2/mu, or 0 without a density.
 double oil_reynolds(const oil *of, double speed, double length);
 
 #endif

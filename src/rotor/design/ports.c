@@ -1,8 +1,8 @@
 // Ports of elements: the coordinates of their stations.
 #include "element.h"
 
-/// Finds the coordinates of a place along some axes, none for the ground and for AXES, and its shares of them. A
-/// station that does not move along x or y counts as ground there.
+/// Finds the coordinates of a place along some axes, and its shares of them. There is none for the ground and for AXES.
+/// A station that does not move along x or y counts as ground there.
 static whirl_status find_place(const assembly *to, size_t station, const axis *axes, size_t count, size_t *port,
                                double *share) {
     for (size_t a = 0; a < count; a++) {
@@ -16,7 +16,7 @@ static whirl_status find_place(const assembly *to, size_t station, const axis *a
     return whirl_ok();
 }
 
-/// Rejects ports [2 count] none of which moves: the element would have no effect.
+/// Rejects ports [2 count] of which none moves: the element would have no effect.
 static whirl_status check_moving(const assembly *to, size_t station, const axis *axes, size_t count,
                                  const size_t *port) {
     size_t none = NO_COORDINATE;

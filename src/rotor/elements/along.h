@@ -6,7 +6,7 @@
 
 enum { ALONG_XY, ALONG_X, ALONG_Y, ALONG_TILTS, ALONG_TILT_X, ALONG_TILT_Y, ALONG_TWIST, ALONGS };
 
-/// The axes [2] of each choice; AXES: none.
+/// The axes [2] of each choice; AXES means none.
 static const axis axes_along[ALONGS][2] = {
     [ALONG_XY] = {AXIS_X, AXIS_Y},        [ALONG_X] = {AXIS_X, AXES},
     [ALONG_Y] = {AXES, AXIS_Y},           [ALONG_TILTS] = {AXIS_TILT_X, AXIS_TILT_Y},
@@ -22,7 +22,7 @@ static inline bool along_tilts(int choice) {
     return choice >= ALONG_TILTS;
 }
 
-/// Checks that a key fits the axes. WHIRL_BAD_INPUT for one of angles along displacements, or the reverse.
+/// Checks that a key fits the axes. WHIRL_BAD_INPUT for a key of angles along displacements, or the reverse.
 static inline whirl_status check_along(const whirl_key *key, const key_value *value, bool for_tilts, int choice) {
     if (!value->given || for_tilts == along_tilts(choice)) return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT, "has %s, in %s, and acts along %s, expected along: %s", key->name, key->unit,

@@ -1,4 +1,4 @@
-/// The derivative of one station's acceleration by its own place and velocity.
+/// The derivative of one station's acceleration by its own displacement and velocity.
 #ifndef ROTOR_TANGENT_H
 #define ROTOR_TANGENT_H
 
@@ -9,7 +9,7 @@ typedef struct tangent_block {
     vec x[4], y[4];
 } tangent_block;
 
-/// Applies the derivatives of vector k of the element's station, its first two ports, to all perturbations.
+/// Applies the derivatives in vector k, for the first two ports of the element, to all perturbations.
 static inline void tangent_apply(const tangent_block *tangent, const element *own, const block *b, size_t k) {
     const size_t x = own->port[0] * b->stride + k, y = own->port[1] * b->stride + k;
     for (size_t n = 1; n <= b->perturbations; n++) {

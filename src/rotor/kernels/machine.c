@@ -1,7 +1,7 @@
 // Rotors side by side as vectors: accelerations, perturbations by the Jacobian, its trace, switching functions, normal
-// forces, values of time. Compiled once for every instruction set.
+// forces, forcing. Compiled once for every instruction set.
 //
-// Stations first, then the linear terms, then the elements in the registry's order; vectors innermost.
+// Stations come first, then the linear terms, then the elements in the registry's order. Vectors are innermost.
 #include "../machine.h"
 
 #include "block.h"
@@ -32,8 +32,8 @@ static const vec *station_numbers(const block *b, size_t station) {
     return b->numbers + (b->places ? b->places[station] : station * STATION_NUMBERS) * b->stride;
 }
 
-/// Adds the stations that move in x and y, which come first. The block is a copy, so that compilers know that no write
-/// changes it.
+/// Computes the accelerations of the stations that move in x and y, which come first. The block is a copy, so that
+/// compilers know that no write changes it.
 VECTOR_INLINE void add_stations(block at, size_t station_count) {
     const vec *cosine = at.forcing + COS_TAU * at.forcing_stride, *sine = at.forcing + SIN_TAU * at.forcing_stride;
     for (size_t s = 0; s < station_count; s++) {
@@ -51,7 +51,7 @@ static void pass_stations(const block *b, size_t station_count) {
         add_stations(single(b), station_count);
 }
 
-/// Adds the stations' effect on perturbations.
+/// Computes the stations' effect on perturbations.
 static void pass_station_tangents(const block *b, size_t station_count) {
     for (size_t s = 0; s < station_count; s++)
         for (size_t k = 0; k < b->vectors; k++) {
@@ -68,7 +68,8 @@ static void pass_station_tangents(const block *b, size_t station_count) {
         }
 }
 
-/// Returns the numbers that a term multiplies, of the state or of perturbation n; NULL: none for a perturbation.
+/// Returns the numbers that a term multiplies, of the state or of perturbation n; NULL if the term does not act on
+/// perturbations.
 static const vec *column_of(const linear_term *term, const block *b, size_t n) {
     switch (term->source) {
     case SOURCE_PLACE:
@@ -82,7 +83,7 @@ static const vec *column_of(const linear_term *term, const block *b, size_t n) {
     }
 }
 
-/// Adds terms for all states at once: a row's terms are adjacent, so that its sum stays in registers.
+/// Adds terms for all states at once. The terms of a row are adjacent, so that its sum stays in registers.
 static void pass_terms(const whirl_rotor *rotor, const block *b) {
     for (size_t i = 0; i < rotor->term_count; i++) {
         const linear_term *term = &rotor->terms[i];
@@ -105,7 +106,7 @@ static void pass_terms(const whirl_rotor *rotor, const block *b) {
     }
 }
 
-/// Clears coordinates that neither a station's pass nor a shaft's initializes.
+/// Sets accelerations to 0 that neither the pass of stations nor that of shafts initializes.
 static void clear(const whirl_rotor *rotor, const block *b) {
     const size_t first = 2 * rotor->plane_count, vectors = b->vectors, stride = b->stride;
     for (size_t k = 0; b->divergence && k < vectors; k++) b->divergence[k] = v_set(0.0);
@@ -120,7 +121,7 @@ static const element_kernels *kernels_of(const element *own) {
     return own->type->kernels[VECTOR_ISA];
 }
 
-/// Computes one vector of a structure with loops of its own; false for other structures.
+/// Computes one vector of a structure that has its own loops. Returns false for other structures.
 static bool flow_of_instance(const lanes_instance *instance, const block *b) {
 #define FLOW(name, NAME)                                                                                               \
     if (IS_INSTANCE(NAME, instance)) {                                                                                 \
@@ -145,7 +146,7 @@ static void pass_all(const whirl_rotor *rotor, const block *b) {
 
 enum { BY_PHASE = 8 }; ///< vectors at a time
 
-/// Computes vectors from k on with the values of time of the shaft's phase, which is a state.
+/// Computes vectors from k on, with the forcing of the shaft's phase, which is a state.
 static void pass_by_phase(const whirl_rotor *rotor, const block *all, size_t k) {
     vec values[FORCING_COUNT][BY_PHASE], turned[FORCING_COUNT][BY_PHASE];
     const vec *number = all->numbers + (rotor->lanes.number_count - 1) * all->stride + k, nothing = v_set(0.0);

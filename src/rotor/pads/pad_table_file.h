@@ -1,4 +1,4 @@
-/// Tables in the user's cache folder, $XDG_CACHE_HOME/whirl or ~/.cache/whirl, for other runs.
+/// Tables in the user's cache folder, $XDG_CACHE_HOME/whirl or ~/.cache/whirl, for later runs.
 #ifndef ROTOR_PAD_TABLE_FILE_H
 #define ROTOR_PAD_TABLE_FILE_H
 
@@ -10,17 +10,17 @@
 /// Returns the checksum (Fowler, Noll, Vo 1991) of the coefficients, as words of 64 bits.
 uint64_t pad_table_checksum(const pad_table *table);
 
-/// Returns true if there is a file for such a table, which is not read.
+/// Returns true if there is a file for such a table. Does not read it.
 bool pad_table_file_is_there(const pad_table_key *key);
 
-/// Reads the coefficients. *found is false if there is no plain file, or if it is damaged, of other sources or not
-/// confirmed. Errors as pad_table_confirm.
+/// Reads the coefficients. *found becomes false if there is no plain file, or if the file is damaged, made by other
+/// sources or not confirmed. Errors as pad_table_confirm.
 whirl_status pad_table_file_read(const pad_table_key *key, pad_table *table, bool *found);
 
-/// Saves a table for other runs, atomically; a failure is ignored. Removes the least recently used files beyond
+/// Saves a table for later runs, atomically. A failure is ignored. Removes the least recently used files beyond
 /// PAD_TABLE_FILES.
 void pad_table_file_write(const pad_table_key *key, const pad_table *table);
 
-enum { PAD_TABLE_FILES = 512 }; ///< files of 2 MB each
+enum { PAD_TABLE_FILES = 512 }; ///< most files, of 2 MB each
 
 #endif

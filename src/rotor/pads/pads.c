@@ -1,4 +1,4 @@
-// Bearings of pads: from the films of single pads to the journal's equilibrium and its stiffness.
+// Bearings with pads: from the films of single pads to the journal's equilibrium and its stiffness.
 #include <complex.h>
 #include <math.h>
 #include <stdlib.h>
@@ -9,12 +9,12 @@
 #include "reynolds.h"
 #include "whirl/engine/bearing.h"
 
-/// Step of differences in places and tilts; forces are exact to 1e-6 and better, differences are of fourth order.
+/// Step of differences in positions and tilts. Forces are exact to 1e-6 and better; differences are of fourth order.
 static const double difference = 0.02;
 
 enum { FINENESS = 960, ALONG = 24, COARSER = 4, MAX_STEPS = 60 };
 
-/// R delta/c, limit of the search for pads.
+/// Largest tilt R delta/c of the search.
 static const double widest_tilt = 20.0;
 
 /// Data of a solution.
@@ -28,7 +28,8 @@ static double middle_of(const whirl_pad *pad) {
     return pad->pivot + (0.5 - pad->offset) * pad->arc;
 }
 
-/// Volumes around a pad and along half its length; they are halved for grids before them.
+/// Returns the film of a pad, with its number of volumes along the arc and along half its length. They are halved for
+/// coarser grids.
 static pad_film film_of(const solver *s, const whirl_pad *pad) {
     const int fineness = s->bearing->fineness > 0 ? s->bearing->fineness : FINENESS;
     const double turn = 2.0 * acos(-1.0);
@@ -45,7 +46,7 @@ static pad_film film_of(const solver *s, const whirl_pad *pad) {
                       .groove = s->bearing->groove};
 }
 
-/// A journal and a pad: what the film sees, in the frame of the bearing.
+/// Position and velocity of a journal relative to a pad, in the frame of the bearing.
 typedef struct seen {
     double place[2], velocity[2];
 } seen;
@@ -64,7 +65,7 @@ static whirl_status force_of(const solver *s, const whirl_pad *pad, const seen *
     return status;
 }
 
-/// Computes the direction along the pad at its pivot, with the rotation.
+/// Computes the direction along the pad at its pivot, in the sense of the rotation.
 static void tangent_of(const whirl_pad *pad, double t[2]) {
     t[0] = -sin(pad->pivot);
     t[1] = cos(pad->pivot);
@@ -76,14 +77,14 @@ static void normal_of(const whirl_pad *pad, double n[2]) {
     n[1] = sin(pad->pivot);
 }
 
-/// Computes the journal's place relative to a pad that has moved outwards.
+/// Computes the journal's position relative to a pad that has moved outwards.
 static void before_pad(const whirl_pad *pad, const double place[2], double yield, double out[2]) {
     double n[2];
     normal_of(pad, n);
     for (int k = 0; k < 2; k++) out[k] = place[k] - yield * n[k];
 }
 
-/// Computes the journal's place relative to a tilted pad.
+/// Computes the journal's position relative to a tilted pad.
 static seen tilted(const whirl_pad *pad, const double place[2], double tilt) {
     double t[2];
     tangent_of(pad, t);
@@ -92,8 +93,8 @@ static seen tilted(const whirl_pad *pad, const double place[2], double tilt) {
 
 // ---------------------------------------------------------------- tilts
 
-/// Finds the range of tilts without contact; false if it is empty. The film is least at an edge or, between the edges,
-/// on the line to the journal.
+/// Finds the range of tilts without contact. Returns false if it is empty. The film is thinnest at an edge or, if that
+/// lies between the edges, on the line to the journal.
 static bool free_tilts(const whirl_pad *pad, const double place[2], double ends[2]) {
     const double before = -pad->offset * pad->arc, after = (1.0 - pad->offset) * pad->arc;
     const double c = cos(pad->pivot), sn = sin(pad->pivot);
@@ -132,7 +133,7 @@ static whirl_status along_pad(balance *b, double tilt, double *along) {
 }
 
 /// Finds the first adjacent tilts between which the film's moment about the pivot vanishes stably: the force along the
-/// pad grows with the tilt. *loaded is false without a film.
+/// pad grows with the tilt. *loaded becomes false if there is no film.
 static whirl_status bracket_tilt(balance *b, bracket *found, bool *loaded) {
     enum { LOOKS = 32 };
     double ends[2], last = 0.0, before = 0.0;
@@ -184,12 +185,12 @@ double pad_centred_tilt(const whirl_pad *pad, double ratio, bool gumbel) {
 
 // ---------------------------------------------------------------- derivatives
 
-/// Computes -dF by the place (0) and by the velocity (1) of the journal, for one pad.
+/// Computes -dF by the position (0) and by the velocity (1) of the journal, for one pad.
 static whirl_status derive(const solver *s, const whirl_pad *pad, const double place[2], double tilt, double thinnest,
                            double out[2][2][2]) {
     static const double weight[] = {1.0 / 12.0, -8.0 / 12.0, 8.0 / 12.0, -1.0 / 12.0}, at[] = {-2.0, -1.0, 1.0, 2.0};
     const seen rest = tilted(pad, place, tilt);
-    // The force is homogeneous in (A, B), and at rest (A, B) is the place relative to the pad.
+    // The force is homogeneous in (A, B), and at rest (A, B) is the position relative to the pad.
     const double wedge =
         hypot(rest.place[0] + pad->preload * cos(pad->pivot), rest.place[1] + pad->preload * sin(pad->pivot));
     const double step = difference * fmin(fmax(wedge, 0.05), thinnest);
@@ -207,12 +208,12 @@ static whirl_status derive(const solver *s, const whirl_pad *pad, const double p
     return whirl_ok();
 }
 
-/// Adds the oil in a groove, which presses on the journal in the middle of the gap.
+/// Adds the force of the oil in a groove, which presses on the journal at the middle of the gap.
 static void add_groove(const whirl_pads *bearing, size_t pad, whirl_pads_state *state) {
     const whirl_pad *before = &bearing->pads[pad];
     const double half = 0.5 * whirl_pads_gap(bearing, pad);
     const double middle = before->pivot + (1.0 - before->offset) * before->arc + half;
-    // 3 int int P (-cos p, -sin p), the mean along the axis between 1 and the share that is full.
+    // The force is 3 int int P (-cos p, -sin p), where the mean along the axis is between 1 and the share that is full.
     const double size = -6.0 * bearing->supply * 0.5 * (1.0 + bearing->groove) * 2.0 * sin(half);
     state->grooves[0] += size * cos(middle);
     state->grooves[1] += size * sin(middle);
@@ -226,14 +227,14 @@ static void begin_look(const whirl_pads *bearing, const double place[2], whirl_p
     state->thinnest = INFINITY;
 }
 
-/// Solves every pad at a place, with its tilt and its derivatives if requested.
+/// Solves every pad for a position of the journal, with its tilt (balanced) and its derivatives (derived) if requested.
 static whirl_status look(const solver *s, const double place[2], bool balanced, bool derived, whirl_pads_state *state) {
     whirl_status status = whirl_ok();
     begin_look(s->bearing, place, state);
     for (size_t i = 0; i < s->bearing->count && status.code == WHIRL_OK; i++) {
         const whirl_pad *pad = &s->bearing->pads[i];
         double before[2], n[2], along;
-        // The journal as the pad sees it, and the pad's tilt in balance.
+        // Find the journal as the pad sees it, and the tilt of the pad in balance.
         before_pad(pad, place, state->yield[i], before);
         balance b = {.s = s, .pad = pad, .place = before};
         if (balanced && s->bearing->tilting) status = balance_pad(s, pad, before, &state->tilt[i], &state->loaded[i]);
@@ -241,7 +242,7 @@ static whirl_status look(const solver *s, const double place[2], bool balanced, 
         state->load[i] = 0.0;
         if (!state->loaded[i]) state->yield[i] = 0.0;
         if (status.code != WHIRL_OK || !state->loaded[i]) continue;
-        // Force of the film, and its derivatives if requested.
+        // Compute the force of the film, and its derivatives if requested.
         status = along_pad(&b, state->tilt[i], &along);
         if (status.code == WHIRL_OK && derived)
             status = derive(s, pad, before, state->tilt[i], b.all.thinnest, state->of_pads[i]);
@@ -249,7 +250,7 @@ static whirl_status look(const solver *s, const double place[2], bool balanced, 
         state->moment[i] = along;
         normal_of(pad, n);
         state->thrust[i] = -(b.force[0] * n[0] + b.force[1] * n[1]);
-        // Sums and extremes over the pads.
+        // Update the sums and extremes over the pads.
         for (int k = 0; k < 2; k++) state->force[k] += b.force[k];
         state->thinnest = fmin(state->thinnest, b.all.thinnest);
         state->highest = fmax(state->highest, b.all.highest);
@@ -261,14 +262,16 @@ static whirl_status look(const solver *s, const double place[2], bool balanced, 
 
 // ---------------------------------------------------------------- rest
 
-/// Linear response of a pad to the journal: tilt and yield, r, by the journal's place q, r = by dq - back.
+/// Linear response of a pad to the journal: the change r of its tilt and yield by a change dq of the journal's
+/// position, r = by dq - back.
 typedef struct follower {
-    double t[2], n[2]; ///< directions in which tilt and yield move it
+    double t[2], n[2]; ///< directions in which tilt and yield move the pad
     double by[2][2];   ///< [tilt, yield][x, y]
     double back[2];    ///< residual of the pad's own balance
 } follower;
 
-/// The balance of a pad, F.t = 0 and k yield + F.n = 0 with dF = -K (dq - T dr), is A dr = T' K dq - b.
+/// Computes the response of a pad from its balance, F.t = 0 and k yield + F.n = 0 with dF = -K (dq - T dr): A dr = T' K
+/// dq - b.
 static follower follower_of(const whirl_pads *bearing, const whirl_pads_state *state, size_t i) {
     const double(*k)[2] = state->of_pads[i][0];
     follower out = {.back = {0.0}};
@@ -276,7 +279,7 @@ static follower follower_of(const whirl_pads *bearing, const whirl_pads_state *s
     tangent_of(&bearing->pads[i], out.t);
     normal_of(&bearing->pads[i], out.n);
     const double *along[] = {out.t, out.n};
-    // Equations of the pad: A = T' K T + springs, right-hand side T' K.
+    // Set up the equations of the pad: A = T' K T + springs, with right-hand side T' K.
     for (int r = 0; r < 2; r++) {
         for (int c = 0; c < 2; c++) right[r][c] = along[r][0] * k[0][c] + along[r][1] * k[1][c];
         for (int c = 0; c < 2; c++) a[r][c] = right[r][0] * along[c][0] + right[r][1] * along[c][1];
@@ -301,12 +304,12 @@ static follower follower_of(const whirl_pads *bearing, const whirl_pads_state *s
     return out;
 }
 
-/// A change of the place, and of tilts and yields of the pads.
+/// A change of the journal's position, and of the tilts and yields of the pads.
 typedef struct step {
     double place[2], tilt[WHIRL_MAX_PADS], yield[WHIRL_MAX_PADS];
 } step;
 
-/// Solves K* d = r with pads in balance, K* = K - K T by; then computes the pads' changes.
+/// Solves K* d = r for the journal with pads in balance, K* = K - K T by. Then computes the changes of the pads.
 static step step_of(const whirl_pads *bearing, const whirl_pads_state *state, const double lacking[2]) {
     double sum[2][2] = {{0.0}}, right[2] = {lacking[0], lacking[1]};
     follower pads[WHIRL_MAX_PADS] = {{.t = {0.0}}};
@@ -326,7 +329,7 @@ static step step_of(const whirl_pads *bearing, const whirl_pads_state *state, co
     const double determinant = sum[0][0] * sum[1][1] - sum[0][1] * sum[1][0];
     out.place[0] = (right[0] * sum[1][1] - right[1] * sum[0][1]) / determinant;
     out.place[1] = (right[1] * sum[0][0] - right[0] * sum[1][0]) / determinant;
-    // Move the pads along.
+    // Compute how the pads follow.
     for (size_t i = 0; i < bearing->count; i++) {
         const double *d = out.place;
         out.tilt[i] = pads[i].by[0][0] * d[0] + pads[i].by[0][1] * d[1] - pads[i].back[0];
@@ -335,7 +338,7 @@ static step step_of(const whirl_pads *bearing, const whirl_pads_state *state, co
     return out;
 }
 
-/// Computes the residual of the journal's balance; returns it with that of the pivots, over the load.
+/// Computes the residual of the journal's balance. Returns it together with that of the pivots, divided by the load.
 static double lack(const whirl_pads *bearing, const whirl_pads_state *state, const double load[2], double lacking[2]) {
     double sum = 0.0;
     for (int k = 0; k < 2; k++) lacking[k] = load[k] + state->force[k], sum += lacking[k] * lacking[k];
@@ -344,7 +347,7 @@ static double lack(const whirl_pads *bearing, const whirl_pads_state *state, con
     return sqrt(sum) / hypot(load[0], load[1]);
 }
 
-/// Moves by a share of a step.
+/// Moves journal and pads by a share of a step.
 static void go(const whirl_pads *bearing, const step *by, double share, whirl_pads_state *state) {
     for (int c = 0; c < 2; c++) state->at[c] += share * by->place[c];
     for (size_t i = 0; i < bearing->count; i++) {
@@ -353,8 +356,8 @@ static void go(const whirl_pads *bearing, const step *by, double share, whirl_pa
     }
 }
 
-/// Solves the first place of a search: slightly towards the load from the centre for tilting pads without preload,
-/// whose films carry nothing there.
+/// Solves the first position of a search. For tilting pads without preload it is slightly towards the load from the
+/// centre, where their films carry nothing.
 static whirl_status look_first(const solver *s, const double load[2], whirl_pads_state *state) {
     const whirl_status status = look(s, state->at, true, true, state);
     bool loaded = false;
@@ -364,7 +367,8 @@ static whirl_status look_first(const solver *s, const double load[2], whirl_pads
     return look(s, state->at, true, true, state);
 }
 
-/// Newton's method on a coarse grid, with pads in balance at every step; steps are halved until the residual falls.
+/// Finds the equilibrium by Newton's method on a coarse grid, with pads in balance at every step. Steps are halved
+/// until the residual falls.
 static whirl_status find_coarsely(const solver *s, const double load[2], whirl_pads_state *state) {
     double lacking[2];
     whirl_status status = look_first(s, load, state);
@@ -388,8 +392,8 @@ static whirl_status find_coarsely(const solver *s, const double load[2], whirl_p
     return whirl_fail(WHIRL_NUMERICAL_FAILURE, "no place was found where the films of the bearing carry the load");
 }
 
-/// Moves the journal and the tilts of pads on the finest grid, by the derivatives of the coarse one, until all forces
-/// balance.
+/// Moves the journal and the tilts of pads until all forces balance on the finest grid, with the derivatives of the
+/// coarse grid.
 static whirl_status polish(const solver *s, const double load[2], whirl_pads_state *state) {
     whirl_status status = whirl_ok();
     for (int k = 0; k < MAX_STEPS && status.code == WHIRL_OK; k++) {
@@ -534,14 +538,15 @@ whirl_status whirl_pads_rest(const whirl_pads *bearing, const double load[2], wh
 
 // ---------------------------------------------------------------- reduced coefficients
 
-/// Eliminates a pad that follows from z: Z T (T' Z T + D)^-1 T' Z, T = (t, n), D its springs and inertia.
+/// Eliminates a pad, which follows the journal: subtracts Z T (T' Z T + D)^-1 T' Z from z, where T = (t, n) and D has
+/// the pad's springs and inertia.
 static void pads_eliminate_pad(const whirl_pads *bearing, const whirl_pad *pad, const double complex own[2][2],
                                double ratio, double inertia, double complex z[2][2]) {
     const bool yields = bearing->pivot_stiffness > 0.0;
     const size_t count = yields ? 2 : 1;
     double along[2][2];
     double complex zt[2][2], tz[2][2], a[2][2] = {{-ratio * ratio * inertia, 0.0}, {0.0, 1.0}};
-    // Z T, T' Z, and T' Z T + D.
+    // Compute Z T, T' Z and T' Z T + D.
     tangent_of(pad, along[0]);
     normal_of(pad, along[1]);
     if (yields)
@@ -553,7 +558,7 @@ static void pads_eliminate_pad(const whirl_pads *bearing, const whirl_pad *pad, 
         }
     for (size_t r = 0; r < count; r++)
         for (size_t c = 0; c < count; c++) a[r][c] += tz[r][0] * along[c][0] + tz[r][1] * along[c][1];
-    // Subtract the product with its inverse.
+    // Subtract the product with the inverse of the latter.
     const double complex determinant = a[0][0] * a[1][1] - a[0][1] * a[1][0];
     if (!(cabs(determinant) > 0.0)) return;
     const double complex inverse[2][2] = {{a[1][1] / determinant, -a[0][1] / determinant},
@@ -566,7 +571,7 @@ static void pads_eliminate_pad(const whirl_pads *bearing, const whirl_pad *pad, 
 
 void whirl_pads_reduced(const whirl_pads *bearing, const whirl_pads_state *state, double ratio, double inertia,
                         double stiffness[2][2], double damping[2][2]) {
-    // Damping at rest is the limit, which needs only the terms of first order.
+    // At frequency 0 take the limit of damping, for which the terms of first order suffice.
     const double at = ratio != 0.0 ? ratio : 1e-6;
     double complex z[2][2];
     for (int r = 0; r < 2; r++)
@@ -588,7 +593,7 @@ void whirl_pads_reduced(const whirl_pads *bearing, const whirl_pads_state *state
 // ---------------------------------------------------------------- usual bearings
 
 bool whirl_pads_named(const char *name, double preload, whirl_pads *out) {
-    // Angles in degrees from the x axis, for a load along -y.
+    // Angles are in degrees from the x axis, for a load along -y.
     static const double degree = 0.017453292519943295;
     static const struct {
         const char *name;
@@ -601,7 +606,7 @@ bool whirl_pads_named(const char *name, double preload, whirl_pads *out) {
         {"four-lobe", 4, 45.0, 70.0, 0.5, true, false},   {"offset-half", 2, 90.0 + 80.0, 160.0, 1.0, true, false},
         {"tilting-4", 4, 45.0, 80.0, 0.5, true, true},    {"tilting-5", 5, 18.0, 60.0, 0.5, true, true},
     };
-    // Spread the pads evenly round the journal.
+    // Distribute the pads evenly around the journal.
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         if (strcmp(known[i].name, name) != 0) continue;
         out->count = known[i].count;

@@ -18,13 +18,13 @@ static oil oil_of(const key_value *values) {
     return (oil){&values[PADS_OIL]};
 }
 
-/// rho omega R c/mu.
+/// Returns the Reynolds number rho omega R c/mu.
 static double reynolds_of(const key_value *values, double speed) {
     const oil own = oil_of(values);
     return oil_reynolds(&own, speed, sqrt(values[PADS_RADIUS].number * values[PADS_CLEARANCE].number));
 }
 
-/// Returns the name of a choice's usual bearing, in the order of the keys' tables.
+/// Returns the name of the usual bearing of a choice, in the order of the keys' tables.
 static const char *shape_name(bool tilting, int choice) {
     static const char *const fixed[] = {"two-groove", "elliptical", "three-lobe", "four-lobe", "offset-half"};
     static const char *const free[] = {"tilting-4", "tilting-5"};
@@ -39,7 +39,7 @@ static whirl_status read_pads(const key_value *values, bool tilting, whirl_pads 
                         .tilting = tilting,
                         .gumbel = values[PADS_CAVITATION].choice == 1,
                         .turbulence = (whirl_turbulence)values[PADS_TURBULENCE].choice};
-    // A usual shape by name.
+    // Use a usual shape by its name.
     if (values[PADS_SHAPE].given == pivots->given)
         return whirl_fail(WHIRL_BAD_INPUT, "has %s, expected a usual shape or pivots",
                           pivots->given ? "both shape and pivots" : "neither shape nor pivots");
@@ -52,7 +52,7 @@ static whirl_status read_pads(const key_value *values, bool tilting, whirl_pads 
             return whirl_fail(WHIRL_BAD_INPUT, "has a preload, which a two-groove bearing has not");
         return whirl_ok();
     }
-    // Equal pads at given pivots.
+    // Otherwise, place equal pads at the given pivots.
     if (!values[PADS_ARC].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has pivots without arc, expected the length of the pads");
     out->count = pivots->count > 0 ? pivots->count : 1;
@@ -87,7 +87,7 @@ static int by_pivot(const void *a, const void *b) {
     return (apart > 0.0) - (apart < 0.0);
 }
 
-/// Writes the numbers of one pad, which may tilt without inertia, with angles for a shaft that turns from x to y.
+/// Writes the numbers of one pad, whose angles are for a shaft that turns from x to y. light: it tilts without inertia.
 static whirl_status put_pad(const whirl_pads *bearing, const whirl_pad *pad, bool light, double *number) {
     const double lead = (0.5 - pad->offset) * pad->arc, middle = pad->pivot + lead;
     number[PAD_COSINE] = cos(middle);
@@ -108,20 +108,20 @@ static whirl_status put_pad(const whirl_pads *bearing, const whirl_pad *pad, boo
     return pad_table_number(&key, &number[PAD_TABLE]);
 }
 
-/// Rounds a Reynolds number to that of a table: turbulent tables are 2 percent apart.
+/// Rounds a Reynolds number to that of a table. Turbulent tables are 2 percent apart.
 static double nearest_table(double reynolds) {
     const double step = log(1.02);
     return reynolds > 0.0 ? exp(step * round(log(reynolds) / step)) : 0.0;
 }
 
-/// Returns the factor from films of the table's Reynolds number to the bearing's: the ratio of the circumferential
-/// factors.
+/// Returns the factor that converts films of the table's Reynolds number to that of the bearing: the ratio of the
+/// circumferential factors.
 static double to_the_table(const key_value *values, double reynolds, double table) {
     const whirl_turbulence law = (whirl_turbulence)values[PADS_TURBULENCE].choice;
     return turbulent_resistance(law, reynolds).around / turbulent_resistance(law, table).around;
 }
 
-/// Finds the speed of the journal over the rotor's.
+/// Computes the ratio of the journal's speed to the rotor's.
 static whirl_status journal_ratio(const key_value *values, const assembly *to, double *ratio) {
     *ratio = to->stations[values[PADS_AT].station[0]].ratio;
     if (*ratio == 0.0) return whirl_fail(WHIRL_BAD_INPUT, "has a journal that does not turn, expected one that does");
@@ -132,15 +132,15 @@ static whirl_status journal_ratio(const key_value *values, const assembly *to, d
                                        "a housing_ratio");
 }
 
-/// mu omega R L (R/c)^2 in N.
+/// Returns the scale of a film's force, mu omega R L (R/c)^2, N.
 static double strength_of(const key_value *values, double viscosity, double speed) {
     const double share = values[PADS_RADIUS].number / values[PADS_CLEARANCE].number;
     return viscosity * speed * values[PADS_RADIUS].number * values[PADS_LENGTH].number * share * share;
 }
 
-/// Least dampers of pads, since films may carry nothing: as a share of 2 times the scale of the film's moment; without
-/// inertia also so that a spring returns a pad in no less than so many radians. Otherwise a pad that lost its film
-/// would keep its rate of tilt until its edge is in the journal.
+/// Least dampers of pads, since films may carry nothing. least_damper: as a share of 2 times the scale of the film's
+/// moment. soonest: without inertia, also the least angle of the shaft, rad, in which a spring returns a pad. Otherwise
+/// a pad that lost its film would keep its rate of tilt until its edge is in the journal.
 static const double least_damper = 3e-4, soonest = 0.1;
 
 static void put_tilts(const key_value *values, const assembly *to, double turn, double strength, double *number) {
@@ -192,7 +192,7 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
         status = whirl_fail(WHIRL_BAD_INPUT, "is turbulent by an unknown Reynolds number, expected the oil's density");
     if (status.code == WHIRL_OK) status = element_in_housing(&values[PADS_AT], &values[PADS_FROM], to, out);
     if (status.code != WHIRL_OK) return status;
-    // Scales: sense of rotation, strength of the film, Reynolds number of the table.
+    // Compute the scales: sense of rotation, strength of the film, Reynolds number of the table.
     const double turn = ratio * to->turn, sign = copysign(1.0, turn), speed = fabs(ratio * to->speed);
     const double reynolds = reynolds_of(values, speed);
     const bool light = tilting && values[PADS_INERTIA].number == 0.0;
@@ -212,9 +212,9 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
                               .turbulence = values[PADS_TURBULENCE].choice,
                               .turns = {ratio, 0.0},
                               .housing = GROUND};
-    // Pads are sorted around the journal, so that no result depends on the order in which they are given.
+    // Sort pads around the journal, so that no result depends on the order in which they are given.
     if (values[PADS_PIVOTS].given) qsort(bearing.pads, bearing.count, sizeof *bearing.pads, by_pivot);
-    // Numbers of the pads, their tilts and yields.
+    // Compute the numbers of the pads, of their tilts and of their yields.
     for (size_t i = 0; i < bearing.count && status.code == WHIRL_OK; i++) {
         whirl_pad pad = bearing.pads[i];
         pad.pivot *= sign;
@@ -222,7 +222,7 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
     }
     if (tilting) put_tilts(values, to, fabs(turn), strength, out->number);
     if (tilting && status.code == WHIRL_OK) status = put_yields(values, to, strength, out);
-    // Factors from the film's force to the accelerations of the ports.
+    // Compute the factors that convert the film's force to the accelerations of the ports.
     for (size_t port = 0; port < 4; port++)
         out->number[PADS_NUMBERS + port] =
             out->port[port] == NO_COORDINATE
@@ -263,7 +263,7 @@ void pads_release(const element *own) {
 
 void pads_note(const element *own, double length, double clock, char *text, size_t size) {
     (void)length, (void)clock;
-    // Measured over places of pads of 40 to 160 degrees, L/D 0.25 to 2.
+    // The errors were measured over positions in pads of 40 to 160 degrees with L/D 0.25 to 2.
     snprintf(
         text, size,
         "films of %d pads by tables: the force errs by less than 0.1 %% of a pad's largest at 95 %% of places, by up "
@@ -271,7 +271,7 @@ void pads_note(const element *own, double length, double clock, char *text, size
         own->law);
 }
 
-/// For fixed pads, the largest displacement in any direction is at least the one by which pads are apart.
+/// For fixed pads, the largest displacement in any direction is at least the displacement by which pads are apart.
 double pads_clearance(const element *own) {
     const double *pad = own->number + PADS_FIRST;
     return (1.0 - hypot(pad[PAD_SHIFT_X], pad[PAD_SHIFT_Y])) / own->number[PADS_OVER_CLEARANCE];

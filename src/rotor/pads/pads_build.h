@@ -1,4 +1,4 @@
-/// Shared by bearings of fixed and of tilting pads: keys, numbers, doubts.
+/// Keys, numbers and doubts that bearings with fixed and with tilting pads share.
 #ifndef ROTOR_PADS_BUILD_H
 #define ROTOR_PADS_BUILD_H
 
@@ -35,7 +35,7 @@ enum {
     PADS_TILTING_KEYS
 };
 
-/// Rows of both tables; `shapes` are the usual bearings (whirl_pads_named).
+/// Rows of both tables of keys; `shapes` are the usual bearings (whirl_pads_named).
 // clang-format off
 #define PADS_KEYS(shapes)                                                                                              \
     [PADS_AT] = STATION_KEY("at", REQUIRED, "station of the journal"),                                                 \
@@ -68,17 +68,18 @@ enum {
     [PADS_LENGTH] = NUMBER_KEY("length", "L", "m", REQUIRED, WHIRL_POSITIVE, "length of the bearing along the shaft")
 // clang-format on
 
-/// Reads the pads of a bearing from its keys, with the angles that they have in the machine. WHIRL_BAD_INPUT where keys
-/// contradict each other.
+/// Reads the pads of a bearing from its keys, with their angles in the machine. WHIRL_BAD_INPUT if keys contradict each
+/// other.
 whirl_status pads_of_keys(const key_value *values, bool tilting, bool clockwise, whirl_pads *out);
 
-/// Ports, law (the number of pads) and numbers. WHIRL_BAD_INPUT where keys contradict each other; errors of tables.
+/// Sets the ports, the law (the number of pads) and the numbers. WHIRL_BAD_INPUT if keys contradict each other; errors
+/// of tables.
 whirl_status pads_build(const key_value *values, bool tilting, assembly *to, element *out);
 
-/// Sets the states of tilting pads before a centred journal, where all pads have one tilt.
+/// Sets the states of tilting pads around a centred journal, where all pads have the same tilt.
 void pads_begin(const element *own, double *states);
 
-/// Provides the tables of its pads (pad_table_hold), or none of them; and releases them.
+/// Provides the tables of the bearing's pads (pad_table_hold), all or none; and releases them.
 whirl_status pads_hold(const element *own, const whirl_stop *stop);
 void pads_release(const element *own);
 

@@ -6,27 +6,28 @@
 
 #include "turbulence.h"
 
-/// Finest grid without a coarser first guess, and most passes: cavities change by few volumes a pass.
+/// MIN_AROUND, MIN_ALONG: finest grid that needs no coarser first guess. MAX_PASSES: most passes; the cavity changes by
+/// few volumes in a pass.
 enum { MIN_AROUND = 24, MIN_ALONG = 3, MAX_PASSES = 200 };
 
 struct pad_workspace {
     int around, along;   ///< capacity
     double *band;        ///< [(around - 1) along][along + 1] lower half of the matrix, row by row of the diagonal
     double *pressure;    ///< [(around - 1) along]
-    double *source;      ///< the same
+    double *source;      ///< [(around - 1) along] right-hand side
     double *cubes;       ///< [2][around + 2] of the film's thickness, at nodes and between them
-    double *edge;        ///< [along] pressure at the edges before and after the pad
+    double *edge;        ///< [along] pressure at the leading and the trailing edge of the pad
     unsigned char *rest; ///< [(around - 1) along] 1 in the cavity
     unsigned char *coarse;
 };
 
-/// A grid of nodes: `around` - 1 inside the pad by `along` from the middle on, each with the volume around it.
+/// A grid of nodes: `around` - 1 inside the pad by `along` from the middle on. Each has a volume around it.
 typedef struct grid {
     int around, along;
     double step, rise;     ///< steps of p and zeta
     double first;          ///< p of the edge
-    const double *middle;  ///< [around + 1] H^3 at nodes, as oil flows along the axis
-    const double *between; ///< [around] H^3 between node i and i + 1, as it flows around
+    const double *middle;  ///< [around + 1] H^3 at nodes, for the flow along the axis
+    const double *between; ///< [around] H^3 between node i and i + 1, for the flow around
     const double *edge;    ///< [along] P at nodes 0 and `around`
 } grid;
 
@@ -79,7 +80,8 @@ static double width(const grid *g, int j) {
     return j == 0 ? 0.5 * g->rise : g->rise;
 }
 
-/// - int (A sin p - B cos p) over every volume, plus the flow from the grooves into the neighbouring volumes.
+/// Computes the source: - int (A sin p - B cos p) over every volume, plus the flow from the grooves into the
+/// neighbouring volumes.
 static void fill_source(const grid *g, const pad_place *at, double *source) {
     for (int i = 1; i < g->around; i++) {
         const double west = g->first + (i - 0.5) * g->step, east = west + g->step;
@@ -93,7 +95,8 @@ static void fill_source(const grid *g, const pad_place *at, double *source) {
     }
 }
 
-/// Computes the coefficients of node (i, j) with its neighbours: back and forth around, and towards either end.
+/// Coefficients of node (i, j) with its neighbours: before and after it around the journal (west, east), and towards
+/// the middle and the end (in, out).
 typedef struct links {
     double west, east, in, out;
 } links;
@@ -103,7 +106,7 @@ static links links_of(const grid *g, double ratio, int i, int j) {
     return (links){g->between[i - 1] * around, g->between[i] * around, j > 0 ? along : 0.0, along};
 }
 
-/// Fills the matrix: the film outside the cavity, and 1 on the diagonal within.
+/// Fills the matrix: the film's equations outside the cavity, and 1 on the diagonal inside.
 static void fill_band(const grid *g, double ratio, const unsigned char *rest, double *band) {
     const int m = g->along, stride = m + 1;
     memset(band, 0, unknowns(g->around, m) * (size_t)stride * sizeof *band);
@@ -122,7 +125,7 @@ static void fill_band(const grid *g, double ratio, const unsigned char *rest, do
         }
 }
 
-/// L D L^T in place; then the solution for one right-hand side, in place.
+/// Decomposes the matrix to L D L^T, in place.
 static void decompose(double *band, size_t count, size_t width_of_band) {
     const size_t stride = width_of_band + 1;
     for (size_t k = 0; k < count; k++) {
@@ -139,6 +142,7 @@ static void decompose(double *band, size_t count, size_t width_of_band) {
     }
 }
 
+/// Solves for one right-hand side x, which becomes the solution.
 static void substitute(const double *band, size_t count, size_t width_of_band, double *x) {
     const size_t stride = width_of_band + 1;
     for (size_t k = 0; k < count; k++) {
@@ -157,7 +161,8 @@ static void substitute(const double *band, size_t count, size_t width_of_band, d
     }
 }
 
-/// Flow that the film would press into volume (i, j) of the cavity: if it is positive the volume belongs to the film.
+/// Returns the flow that the film would press into volume (i, j) of the cavity. If it is positive the volume belongs to
+/// the film.
 static double surplus(const grid *g, double ratio, const double *source, const double *p, int i, int j) {
     const int m = g->along, k = (i - 1) * m + j;
     const links own = links_of(g, ratio, i, j);
@@ -169,7 +174,7 @@ static double surplus(const grid *g, double ratio, const double *source, const d
     return sum;
 }
 
-/// Moves to the next cavity; returns how many volumes change sides.
+/// Moves to the next cavity. Returns the number of volumes that change sides.
 static size_t move_cavity(const grid *g, double ratio, const double *source, const double *p, unsigned char *rest) {
     size_t moved = 0;
     for (int i = 1; i < g->around; i++)
@@ -182,7 +187,7 @@ static size_t move_cavity(const grid *g, double ratio, const double *source, con
     return moved;
 }
 
-/// Iterates the cavity until it is constant (a semismooth Newton method; Hintermueller, Ito, Kunisch 2003).
+/// Changes the cavity until it is constant (a semismooth Newton method; Hintermueller, Ito, Kunisch 2003).
 static whirl_status solve_grid(pad_workspace *work, const grid *g, const pad_film *film, const pad_place *at) {
     const double ratio = 1.0 / (film->ratio * film->ratio);
     const size_t count = unknowns(g->around, g->along);
@@ -208,8 +213,8 @@ static double shear_at(const pad_film *film, double h) {
     return turbulent_shear(film->turbulence, film->reynolds * h) / h;
 }
 
-/// Returns the shear around the pad at node j. In the cavity it is the shear of streams, together as wide as the film
-/// at its rupture.
+/// Returns the shear around the pad at node j. In the cavity it is the shear of streams that together are as wide as
+/// the film at its rupture.
 static double shear(const grid *g, const pad_film *film, const pad_place *at, const double *p, int j) {
     double broke = thickness(at, g->first), sum = 0.5 * shear_at(film, broke);
     for (int i = 1; i < g->around; i++) {
@@ -221,7 +226,7 @@ static double shear(const grid *g, const pad_film *film, const pad_place *at, co
     return sum + 0.5 * (g->edge[j] > 0.0 ? 1.0 : fmin(1.0, broke / last)) * shear_at(film, last);
 }
 
-/// Adds the effect of the pressures [along] from west to east of node i, for the present share of a volume.
+/// Adds the effect of the pressures [along] from west to east of node i, on the given share of a volume.
 static void add_column(const grid *g, const pad_place *at, double ratio, int i, double share, const double *p,
                        pad_answer *out) {
     const double west = g->first + (i - (i > 0 ? 0.5 : 0.0)) * g->step, east = west + share * g->step;
@@ -232,10 +237,10 @@ static void add_column(const grid *g, const pad_place *at, double ratio, int i, 
     }
     out->force[0] -= 6.0 * sum * (sin(east) - sin(west));
     out->force[1] -= 6.0 * sum * (cos(west) - cos(east));
-    // H dP/dp, in parts.
+    // Integrate H dP/dp by parts.
     out->drag -= 3.0 * sum * (at->x * (cos(west) - cos(east)) - at->y * (sin(east) - sin(west)));
     if (i == 0 || i == g->around) out->drag += 3.0 * sum * (i == 0 ? -1.0 : 1.0) * thickness(at, i ? east : west);
-    // The slope at the end by the two nodes before it, of second order.
+    // Compute the slope at the end from the last two nodes, to second order.
     const double slope = (4.0 * p[g->along - 1] - p[g->along - 2]) / (2.0 * g->rise);
     out->leaving += 0.5 * ratio * g->middle[i] * slope * share * g->step;
     out->thinnest = fmin(out->thinnest, thickness(at, g->first + i * g->step));
@@ -247,7 +252,7 @@ static pad_answer answer_of(const grid *g, const pad_film *film, const pad_place
     for (int i = 1; i < g->around; i++)
         add_column(g, at, ratio, i, 1.0, pressure + (size_t)(i - 1) * (size_t)g->along, &out);
     for (int side = 0; side < 2; side++) add_column(g, at, ratio, side * g->around, 0.5, g->edge, &out);
-    // The last volume's stream goes on to the end.
+    // The stream of the last volume continues to the end.
     for (int j = 0; j < g->along; j++)
         out.drag +=
             shear(g, film, at, pressure, j) * g->step * (width(g, j) + (j + 1 == g->along ? 0.5 * g->rise : 0.0));
@@ -260,7 +265,7 @@ static double extrapolate(double fine, double coarse) {
 
 // ---------------------------------------------------------------- from grid to grid
 
-/// H^3 as oil flows in it, around or along.
+/// Returns H^3 divided by the factor of turbulence, for flow around or along.
 static double conductance(const pad_film *film, const pad_place *at, double p, bool along) {
     const double h = thickness(at, p), cube = pow(h, 3.0);
     if (film->turbulence == WHIRL_LAMINAR) return cube;
@@ -292,7 +297,7 @@ static void refine_cavity(pad_workspace *work, int around, int along) {
         }
 }
 
-/// Returns the least thickness of the film, also between nodes.
+/// Returns the least thickness of the film, which may be between nodes.
 static double least_thickness(const pad_film *film, const pad_place *at) {
     const double angle = atan2(at->y, at->x), half = 0.5 * film->arc;
     const double least = fmin(thickness(at, -half), thickness(at, half));
@@ -304,13 +309,13 @@ whirl_status pad_solve(pad_workspace *work, const pad_film *film, const pad_plac
     if (!(least_thickness(film, place) > 0.0))
         return whirl_fail(WHIRL_BAD_INPUT, "the journal touches the pad: the film's thickness is %.3g clearances",
                           least_thickness(film, place));
-    // Number of grids, each half as fine as the next.
+    // Find the number of grids, each half as fine as the next.
     while ((film->around >> levels) >= MIN_AROUND && (film->along >> levels) >= MIN_ALONG &&
            (film->around >> (levels - 1)) % 2 == 0 && (film->along >> (levels - 1)) % 2 == 0)
         levels++;
     pad_answer last = {.thinnest = 0.0};
     memset(work->rest, 0, unknowns(work->around, work->along));
-    // Solve from the coarsest grid on; its cavity is the first guess of the next one.
+    // Solve from the coarsest grid on; the cavity of each is the first guess for the next.
     for (int level = levels - 1; level >= 0; level--) {
         const int around = film->around >> level, along = film->along >> level;
         if (level < levels - 1) refine_cavity(work, around, along);

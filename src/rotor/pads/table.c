@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// Volumes around a full turn in the films at the nodes.
+/// Volumes around a full turn, in the films at the nodes.
 enum { AROUND_A_TURN = 128 };
 
 static double largest_y(double arc, double x) {
@@ -39,7 +39,7 @@ static whirl_status fill_nodes(double *all, const pad_film *film, pad_workspace 
     return status;
 }
 
-/// Fills in the mirror images: if y and A change sign, the force along the pad does too, and alpha becomes pi - alpha.
+/// Fills in the mirror images: if y and A change sign, so does the force along the pad, and alpha becomes pi - alpha.
 static void mirror_nodes(double *all, int t, int w) {
     const int other = PAD_W_NODES - 1 - w, count = PAD_ALPHA_NODES;
     for (int k = 0; k < count; k++) {
@@ -54,16 +54,16 @@ static void mirror_nodes(double *all, int t, int w) {
 
 // ---------------------------------------------------------------- splines
 
-/// Computes the coefficients of the cubic spline through values [count] at equal distances, in place of the values, c
-/// [count + 2] with a stride, values from c[1] on. Third differences vanish at both ends, or it is periodic (then c
-/// [count + 3]).
+/// Computes the coefficients of the cubic spline through values [count] at equal distances. They replace the values: c
+/// [count + 2] with a stride, whose values begin at c[1]. Third differences vanish at both ends; or the spline is
+/// periodic (then c has count + 3 numbers).
 static void spline(double *c, int count, size_t stride, bool periodic, double *work) {
     double *low = work, *value = work + count, *far = value + count;
-    // (c[i-1] + 4 c[i] + c[i+1])/6 = value.
+    // The equations are (c[i-1] + 4 c[i] + c[i+1])/6 = value.
     for (int i = 0; i < count; i++) value[i] = 6.0 * c[(size_t)(i + 1) * stride], far[i] = 0.0;
     if (!periodic) {
-        // c[-1] = 3 c[0] - 3 c[1] + c[2]: first row 7, -2, 1; the last one likewise. The next row eliminates the third
-        // entry: (7, -2, 1) - (1, 4, 1) = (6, -6, 0).
+        // With c[-1] = 3 c[0] - 3 c[1] + c[2] the first row is 7, -2, 1; the last row likewise. The next row eliminates
+        // the third number: (7, -2, 1) - (1, 4, 1) = (6, -6, 0).
         value[0] -= value[1];
         value[count - 1] -= value[count - 2];
         low[0] = -1.0; // -6/6
@@ -81,7 +81,7 @@ static void spline(double *c, int count, size_t stride, bool periodic, double *w
         c[(size_t)(count + 1) * stride] = 3.0 * value[last] - 3.0 * value[last - 1] + value[last - 2];
         return;
     }
-    // Gauss-Seidel converges by a factor of 4 a round and more.
+    // Gauss-Seidel iteration converges by a factor of 4 or more in a round.
     for (int i = 0; i < count; i++) far[i] = value[i] / 6.0;
     for (int round = 0; round < 60; round++)
         for (int i = 0; i < count; i++) far[i] = (value[i] - far[(i + count - 1) % count] - far[(i + 1) % count]) / 4.0;
@@ -102,7 +102,7 @@ static void make_splines(double *all, double *work) {
 
 // ---------------------------------------------------------------- the whole
 
-/// Returns the film with the grid of a table: pads of L/D above one half need more volumes along their length.
+/// Returns the film with the grid of a table. Pads with L/D above one half need more volumes along their length.
 pad_film pad_table_film(const pad_table_key *key) {
     const int around = 16 * (int)ceil(key->arc / (2.0 * PAD_HALF_TURN) * AROUND_A_TURN / 16.0), least = 64;
     const double along = 4.0 * ceil(4.0 * key->ratio / key->arc);
@@ -144,7 +144,7 @@ void pad_table_splines(pad_table *table) {
 
 // ---------------------------------------------------------------- pads that tilt freely
 
-/// Returns the force along the pad by the spline along alpha.
+/// Returns the force along the pad, by the spline over alpha.
 static double along_alpha(const double line[PAD_ROW], double alpha, const double along[2]) {
     const double place = (alpha + PAD_HALF_TURN) / PAD_STEP_ALPHA + PAD_ALPHA_NODES;
     const int cell = (int)place % PAD_ALPHA_NODES;
@@ -168,7 +168,8 @@ static void line_of(const pad_table *table, int t, int w, double line[PAD_ROW]) 
     }
 }
 
-/// Finds the tilt direction (p, r) = (cos, sin): the steepest sign change of the moment, which grows with r.
+/// Finds the direction (p, r) = (cos, sin) of the tilt: the steepest sign change of the moment, which grows with r.
+/// Returns r/p.
 static double lean_of(const double line[PAD_ROW], double lead) {
     enum { LOOKS = 64 };
     const double along[] = {sin(lead), cos(lead)}, step = PAD_HALF_TURN / LOOKS;
@@ -196,13 +197,14 @@ void pad_table_lean(pad_table *table, double lead) {
 
 // ---------------------------------------------------------------- tables of other programs
 
-/// Places to be compared, spread over all nodes by the golden ratio, and their largest difference over the largest
-/// force: rounding causes 1e-13, another solution far more.
+/// Number of places that are compared, spread over all nodes by the golden ratio; and their largest accepted
+/// difference, divided by the largest force. Rounding causes 1e-13, another solution far more.
 enum { CONFIRMED = 24 };
 static const double confirmed_within = 1e-9;
 
 whirl_status pad_table_confirm(const pad_table *table, const pad_table_key *key, bool *confirmed) {
-    const int half = PAD_W_NODES / 2 + 1, all = PAD_T_NODES * half * PAD_ALPHA_NODES; // the others are mirror images
+    const int half = PAD_W_NODES / 2 + 1, all = PAD_T_NODES * half * PAD_ALPHA_NODES; // the other nodes are mirror
+                                                                                      // images
     const pad_film film = pad_table_film(key);
     pad_workspace *work;
     double largest = 0.0, apart = 0.0;

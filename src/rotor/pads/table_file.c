@@ -1,4 +1,4 @@
-// Tables of pads in the user's cache folder.
+// Tables of pads as files in the user's cache folder.
 #include "pad_table.h"
 #include "pad_table_file.h"
 
@@ -15,7 +15,7 @@
 
 enum { PATH_LENGTH = 1024 };
 
-/// Header of a file, before the coefficients.
+/// Header of a file, which precedes the coefficients.
 typedef struct file_head {
     char magic[8], sources[64];
     int32_t law, turbulence;
@@ -34,7 +34,7 @@ uint64_t pad_table_checksum(const pad_table *table) {
     return sum;
 }
 
-/// Finds the user's cache folder; returns false without one.
+/// Finds the user's cache folder. Returns false if there is none.
 static bool cache_folder(char folder[PATH_LENGTH]) {
     const char *cache = getenv("XDG_CACHE_HOME"), *home = getenv("HOME");
     int length = -1;
@@ -45,7 +45,7 @@ static bool cache_folder(char folder[PATH_LENGTH]) {
     return length > 0 && length < PATH_LENGTH;
 }
 
-/// Writes the file name of a table; returns false without a folder. Builds of other sources use other files.
+/// Writes the file name of a table. Returns false without a folder. Builds of other sources use other files.
 static bool file_of(const pad_table_key *key, char path[PATH_LENGTH]) {
     char folder[PATH_LENGTH];
     if (!cache_folder(folder)) return false;
@@ -109,7 +109,7 @@ whirl_status pad_table_file_read(const pad_table_key *key, pad_table *table, boo
     if (good) {
         const file_head own = head_of(key, table);
         good = same_head(&head, &own);
-        (void)futimens(in, NULL); // it was used
+        (void)futimens(in, NULL); // marks the file as used
     }
     close(in);
     return good ? pad_table_confirm(table, key, found) : whirl_ok();

@@ -1,4 +1,4 @@
-// Film tables of the process: their holders, and how threads make them together.
+// Film tables of the process: who holds them, and how threads make them together.
 #include "pad_table.h"
 #include "pad_table_file.h"
 #include "pad_tables.h"
@@ -16,14 +16,15 @@
 
 enum { MAX_TABLES = WHIRL_MAX_FILM_TABLES };
 
-/// A table that is being made. Guarded, except the table itself: each thread fills in the values of its own t.
+/// A table that is being made. It is guarded, except for the table itself: each thread fills in the values of its own
+/// t.
 typedef struct making {
     pad_table *table;
     pad_film film;
-    bool open;      ///< threads may join: the file was searched, and values at nodes are left to be computed
+    bool open;      ///< threads may join: no file was found, and values at nodes remain to be computed
     int next;       ///< first t that no thread has taken
     int done;       ///< number of finished t
-    size_t workers; ///< threads that work at it
+    size_t workers; ///< threads that work on the table
     first_error error;
 } making;
 
@@ -33,7 +34,7 @@ typedef struct slot {
     size_t holders;
     making *making; ///< NULL: it is not being made
     uint64_t left;  ///< time of its last release, by `clock`
-    bool known;     ///< the table was in memory: `checksum` is that of its coefficients
+    bool known;     ///< the table was in memory, and `checksum` is that of its coefficients
     uint64_t checksum;
 } slot;
 
@@ -116,7 +117,7 @@ void whirl_film_tables_text(const whirl_film_tables *set, char text[WHIRL_FILM_T
     for (size_t i = 0; i < slot_count; i++)
         if (set_has(set, i) && slots[i].known) sums[count++] = slots[i].checksum;
     lock_leave(&guard);
-    // Sorted, so that the text does not depend on the order in which a process meets its tables.
+    // Sort the checksums, so that the text does not depend on the order in which a process uses its tables.
     qsort(sums, count, sizeof *sums, compare_checksums);
     for (size_t i = 0; i < count; i++) {
         if (i > 0 && sums[i] == sums[i - 1]) continue; // pads that differ only by their pivots share a file
@@ -129,7 +130,7 @@ void whirl_film_tables_text(const whirl_film_tables *set, char text[WHIRL_FILM_T
 
 // ---------------------------------------------------------------- memory
 
-/// Frees the table that was unused for longest. Requires the guard.
+/// Frees the table that has been unused for longest. Requires the guard.
 static bool free_oldest(void) {
     size_t oldest = slot_count;
     for (size_t i = 0; i < slot_count; i++)
@@ -142,7 +143,7 @@ static bool free_oldest(void) {
     return true;
 }
 
-/// Returns a table of zeros; frees others if memory is short. Requires the guard.
+/// Returns a table of zeros. Frees other tables if memory is short. Requires the guard.
 static pad_table *take_memory(void) {
     const int before = exhausted_watch();
     pad_table *table = pad_table_empty();
@@ -165,7 +166,7 @@ static making *begin_making(const pad_table_key *key) {
     return own;
 }
 
-/// Computes the values of one t after the other, until none is left to begin. Requires the guard, and releases it
+/// Computes the values for one t after the other, until no t is left to begin. Requires the guard, and releases it
 /// meanwhile.
 static void fill_together(making *with, const whirl_stop *stop) {
     pad_workspace *work = NULL;
@@ -182,7 +183,7 @@ static void fill_together(making *with, const whirl_stop *stop) {
     pad_workspace_free(work);
 }
 
-/// Searches the file. Requires the guard, and releases it meanwhile.
+/// Searches the table's file. Requires the guard, and releases it meanwhile.
 static void look_for_file(making *with, const pad_table_key *key, bool *found) {
     lock_leave(&guard);
     const whirl_status status = pad_table_file_read(key, with->table, found);
@@ -197,7 +198,7 @@ static bool is_finite(const pad_table *table) {
     return i == PAD_COEFFICIENTS;
 }
 
-/// Finishes a table from its values at nodes. Unsolvable films give NaN.
+/// Finishes a table from its values at nodes. For films that cannot be solved it contains NaN.
 static void finish(making *with, const pad_table_key *key) {
     const bool failed = with->error.code != WHIRL_OK, from_file = with->next == 0;
     for (size_t i = 0; failed && i < PAD_COEFFICIENTS; i++) with->table->coefficients[i] = NAN;
@@ -207,13 +208,13 @@ static void finish(making *with, const pad_table_key *key) {
     pad_table_lean(with->table, key->lead);
 }
 
-/// Ends a thread's work at a table; the last thread finishes or drops it. Requires the guard, and releases it
+/// Ends a thread's work on a table. The last thread finishes or discards the table. Requires the guard, and releases it
 /// meanwhile.
 static whirl_status end_making(size_t i, bool found) {
     making *with = slots[i].making;
     const bool done = found || with->done == PAD_T_NODES, failed = with->error.code != WHIRL_OK;
     const whirl_status status = with->error.code == WHIRL_NO_MEMORY ? first_error_status(&with->error) : whirl_ok();
-    // Only the last thread goes on.
+    // Only the last thread continues.
     if (--with->workers > 0) return status;
     if (status.code != WHIRL_OK || !(done || failed)) {
         slots[i].making = NULL;
@@ -221,7 +222,7 @@ static whirl_status end_making(size_t i, bool found) {
         free(with);
         return status;
     }
-    // Interpolate outside of the guard, since this takes a while.
+    // Interpolate outside the guard, since this takes a while.
     with->open = false;
     lock_leave(&guard);
     finish(with, &slots[i].key);
@@ -236,7 +237,7 @@ static whirl_status end_making(size_t i, bool found) {
     return status;
 }
 
-/// Makes a table, or helps those that make it. Requires the guard, and releases it meanwhile.
+/// Makes a table, or helps other threads to make it. Requires the guard, and releases it meanwhile.
 static whirl_status tables_make(size_t i, const whirl_stop *stop) {
     making *with = slots[i].making;
     bool found = false;

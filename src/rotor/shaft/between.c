@@ -7,7 +7,7 @@
 
 #include "matrix.h"
 
-/// A plane of a shaft: the displacements of its stations are given, the rest follows.
+/// A plane of a shaft: the displacements of its stations are given, its other coordinates follow.
 typedef struct plane {
     size_t count, given;
     size_t coordinate[AXES * WHIRL_MAX_STATIONS]; ///< [count] given ones first
@@ -22,7 +22,7 @@ static void between_mark(plane *p, size_t coordinate) {
     p->coordinate[p->given++] = coordinate;
 }
 
-/// Lists the coordinates of a shaft; returns how many of the given ones are displacements.
+/// Lists the coordinates of a shaft. Returns how many of the given ones are displacements.
 static size_t find_coordinates(const mesh *from, const assembly *of, size_t shaft, const reduction *made, plane *p) {
     const assembly_station *last = NULL;
     p->given = 0;
@@ -35,7 +35,9 @@ static size_t find_coordinates(const mesh *from, const assembly *of, size_t shaf
         between_mark(p, (last = at)->coordinate[AXIS_X]);
     }
     const size_t displacements = p->given;
-    if (displacements == 1) between_mark(p, last->coordinate[AXIS_TILT_X]); // about which it would turn freely
+    if (displacements == 1)
+        between_mark(p, last->coordinate[AXIS_TILT_X]); // with one displacement alone, the shaft
+                                                        // could tilt freely
     return displacements;
 }
 

@@ -27,7 +27,7 @@ int body_compare_kinds(body_kind one, body_kind other) {
     return one.source < other.source ? -1 : one.source > other.source;
 }
 
-/// Orders terms by what they multiply.
+/// Orders terms by their inputs.
 static int compare_inputs(const body_term *a, const body_term *b) {
     const int kinds = body_compare_kinds(a->kind, b->kind);
     if (kinds != 0) return kinds;
@@ -39,7 +39,7 @@ static int compare_terms(const void *one, const void *other) {
     if (a->row != b->row) return a->row < b->row ? -1 : 1;
     const int inputs = compare_inputs(a, b);
     if (inputs != 0) return inputs;
-    // By size, so that the sum does not depend on the order in which parts are listed.
+    // Sort by size, so that the sum does not depend on the order in which parts are listed.
     return a->number < b->number ? -1 : a->number > b->number;
 }
 
@@ -60,7 +60,7 @@ bool body_finish(body *of) {
 
 // ---------------------------------------------------------------- panels
 
-/// A row's terms that depend on one value of time.
+/// The terms of a row that depend on one value of the forcing.
 typedef struct body_row {
     const body_term *first, *last;
 } body_row;
@@ -71,13 +71,13 @@ static body_row row_from(const body *of, const body_term *first) {
     return (body_row){first, last};
 }
 
-/// A common input of a few rows, and their terms with it; NULL for rows without one.
+/// An input that a few rows share, and their terms with it; NULL for rows without such a term.
 typedef struct body_input {
-    size_t rows; ///< number of rows that have one
+    size_t rows; ///< number of rows that have such a term
     const body_term *term[PANEL_ROWS];
 } body_input;
 
-/// Merges the inputs of a few rows, in order. A finished row is skipped.
+/// Merges the inputs of a few rows, in order. Finished rows are skipped.
 static size_t unite(const body_row *rows, size_t count, body_input *inputs) {
     const body_term *at[PANEL_ROWS];
     for (size_t r = 0; r < count; r++) at[r] = rows[r].first;
@@ -95,8 +95,8 @@ static size_t unite(const body_row *rows, size_t count, body_input *inputs) {
     }
 }
 
-/// Returns true if rows are worth a panel: each has three quarters of their common inputs, and no more of its own than
-/// these. Rows of one plane are, those of both are not.
+/// Returns true if rows are worth a panel: each row has three quarters of the shared inputs, and no more inputs of its
+/// own than these. Rows of one plane are worth it, rows of both planes are not.
 static bool is_dense(const body_row *rows, size_t count, body_input *inputs) {
     const size_t united = unite(rows, count, inputs);
     size_t common = 0, own[PANEL_ROWS] = {0};
@@ -110,7 +110,7 @@ static bool is_dense(const body_row *rows, size_t count, body_input *inputs) {
     return true;
 }
 
-/// Most inputs that a row has alone; 0 if separating them saves nothing.
+/// Returns the most inputs that one row has alone, or 0 if separating them saves nothing.
 static size_t count_lone(size_t count, const body_input *first, const body_input *last) {
     size_t most = 0, all = 0, own[PANEL_ROWS] = {0};
     for (const body_input *input = first; input < last; input++)
@@ -142,7 +142,7 @@ static void fill_part(body_panels *to, const body_part *part, size_t count, cons
     }
 }
 
-/// Adds the part of one kind, inputs `first` to before `last`.
+/// Adds the part of one kind: inputs from `first` to before `last`.
 static void add_part(body_panels *to, size_t count, body_kind kind, const body_input *first, const body_input *last) {
     body_part part = {.kind = kind,
                       .lone = count_lone(count, first, last),
@@ -178,7 +178,7 @@ static void body_add_panel(body_panels *to, const body_row *rows, size_t count, 
     to->count++;
 }
 
-/// Completes the panel that the first row begins with further rows that fit; marks them as done.
+/// Completes the panel that row `first` begins with further rows that fit, and marks them as done.
 static void gather_from(const body_row *rows, size_t count, size_t first, bool *done, body_input *inputs,
                         body_panels *to) {
     body_row together[PANEL_ROWS] = {rows[first]};
@@ -209,7 +209,7 @@ bool body_gather(const body *of, body_panels *to) {
     return good;
 }
 
-/// A panel whose rows rise from `from` on, for all times.
+/// Returns true for a panel that acts at all times, and whose rows ascend from `from` on.
 static bool may_begin(const body_panel *panel, size_t from) {
     return panel->value == BODY_STEADY && panel->row[0] >= from;
 }

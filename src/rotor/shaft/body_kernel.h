@@ -1,7 +1,7 @@
 /// Shafts of finite elements and coupled masses in lanes: products of matrices that all lanes share.
 ///
-/// A few rows and a few vectors are summed at a time: sums stay in registers, each column is loaded once for all rows
-/// and each number once for all vectors.
+/// A few rows and a few vectors are summed at a time. So sums stay in registers; each column is loaded once for all
+/// rows, and each number once for all vectors.
 #ifndef ROTOR_BODY_KERNEL_H
 #define ROTOR_BODY_KERNEL_H
 
@@ -11,16 +11,16 @@
 /// Rows and vectors that are summed together: as many sums as fit into registers.
 enum { SUM_ROWS = VECTOR_ISA == VECTOR_AVX512 ? 8 : 4, SUMS = VECTOR_ISA >= VECTOR_AVX2 ? 3 : 2 };
 
-/// Arguments of a panel: the block's vectors k to before k + count, of its state or of a perturbation.
+/// Arguments of a panel: the vectors k to before k + count of the block, of its state or of a perturbation.
 typedef struct panel_work {
     const vec *q, *v, *steps; ///< steps: the machine's body_rates
-    const vec *value;         ///< value of time; NULL: none
+    const vec *value;         ///< value of the forcing; NULL: none
     vec *a;
-    size_t stride, rows; ///< rows: of the panel
+    size_t stride, rows; ///< rows: number of rows of the panel
     bool beside;         ///< a perturbation, on which steady forces do not act
 } panel_work;
 
-/// One rate over another that comes later, or over RATES the rate itself.
+/// Returns a rate divided by a later one; with RATES as the later one, the rate itself.
 static inline const vec *rate_over(const panel_work *w, body_rate rate, body_rate later) {
     return w->steps + body_step(rate, later) * w->stride;
 }
@@ -55,7 +55,7 @@ VECTOR_INLINE void sum_panel(const body_panels *of, const body_panel *panel, con
     const vec *factor;
     body_rate rate = part->kind.rate;
     vec sum[SUM_ROWS][SUMS], scale[SUMS];
-    // Sum the parts of the panel; those of a lower rate first, since a change of rate multiplies the sum.
+    // Sum the parts of the panel. Those of an earlier rate come first, since a change of rate multiplies the sum.
     VECTOR_FOR (r, rows)
         VECTOR_FOR (i, count) sum[r][i] = v_set(0.0);
     for (; part < end; rate = part++->kind.rate) {
@@ -104,7 +104,7 @@ static void pass_panel(const body_panels *of, const body_panel *panel, const pan
     }
 }
 
-/// Adds the effect on perturbations of the shaft's phase, if that is a state.
+/// Adds the effect of the shaft's phase on perturbations, if the phase is a state.
 static void pass_turned(const body_panels *of, const body_panel *panel, const panel_work *w, const block *b) {
     const vec *turned = b->turned + (size_t)panel->value * b->forcing_stride;
     for (size_t n = 1; n <= b->perturbations; n++)
@@ -130,7 +130,8 @@ static void trace_part(const body_panels *of, const body_panel *panel, const bod
             }
 }
 
-/// Shafts of finite elements: numbers that all lanes share, times the rates of each, whose steps are a machine's.
+/// Adds the terms of shafts of finite elements: numbers that all lanes share, times the rates of each lane, of which
+/// `steps` are the quotients.
 static void pass_body(const body_panels *of, const vec *steps, const block *b) {
     for (size_t p = 0; p < of->count; p++) {
         const body_panel *panel = &of->panels[p];
@@ -154,7 +155,7 @@ static void pass_body(const body_panels *of, const vec *steps, const block *b) {
     }
 }
 
-/// Rows `first` on of C times g.
+/// Computes rows `first` and following of C times g.
 VECTOR_INLINE void couple_rows(const coupling *by, size_t first, size_t rows, size_t begin, size_t end, const vec *g,
                                size_t count, vec *a, size_t stride) {
     vec sum[SUM_ROWS][SUMS];
@@ -178,7 +179,7 @@ VECTOR_INLINE void couple_some(const coupling *by, size_t begin, size_t end, siz
     for (; row < end; row++) couple_rows(by, row, 1, begin, end, g, count, a, stride);
 }
 
-/// Applies mass coupling: turns forces over each coordinate's own inertia into accelerations a = C g.
+/// Applies mass coupling: converts forces divided by each coordinate's own inertia to accelerations a = C g.
 static void couple(const block *b) {
     const coupling *by = b->coupled;
     for (size_t n = 0; n <= b->perturbations; n++)

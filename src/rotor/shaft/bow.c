@@ -1,6 +1,6 @@
-// A bent shaft turns with its bow: M q'' + ... + K (q - u exp(i tau)) = ..., so that K u rotates as a force (Nicholas,
-// Gunter, Allaire 1976). The bow is given at stations; between them the shaft has the shape of one held at these
-// stations only, so that all forces act there.
+// Bent shafts. A bent shaft turns with its bow u: M q'' + ... + K (q - u exp(i tau)) = ..., so that K u acts as a
+// rotating force (Nicholas, Gunter, Allaire 1976). The bow is given at stations. Between them the shaft has the shape
+// of one that is held at these stations only, so that all forces act there.
 #include "bow.h"
 #include "held.h"
 #include "mesh.h"

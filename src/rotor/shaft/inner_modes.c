@@ -1,15 +1,16 @@
-// Modes of shafts between their stations, remembered. Machines of a study differ in their speed, bearings or loads far
-// more often than in their shafts, and these modes take most of the time that a fine shaft's machine takes to be made.
+// Remembers modes of shafts between their stations. Machines of a study differ in speed, bearings or loads far more
+// often than in their shafts, and computing these modes takes most of the time of making a machine with a fine shaft.
 #include <stdlib.h>
 #include <string.h>
 
 #include "inner_modes.h"
 #include "lock.h"
 
-/// Shafts that are remembered, at most as many, with as many numbers in all (64 MiB). Smaller ones are solved at once.
+/// Most shafts that are remembered, and most numbers of all of them (64 MiB). Problems with fewer inner coordinates
+/// than MIN_INNER are solved without being remembered.
 enum { MAX_SHAFTS = 16, MAX_NUMBERS = 8 << 20, MIN_INNER = 24 };
 
-/// A problem [key] and its solution behind it.
+/// A problem and its solution, which follows it in memory.
 typedef struct remembered {
     size_t inner, kept;
     double *numbers;
@@ -19,12 +20,12 @@ static lock guard = LOCK_OPEN;
 static remembered shafts[MAX_SHAFTS]; ///< [shaft_count] the oldest first
 static size_t shaft_count, number_count;
 
-/// Numbers of a problem: k, m, follow.
+/// Returns how many numbers a problem has: k, m, follow.
 static size_t inner_modes_key_size(size_t inner, size_t kept) {
     return inner * (2 * inner + kept);
 }
 
-/// Numbers of a solution: squares, shapes, follow.
+/// Returns how many numbers a solution has: squares, shapes, follow.
 static size_t inner_modes_solution_size(size_t inner, size_t kept) {
     return inner * (1 + inner + kept);
 }
@@ -37,7 +38,7 @@ static bool inner_modes_alike(const double *numbers, const double *key, size_t c
     return memcmp(numbers, key, count * sizeof *key) == 0;
 }
 
-/// Returns the numbers of a problem; NULL if it is not remembered. Requires the guard.
+/// Returns the numbers of a problem, or NULL if it is not remembered. Requires the guard.
 static const double *inner_modes_find(const inner_modes *of) {
     const size_t square = of->inner * of->inner;
     for (size_t i = 0; i < shaft_count; i++) {

@@ -1,28 +1,28 @@
-/// Modes of shafts between their stations, which a process remembers of its latest shafts. Only problems whose numbers
-/// are equal to the bit are the same, so that nothing changes but the time. For all threads.
+/// Modes of shafts between their stations, which a process remembers for its latest shafts. Only problems whose numbers
+/// are equal to the bit count as the same, so that results do not change. Can be used by all threads.
 #ifndef ROTOR_INNER_MODES_H
 #define ROTOR_INNER_MODES_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/// The problem K_II Phi = M_II Phi w^2, and Psi. Its parts are the caller's.
+/// The problem K_II Phi = M_II Phi w^2, and Psi. Its arrays are the caller's.
 typedef struct inner_modes {
     size_t inner, kept;
     const double *k, *m; ///< [inner][inner]
-    double *follow;      ///< [kept][inner] -K_IB, a column a row; once it is solved Psi
+    double *follow;      ///< [kept][inner] -K_IB, transposed; when solved, Psi
     double *squares;     ///< [inner] w^2
-    double *shapes;      ///< [inner][inner] a mode a row
+    double *shapes;      ///< [inner][inner] a mode in each row
 } inner_modes;
 
-/// Writes the solution of a problem that is remembered; returns false, and writes nothing, if it is not.
+/// Writes the solution of a problem if it is remembered. Otherwise returns false, and writes nothing.
 bool inner_modes_recall(const inner_modes *of);
 
-/// Notes a problem that is to be solved, for inner_modes_keep. NULL if it is too small or too large to be remembered,
-/// or without memory.
+/// Notes a problem that is to be solved, for inner_modes_keep. Returns NULL if it is too small or too large to be
+/// remembered, or without memory.
 double *inner_modes_begin(const inner_modes *of);
 
-/// Remembers a problem and its solution; takes over `begun`.
+/// Remembers a problem and its solution. Takes over `begun`.
 void inner_modes_keep(const inner_modes *of, double *begun);
 
 #endif

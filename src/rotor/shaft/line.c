@@ -15,14 +15,14 @@ static whirl_status line_no_memory(void) {
     return whirl_fail(WHIRL_NO_MEMORY, "no memory for the line of a shaft");
 }
 
-/// Returns the piece to the right of a node, the first of several layers; NULL at the end of a shaft.
+/// Returns the piece to the right of a node (of several layers, the first), or NULL at the end of a shaft.
 static const mesh_piece *piece_behind(const mesh *from, size_t node) {
     for (size_t i = 0; i < from->piece_count; i++)
         if (from->pieces[i].node[0] == node) return &from->pieces[i];
     return NULL;
 }
 
-/// Lays places over the pieces of all shafts; places [out->count], in the order of `out`.
+/// Spreads places over the pieces of all shafts; places [out->count], in the order of `out`.
 static whirl_status line_lay(const mesh *from, whirl_shaft_line *out, line_place **places) {
     const size_t most = from->node_count * (LINE_PLACES + 1) + 1;
     out->shaft = calloc(most, sizeof *out->shaft);
@@ -46,8 +46,8 @@ static whirl_status line_lay(const mesh *from, whirl_shaft_line *out, line_place
     return whirl_ok();
 }
 
-/// Adds to `share` [degrees] the effect of a unit of every coordinate on one before the reduction, by `follow`; NULL:
-/// no reduction.
+/// Adds to `share` [degrees] the effect of a unit of every coordinate on one coordinate before the reduction, by
+/// `follow`; NULL: there is no reduction.
 static void line_add(const assembly *of, const double *follow, size_t coordinate, double moved, double *share) {
     if (coordinate == NO_COORDINATE) return;
     if (!follow) share[coordinate] += moved * of->unit[coordinate];
@@ -55,7 +55,8 @@ static void line_add(const assembly *of, const double *follow, size_t coordinate
         share[d] += moved * follow[coordinate * of->degrees + d] * of->unit[d];
 }
 
-/// Computes the share of each coordinate in the line's displacement. The building is assembled, not finished.
+/// Computes the contribution of each coordinate to the line's displacement. The building must be assembled, but not
+/// finished.
 static whirl_status line_share(building *b, const line_place *places, whirl_shaft_line *out) {
     double *follow = NULL;
     size_t(*nodes)[2] = calloc(b->mesh.node_count + 1, sizeof *nodes); // x and tilt_x

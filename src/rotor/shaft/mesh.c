@@ -1,4 +1,4 @@
-// From segments and stations to nodes and finite elements.
+// Makes nodes and finite elements from segments and stations.
 #include "mesh.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 
 // ---------------------------------------------------------------- segments
 
-/// Extent of a segment.
+/// A segment and its extent.
 typedef struct span {
     size_t element; ///< index in the design
     size_t shaft;
@@ -26,7 +26,7 @@ typedef struct meshing {
     size_t span_count, *culprit;
     double *position; ///< [station_count] NaN: not on a shaft
     size_t *shaft;    ///< [station_count]
-    double *breaks;   ///< places of nodes on the shaft that is meshed
+    double *breaks;   ///< positions of nodes on the present shaft
     size_t break_count;
     size_t room;
 } meshing;
@@ -67,7 +67,7 @@ static whirl_status check_bore(const key_value *values) {
     return whirl_ok();
 }
 
-/// Sets the position of a station that is the end of a segment.
+/// Sets the position of a station at the end of a segment.
 static whirl_status place_station(meshing *m, const key_value *value, size_t shaft, double z) {
     if (!value->given) return whirl_ok();
     const size_t station = value->station[0];
@@ -98,14 +98,14 @@ static whirl_status add_span(meshing *m, size_t index) {
         status = find_material(m->design, &values[SEGMENT_MATERIAL],
                                &m->design->shafts[own->shaft].values[SHAFT_MATERIAL], &own->of);
     if (status.code != WHIRL_OK) return status;
-    // It begins where the one before ends, or where its key says.
+    // Begin it where the previous segment ends, or where its key says.
     own->from = 0.0;
     for (size_t i = 0; i < m->span_count; i++)
         if (m->spans[i].shaft == own->shaft) own->from = m->spans[i].to;
     if (values[SEGMENT_START].given) own->from = values[SEGMENT_START].number;
     own->to = own->from + values[SEGMENT_LENGTH].number;
     m->span_count++;
-    // Place the stations at its ends.
+    // Place the stations at the ends of the segment.
     status = place_station(m, &values[SEGMENT_FROM], own->shaft, own->from);
     return status.code == WHIRL_OK ? place_station(m, &values[SEGMENT_TO], own->shaft, own->to) : status;
 }
@@ -147,7 +147,7 @@ static int compare_numbers(const void *one, const void *other) {
     return a < b ? -1 : a > b;
 }
 
-/// The ends of a shaft; false where it has no segment.
+/// Finds the ends of a shaft. Returns false if it has no segment.
 static bool ends_of(const meshing *m, size_t shaft, double *from, double *to) {
     *from = INFINITY;
     *to = -INFINITY;
@@ -170,8 +170,8 @@ static whirl_status add_break(meshing *m, double z) {
     return whirl_ok();
 }
 
-/// Finest piece length that segments over a stretch require: at mesh_to, a bending wave's number times this length is
-/// 0.6, where a cubic beam errs by 1e-4 ((k h)^4/1440; Leung 1978).
+/// Returns the largest length of pieces that the segments over a stretch allow. At mesh_to, the wave number of a
+/// bending wave times this length is 0.6, where a cubic beam errs by 1e-4 ((k h)^4/1440; Leung 1978).
 static double finest_over(const meshing *m, size_t shaft, double from, double to) {
     const double omega = 6.283185307179586476925 * m->out->shafts[shaft].mesh_to;
     double finest = INFINITY;
@@ -181,7 +181,7 @@ static double finest_over(const meshing *m, size_t shaft, double from, double to
         const double outer =
             fmin(own->values[SEGMENT_OUTER].number, diameter_at_end(own->values, SEGMENT_OUTER_END, SEGMENT_OUTER));
         const double inner = own->values[SEGMENT_INNER].number;
-        // sqrt(EI/(rho A)) of a ring: c gyration
+        // sqrt(EI/(rho A)) of a ring is its speed of sound times the radius of gyration.
         const double speed = sqrt(own->of.modulus / own->of.density) * sqrt(outer * outer + inner * inner) / 4.0;
         finest = fmin(finest, 0.6 * sqrt(speed / omega));
     }
@@ -194,7 +194,7 @@ static whirl_status too_many_nodes(void) {
                       WHIRL_MAX_STATIONS);
 }
 
-/// Adds breaks that divide a stretch into equal pieces, no longer than `finest`.
+/// Adds breaks that divide a stretch into equal pieces no longer than `finest`.
 static whirl_status refine_stretch(meshing *m, double from, double to, double finest) {
     const double pieces = ceil((to - from) / finest - 1e-9);
     whirl_status status = whirl_ok();
@@ -204,7 +204,7 @@ static whirl_status refine_stretch(meshing *m, double from, double to, double fi
     return status;
 }
 
-/// Sorts the breaks and merges those nearer than rounding.
+/// Sorts the breaks, and merges those whose distance is rounding.
 static void merge_breaks(meshing *m, double length) {
     size_t kept = 0;
     qsort(m->breaks, m->break_count, sizeof *m->breaks, compare_numbers);
@@ -236,7 +236,7 @@ static whirl_status find_breaks(meshing *m, size_t shaft, double from, double to
     return status;
 }
 
-/// Adds a node at z: the design's station there, or else a hidden one.
+/// Adds a node at z: the design's station there, or a hidden station.
 static whirl_status add_node(meshing *m, size_t shaft, double z, double length) {
     mesh *out = m->out;
     size_t station = m->design->station_count + out->hidden;
@@ -271,7 +271,7 @@ static shaft_piece piece_between(const span *own, const shaft_settings *shaft, d
     return piece;
 }
 
-/// Adds the pieces between two nodes, one for every segment over them; false without any.
+/// Adds the pieces between two nodes, one for every segment there. Returns false if there is none.
 static bool add_pieces(meshing *m, size_t left) {
     mesh *out = m->out;
     const mesh_node *one = &out->nodes[left], *other = one + 1;

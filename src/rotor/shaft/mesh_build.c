@@ -5,7 +5,7 @@
 #include "mesh.h"
 
 void mesh_inertia(const mesh *from, assembly *to) {
-    // Give stations their places on shafts.
+    // Set the positions of stations on shafts.
     for (size_t i = 0; i < from->node_count; i++) {
         assembly_station *at = &to->stations[from->nodes[i].station];
         at->shaft = from->nodes[i].shaft;
@@ -14,7 +14,7 @@ void mesh_inertia(const mesh *from, assembly *to) {
         at->hidden = !at->name;
         at->twists = at->twists || from->shafts[at->shaft].twists;
     }
-    // Add the inertia of pieces to both ends.
+    // Add the inertia of pieces at both ends.
     for (size_t i = 0; i < from->piece_count; i++) {
         piece_matrices matrices;
         piece_fill(&from->pieces[i].piece, &matrices);
@@ -30,14 +30,14 @@ void mesh_inertia(const mesh *from, assembly *to) {
     }
 }
 
-/// A piece that is added to the assembly: its coordinates in both planes.
+/// A piece that is being added to the assembly, and its coordinates in both planes.
 typedef struct laying {
     const shaft_settings *shaft;
     assembly *to;
     size_t at[2][4]; ///< coordinates along x and tilt_x of both ends; along y and tilt_y
 } laying;
 
-/// Adds -factor times a matrix to the forces of plane `row` by places or velocities of plane `column`.
+/// Adds -factor times a matrix: forces in plane `row` by displacements or velocities in plane `column`.
 static void add_block(const laying *l, body_kind kind, size_t row, size_t column, double factor,
                       const matrix4 *matrix) {
     for (size_t i = 0; i < 4; i++)
@@ -50,15 +50,15 @@ static void add_both(const laying *l, body_source of, body_rate rate, double fac
         add_block(l, (body_kind){of, rate, BODY_STEADY}, plane, plane, factor, matrix);
 }
 
-/// Adds forces of each plane by the other, with opposite signs: they drive forward whirl.
+/// Adds forces in each plane by the other plane, with opposite signs: they drive forward whirl.
 static void add_across(const laying *l, body_source of, body_rate rate, double factor, const matrix4 *matrix) {
     const body_kind kind = {of, rate, BODY_STEADY};
     add_block(l, kind, 0, 1, factor, matrix);
     add_block(l, kind, 1, 0, -factor, matrix);
 }
 
-/// Internal damping (Zorzi, Nelson 1977, eqs. 14 and 15): F = -eta_V K (q' - i ratio Omega q), and of hysteresis
-/// F = -((1 + eta_H) q - i eta_H q)/sqrt(1 + eta_H^2) K, q = x + i y.
+/// Adds internal damping (Zorzi, Nelson 1977, eqs. 14 and 15): viscous F = -eta_V K (q' - i ratio Omega q), and
+/// hysteretic F = -((1 + eta_H) q - i eta_H q)/sqrt(1 + eta_H^2) K, q = x + i y.
 static void add_internal(const laying *l, const matrix4 *stiffness) {
     const shaft_settings *shaft = l->shaft;
     const double loss = shaft->hysteretic / sqrt(1.0 + shaft->hysteretic * shaft->hysteretic);
@@ -72,8 +72,8 @@ static void average(const matrix4 *one, const matrix4 *other, double sign, matri
         for (size_t j = 0; j < 4; j++) out->at[i][j] = 0.5 * (one->at[i][j] + sign * other->at[i][j]);
 }
 
-/// Half the difference of both principal stiffnesses turns with the shaft, twice as fast: the normal of the flats,
-/// along which it is softer, is at angle + tau.
+/// Adds half the difference of both principal stiffnesses, which acts at twice the shaft's angle. The normal of the
+/// flats, along which the shaft is softer, is at angle + tau.
 static void add_unequal(const laying *l, double angle, const matrix4 *difference) {
     const double c = -cos(2.0 * angle), s = -sin(2.0 * angle); // minus: the direction is the softer one
     const body_kind cosine = {BODY_PLACE, RATE_STATIC, COS_2TAU}, sine = {BODY_PLACE, RATE_STATIC, SIN_2TAU};
@@ -99,7 +99,7 @@ static void add_stiffness(const laying *l, const mesh_piece *own, const piece_ma
     add_unequal(l, own->angle, &difference);
 }
 
-/// Adds the mass matrix without the inertia at the nodes; damping proportional to it, and gyroscopic moments.
+/// Adds the mass matrix without the inertia at the nodes, damping proportional to it, and gyroscopic moments.
 static void add_mass(const laying *l, const piece_matrices *matrices) {
     matrix4 mass = {{{0.0}}}, polar = {{{0.0}}};
     const bool lumped = l->shaft->lumped;
@@ -120,12 +120,12 @@ static void add_mass(const laying *l, const piece_matrices *matrices) {
             for (size_t j = i; j < 4; j++)
                 assembly_inertance(l->to, l->at[plane][i], l->at[plane][j], mass.at[i][j] - (i == j ? own[i] : 0.0));
     add_both(l, BODY_VELOCITY, RATE_DAMPING, l->shaft->alpha, &mass);
-    // I_d phi'' - i I_p Omega phi' = M, phi = tilt_x + i tilt_y.
+    // Gyroscopic moments: I_d phi'' - i I_p Omega phi' = M, phi = tilt_x + i tilt_y.
     if (l->shaft->gyroscopic) add_across(l, BODY_VELOCITY, RATE_GYRO, l->shaft->ratio, &polar);
 }
 
-/// Adds stiffness, damping and the coupling part of the inertia against twist. The damping that is proportional to the
-/// inertia acts on both ends from the ground and, where the inertia couples them, between them.
+/// Adds stiffness, damping and the coupling part of the inertia against twist. The damping proportional to the inertia
+/// acts between both ends and the ground and, where the inertia couples the ends, between them.
 static void add_twist(const mesh_piece *own, const piece_matrices *matrices, const mesh *from, assembly *to) {
     const double stiffness = matrices->twist_stiffness, coupled = matrices->twist_inertia[1];
     const shaft_settings *shaft = &own->settings;

@@ -1,4 +1,4 @@
-// Parts of a design: sections of its shafts, masses of its stations, sums of both, and its elements.
+// Description of a design's parts: sections of its shafts, masses of its stations, sums of both, and its elements.
 #include "whirl/internal/model.h"
 
 #include <math.h>
@@ -20,7 +20,7 @@ static bool is_of_one(const material *one, const material *other) {
            one->density == other->density;
 }
 
-/// Returns true if a piece continues the one before it.
+/// Returns true if a piece continues the previous one.
 static bool goes_on(const mesh_piece *one, const mesh_piece *next) {
     const shaft_piece *a = &one->piece, *b = &next->piece;
     return one->shaft == next->shaft && one->node[1] == next->node[0] && is_even(a) && is_even(b) &&
@@ -28,12 +28,12 @@ static bool goes_on(const mesh_piece *one, const mesh_piece *next) {
            is_of_one(&a->of, &b->of);
 }
 
-/// Adds a piece to the sections and to its shaft. The shaft's centre holds the sum of moments until all pieces are
-/// added.
+/// Adds a piece to the sections and to its shaft. Until all pieces are added, the shaft's centre holds the sum of
+/// moments.
 static void add_piece(const mesh *from, size_t index, whirl_model *out) {
     const mesh_piece *own = &from->pieces[index];
     const double start = from->nodes[own->node[0]].z, length = own->piece.length;
-    // The mass per metre is a quadratic, so that Simpson's rule gives the integral and the moment exactly.
+    // The mass per metre is a quadratic polynomial, so that Simpson's rule gives its integral and moment exactly.
     const double middle = 4.0 * piece_line_mass(&own->piece, 0.5), last = piece_line_mass(&own->piece, 1.0);
     const double mass = length / 6.0 * (piece_line_mass(&own->piece, 0.0) + middle + last);
     out->shafts[own->shaft].mass += mass;
@@ -49,13 +49,13 @@ static void add_piece(const mesh *from, size_t index, whirl_model *out) {
     out->sections[out->section_count - 1].mass += mass;
 }
 
-/// Subtracts a part from a sum; a remainder within rounding is 0.
+/// Subtracts a part from a sum. A remainder within rounding becomes 0.
 static void model_subtract(double *of, double part) {
     const double left = *of - part;
     *of = fabs(left) > 1e-12 * part ? left : 0.0;
 }
 
-/// Computes the masses of stations: those of the assembly less those of the mesh at its nodes.
+/// Computes the masses of stations: those of the assembly minus those of the mesh at its nodes.
 static void take_pieces(const building *b, whirl_model *out) {
     for (size_t n = 0; n < b->mesh.node_count; n++) {
         const size_t station = b->mesh.nodes[n].station;
@@ -74,8 +74,8 @@ static void take_pieces(const building *b, whirl_model *out) {
     }
 }
 
-/// Finds the stations of an element: those of its key `between`, or of `at` and the ring or the
-/// housing around it.
+/// Finds the stations of an element: those of its key `between`; or that of `at` and that of the ring or housing around
+/// it.
 static void model_stations(const design_element *own, size_t station[2]) {
     static const char *const others[] = {"ring", "from"};
     const key_value *between = building_value(own, "between"), *at = building_value(own, "at");
@@ -100,7 +100,7 @@ static bool is_above_zero(const key_value *value) {
     return value && value->number > 0.0;
 }
 
-/// Returns the viscosity of an element's oil or liquid in Pa s; NaN if its keys give none.
+/// Returns the viscosity of an element's oil or liquid in Pa s, or NaN if its keys give none.
 static double model_viscosity(const design_element *own) {
     const key_value *const dynamic = building_value(own, "viscosity");
     const key_value *const kinematic = building_value(own, "kinematic_viscosity");
@@ -136,7 +136,7 @@ static void model_add_values(const design_element *own, size_t *used, whirl_mode
     }
 }
 
-/// Adds the pads of a bearing, if it has any.
+/// Adds the pads of a bearing if it has any.
 static void model_add_pads(const building *b, const design_element *own, whirl_pads *pads, whirl_model_element *to) {
     const bool tilting = building_value(own, "pivot_stiffness") != NULL;
     if (!building_value(own, "pivots") || to->station[0] == WHIRL_MODEL_NONE) return;

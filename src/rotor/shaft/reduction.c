@@ -10,21 +10,21 @@
 
 // ---------------------------------------------------------------- new coordinates
 
-/// An old coordinate as a sum of new ones.
+/// A coordinate before the reduction as a sum of new ones.
 typedef struct blend {
     size_t count;
     size_t *of;     ///< [count] new coordinates
-    double *weight; ///< [count] m or rad for one m or rad of them
+    double *weight; ///< [count] m or rad for one m or rad of each new coordinate
 } blend;
 
-/// A reduction under way.
+/// A reduction in progress.
 typedef struct reducing {
     const mesh *mesh;
     assembly *of;
     bool *kept;             ///< [old degrees] coordinates that stay
-    blend *old;             ///< [old degrees] each in terms of the new ones
+    blend *old;             ///< [old degrees] each as a sum of new coordinates
     size_t degrees;         ///< number of the new coordinates so far
-    double *inertia, *unit; ///< [old degrees] inertia and unit of these, as the assembly has them
+    double *inertia, *unit; ///< [old degrees] inertia and unit of the new coordinates, as in the assembly
 } reducing;
 
 static bool blend_room(blend *b, size_t count) {
@@ -59,7 +59,7 @@ static void keep_ports(reducing *r, const element *elements, size_t count) {
     }
 }
 
-/// Keeps the displacements of all stations; for a shaft with a single one also its tilts, about which it would turn
+/// Keeps the displacements of all stations. Of a shaft with a single station also keeps the tilts, since it could tilt
 /// freely.
 static void keep_stations(reducing *r) {
     for (size_t shaft = 0; shaft < r->mesh->shaft_count; shaft++) {
@@ -138,14 +138,14 @@ void reduction_matrices(const assembly *of, size_t count, const size_t *coordina
     }
 }
 
-/// Matrices of a plane, split into kept (b) and eliminated (i) coordinates.
+/// Matrices of a plane, split by kept (b) and eliminated (i) coordinates.
 typedef struct split {
     size_t n, kept, inner, modes;
-    size_t *coordinate, *b, *i; ///< [n] of the assembly; [kept], [inner] places in [n]
+    size_t *coordinate, *b, *i; ///< [n] coordinates of the assembly; [kept], [inner] indices in these
     double *stiffness, *mass;   ///< [n][n]
     double *k, *m;              ///< [inner][inner]
-    double *squares, *shapes;   ///< [inner] w^2; [inner][inner] a mode a row
-    double *follow;             ///< [kept][inner] Psi, then with the shift of the modal coordinates
+    double *squares, *shapes;   ///< [inner] w^2; [inner][inner] a mode in each row
+    double *follow;             ///< [kept][inner] Psi, then Psi with the shift of the modal coordinates
     double *block;              ///< all of these numbers
 } split;
 
@@ -202,7 +202,8 @@ static bool find_modes(split *s) {
     return solved;
 }
 
-/// Scales a mode to a largest coordinate of one length scale; for a tilt, that at the radius of gyration.
+/// Scales a mode to a largest coordinate of one length scale. A tilt counts as its displacement at the radius of
+/// gyration.
 static void scale_mode(const assembly *of, const split *s, double *shape) {
     double largest = 0.0;
     for (size_t a = 0; a < s->inner; a++) {
@@ -230,7 +231,7 @@ static double modal_mass(const split *s, const double *shape) {
     return sum;
 }
 
-/// Adds the new coordinates of a shaft's modes, x and y of each, and expresses its nodes in terms of these.
+/// Adds the new coordinates of a shaft's modes, x and y of each, and expresses its nodes by the new coordinates.
 static bool blend_nodes(reducing *r, split *s) {
     const size_t first = r->degrees;
     double *psi = s->k; // the matrix is no longer needed
@@ -250,7 +251,7 @@ static bool blend_nodes(reducing *r, split *s) {
     }
     for (size_t a = 0; a < s->inner; a++)
         for (size_t plane = 0; plane < 2; plane++) {
-            // The coordinate along y follows the one along x, for displacements and for tilts.
+            // The coordinate along y follows that along x, both for displacements and for tilts.
             blend *own = &r->old[s->coordinate[s->i[a]] + plane];
             if (!blend_room(own, s->kept + s->modes)) return false;
             for (size_t c = 0; c < s->kept; c++) {
@@ -277,7 +278,7 @@ static whirl_status reduce_shaft(reducing *r, size_t shaft, reduction *out) {
     split s = {0};
     for (size_t i = 0; i < r->mesh->node_count; i++) nodes += r->mesh->nodes[i].shaft == shaft;
     whirl_status status = split_room(&s, nodes) ? whirl_ok() : reduction_no_memory();
-    // Matrices of a plane, split into kept and eliminated coordinates, and the modes of these.
+    // Split the matrices of a plane by kept and eliminated coordinates, and find the modes of the latter.
     if (status.code == WHIRL_OK) {
         reduction_nodes(r->mesh, r->of, shaft, s.coordinate);
         reduction_matrices(r->of, s.n, s.coordinate, s.stiffness, s.mass);
@@ -291,7 +292,7 @@ static whirl_status reduce_shaft(reducing *r, size_t shaft, reduction *out) {
             status = whirl_fail(WHIRL_BAD_INPUT, "shaft %zu gives way between its stations: its axial force buckles it",
                                 shaft + 1);
     }
-    // Kept modes become new coordinates.
+    // Make new coordinates from the kept modes.
     if (status.code == WHIRL_OK) {
         s.modes = count_modes(&s, &r->mesh->shafts[shaft]);
         *out = (reduction){s.modes, s.inner, s.modes > 0 ? sqrt(s.squares[s.modes - 1]) : 0.0, r->degrees};
@@ -303,15 +304,15 @@ static whirl_status reduce_shaft(reducing *r, size_t shaft, reduction *out) {
 
 // ---------------------------------------------------------------- all that is linear
 
-/// Adds `number` of row and column in terms of the new coordinates.
+/// Adds `number`, which is at a row and a column, to the matrix of the new coordinates.
 static void spread_over(const blend *row, const blend *column, double number, size_t degrees, double *out) {
     for (size_t a = 0; a < row->count; a++)
         for (size_t c = 0; c < column->count; c++)
             out[row->of[a] * degrees + column->of[c]] += row->weight[a] * column->weight[c] * number;
 }
 
-/// Returns true for the remainder of sums that cancel: negligible compared with the largest of its row and of its
-/// column.
+/// Returns true if a number is the remainder of sums that cancel: it is negligible against the largest numbers of its
+/// row and of its column.
 static bool is_rounding(double number, double row, double column) {
     return fabs(number) <= 2e-12 * sqrt(row * column);
 }
@@ -324,7 +325,7 @@ static void find_largest(const double *matrix, size_t n, double *largest) {
     }
 }
 
-/// Transforms the terms of one kind, and sets their `done` [count].
+/// Transforms the terms of one kind, and sets `done` [count] for them.
 static void reduce_kind(const reducing *r, const body *old, body_kind kind, bool *done, double *matrix,
                         double *largest) {
     const size_t n = r->degrees;
@@ -357,7 +358,7 @@ static void reduce_body(reducing *r, double *matrix, double *largest) {
     body_clear(&old);
 }
 
-/// Transforms the mass matrix without the kept coordinates' own inertia; modal coordinates have none.
+/// Transforms the mass matrix without the own inertia of the kept coordinates. Modal coordinates have no such terms.
 static void reduce_masses(reducing *r, double *matrix) {
     assembly *of = r->of;
     const size_t n = r->degrees, count = of->mass_count;
@@ -376,7 +377,7 @@ static void reduce_masses(reducing *r, double *matrix) {
         for (size_t j = i; j < kept; j++) assembly_inertance(of, i, j, 0.5 * (matrix[i * n + j] + matrix[j * n + i]));
 }
 
-/// Rescales terms of accelerations from the former inertia and unit.
+/// Rescales terms of accelerations from the former inertia and unit to the new ones.
 static void reduce_terms(reducing *r) {
     assembly *of = r->of;
     const size_t count = of->term_count;
@@ -400,7 +401,7 @@ static void reduce_terms(reducing *r) {
     free(old);
 }
 
-/// Transforms loads [*count] of rows as forces are transformed: the inertia that turns with the shaft, or the weights.
+/// Transforms loads [*count] of rows in the way of forces: the inertia that turns with the shaft, or the weights.
 /// Returns false without memory.
 static bool reduce_loads(const reducing *r, turning_inertia **loads, size_t *count, size_t *room) {
     size_t made = 0;
@@ -476,7 +477,7 @@ static whirl_status reduce(reducing *r, element *elements, size_t element_count,
     return status;
 }
 
-/// Writes the old coordinates [old_degrees] in terms of the new ones.
+/// Writes the old coordinates [old_degrees] as sums of the new ones.
 static whirl_status note_blends(const reducing *r, size_t old_degrees, double **follow) {
     *follow = calloc(old_degrees * r->degrees + 1, sizeof **follow);
     if (!*follow) return reduction_no_memory();

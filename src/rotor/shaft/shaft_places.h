@@ -5,7 +5,8 @@
 #include "design.h"
 #include "whirl/engine/line.h"
 
-/// A place on a piece: the node to its left, and its displacement by displacement and slope of that and of the next.
+/// A place on a piece: the node to its left; and the contributions to its displacement by displacement and slope of
+/// that node and of the next one.
 typedef struct line_place {
     size_t node;
     double moved[4];

@@ -35,8 +35,8 @@ static bool find_squares(const plane *p) {
     return matrix_symmetric_modes(p->count, p->stiffness, p->mass, p->squares, p->mass + p->count * p->count);
 }
 
-/// Computes displacements of stations [count of `station`, places among the coordinates] by unit forces on them. The
-/// free shaft is held by a spring at each, as stiff as the shaft is there.
+/// Computes displacements of stations [count] by unit forces on them; station: their indices among the coordinates. The
+/// free shaft is held by a spring at each station, as stiff as the shaft is there.
 static bool find_bend(const plane *p, size_t stations, const size_t *station, const double *spring, double *bend) {
     const size_t n = p->count;
     double *k = p->mass; // the mass matrix is no longer needed
@@ -54,7 +54,7 @@ static bool find_bend(const plane *p, size_t stations, const size_t *station, co
     return good;
 }
 
-/// Lists coordinates along x of a shaft's stations, and their places among those of a plane.
+/// Lists the coordinates along x of a shaft's stations, and their indices among those of a plane.
 static size_t find_stations(const building *b, size_t shaft, const plane *p, size_t *place) {
     size_t count = 0;
     for (size_t s = 0; s < b->design->station_count; s++) {
@@ -65,7 +65,7 @@ static size_t find_stations(const building *b, size_t shaft, const plane *p, siz
     return count;
 }
 
-/// Fills a plane from the present assembly: nodes, and modes if it is reduced.
+/// Fills a plane from the present assembly: its nodes, and its modes if it is reduced.
 static bool take_plane(const building *b, size_t shaft, const reduction *modes, plane *p, size_t stations,
                        const double *spring, size_t *place) {
     p->count = reduction_nodes(&b->mesh, &b->assembly, shaft, p->coordinate);
@@ -96,14 +96,13 @@ static void fill_summary(const building *b, size_t shaft, whirl_shaft_summary *o
     }
 }
 
-/// An error of the reduction; 0 below what rounding alone gives.
+/// Returns an error of the reduction, or 0 if it is so small that rounding alone causes it.
 static double without_rounding(double error) {
     const double rounding = 1e-12;
     return error < rounding ? 0.0 : error;
 }
 
-/// Computes the largest errors of the first frequencies above the rigid body's, and of the displacements by unit
-/// forces.
+/// Computes the largest error of the first frequencies above the rigid body's, and of the displacements by unit forces.
 static void shaft_summary_compare(const plane *full, const plane *now, size_t stations, whirl_shaft_summary *out) {
     enum { RIGID = 2, FIRST = 3 };
     double largest = 0.0, apart = 0.0;
@@ -123,7 +122,7 @@ static whirl_status summarize(building *b, whirl_shaft_summary *out, plane *full
                               double *spring) {
     const size_t count = b->mesh.shaft_count;
     bool good = true;
-    // The full matrices of each reduced shaft, and its response to forces at stations.
+    // Compute the full matrices of each reduced shaft, and its response to forces at stations.
     for (size_t s = 0; s < count && good; s++) {
         fill_summary(b, s, &out[s]);
         good = plane_room(&full[s], 2 * out[s].nodes, b->design->station_count) &&
@@ -137,7 +136,7 @@ static whirl_status summarize(building *b, whirl_shaft_summary *out, plane *full
         good = take_plane(b, s, NULL, &full[s], stations, spring + s * WHIRL_MAX_STATIONS, place);
     }
     if (!good) return whirl_fail(WHIRL_NO_MEMORY, "no memory to compare a reduced shaft with its full model");
-    // Reduce, and compare with the same responses.
+    // Reduce the shafts, and compare their responses.
     const whirl_status status = building_finish(b);
     for (size_t s = 0; s < count && status.code == WHIRL_OK && good; s++) {
         const reduction *made = &b->reductions[s];

@@ -1,4 +1,4 @@
-// The keys of materials and shafts, and what follows from them.
+// The keys of materials and shafts, and the settings from them.
 #include "shafts.h"
 
 #include <math.h>

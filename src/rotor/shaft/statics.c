@@ -1,4 +1,4 @@
-// Static effects of the weight of shafts on bearings as supports, each shaft by itself.
+// Static effects of the weight of shafts, each of which rests by itself on its bearings as supports.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,10 +12,10 @@
 #include "whirl/engine/descriptor.h"
 #include "whirl/status.h"
 
-/// m/s2. The effect of weight is solved for it and scaled to the design's.
+/// Gravity, m/s2, for which the effect of weight is solved. The effect is scaled to the design's gravity.
 static const double standard_gravity = 9.80665;
 
-/// The line whose sag is computed, and its places; NULL and NULL: none.
+/// The line whose sag is requested, and its places; both NULL if none is requested.
 typedef struct asked_line {
     const line_place *places;
     whirl_shaft_line *out;
@@ -24,13 +24,13 @@ typedef struct asked_line {
 /// A shaft in the plane of its weight: displacement upwards and slope of each node, node by node along it.
 typedef struct beam {
     const building *b;
-    size_t shaft, nodes, supports, unknowns; ///< unknowns: 2 a node, then the load of every support
+    size_t shaft, nodes, supports, unknowns; ///< unknowns: 2 for each node, then the load of every support
     size_t first;                            ///< first of its nodes in the mesh
     const size_t *support;                   ///< [supports] nodes, along the shaft
-    double gravity, up; ///< m/s2 across the shaft; how far up y points, 1 where gravity pulls against it
-    double solved;      ///< m/s2 for which the effect of the weight is solved: the standard gravity, or none
+    double gravity, up; ///< gravity across the shaft, m/s2; component of y upwards, 1 if gravity pulls against y
+    double solved;      ///< gravity for which the effect of the weight is solved, m/s2: standard gravity or 0
     double *matrix;     ///< [unknowns][unknowns]
-    double *all;        ///< [1 + supports][unknowns] solutions for its weight, and for raising each support by 1
+    double *all;        ///< [1 + supports][unknowns] solutions for its weight, then for raising each support by 1 m
     asked_line line;
 } beam;
 
@@ -74,7 +74,7 @@ static bool statics_solve(const beam *of) {
 // ---------------------------------------------------------------- within the shaft
 
 /// Computes bending moment and shear next to a node, from the end forces of the pieces on that side (which: 0 left, 1
-/// right), for the weight or (`by` > 0) for raising a support. Both are 0 at an end of the shaft.
+/// right), for the weight (by: 0) or for raising support by - 1. Both are 0 at an end of the shaft.
 static void cut(const beam *of, size_t node, size_t which, size_t by, double *moment, double *shear) {
     const mesh *from = &of->b->mesh;
     const double *at = of->all + by * of->unknowns;
@@ -92,7 +92,7 @@ static void cut(const beam *of, size_t node, size_t which, size_t by, double *mo
             if (by == 0) force[i] += of->solved * weight[row];
         }
     }
-    // The node is the right end of the pieces to its left.
+    // The node is the right end of the pieces to its left, so that signs are opposite there.
     *shear = which == 0 ? -force[0] : force[0];
     *moment = which == 0 ? force[1] : -force[1];
 }
@@ -109,7 +109,7 @@ static void cut_coupling(const beam *of, size_t node, size_t by, double out[2]) 
 
 enum { MAX_COUPLINGS = 8 };
 
-/// Lists the nodes of those stations in the list that are on this shaft; returns how many.
+/// Lists the nodes of those stations in the list that are on this shaft. Returns their number.
 static size_t find_couplings(const beam *of, const char *list, size_t node[MAX_COUPLINGS]) {
     char name[WHIRL_NAME_SIZE];
     size_t count = 0;
@@ -122,13 +122,13 @@ static size_t find_couplings(const beam *of, const char *list, size_t node[MAX_C
     return count;
 }
 
-/// Finds the least elevations [supports], 0 for the first two, with which `count` couplings carry nothing.
+/// Finds the least elevations [supports], of which the first two are 0, with which `count` couplings carry nothing.
 static whirl_status align(const beam *of, size_t count, const size_t *node, double *elevation) {
     const size_t rows = 2 * count, free_ones = of->supports - 2;
     double *j = calloc(rows * (of->supports + rows + 2) + 1, sizeof *j), *square = j ? j + rows * of->supports : NULL;
     double *side = j ? square + rows * rows : NULL;
     if (!j) return statics_no_memory();
-    // Moment and shear at the couplings: by the weight (side), and by raising each free support (j).
+    // Compute moment and shear at the couplings by the weight (side), and by raising each free support (j).
     for (size_t c = 0; c < count; c++) {
         double at[2];
         cut_coupling(of, node[c], 0, at);
@@ -138,7 +138,7 @@ static whirl_status align(const beam *of, size_t count, const size_t *node, doub
             for (size_t i = 0; i < 2; i++) j[(2 * c + i) * of->supports + s] = at[i];
         }
     }
-    // Least norm: elevation = J' (J J')^-1 side.
+    // Compute the elevations of least norm, J' (J J')^-1 side.
     for (size_t r = 0; r < rows; r++)
         for (size_t k = 0; k < rows; k++)
             for (size_t s = 0; s < free_ones; s++)
@@ -154,7 +154,7 @@ static whirl_status align(const beam *of, size_t count, const size_t *node, doub
                              free_ones, count, count == 1 ? "" : "s");
 }
 
-/// Raises the supports: the weight's solution then includes their elevation.
+/// Raises the supports. The solution for the weight then includes their elevation.
 static void raise_supports(const beam *of, const double *elevation) {
     for (size_t s = 0; s < of->supports; s++)
         for (size_t i = 0; i < of->unknowns; i++) of->all[i] += elevation[s] * of->all[(1 + s) * of->unknowns + i];
@@ -162,7 +162,8 @@ static void raise_supports(const beam *of, const double *elevation) {
 
 // ---------------------------------------------------------------- bearings
 
-/// Counts the bearings at a station; *aside: one is shared with another shaft; *elevation: their mean.
+/// Counts the bearings at a station. *aside becomes true if one is shared with another shaft; *elevation becomes their
+/// mean elevation.
 static size_t count_bearings(const beam *of, size_t at, bool *aside, double *elevation) {
     const building *b = of->b;
     size_t count = 0;
@@ -177,7 +178,7 @@ static size_t count_bearings(const beam *of, size_t at, bool *aside, double *ele
                                  other == GROUND ? NO_SHAFT : b->assembly.stations[other].shaft};
         const bool both = shafts[0] != NO_SHAFT && shafts[1] != NO_SHAFT && shafts[0] != shafts[1];
         *aside = *aside || (both && (place == at || other == at));
-        // Either end may be the fixed one.
+        // Either end of a bearing may be the fixed one.
         if (place != at && (other != at || shafts[0] != NO_SHAFT)) continue;
         const key_value *raised = building_value(own, "elevation");
         if (raised) *elevation += place == at ? raised->number : -raised->number;
@@ -189,7 +190,7 @@ static size_t count_bearings(const beam *of, size_t at, bool *aside, double *ele
 
 // ---------------------------------------------------------------- one shaft
 
-/// Returns 0 for rounding errors, compared with the shaft's weight.
+/// Returns a value, or 0 if it is rounding compared with `beside`, such as the shaft's weight.
 static double rounded(double value, double beside) {
     return fabs(value) > 1e-12 * beside ? value : 0.0;
 }
@@ -200,7 +201,7 @@ static double weight_of(const beam *of) {
     return standard_gravity * mass;
 }
 
-/// Returns the scale from the solution to the machine.
+/// Returns the factor that scales the solution to the machine.
 static double scale_of(const beam *of) {
     return of->solved > 0.0 ? of->gravity / of->solved : 1.0;
 }
@@ -214,7 +215,7 @@ static double axial_beside(const beam *of, size_t node, size_t which) {
     return force;
 }
 
-/// Fills in the masses to both sides of a node.
+/// Fills in the masses that both sides of a node carry.
 static void fill_masses_beside(const beam *of, size_t node, whirl_station_statics *out) {
     const double weight = weight_of(of);
     double moment, shear[2], carried[2] = {0.0, 0.0}; // loads of the bearings to the left and to the right
@@ -278,7 +279,7 @@ static void fill_stations(const beam *of, const double *elevation, whirl_station
     out[thrust->station].thrust_mass = thrust->mass;
 }
 
-/// Raises bearings by the elevations of their keys, in the scale of the solution.
+/// Raises bearings by the elevations in their keys, in the scale of the solution.
 static void raise_given(const beam *of, double *elevation) {
     for (size_t s = 0; s < of->supports; s++) {
         double own = 0.0;
@@ -288,8 +289,8 @@ static void raise_given(const beam *of, double *elevation) {
     raise_supports(of, elevation);
 }
 
-/// Raises the bearings behind the first two of the shaft so that its couplings carry nothing; elevation [2][supports]:
-/// elevations of all bearings, and workspace.
+/// Raises the bearings after the first two of the shaft so that its couplings carry nothing. elevation [2][supports]:
+/// elevations of all bearings, then workspace.
 static whirl_status raise_aligned(const beam *of, const char *couplings, double *elevation) {
     size_t node[MAX_COUPLINGS];
     const size_t count = find_couplings(of, couplings, node);
@@ -301,7 +302,7 @@ static whirl_status raise_aligned(const beam *of, const char *couplings, double 
     return status;
 }
 
-/// Removes the weight from the solution: bearings then carry what their elevations alone cause.
+/// Removes the weight from the solution. Bearings then carry only what their elevations cause.
 static void take_weight(beam *of, double *elevation) {
     of->solved = 0.0;
     memset(of->all, 0, of->unknowns * sizeof *of->all);
@@ -380,7 +381,7 @@ static whirl_status statics_fill(const building *b, const char *couplings, size_
     return status;
 }
 
-/// Checks that every name is a station of a shaft.
+/// Checks that every name in a list is a station of a shaft.
 static whirl_status check_couplings(const building *b, const char *list) {
     char name[WHIRL_NAME_SIZE];
     while (name_list_next(&list, name)) {

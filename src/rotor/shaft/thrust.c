@@ -1,4 +1,4 @@
-// Axial force from the weight of a vertical machine in its shafts of finite elements.
+// Axial force in shafts of finite elements by the weight of a vertical machine.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,7 +30,7 @@ whirl_weight whirl_design_weight(const whirl_design *design) {
     return out;
 }
 
-/// Finds the station that holds the shaft along its axis.
+/// Finds the node at which the shaft is held along its axis.
 static whirl_status thrust_find(const whirl_design *design, const mesh *in, const key_value *values, size_t *node) {
     const size_t station = values[GRAVITY_HELD_AT].station[0];
     for (*node = 0; *node < in->node_count; ++*node)
@@ -41,13 +41,13 @@ static whirl_status thrust_find(const whirl_design *design, const mesh *in, cons
                       design->stations[station].name);
 }
 
-/// Returns the mass of a piece. The mass per metre is a quadratic, so that Simpson's rule is exact.
+/// Returns the mass of a piece. The mass per metre is a quadratic polynomial, so that Simpson's rule is exact.
 static double piece_mass(const shaft_piece *own) {
     return own->length / 6.0 *
            (piece_line_mass(own, 0.0) + 4.0 * piece_line_mass(own, 0.5) + piece_line_mass(own, 1.0));
 }
 
-/// Returns the mass of all pieces between two neighbouring nodes; *layers is their number.
+/// Returns the mass of all pieces between two neighbouring nodes. *layers becomes their number.
 static double stretch_mass(const mesh *in, size_t left, size_t *layers) {
     double mass = 0.0;
     *layers = 0;
@@ -66,8 +66,9 @@ static void stretch_pull(mesh *in, size_t left, size_t layers, const double forc
             in->pieces[p].piece.axial[end] += force[end] / (double)layers;
 }
 
-/// Weighs the shaft from one of its ends up to the node of its axial support: the weight beyond a place pulls or
-/// presses there. step: 1 from its start, -1 from its end. Returns the mass, in kg, that this side puts on that node.
+/// Adds the axial forces by the weight from one end of the shaft up to the node of its axial support: at every place
+/// the weight beyond it pulls or presses. step: 1 from the start of the shaft, -1 from its end. Returns the mass that
+/// this side puts on that node, kg.
 static double thrust_weigh(mesh *in, const assembly *from, size_t first, size_t held, int step, double force_by_mass) {
     double mass = 0.0;
     for (size_t node = first; node != held; node = step > 0 ? node + 1 : node - 1) {
@@ -94,7 +95,7 @@ static whirl_status thrust_add(building *b, const key_value *values) {
                           b->design->shafts[shaft.shaft].name);
     const double g = values[GRAVITY_ACCELERATION].number, down = values[GRAVITY_TOP].choice == 0 ? 1.0 : -1.0;
     const size_t last = shaft.first + shaft.nodes - 1;
-    // With its start at the top, the part before the support stands on it, and the part behind hangs from it.
+    // If the start is at the top, the part before the support stands on it, and the part after it hangs from it.
     out->mass = thrust_weigh(in, &b->assembly, shaft.first, node, 1, -down * g) +
                 thrust_weigh(in, &b->assembly, last, node, -1, down * g) +
                 b->assembly.stations[in->nodes[node].station].mass;

@@ -1,4 +1,4 @@
-// The matrices of a piece of shaft, by quadrature: exact for cylinders, to rounding for cones.
+// The matrices of a piece of a shaft, by quadrature. They are exact for cylinders, and to rounding for cones.
 #include "shafts.h"
 
 #include <math.h>
@@ -13,7 +13,7 @@ typedef struct section {
     double shear;           ///< shear factor; 0: nothing shears
 } section;
 
-/// Computes what is left of a circle between two flats (integrals over the strip between them).
+/// Computes the area and moments of what two flats leave of a circle (integrals over the strip between them).
 static void cut_flats(double outer, double flats, section *out) {
     const double radius = 0.5 * outer, fourth = radius * radius * radius * radius;
     const double s = flats < outer ? asin(flats / outer) : 0.5 * pi;
@@ -22,7 +22,7 @@ static void cut_flats(double outer, double flats, section *out) {
     out->second[1] = fourth * (s / 2.0 - sin(4.0 * s) / 8.0);
 }
 
-/// r = inner/outer (Cowper 1966, table 1; Hutchinson 2001, eq. 49).
+/// Returns the shear factor for r = inner/outer (Cowper 1966, table 1; Hutchinson 2001, eq. 49).
 static double shear_factor(shear_law law, double r, double nu) {
     const double r2 = r * r, r4 = r2 * r2;
     if (law == SHEAR_NONE) return 0.0;
@@ -70,7 +70,7 @@ static const double weight[NODES] = {
     0.094725305227534251, 0.091301707522461792, 0.084578259697501268, 0.074797994408288368,
     0.062314485627766938, 0.047579255841246393, 0.031126761969323947, 0.013576229705877048};
 
-/// Compliance of the piece up to z: integrals from 0 to z over s, for the bending moment M = a + b s and the shear
+/// Compliance of the piece up to z: integrals over s from 0 to z, for the bending moment M = a + b s and the shear
 /// force -b.
 typedef struct compliance {
     double turn[2];   ///< integrals of 1/EI and s/EI: the slope
@@ -102,7 +102,7 @@ static compliance compliance_to(const shaft_piece *piece, int plane, double z) {
     return c;
 }
 
-/// The moment M = a + b z caused by one of each coordinate.
+/// The moment M = a + b z caused by one unit of each coordinate.
 typedef struct moments {
     double a[4], b[4];
 } moments;
@@ -119,7 +119,7 @@ static moments moments_of(const compliance *whole, double length) {
     return m;
 }
 
-/// Adds twice the energy of one of coordinates i and j.
+/// Adds twice the energy of unit displacements of coordinates i and j.
 static void add_stiffness(const moments *m, const compliance *whole, matrix4 *out) {
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 4; j++)
@@ -128,7 +128,7 @@ static void add_stiffness(const moments *m, const compliance *whole, matrix4 *ou
                             m->b[i] * m->b[j] * (whole->square + whole->slip);
 }
 
-/// Computes displacement, slope of the sections and slope of the axis at z, for one of each coordinate.
+/// Computes displacement, slope of the sections and slope of the axis at z, for one unit of each coordinate.
 static void shapes_at(const moments *m, const compliance *to, double z, double moved[4], double turned[4],
                       double leant[4]) {
     for (int i = 0; i < 4; i++) {
@@ -164,14 +164,15 @@ static void add_slice(const shaft_piece *piece, const moments *m, double z, doub
     }
 }
 
-/// Returns the flexibility against twist, rad/(N m), of the slice of length `part` at z; of round sections
+/// Returns the flexibility against twist of the slice of length `part` at z, rad/(N m), for round sections
 /// (Saint-Venant 1855).
 static double twist_flexibility(const shaft_piece *piece, double z, double part) {
     const section at = section_at(piece, z / piece->length);
     return part / (piece->of.shear_modulus * (at.second[0] + at.second[1]));
 }
 
-/// Adds stiffness and inertia against twist. A section turns as much as the flexibility to its left has of the whole.
+/// Adds stiffness and inertia against twist. The twist of a section is the share of the whole flexibility that is to
+/// its left.
 static void add_twist(const shaft_piece *piece, piece_matrices *out) {
     double whole = 0.0;
     for (int i = 0; i < NODES; i++)

@@ -1,4 +1,4 @@
-// Blades that rub on a casing: keys and the numbers of the kernel.
+// Blades that rub on a casing: keys, and the numbers of the kernel.
 #define KERNEL_FILE "elements/contacts/blade_rub_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 1
@@ -10,10 +10,13 @@
 
 enum { MAX_BLADES = KERNEL_SWITCHES };
 
-/// Numbers: the casing's radius in length scales; p - 1; f_k with the sign of the rotation; theta' by tau; theta_0;
-/// cosine and sine of the angle between blades; a length scale in metres with the sign of the rotation; W of 1 N by a
-/// length scale by tau; of each blade k_j in newtons by length scales to the power p, and l_j. Its law is the number of
-/// blades and whether keys name the power, which else is 1, and the friction, which else is 0.
+/// Numbers, in the notation of blade_rub_kernel.h: the casing's radius in length scales; p - 1; f_k with the sign of
+/// the rotation; theta' by tau; theta_0; cosine and sine of the angle between blades; a length scale in metres with the
+/// sign of the rotation; the power in W of 1 N that moves a length scale by tau; of each blade k_j in newtons by length
+/// scales to the power p, and l_j.
+///
+/// The law contains the number of blades, and whether keys give the power p (otherwise it is 1) and the friction
+/// (otherwise it is 0).
 enum {
     BLADE_CASING,
     BLADE_POWER,
@@ -80,7 +83,7 @@ static const whirl_key keys[KEY_COUNT] = {
     [ANGLE] = ANGLE_KEY("angle", "theta_0", NULL, "position of the first blade at t = 0, from the x axis towards y"),
 };
 
-/// Returns a blade's number from a list with one number, or one for each blade.
+/// Returns the number of a blade from a list with one number for all, or one for each blade.
 static double of_blade(const key_value *list, int blade) {
     return list->count ? list->list[list->count == 1 ? 0 : blade] : list->number;
 }
@@ -92,7 +95,7 @@ static whirl_status check_list(const key_value *values, int key) {
                       keys[key].name, blades);
 }
 
-/// Returns the rounds per revolution: the pattern of equal blades repeats n times.
+/// Returns the rounds per revolution after which the pattern of blades repeats; that of n equal blades repeats n times.
 static double blade_rub_rounds(const element *own, size_t state) {
     (void)state;
     bool alike = true;
@@ -102,7 +105,7 @@ static double blade_rub_rounds(const element *own, size_t state) {
     return own->number[BLADE_RATE] * (alike ? blades_of(own) : 1);
 }
 
-/// Returns the passing order of blades.
+/// Returns the blade passing order.
 static bool blade_rub_named_order(const element *own, size_t index, double *order, const char **name) {
     if (index > 0 || blades_of(own) < 2) return false;
     *order = fabs(own->number[BLADE_RATE]) * blades_of(own);
@@ -116,7 +119,7 @@ static whirl_status blade_rub_build(const key_value *values, assembly *to, eleme
     if (status.code == WHIRL_OK) status = check_list(values, STIFFNESS);
     if (status.code == WHIRL_OK) status = check_list(values, EXTENSION);
     if (status.code != WHIRL_OK) return status;
-    // Choose the law; numbers are in the rotor's units.
+    // Choose the law, and convert the numbers to the rotor's units.
     out->law = (int)values[BLADES].number | (values[POWER].given ? BLADE_POWERED : 0) |
                (values[FRICTION].given ? BLADE_RUBS : 0);
     out->number[BLADE_CASING] = (values[RADIUS].number + values[GAP].number) / length;
@@ -128,7 +131,7 @@ static whirl_status blade_rub_build(const key_value *values, assembly *to, eleme
     out->number[BLADE_APART_SIN] = copysign(sin(apart), to->turn); // numbered along the rotation
     out->number[BLADE_METRES] = copysign(length, to->turn);
     out->number[BLADE_WATTS] = to->clock * length;
-    // Add the length and stiffness of each blade.
+    // Set the length and stiffness of each blade.
     for (int j = 0; j < blades_of(out); j++) {
         const double own = values[RADIUS].number + of_blade(&values[EXTENSION], j);
         if (!(own > 0.0)) return whirl_fail(WHIRL_BAD_INPUT, "has a blade of %g m, expected one above 0", own);
@@ -139,8 +142,9 @@ static whirl_status blade_rub_build(const key_value *values, assembly *to, eleme
     return whirl_ok();
 }
 
-/// With tau = ud + l uz Je the change of a tip t and e the blade's direction, the derivatives n = t/|t| by place and l
-/// n Je by angle change by dn = (tau - n (n tau))/|t| and l (dn Je - uz n e).
+/// Applies the second derivatives. tau = ud + l uz Je is the change of a tip t, and e the blade's direction. The
+/// derivatives n = t/|t| by displacement and l n Je by angle change by dn = (tau - n (n tau))/|t| and l (dn Je - uz n
+/// e).
 static void blade_rub_curvature(const element *own, const element_place *at, size_t index, const element_place *along,
                                 element_place *by) {
     const double *number = own->number, length = number[BLADE_LENGTHS + index];
@@ -163,7 +167,7 @@ static void blade_rub_curvature(const element *own, const element_place *at, siz
     }
 }
 
-/// Returns true: every blade's switch begins a contact.
+/// Returns true: a contact begins at every blade's switch.
 static bool blade_rub_touches(const element *own, size_t index) {
     (void)own, (void)index;
     return true;
@@ -178,7 +182,7 @@ static int blade_rub_takes_power(const element *own) {
     return own->law & BLADE_RUBS ? 1 : 0;
 }
 
-/// Returns true: contact also depends on the blades' position.
+/// Returns true: contact also depends on the blades' angle.
 static bool blade_rub_contact_damped(const element *own) {
     (void)own;
     return true;

@@ -1,11 +1,11 @@
 // Blades whose tips pass a casing. Blade j, of length l_j from the shaft's axis, points along e_j at the angle
-// theta_j = theta + 2 pi j/n, theta = theta_0 + tau; its tip t_j = d + l_j e_j is pressed in where it is further from
-// the casing's centre than the casing's radius,
+// theta_j = theta + 2 pi j/n, theta = theta_0 + tau. Its tip t_j = d + l_j e_j is pressed in where it is further from
+// the casing's centre than the casing's radius:
 //
 //     depth_j = |t_j| - (l + gap),    f = -sum_j k_j depth_j^p (1 + f_k J) t_j/|t_j|,    J a quarter turn,
 //
-// with friction against the rotation, which the tips' speed is all but that of. theta - theta_0 is a state. The depths
-// are the switches.
+// with friction against the rotation, since the tips' speed is nearly that of the rotation. theta - theta_0 is a state.
+// The depths are the switches.
 
 /// Computes the depths of all blades.
 static inline void KERNEL(switches)(const element *own, const kernel_view *view, const num *d, const num *w,
@@ -27,7 +27,7 @@ static inline void KERNEL(switches)(const element *own, const kernel_view *view,
     }
 }
 
-/// Adds the normal forces of all touching blades, as a vector, and the sum of their sizes.
+/// Computes the sum of the normal forces of all touching blades as vectors, and the sum of their magnitudes.
 VECTOR_INLINE void KERNEL(blades_by)(const element *own, const kernel_view *view, bool powered, const num *d,
                                      const num *s, num *sum, num *all) {
     const size_t stride = view->stride;
@@ -45,7 +45,7 @@ VECTOR_INLINE void KERNEL(blades_by)(const element *own, const kernel_view *view
         const vec_mask touching = v_less(v_set(0.0), held);
         num push = n_scale(number[(size_t)(BLADE_STIFFNESSES + j) * stride], depth);
         if (powered && v_any(touching)) {
-            // On a fixed side the depth may be slightly negative: the law continues as an odd function.
+            // On a fixed side of a switch the depth may be slightly negative. The law continues as an odd function.
             const num size = n_select(n_less(none, depth), depth, n_sub(none, depth));
             push = n_mul(push, n_pow(n_select(n_less(least, size), size, least), number[BLADE_POWER * stride]));
         }
@@ -62,7 +62,7 @@ VECTOR_INLINE void KERNEL(blades_by)(const element *own, const kernel_view *view
     *all = sizes;
 }
 
-/// Separate loops, so that the one without a power has registers for its constants.
+/// The case without a power has its own loop, in which registers hold its constants.
 static inline void KERNEL(blades)(const element *own, const kernel_view *view, const num *d, const num *s, num *sum,
                                   num *all) {
     if (own->law & BLADE_POWERED)
@@ -83,7 +83,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
 }
 
 #ifndef NUMBERS_DUAL
-/// Effect of friction, two rows: of tips that move with the disc and around it.
+/// Computes the effect of friction, two rows, of tips that move with the disc and around it.
 static inline void KERNEL(rubbing)(const element *own, const kernel_view *view, const vec *d, const vec *w,
                                    const vec *s, vec *out) {
     const size_t stride = view->stride;

@@ -1,4 +1,4 @@
-// A stator that a station touches, by laws of impact and friction: its keys and the numbers of its kernel.
+// A stator that a station touches, by laws of impact and friction: its keys, and the numbers of its kernel.
 #define KERNEL_FILE "elements/contacts/contact_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 1
@@ -9,8 +9,8 @@
 
 enum { CONTACT_DEPTH, CONTACT_PUSH, CONTACT_SLIP, CONTACT_ARC };
 
-/// Bits of the law: lossy normal force; friction, with a jump where the slip reverses, or with bristles; part of a
-/// circle; a power other than 3/2; a coefficient that falls with the slip.
+/// Bits of the law: a normal force with loss; friction, with a jump where the slip reverses, or with bristles; a part
+/// of a circle; a power other than 3/2; a coefficient that falls with the slip.
 enum {
     CONTACT_LOSSY = 1,
     CONTACT_SLIPS = 2,
@@ -21,9 +21,10 @@ enum {
     CONTACT_FALLS = 64
 };
 
-/// Numbers: gap; K in newtons by length scales to the power n; n - 1; chi; R (the surface's speed by tau); f_k; f_s -
-/// f_k; 1/v_s; v_0; s_2; s_0; s_1; s_0/s_1; all in length scales by tau. Direction of the arc's middle, cosine of half
-/// of it. R with the sign of the rotation; a length scale in metres; W of 1 N by the slip.
+/// Numbers, in the notation of contact_kernel.h: gap; K in newtons by length scales to the power n; n - 1; chi; R (the
+/// surface's speed by tau); f_k; f_s - f_k; 1/v_s; v_0; s_2; s_0; s_1; s_0/s_1; all in length scales by tau. Then
+/// direction of the arc's middle, and cosine of half of the arc; R with the sign of the rotation; a length scale in
+/// metres; the power in W of 1 N that slides at 1.
 enum {
     CONTACT_GAP,
     CONTACT_STIFFNESS,
@@ -146,7 +147,7 @@ static const whirl_key keys[KEY_COUNT] = {
     [ARC_MIDDLE] = ANGLE_KEY("arc_middle", "", "arc", "position of the middle of the arc, from the x axis towards y"),
 };
 
-/// Checks that a choice has the key that it needs, or lacks the one that it does not use.
+/// Checks that a choice has the key that it needs, and that other choices do not have it.
 static whirl_status check_pair(const key_value *values, int key, bool needed, const char *choice) {
     if (needed && !values[key].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has no %s, expected one: %s needs it", keys[key].name, choice);
@@ -156,7 +157,8 @@ static whirl_status check_pair(const key_value *values, int key, bool needed, co
     return whirl_ok();
 }
 
-/// Returns true if friction needs a radius; a radius implies friction, possibly 0, so that a sweep may begin there.
+/// Returns true if the keys describe friction, which needs a radius. A radius implies friction, even of 0, so that a
+/// sweep may begin there.
 static bool contact_has_friction(const key_value *values) {
     return values[FRICTION].number > 0.0 || values[STATIC_FRICTION].given || values[VISCOUS].number > 0.0 ||
            values[FRICTION_LAW].choice != COULOMB;
@@ -165,7 +167,7 @@ static bool contact_has_friction(const key_value *values) {
 static whirl_status check_keys(const key_value *values) {
     const int law = values[LAW].choice, rubbing = values[FRICTION_LAW].choice;
     const bool falls = rubbing != COULOMB, bristles = rubbing == LUGRE;
-    // Each law needs some keys and has no use for others.
+    // Each law needs some keys, and does not use others.
     const double turn = 6.283185307179586476925;
     const struct {
         int key;
@@ -183,7 +185,7 @@ static whirl_status check_keys(const key_value *values) {
         const whirl_status status = check_pair(values, rules[i].key, rules[i].needed, rules[i].choice);
         if (status.code != WHIRL_OK) return status;
     }
-    // Keys that are given may still contradict each other.
+    // Check for contradictions between given keys.
     if (falls && values[STATIC_FRICTION].number < values[FRICTION].number)
         return whirl_fail(WHIRL_BAD_INPUT, "has a static_friction of %g below a friction of %g, expected one above it",
                           values[STATIC_FRICTION].number, values[FRICTION].number);
@@ -197,7 +199,7 @@ static whirl_status check_keys(const key_value *values) {
     return whirl_ok();
 }
 
-/// s/m
+/// Returns the factor chi of the loss, s/m.
 static double loss_of(const key_value *values) {
     const double e = values[RESTITUTION].number;
     if (values[LAW].choice == HUNT_CROSSLEY) return values[LOSS].number;
@@ -218,7 +220,7 @@ static whirl_status contact_build(const key_value *values, assembly *to, element
     whirl_status status = check_keys(values);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
-    // Choose the law and its state; numbers are in the rotor's units.
+    // Choose the law and its state, and convert the numbers to the rotor's units.
     double *number = out->number;
     out->law = law_of(values);
     out->states = out->law & CONTACT_BRISTLES ? 1 : 0;
@@ -245,7 +247,7 @@ static whirl_status contact_build(const key_value *values, assembly *to, element
     return whirl_ok();
 }
 
-/// The radial part of the switch; its other part is linear.
+/// Returns the radial part of a switch; the rest of the switch is linear.
 static radial_form form_of(const element *own, size_t index) {
     const double *number = own->number;
     if (index == CONTACT_DEPTH) return (radial_form){.by_r = 1.0};
@@ -285,18 +287,18 @@ static double contact_radial_gap(const element *own) {
     return element_housing_stands(own) && !(own->law & CONTACT_PARTIAL) ? own->number[CONTACT_GAP] : 0.0;
 }
 
-/// Returns 1 if the law has friction, else 0.
+/// Returns 1 if the law has friction, otherwise 0.
 static int contact_takes_power(const element *own) {
     return own->law & CONTACT_SLIPS ? 1 : 0;
 }
 
-/// Returns true: the gap alone does not decide contact.
+/// Returns true: the gap alone does not determine contact.
 static bool contact_is_damped(const element *own) {
     (void)own;
     return true;
 }
 
-/// Rebound speed of an impact at v over v: chi v (1 + e) = ln((1 + chi v)/(1 - chi v e)).
+/// Returns the rebound speed of an impact at v, divided by v, from chi v (1 + e) = ln((1 + chi v)/(1 - chi v e)).
 static double contact_comes_back(double share) {
     double low = 0.0, high = 1.0;
     for (int i = 0; i < 60; i++) {

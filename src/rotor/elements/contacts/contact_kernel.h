@@ -1,26 +1,27 @@
-// A stator that a station touches where its distance r from the stator's centre exceeds the gap, and where it looks
-// into the stator's arc: normal force of the depth d = r - gap (Hertz 1882; Hunt, Crossley 1975),
+// A stator that a station touches where its distance r from the stator's centre exceeds the gap, and where the station
+// is within the stator's arc. The normal force by the depth d = r - gap is (Hertz 1882; Hunt, Crossley 1975)
 //
 //     N = K d^n (1 + chi d')                              and never below zero,
 //
-// friction f N against the sliding v_t = R omega + (x y' - y x')/r of the rotor's surface, (Fx, Fy) = -(N/r) [1 -f; f
-// 1] (x, y) as for a rub, with
+// The friction f N acts against the sliding v_t = R omega + (x y' - y x')/r of the rotor's surface. The force is
+// (Fx, Fy) = -(N/r) [1 -f; f 1] (x, y) as for a rub, with
 //
 //     f = sign(v_t) (f_k + (f_s - f_k) e^(-(v_t/v_s)^2)) + s_2 v_t,    sign smooth as v_t/sqrt(v_t^2 + v_0^2), or
-//     f = s_0 z + s_1 z' + s_2 v_t,  z' = v_t - s_0 |v_t| z/g(v_t),    g the bracket before: bristles (LuGre), which
+//     f = s_0 z + s_1 z' + s_2 v_t,  z' = v_t - s_0 |v_t| z/g(v_t)
 //
-// spring back by themselves, z' = -(s_0/s_1) z, while nothing touches.
+// for bristles (LuGre) with the deflection z, where g is the first line's bracket. They spring back while nothing
+// touches, z' = -(s_0/s_1) z.
 //
-// Switches: d, 1 + chi d', the slip times r, and the arc; a switch that a law does not have is 1.
+// The switches are d, 1 + chi d', the slip times r, and the arc. A switch that a law does not use is 1.
 
-/// Distance from the centre, and 1 over it (1 at the centre).
+/// Returns the distance from the centre. *over becomes its inverse, 1 at the centre.
 static inline num KERNEL(distance)(const num *d, num *over) {
     const num r = n_sqrt(n_fma(d[0], d[0], n_mul(d[1], d[1]))), one = n_set(1.0);
     *over = n_div(one, n_select(n_less(n_set(0x1p-500), r), r, one));
     return r;
 }
 
-/// Factor of the normal force while the depth grows.
+/// Returns the factor by which the normal force changes with the rate of the depth.
 static inline num KERNEL(push)(const element *own, const kernel_view *view, const num *d, const num *w, num over) {
     if (!(own->law & CONTACT_LOSSY)) return n_set(1.0);
     const num growth = n_mul(n_fma(d[0], w[0], n_mul(d[1], w[1])), over);
@@ -48,7 +49,7 @@ static inline void KERNEL(switches)(const element *own, const kernel_view *view,
     values[CONTACT_ARC] = KERNEL(in_arc)(own, view, d, r);
 }
 
-/// Normal force where it touches, at the distance r.
+/// Returns the normal force at the distance r; *touching becomes true where the station touches the stator.
 static inline num KERNEL(normal)(const element *own, const kernel_view *view, const num *d, const num *w, num r,
                                  num over, vec_mask *touching) {
     const size_t stride = view->stride;
@@ -60,7 +61,7 @@ static inline num KERNEL(normal)(const element *own, const kernel_view *view, co
     held = v_min(held, sides ? sides[CONTACT_ARC * stride] : n_value(KERNEL(in_arc)(own, view, d, r)));
     *touching = v_less(v_set(0.0), held);
     if (!v_any(*touching)) return none;
-    // On a fixed side the depth may be slightly negative: the law continues as an odd function.
+    // On a fixed side of a switch the depth may be slightly negative. The law continues as an odd function.
     const num size = n_select(n_less(none, depth), depth, n_sub(none, depth)), least = n_set(0x1p-800);
     const num power = own->law & CONTACT_POWERED
                           ? n_pow(n_select(n_less(least, size), size, least), number[CONTACT_POWER * stride])
@@ -69,7 +70,7 @@ static inline num KERNEL(normal)(const element *own, const kernel_view *view, co
     return n_select(*touching, n_mul(force, push), none);
 }
 
-/// Speed-dependent coefficient of friction.
+/// Returns the coefficient of friction at a slip, without its sign.
 static inline num KERNEL(level)(const element *own, const kernel_view *view, num slip) {
     const size_t stride = view->stride;
     const num kinetic = n_of(view->number[CONTACT_KINETIC * stride]);
@@ -79,7 +80,7 @@ static inline num KERNEL(level)(const element *own, const kernel_view *view, num
     return n_fma(n_of(view->number[CONTACT_EXCESS * stride]), excess, kinetic);
 }
 
-/// Signed coefficient of friction, and the slope of the bristles.
+/// Returns the coefficient of friction with its sign. *rate becomes the slope of the bristles' deflection.
 static inline num KERNEL(friction)(const element *own, const kernel_view *view, num slip, num z, vec side, num *rate) {
     const size_t stride = view->stride;
     const vec *number = view->number;
@@ -118,7 +119,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
 }
 
 #ifndef NUMBERS_DUAL
-/// Effect of friction under a normal force, two rows.
+/// Computes the effect of friction under a normal force, two rows.
 static inline void KERNEL(rubbing)(const element *own, const kernel_view *view, vec normal, const vec *d, const vec *w,
                                    const vec *s, vec *out) {
     const size_t stride = view->stride;

@@ -1,11 +1,11 @@
-/// Range of contact laws, which hold for small contacts.
+/// Range of the laws of contact, which hold for small contacts.
 #ifndef ROTOR_CONTACT_RANGE_H
 #define ROTOR_CONTACT_RANGE_H
 
 #include "element.h"
 
-/// Describes the range of a stator at `gap` around a surface of that radius (0: unknown, no range). By Hertz the
-/// contact's width is sqrt(depth/radius) of the radius: a tenth at the limit.
+/// Describes the range of a stator at `gap` around a surface of `radius` (0: unknown, no range). By Hertz the ratio of
+/// the contact's width to the radius is sqrt(depth/radius): a tenth at the limit.
 static inline bool contact_range(double gap, double radius, size_t index, const element_seen *seen,
                                  element_range *out) {
     const double depth = seen->radius - gap;

@@ -1,4 +1,5 @@
-// Dry friction between two stations, or a station and the ground: a force of one size against their sliding.
+// Dry friction between two stations, or between a station and the ground: a force of constant size against their
+// sliding.
 #define KERNEL_FILE "elements/contacts/friction_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 0
@@ -6,8 +7,8 @@
 #define KERNEL_SWITCHES 1
 #define KERNEL_TILTS
 
-/// Numbers: the force in newtons, and the square of the smoothing speed in length scales by tau; for tilts N m, and the
-/// unit of the first tilt by tau.
+/// Numbers: the force in newtons, and the square of the smoothing speed in length scales by tau. For tilts: the moment
+/// in N m, and the square of the smoothing speed in units of the first tilt by tau.
 enum { FRICTION_FORCE, FRICTION_SLIP_SQUARE, FRICTION_NUMBERS };
 enum { FRICTION_SMOOTH, FRICTION_SHARP };
 

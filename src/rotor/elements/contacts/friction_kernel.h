@@ -1,7 +1,9 @@
-// Dry friction between two places: a force of one size against the velocity w of one from the other,
+// Dry friction between two places: a force of constant size against their relative velocity w,
 //
-//     f = -F w/|w|                    sharp, along one axis: w is the switch, and motions stick where less than F
-//     holds; f = -F w/sqrt(|w|^2 + v0^2)     smoothed.
+//     f = -F w/|w|                   sharp,
+//     f = -F w/sqrt(|w|^2 + v0^2)    smoothed.
+//
+// Sharp friction acts along one axis. w is its switch, and motions stick where less than F holds them.
 
 static inline void KERNEL(switches)(const element *own, const kernel_view *view, const num *d, const num *w,
                                     num *values) {

@@ -1,4 +1,4 @@
-// A seat that can lift (a loose pedestal): a spring and damper along one axis with two or three slopes.
+// A seat that can lift (a loose pedestal): a spring and damper along one axis, whose force has two or three slopes.
 #define KERNEL_FILE "elements/contacts/looseness_kernel.h"
 #define KERNEL_AXES 1
 #define KERNEL_STATES 0
@@ -56,7 +56,7 @@ static const whirl_key keys[KEY_COUNT] = {
     [HELD_DAMPING] = DAMPING_KEY("held_damping", "c_3", "", "damping beyond the gap; absent: c_1"),
 };
 
-/// A gap that no motion reaches, for seats without an upper stop.
+/// Gap of seats without an upper stop, which no motion reaches.
 static const double NEVER = 0x1p300;
 
 static whirl_status looseness_build(const key_value *values, assembly *to, element *out) {
@@ -74,7 +74,7 @@ static whirl_status looseness_build(const key_value *values, assembly *to, eleme
         out->number[LOOSENESS_DAMPING + piece] = damping[piece]->number * to->length * to->clock;
     }
     out->number[LOOSENESS_GAP] = values[GAP].given ? values[GAP].number / to->length : NEVER;
-    // Different dampings make the force jump.
+    // If dampings differ, the force jumps.
     out->law = values[DAMPING].given || values[LOOSE_DAMPING].given || values[HELD_DAMPING].given;
     generic_scale(out, to, 1.0);
     return whirl_ok();

@@ -1,4 +1,4 @@
-// A rub: its pass over vectors, its keys and the numbers of its kernel.
+// A rub: its pass over vectors, its keys, and the numbers of its kernel.
 #include "block.h"
 #include "contact_range.h"
 #include "registry.h"
@@ -72,7 +72,8 @@ static whirl_status rub_build(const key_value *values, assembly *to, element *ou
     out->station = values[AT].station[0];
     const whirl_status status = assembly_find_plane(to, out->station, out->port);
     if (status.code != WHIRL_OK) return status;
-    // A given damping of 0 counts, so that a sweep may begin there; but not for a stator without any force.
+    // A given damping of 0 counts as damping, so that a sweep may begin there; but not if the stator has no force at
+    // all.
     const bool damped = values[DAMPING].given && (values[DAMPING].number > 0.0 || values[STIFFNESS].number > 0.0);
     const bool sharp = slip && !(values[SLIP_SPEED].number > 0.0);
     out->law = values[LAW].choice | (damped ? RUB_DAMPED : 0) | (sharp ? RUB_SHARP : 0);
@@ -102,7 +103,8 @@ static double rub_contact_gap(const element *own) {
     return own->number[RUB_GAP];
 }
 
-/// With a radius friction counts even if it is 0, which it is not in all machines of a sweep.
+/// Returns 1 if the radius is given: then friction counts even if it is 0, since it may not be 0 in other machines of a
+/// sweep.
 static int rub_takes_power(const element *own) {
     if (own->number[RUB_LEVER] != 0.0) return 1;
     return own->number[RUB_FRICTION] == 0.0 ? 0 : -1;

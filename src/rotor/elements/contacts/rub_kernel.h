@@ -17,9 +17,9 @@
 #include "../../element.h"
 #include "vector.h"
 
-/// Numbers: gap, k/(m omega^2), c/(m omega), f, R (the surface's speed by tau), v_0, all in length scales; newtons of a
-/// unit of N; the square of the gap; R with the sign of the rotation, 0 where it is not known; a length scale in
-/// metres; W of 1 N by the slip.
+/// Numbers, in length scales: gap; k/(m omega^2); c/(m omega); f; R (the surface's speed by tau); v_0. Then newtons of
+/// a unit of N; the square of the gap; R with the sign of the rotation, 0 if it is unknown; a length scale in metres;
+/// the power in W of 1 N that slides at 1.
 enum {
     RUB_GAP,
     RUB_STIFFNESS,
@@ -35,7 +35,7 @@ enum {
     RUB_NUMBERS
 };
 
-/// The law: the friction's, whether it jumps where the slip reverses, and whether the contact is damped.
+/// Bits of the law: which friction, whether the contact is damped, and whether friction jumps where the slip reverses.
 enum { RUB_LAW_PAPER, RUB_LAW_SLIP, RUB_DAMPED = 2, RUB_SHARP = 4 };
 
 static inline int rub_slips(const element *rub) {
@@ -69,8 +69,8 @@ static inline vec_mask rub_touching(const element *rub, size_t stride, const vec
     return v_less(v_set(0.0), rub_damped(rub) ? v_min(sides[0], sides[stride]) : sides[0]);
 }
 
-/// Returns true if any lane is in contact, and then fills `place`. With sides N follows the law of contact, even if
-/// negative.
+/// Returns true if any lane is in contact, and then fills `place`. If `sides` is given, N follows the law of contact
+/// even where it is negative.
 VECTOR_INLINE int rub_meet(const element *rub, size_t stride, const vec *number, const vec *sides, const vec *q,
                            const vec *v, rub_place *place) {
     const size_t i = rub->port[0] * stride, j = rub->port[1] * stride;
@@ -100,7 +100,7 @@ static inline vec rub_slip(const rub_place *p, size_t stride, const vec *number)
     return v_add(number[RUB_SURFACE * stride], transverse);
 }
 
-/// Returns the coefficient of friction with the sign of the law.
+/// Returns the coefficient of friction with the sign by the law.
 VECTOR_INLINE vec rub_friction(const element *rub, size_t stride, const vec *number, const vec *sides,
                                const rub_place *p) {
     const vec f = number[RUB_FRICTION * stride];
@@ -109,7 +109,8 @@ VECTOR_INLINE vec rub_friction(const element *rub, size_t stride, const vec *num
     return v_mul(f, slip_sign(rub_slip(p, stride, number), number[RUB_SLIP_SPEED * stride]));
 }
 
-/// Adds the force; with `sides` of the switches the laws are fixed there, else the state decides.
+/// Adds the force. If the sides of the switches are given, the laws are those of these sides; otherwise the state
+/// decides.
 VECTOR_INLINE void rub_kernel(const element *rub, size_t stride, const vec *number, const vec *sides, const vec *q,
                               const vec *v, vec *a) {
     const size_t i = rub->port[0] * stride, j = rub->port[1] * stride;
@@ -127,7 +128,7 @@ static inline vec rub_normal(const element *rub, size_t stride, const vec *numbe
     return v_mul(number[RUB_NEWTONS * stride], v_mul(p.push, p.r));
 }
 
-/// Computes the effect of friction, two rows of `out`: NaN if it acts and the radius is unknown.
+/// Computes the effect of friction, two rows of `out`. It is NaN if friction acts and the radius is unknown.
 static inline void rub_rubbing(const element *rub, size_t stride, const vec *number, const vec *q, const vec *v,
                                vec *out) {
     const vec zero = v_set(0.0), lever = number[RUB_LEVER * stride], none = v_div(zero, zero);
@@ -145,7 +146,7 @@ static inline void rub_rubbing(const element *rub, size_t stride, const vec *num
     out[stride] = v_select(known, power, unknown);
 }
 
-/// Computes the switching functions and, unless `rates` is NULL, their time derivatives along (v, a). The slip is
+/// Computes the switching functions and, unless `rates` is NULL, their derivatives by time along (v, a). The slip is
 /// multiplied by r, which makes it smooth at the centre.
 static inline void rub_switches(const element *rub, size_t stride, const vec *number, const vec *q, const vec *v,
                                 const vec *a, vec *values, vec *rates) {

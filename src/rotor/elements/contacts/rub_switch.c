@@ -12,7 +12,7 @@
 
 #include "rub_kernel.h"
 
-/// Normal and radius; the normal is zero at the centre.
+/// Computes normal and radius; the normal is zero at the centre.
 static double normal_at(const double *q, double n[2]) {
     const double r = fmax(sqrt(q[0] * q[0] + q[1] * q[1]), 0x1p-1022);
     n[0] = q[0] / r;
@@ -24,7 +24,7 @@ static double rub_switch_dot(const double *a, const double *b) {
     return a[0] * b[0] + a[1] * b[1];
 }
 
-/// Change of the normal when the station moves by u.
+/// Computes the change of the normal when the station moves by u.
 static void turn(const double n[2], double r, const double *u, double e[2]) {
     const double along = rub_switch_dot(n, u);
     for (int i = 0; i < 2; i++) e[i] = (u[i] - n[i] * along) / r;
@@ -65,7 +65,7 @@ void radial_curvature(radial_form of, const double *q, const double *v, const do
         by_v[1] = uq[0];
         return;
     }
-    // e(v) is (v - n (n . v))/r: n turns, r grows, v changes.
+    // The change of e(v) = (v - n (n . v))/r has three parts: n turns, r grows, v changes.
     const double growth = rub_switch_dot(n, v), turned = rub_switch_dot(e, v), grown = rub_switch_dot(n, uq);
     for (int i = 0; i < 2; i++) {
         by_q[i] = of.by_r * e[i];
@@ -75,7 +75,7 @@ void radial_curvature(radial_form of, const double *q, const double *v, const do
     }
 }
 
-/// The switches in their order: depth, normal force, slip.
+/// Returns the form of the switch with this index: depth, normal force, slip.
 static radial_form form_of(const element *own, size_t index) {
     if (index == 0) return (radial_form){.by_r = 1.0};
     if (rub_sharp(own) && index == rub_slip_switch(own)) return (radial_form){true, own->number[RUB_SURFACE], 0.0};

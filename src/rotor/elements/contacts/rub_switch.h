@@ -4,15 +4,15 @@
 
 #include "element.h"
 
-/// A function of a place (x, y) and its velocity: by_r r + by_growth r', or, of a slip, by_r r + x y' - y x'.
+/// A function of a displacement (x, y) and its velocity: by_r r + by_growth r'; or, for a slip, by_r r + x y' - y x'.
 typedef struct radial_form {
     bool slip;
     double by_r, by_growth;
 } radial_form;
 
-/// Its derivatives by place and velocity [2] each.
+/// Computes its derivatives by displacement and velocity, [2] each.
 void radial_gradient(radial_form of, const double *q, const double *v, double *by_q, double *by_v);
-/// Its second derivatives applied to the perturbation (uq, uv).
+/// Computes its second derivatives applied to the perturbation (uq, uv).
 void radial_curvature(radial_form of, const double *q, const double *v, const double *uq, const double *uv,
                       double *by_q, double *by_v);
 

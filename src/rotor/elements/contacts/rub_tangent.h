@@ -9,7 +9,7 @@
 #include "elements/tangent.h"
 #include "rub_kernel.h"
 
-/// Derivatives of N/r in contact.
+/// Computes the derivatives of N/r in contact.
 static inline void rub_push_tangent(const element *rub, size_t stride, const vec *number, const rub_place *p,
                                     vec by[4]) {
     const vec over = v_div(v_set(1.0), p->r), over_square = v_mul(over, over);
@@ -29,7 +29,7 @@ static inline void rub_push_tangent(const element *rub, size_t stride, const vec
     }
 }
 
-/// Derivatives of the friction s f with a gradual sign.
+/// Computes the derivatives of the friction s f with a gradual sign.
 static inline void rub_friction_tangent(size_t stride, const vec *number, const rub_place *p, vec by[4]) {
     const vec slip = rub_slip(p, stride, number), speed = number[RUB_SLIP_SPEED * stride];
     const vec square = v_fma(slip, slip, v_mul(speed, speed));
@@ -44,12 +44,12 @@ static inline void rub_friction_tangent(size_t stride, const vec *number, const 
     by[3] = v_mul(slope, p->x);
 }
 
-/// Returns true if any lane is in contact, and then fills `tangent`, zero in the other lanes.
+/// Returns true if any lane is in contact, and then fills `tangent` with the derivatives, zero in the other lanes.
 static inline int rub_tangent(const element *rub, size_t stride, const vec *number, const vec *sides, const vec *q,
                               const vec *v, tangent_block *tangent) {
     rub_place p;
     if (!rub_meet(rub, stride, number, sides, q, v, &p)) return 0;
-    // Lanes that damping pulls apart are not in contact either.
+    // Lanes in which damping would pull the stator are not in contact either.
     const vec_mask touching = sides ? p.touching : v_less(v_set(0.0), p.push);
     const vec zero = v_set(0.0), f = rub_friction(rub, stride, number, sides, &p);
     const vec along_x = v_fnma(f, p.y, p.x), along_y = v_fma(f, p.x, p.y);

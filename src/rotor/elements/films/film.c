@@ -8,7 +8,7 @@
 #include "registry.h"
 #include "whirl/engine/rotor.h"
 
-/// Phases of a film on the ground.
+/// First and last phase of a film on the ground.
 static inline void begin(const element *own, const block *b, size_t k, film_work *work, size_t at) {
     const vec *number = numbers_of(b, own) + k;
     film_begin(own, b->stride, number, number[FILM_TWICE * b->stride], b->q + k, b->v + k, work, at);
@@ -79,8 +79,8 @@ static oil oil_of(const key_value *values) {
     return (oil){&values[OIL]};
 }
 
-/// Speeds that determine a film, over the rotor's: the sum of journal's and housing's draws oil in, their difference
-/// shears it.
+/// Speeds that determine a film, as ratios to the rotor's: the sum of the speeds of journal and housing draws oil in,
+/// their difference shears it.
 typedef struct turning {
     double wedge, shear;
 } turning;
@@ -99,19 +99,19 @@ static whirl_status find_turning(const key_value *values, const assembly *to, tu
     return whirl_ok();
 }
 
-/// rho |difference of speeds| R c/mu.
+/// Returns the Reynolds number rho |difference of speeds| R c/mu.
 static double reynolds_of(const key_value *values, double speed) {
     const oil own = oil_of(values);
     return oil_reynolds(&own, speed, sqrt(values[RADIUS].number * values[CLEARANCE].number));
 }
 
-/// Factors of a turbulent film; 1 for a laminar one.
+/// Returns the factors of a turbulent film; 1 for a laminar one.
 static turbulent_factors factors_of(const key_value *values, double speed) {
     return turbulent_resistance((whirl_turbulence)values[TURBULENCE].choice, reynolds_of(values, speed));
 }
 
 static whirl_status load_scale(const key_value *values, const assembly *to, double *load) {
-    // The strength of the film: either a load, or an oil and the sizes.
+    // Find how the strength of the film is given: by a load, or by an oil and the sizes.
     const oil own = oil_of(values);
     const bool viscous = oil_given(&own);
     double viscosity = 0.0;
@@ -122,13 +122,13 @@ static whirl_status load_scale(const key_value *values, const assembly *to, doub
     if (values[TURBULENCE].choice && (values[LOAD].given || !values[OIL + OIL_DENSITY].given))
         return whirl_fail(WHIRL_BAD_INPUT, "is turbulent by an unknown Reynolds number, expected viscosity, density, "
                                            "radius and length");
-    // By a load in proportion to the speed.
+    // Use the load, which is proportional to the speed.
     *load = values[LOAD].number;
     if (values[LOAD].given && to->speed == 0.0)
         return whirl_fail(WHIRL_BAD_INPUT, "has a load F0 in proportion to the speed, and the rotor stands still, "
                                            "expected viscosity, radius and length, or a speed above 0");
     if (values[LOAD].given) return whirl_ok();
-    // By the viscosity at the film's temperature.
+    // Use the viscosity at the film's temperature.
     if (!viscous || !values[RADIUS].given || !values[LENGTH].given)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "has neither load nor all of viscosity, radius and length, expected one of the two");
@@ -138,7 +138,7 @@ static whirl_status load_scale(const key_value *values, const assembly *to, doub
     return status;
 }
 
-/// Sets the constants of its drag. With a scale F0 in place of its oil its couple is known alone.
+/// Sets the constants of its drag. With a scale F0 in place of the oil, the shear is unknown and only the couple acts.
 static void set_drag(const key_value *values, const turning *turns, element *out) {
     const oil own = oil_of(values);
     const double radius = values[RADIUS].number, clearance = values[CLEARANCE].number;
@@ -152,7 +152,7 @@ static void set_drag(const key_value *values, const turning *turns, element *out
     out->fluid.reynolds = reynolds_of(values, 1.0);
 }
 
-/// Sets the additional numbers of films of finite length, and of those in moving housings.
+/// Sets the additional numbers of films of finite length, and of films in moving housings.
 static void build_finite(const key_value *values, const assembly *to, const turbulent_factors *by, element *out) {
     double *number = out->number;
     const double square = number[FILM_CLEARANCE_SQUARE], scale = assembly_force_scale(to, out->port[0]);
@@ -177,7 +177,7 @@ static whirl_status film_build(const key_value *values, assembly *to, element *o
     if (status.code == WHIRL_OK && out->law && values[LOAD].given)
         status = whirl_fail(WHIRL_BAD_INPUT, "has law finite and load, expected viscosity, radius and length");
     if (status.code == WHIRL_OK) status = find_turning(values, to, &turns);
-    // Its kernels and scales require a journal that moves in the plane.
+    // The kernels and scales require a journal that moves in the plane.
     if (status.code == WHIRL_OK) status = assembly_find_plane(to, values[AT].station[0], out->port);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
@@ -190,22 +190,21 @@ static whirl_status film_build(const key_value *values, assembly *to, element *o
     out->number[FILM_STRENGTH] = FILM_STRENGTH_OF_1 * square * strength / assembly_force_scale(to, out->port[0]);
     out->number[FILM_TWICE] = 2.0 / (to->turn * speed);
     out->number[FILM_QUARTER] = copysign(1.57079632679489661923, to->turn * speed);
-    // The structure of pair_kernel.h has films of this kernel, whose journals alone turn, with the rotor.
-    // Ratios that are given may go through 1 in a sweep, whose machines have one structure.
+    // Ratios that are given may pass 1 in a sweep, all machines of which must have one structure.
     const bool ratios = values[JOURNAL_RATIO].given || values[HOUSING_RATIO].given || speed != 1.0;
     if (out->law || values[FROM].given || ratios) build_finite(values, to, &by, out);
     return whirl_ok();
 }
 
-/// Doubts a ratio beyond the table.
+/// Raises a doubt about a ratio L/D beyond the table.
 static void doubt_ratio(const doubt_teller *to, double ratio) {
     if (ratio < FILM_SHORTEST * (1.0 - 1e-9) || ratio > FILM_LONGEST * (1.0 + 1e-9))
         doubt_value(to, keys[LENGTH].name, "is %.3g times the diameter: the law is for %g to %g", ratio, FILM_SHORTEST,
                     FILM_LONGEST);
 }
 
-/// Doubts the force's error, in percent, from factors of one Reynolds number instead of the local one: Ng and Pan's, of
-/// plain films of L/D 1/4 to 1 at an eccentricity ratio of .3, .5 and .8.
+/// Raises a doubt about the force's error, percent, from factors of one Reynolds number instead of the local one. Ng
+/// and Pan's errors are for plain films of L/D 1/4 to 1 at eccentricity ratios of .3, .5 and .8.
 static void doubt_factors(const doubt_teller *to, double reynolds) {
     static const double rows[][4] = {
         {500, 2, 4, 10}, {1000, 3, 7, 17}, {2000, 5, 12, 30}, {5000, 9, 20, 57}, {10000, 11, 26, 84}};

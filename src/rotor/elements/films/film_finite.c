@@ -1,4 +1,4 @@
-// Films of finite length, and short ones in a housing that moves: the variant to which film.c changes films that its
+// Films of finite length, and short films in a housing that moves: the variant to which film.c changes films that its
 // own fast kernel does not cover.
 #include "film_flow.h"
 #include "film_ratio.h"
@@ -20,7 +20,7 @@ static inline void begin(const element *own, const block *b, size_t k, film_work
                v_fma(two, apart(own, b->v + k, stride, 0), y));
 }
 
-/// Adds an acceleration of the journal, and the reaction on the housing, to row `a` of vectors.
+/// Adds a force as acceleration of the journal, and its reaction on the housing, to the rows `a` of vectors.
 VECTOR_INLINE void push(const element *own, size_t stride, const vec *number, const vec *force, vec *a) {
     for (size_t i = 0; i < 2; i++) {
         const size_t here = own->port[i], there = own->port[2 + i];
@@ -30,7 +30,7 @@ VECTOR_INLINE void push(const element *own, size_t stride, const vec *number, co
     }
 }
 
-/// Returns the film's part of the divergence.
+/// Returns the film's contribution to the divergence.
 static vec trace_of(const element *own, const block *b, const vec *number, const tangent_block *tangent) {
     const vec *const rows[2] = {tangent->x, tangent->y};
     vec trace = v_set(0.0);
@@ -46,7 +46,7 @@ static vec trace_of(const element *own, const block *b, const vec *number, const
     return trace;
 }
 
-/// Applies the derivatives to perturbations.
+/// Applies the derivatives of the force to perturbations.
 static void push_tangent(const element *own, const block *b, size_t k, const vec *number,
                          const tangent_block *tangent) {
     for (size_t n = 1; n <= b->perturbations; n++) {
@@ -62,14 +62,14 @@ static void push_tangent(const element *own, const block *b, size_t k, const vec
     if (b->divergence) b->divergence[k] = v_add(b->divergence[k], trace_of(own, b, number, tangent));
 }
 
-/// Computes the derivatives of R + i I by x, y, x', y', in the form of film_tangent.h.
+/// Computes the derivatives of R + i I by x, y, x' and y', in the form of film_tangent.h.
 static void ratio_tangent(const film_state *f, const film_direction *d, const film_ratio *r, size_t stride,
                           const vec *number, vec real[4], vec imaginary[4]) {
     const vec zero = v_set(0.0), over_root = film_over_root(f), over_q = v_mul(over_root, over_root);
     const vec P = v_mul(f->P, over_q), U = v_fma(f->x, f->A, v_mul(f->y, f->B));
     const vec by_p = v_mul(d->over_C, number[FILM_OVER_CLEARANCE * stride]);
     const vec by_b = v_mul(number[FILM_TURNS * stride], f->W_by_D), steep = v_mul(v_set(-2.0), d->g_q);
-    // Derivatives of U/C and of the angle, by x, y and the direction of (A, B); and of q.
+    // Compute the derivatives of U/C and of the angle by x, y and the direction of (A, B); and the derivative of q.
     const vec p[3] = {v_mul(by_p, f->A), v_mul(by_p, f->B), v_sub(zero, v_mul(by_p, f->P))};
     const vec b[3] = {v_mul(by_b, v_fma(P, f->x, f->B)), v_mul(by_b, v_fms(P, f->y, f->A)), v_mul(by_b, U)};
     const vec g[3] = {v_mul(steep, f->x), v_mul(steep, f->y), zero};
@@ -96,10 +96,11 @@ VECTOR_INLINE bool all_alike(const element *own, vec length) {
     return !v_any(v_less(v_set(0.0), v_abs(v_sub(length, v_set(own->number[FILM_LENGTH])))));
 }
 
-/// Converts the short film's force, and its derivatives unless `tangent` is NULL, to those of a film of finite length.
+/// Converts the force of the short film, and its derivatives unless `tangent` is NULL, to those of a film of finite
+/// length.
 static void lengthen(const element *own, size_t stride, const vec *number, const film_state *f, vec force[2],
                      tangent_block *tangent) {
-    // Choose the quickest way to the same numbers: one series for all lanes if they are alike.
+    // Choose the faster of two ways to the same numbers: one series for all lanes if they are alike.
     const film_series lanes = {number + FILM_COEFFICIENT * stride, stride, NULL};
     const film_series all = {NULL, 0, own->number + FILM_COEFFICIENT};
     const film_direction d = film_direction_of(f, stride, number);
@@ -116,7 +117,7 @@ static void lengthen(const element *own, size_t stride, const vec *number, const
     force[0] = v_fms(R, fx, v_mul(I, fy));
     force[1] = v_fma(R, fy, v_mul(I, fx));
     if (!tangent) return;
-    // Its derivatives follow by the product rule.
+    // Compute the derivatives by the product rule.
     vec real[4], imaginary[4];
     ratio_tangent(f, &d, &r, stride, number, real, imaginary);
     for (int i = 0; i < 4; i++) {
@@ -145,7 +146,7 @@ static void film_finite_flow(const element *first, size_t count, const block *b)
 const element_kernels ISA(film_finite_kernels) = {.flow = film_finite_flow};
 
 #if VECTOR_ISA == VECTOR_SCALAR
-/// The Chebyshev series of n terms at x, by Clenshaw's recurrence.
+/// Returns the Chebyshev series of n terms at x, by Clenshaw's recurrence.
 static double series(const double *terms, size_t n, double x) {
     double b1 = 0.0, b2 = 0.0;
     for (size_t k = n; k-- > 1;) {
@@ -156,7 +157,8 @@ static double series(const double *terms, size_t n, double x) {
     return x * b1 - b2 + terms[0];
 }
 
-/// Beyond the table's lengths: for shorter films 1 - R is proportional to (L/D)^2, for longer ones R to its inverse.
+/// Beyond the lengths of the table: for shorter films 1 - R is proportional to (L/D)^2, for longer ones R to its
+/// inverse.
 void film_coefficients(double length, double *number) {
     const double r = length < FILM_SHORTEST ? FILM_SHORTEST : length > FILM_LONGEST ? FILM_LONGEST : length;
     const double s = r / (FILM_SHIFT + r), first = FILM_SHORTEST / (FILM_SHIFT + FILM_SHORTEST);
@@ -166,7 +168,7 @@ void film_coefficients(double length, double *number) {
     for (size_t n = 0; n < FILM_COEFFICIENTS; n++) number[n] = factor * series(film_table[n], FILM_TERMS, x);
     for (size_t n = 0; n < FILM_DENOMINATOR; n++) under[n] = series(film_denominator[n], FILM_DENOMINATOR_TERMS, x);
     if (length >= r) return;
-    // 1, p^2 and b^2.
+    // Add the terms 1, p^2 and b^2.
     const double rest = 1.0 - share * share;
     number[0] += rest;
     number[film_row(2)] += rest * under[0];

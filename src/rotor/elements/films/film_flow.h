@@ -1,12 +1,12 @@
-/// Pipeline of films over vectors: three vectors are in films at a time, one in each phase of film_kernel.h, the
-/// vectors of one film after those of the other.
+/// Pipeline of films over vectors. Three vectors are in films at a time, one in each phase of film_kernel.h. The
+/// vectors of one film follow those of the other.
 #ifndef ROTOR_FILM_FLOW_H
 #define ROTOR_FILM_FLOW_H
 
 #include "block.h"
 #include "film_kernel.h"
 
-/// Begins vector k of a film; and uses the result of its last phase.
+/// Begins vector k of a film; and finishes it with the result of its last phase.
 typedef void film_begins(const element *own, const block *b, size_t k, film_work *work, size_t at);
 typedef void film_finishes(const element *own, const block *b, size_t k, const film_state *film);
 

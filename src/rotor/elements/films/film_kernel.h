@@ -21,28 +21,30 @@
 #include "elementary.h"
 #include "vector.h"
 
-/// 2/3^(3/2): the force's factor 2/q^(3/2) is this times sqrt(3/q)^3.
+/// 2/3^(3/2): the factor 2/q^(3/2) of the force is this number times sqrt(3/q)^3.
 #define FILM_STRENGTH_OF_1 0.384900179459750509673
 
-/// Numbers: c and c^2; FILM_STRENGTH_OF_1 c^2 times the count times F0/(m omega^2 length scale). All in length scales.
-/// 2 over the shaft's speed by tau, which makes velocities by its angle of those by tau: 2 where sections are the
-/// shaft's. pi/2, below 0 where the shaft turns clockwise: the force is the mirror image, (x, -y), of that of the
-/// mirrored journal, whose A, U and E are the same, and whose y, B, P and angle have the other sign.
+/// Numbers: c and c^2 in length scales; FILM_STRENGTH_OF_1 c^2 times the count times F0/(m omega^2 length scale); 2
+/// divided by the shaft's speed by tau, which converts velocities by tau to velocities by the shaft's angle (2 if
+/// sections are defined by the shaft's phase); pi/2, negative if the shaft turns clockwise.
+///
+/// For a clockwise shaft the force is the mirror image (x, -y) of that of the mirrored journal: A, U and E are the
+/// same, while y, B, P and angle have the opposite sign.
 enum { FILM_CLEARANCE, FILM_CLEARANCE_SQUARE, FILM_STRENGTH, FILM_TWICE, FILM_QUARTER, FILM_NUMBERS };
 
-/// Vectors that may be under way in a film at the same time.
+/// Most vectors that may be in a film at the same time.
 enum { FILM_PLACES = 4 };
 
-/// Vectors on their way through a film in three phases, place by place: film_begin, which leaves the machine's divider
-/// with a root; film_divide, which leaves it with a division; film_end. Phases of other vectors, and other elements,
-/// hide its latency.
+/// Vectors on their way through a film in three phases, place by place: film_begin, at the end of which the CPU's
+/// divider computes a root; film_divide, at the end of which it computes a division; film_end. Phases of other vectors,
+/// and other elements, hide its latency.
 ///
 /// A journal at rest in the centre (A = B = 0) feels no force; the 2^-600 in C^2 keeps its quotients finite. Beyond the
 /// wall (q < 0) W is not a number, and the motion counts as diverged.
 typedef struct film_work {
     struct {
         vec x, y, A, B, P, W;
-        vec q, D; ///< since film_divide sqrt(3/q) and 1/D
+        vec q, D; ///< after film_divide sqrt(3/q) and 1/D
     } at[FILM_PLACES];
 } film_work;
 
@@ -60,7 +62,7 @@ static inline void film_place(film_work *w, size_t at, vec clearance_square, vec
     w->at[at].W = v_sqrt(WW);
 }
 
-/// two: FILM_TWICE.
+/// Begins the film at a place. two: the number FILM_TWICE.
 static inline void film_begin(const element *film, size_t stride, const vec *number, vec two, const vec *q,
                               const vec *v, film_work *w, size_t at) {
     const size_t i = film->port[0] * stride, j = film->port[1] * stride;
@@ -73,14 +75,15 @@ static inline void film_divide(film_work *w, size_t at) {
     w->at[at].q = v_root_of_3_over(w->at[at].q);
 }
 
-/// Quantities of which the force is composed.
+/// Quantities from which the force is computed.
 typedef struct film_state {
     vec x, y, A, B, P, W, angle;
     vec root;           ///< sqrt(3/q)
     vec over_D, W_by_D; ///< 1/D, W/D
 } film_state;
 
-/// quarter: FILM_QUARTER. atan(P/W) by half the cosine and half the sine of its double, W^2/D - 1/2 and P W/D.
+/// Ends the film. quarter: the number FILM_QUARTER. Computes atan(P/W) from half the cosine and half the sine of its
+/// double, W^2/D - 1/2 and P W/D.
 static inline film_state film_end(const film_work *w, size_t at, vec quarter) {
     const vec P = w->at[at].P, W = w->at[at].W, over_D = w->at[at].D, W_by_D = v_mul(W, over_D);
     const vec arctangent = v_half_angle(v_fms(W, W_by_D, v_set(0.5)), v_mul(P, W_by_D));

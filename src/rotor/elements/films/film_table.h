@@ -10,15 +10,15 @@
 /// Degrees in p and b; number of coefficients; terms of their series over s.
 enum { FILM_IN_P = 15, FILM_IN_B = 13, FILM_COEFFICIENTS = 113, FILM_TERMS = 11 };
 
-/// Coefficients of p^2 and b^2 in the denominator.
+/// Coefficients of p^2 and b^2 in the denominator, as series.
 enum { FILM_DENOMINATOR = 2, FILM_DENOMINATOR_TERMS = 6 };
 static const double film_denominator[FILM_DENOMINATOR][FILM_DENOMINATOR_TERMS] = {
     {-0.491532910365, 0.76902665945, 0.439377435592, 0.214524802054, 0.0754512730742, 0.0200422278305},
     {0.974174014547, 1.39400139284, 0.57582849153, -0.0716432649761, -0.286251373022, -0.10673335437},
 };
 
-/// A row for each p^i b^j with i/FILM_IN_P + j/FILM_IN_B <= 1, first even i (of R), then odd i (of I), j fastest: the
-/// Chebyshev series of its coefficient times 1 + r^2.
+/// A row for each p^i b^j with i/FILM_IN_P + j/FILM_IN_B <= 1: first even i (of R), then odd i (of I); j changes
+/// fastest. A row is the Chebyshev series of the coefficient times 1 + r^2.
 static const double film_table[FILM_COEFFICIENTS][FILM_TERMS] = {
     {1.3048604568, 0.434853645066, 0.169149753344, 0.0359580349034, 0.00123695369105, -0.00238081842126,
      -0.00105057051543, -0.000217752446799, 5.98531237434e-06, 2.32458670219e-05, 9.38724430428e-06},
@@ -248,8 +248,8 @@ static const double film_table[FILM_COEFFICIENTS][FILM_TERMS] = {
      0.000352836012065, -0.000624406764164, 0.000508234801421, -0.00122866201331, 0.000472587282596},
 };
 
-/// A row for each L/D tried: L/D, and the largest relative error of the force over 1127 states, up to an eccentricity
-/// ratio of .9 and from .9 to .95.
+/// A row for each L/D that was tested: L/D, and the largest relative error of the force over 1127 states, at
+/// eccentricity ratios up to .9, and from .9 to .95.
 enum { FILM_TRIED = 27 };
 static const double film_errors[FILM_TRIED][3] = {
     {0.1, 9.1e-05, 3.7e-04},    {0.1122, 1.0e-04, 4.1e-04}, {0.1259, 1.1e-04, 4.9e-04}, {0.1413, 1.3e-04, 5.5e-04},

@@ -15,7 +15,7 @@
 #include "elements/tangent.h"
 #include "film_kernel.h"
 
-/// The quantities above.
+/// The quantities of the formulas above.
 typedef struct film_slopes {
     vec x, y, A, B, P, U, G, S, T, E, K, over_q;
 } film_slopes;
@@ -38,7 +38,7 @@ static inline film_slopes film_slope(const film_state *f) {
     return s;
 }
 
-/// -q times the derivatives of the force by x at fixed A and B.
+/// Computes -q times the derivatives of the force by x at fixed A and B.
 static inline void film_slope_x(const film_slopes *s, vec *X, vec *Y) {
     const vec H = v_mul(v_fma(s->E, s->P, s->G), s->over_q);
     const vec G = v_fma(s->E, s->B, v_mul(s->x, H)), S = v_sub(v_set(0.0), v_mul(s->A, s->K));
@@ -48,7 +48,7 @@ static inline void film_slope_x(const film_slopes *s, vec *X, vec *Y) {
     *Y = v_fma(s->y, T, v_fnma(s->A, G, v_mul(s->B, S)));
 }
 
-/// The same by y.
+/// Computes the same by y.
 static inline void film_slope_y(const film_slopes *s, vec *X, vec *Y) {
     const vec H = v_mul(v_fma(s->E, s->P, s->G), s->over_q);
     const vec G = v_fnma(s->E, s->A, v_mul(s->y, H)), S = v_sub(v_set(0.0), v_mul(s->B, s->K));
@@ -58,7 +58,7 @@ static inline void film_slope_y(const film_slopes *s, vec *X, vec *Y) {
     *Y = v_add(s->T, v_fma(s->y, T, v_fnma(s->A, G, v_mul(s->B, S))));
 }
 
-/// The same by the angle of (A, B).
+/// Computes the same by the angle of (A, B).
 static inline void film_slope_angle(const film_slopes *s, vec *X, vec *Y) {
     const vec G = v_mul(s->E, s->U), S = v_mul(s->P, s->K);
     const vec T = v_mul(v_mul(v_set(3.0), v_fma(s->U, s->G, v_mul(s->P, G))), s->over_q);
@@ -66,14 +66,14 @@ static inline void film_slope_angle(const film_slopes *s, vec *X, vec *Y) {
     *Y = v_fma(s->y, T, v_fma(s->B, s->G, v_fnma(s->A, G, v_fma(s->A, s->S, v_mul(s->B, S)))));
 }
 
-/// The derivatives of `strength`/FILM_STRENGTH_OF_1 times the force by x, y, x', y'. At rest in the centre, where the
-/// force has a corner, those by the velocities are zero.
+/// Computes the derivatives of `strength`/FILM_STRENGTH_OF_1 times the force by x, y, x' and y'. At rest in the centre,
+/// where the force has a corner, the derivatives by the velocities are zero.
 static inline void film_tangent(const film_state *f, vec strength, vec twice, tangent_block *tangent) {
     const film_slopes s = film_slope(f);
     const vec zero = v_set(0.0), two = v_set(2.0), C = v_mul(f->W, film_over_root(f));
     const vec over_C = v_select(v_less(zero, C), v_div(v_set(1.0), v_max(C, v_set(0x1p-1022))), zero);
     const vec c = v_mul(s.A, over_C), d = v_mul(s.B, over_C); // cos beta, sin beta
-    // The force in the film's frame, and its derivatives by place and by the frame's angle.
+    // Compute the force in the film's frame, and its derivatives by displacement and by the frame's angle.
     const vec factor = v_mul(v_set(-1.0 / FILM_STRENGTH_OF_1), v_mul(strength, s.over_q));
     const vec X = v_fma(s.x, s.T, v_fma(s.B, s.G, v_mul(s.A, s.S)));
     const vec Y = v_fma(s.y, s.T, v_fnma(s.A, s.G, v_mul(s.B, s.S)));
@@ -82,7 +82,7 @@ static inline void film_tangent(const film_state *f, vec strength, vec twice, ta
     film_slope_y(&s, &by_y[0], &by_y[1]);
     film_slope_angle(&s, &by_angle[0], &by_angle[1]);
     const vec force[2] = {X, Y}, steep_x = v_mul(v_mul(two, s.x), s.over_q), steep_y = v_mul(v_mul(two, s.y), s.over_q);
-    // Turn them back, row by row.
+    // Turn them back to x and y, row by row.
     vec *const rows[2] = {tangent->x, tangent->y};
     for (int i = 0; i < 2; i++) {
         const vec along = v_mul(force[i], over_C), across = v_mul(by_angle[i], over_C);

@@ -5,10 +5,10 @@
 #define KERNEL_NUMBERS RING_NUMBERS
 #define KERNEL_SWITCHES 0
 
-/// Numbers: the shaft's speed over the clock; the ring's speed with journal and ring centred; for each film one over
-/// the clearance in length scales, the scale of the force in newtons, and the angular acceleration of the ring (by tau)
-/// from its drag. The unit of its state is the inner clearance over length scales, so that distances of states do not
-/// depend on the length scale.
+/// Numbers: the shaft's speed divided by the clock; the ring's speed with journal and ring centred; for each film 1
+/// divided by the clearance in length scales, the scale of the force in newtons, and the angular acceleration of the
+/// ring (by tau) by its drag. The unit of its state is the inner clearance in length scales, so that distances of
+/// states do not depend on the length scale.
 enum {
     RING_TURN,
     RING_SPEED,
@@ -92,7 +92,7 @@ static whirl_status find_sides(const key_value *values, ring_side *inner, ring_s
     return status;
 }
 
-/// Returns the drag of a film per difference of its sides' speeds, N m s.
+/// Returns the drag of a film divided by the difference of its sides' speeds, N m s.
 static double drag_of(const ring_side *of) {
     return 6.28318530717958647692 * of->viscosity * of->radius * of->radius * of->radius * of->length / of->clearance;
 }
@@ -115,7 +115,7 @@ static whirl_status floating_ring_build(const key_value *values, assembly *to, e
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[RING], to, out);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[RING], &values[FROM], to, &around);
     if (status.code != WHIRL_OK) return status;
-    // Ports: journal and ring, whose difference is the first film's displacement; then ring and housing.
+    // The ports are journal and ring, whose difference is the displacement of the first film; then ring and housing.
     for (int a = 0; a < 2; a++) {
         out->port[4 + a] = out->port[2 + a];
         out->port[2 + a] = around.port[a];
@@ -132,7 +132,8 @@ static whirl_status floating_ring_build(const key_value *values, assembly *to, e
     return whirl_ok();
 }
 
-/// The speed of the ring is between those of journal and housing, by the drags of centred films.
+/// Raises doubts about both films. The speed of the ring is between those of journal and housing, by the drags of
+/// centred films.
 static void floating_ring_doubt(const key_value *values, double speed, const doubt_teller *to) {
     ring_side side[2];
     if (find_sides(values, &side[0], &side[1]).code != WHIRL_OK) return;
@@ -146,12 +147,13 @@ static void floating_ring_doubt(const key_value *values, double speed, const dou
     }
 }
 
-/// The speed of the ring over the shaft's.
+/// Computes the ratio of the ring's speed to the shaft's.
 static void floating_ring_paced(const element *own, const double *states, double *out) {
     out[0] = states[0] + own->number[RING_STATE_UNIT] * own->number[RING_SPEED];
 }
 
-/// Implements element_type.drag by the inner film alone: the ring, whose speed is a state, takes the rest.
+/// Implements element_type.drag with the inner film alone: the rest of the drag acts on the ring, whose speed is a
+/// state.
 static void floating_ring_drag(const element *own, const drag_view *in, double torque[2]) {
     const double *number = own->number, sense = copysign(1.0, number[RING_TURN]),
                  over = number[RING_INNER_OVER_CLEARANCE];

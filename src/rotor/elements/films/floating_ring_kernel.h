@@ -1,16 +1,18 @@
-// A ring that floats between a journal and its housing, in a short film on either side of it.
+// A ring that floats between a journal and its housing, with a short film on either side of it.
 //
-// A film between surfaces that turn at the speeds a and b of the shaft's is that of film_kernel.h with
-// A = s x - 2y', B = s y + 2x', s = a + b, in place of its A and B: s of either sign, for the mirror image of a film
-// that turns backwards is the same in these, and 0, where the film is squeezed alone. Of the ring, at r of the shaft's
-// speed, they are 1 + r within and r without. The oil drags it along and holds it back with
+// A film between surfaces that turn at a and b times the shaft's speed is that of film_kernel.h with A = s x - 2y' and
+// B = s y + 2x' in place of its A and B, where s = a + b. s may be negative, since the mirror image of a film that
+// turns backwards has the same A and B; and 0, for a film that is only squeezed. If the ring turns at r times the
+// shaft's speed, s is 1 + r in the inner film and r in the outer one. The oil of each film drags it along or holds it
+// back with
 //
 //     2 pi mu R^3 L (a - b)/(c sqrt(1 - e^2))
 //
-// on either side (Petroff's law, over the mean of 1/h). r, less what it is with journal and ring in the middle, is a
-// state, in RING_STATE_UNIT. Beyond a wall the force is not a number, and the motion counts as diverged.
+// (Petroff's law, over the mean of 1/h). The state is r minus its value with journal and ring centred, in units of
+// RING_STATE_UNIT. Beyond a wall the force is not a number, and the motion counts as diverged.
 
-/// Computes the force on the inner of two places with the relative displacement d and velocity w, and sqrt(1 - e^2).
+/// Computes the force on the inner one of two places with the relative displacement d and velocity w, and sqrt(1 -
+/// e^2).
 static inline void KERNEL(ring_film)(vec over_clearance, vec strength, const num *d, const num *w, num s, num *force,
                                      num *root) {
     const num x = n_scale(over_clearance, d[0]), y = n_scale(over_clearance, d[1]);

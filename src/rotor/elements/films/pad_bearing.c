@@ -1,4 +1,4 @@
-// A journal bearing of fixed pads: two grooves, lobes, halves.
+// A journal bearing with fixed pads: two grooves, lobes, halves.
 #define KERNEL_FILE "elements/films/pads_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 0
@@ -16,7 +16,7 @@ const element_kernels ISA(pad_bearing_kernels) = GENERIC_KERNELS;
 #include "elements/films/pads_drag.h"
 #include "elements/films/pads_gap.h"
 
-/// Returns the least thickness over all pads with the journal at a place, in the pads' clearance.
+/// Returns the least film thickness over all pads with the journal at a place, in units of the pads' clearance.
 static double thinnest(const element *own, const double journal[2]) {
     double least = INFINITY;
     for (size_t p = 0; p < (size_t)own->law; p++) {

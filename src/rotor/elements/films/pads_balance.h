@@ -1,20 +1,20 @@
 /// Tilt rate of a pad without inertia, at which the moments about its pivot balance.
 ///
-/// At a fixed tilt s the film's (A, B) = p (c, d) + r (d, -c), where (c, d) lies along the pad at its pivot: p follows
-/// from the journal, and s' = rate changes r alone, r = r_0 + 2 rate/speed. The moment
+/// At a fixed tilt s the film's (A, B) = p (c, d) + r (d, -c), where (c, d) lies along the pad at its pivot. p is
+/// determined by the journal, and s' = rate changes only r = r_0 + 2 rate/speed. The moment
 ///
 ///     M(rate) = spring s + damper rate + (c, d) f(p, r)
 ///
-/// grows with the rate, since films dissipate, and has one zero, which Newton's method finds within a bracket. It
-/// starts at the zero of a pad without spring and damper, r = lean p with p > 0, whose direction there depends on the
-/// place alone; else at rate 0. Lanes that have converged stay there: no lane depends on its neighbours.
+/// grows with the rate, since films dissipate. It has one zero, which Newton's method finds within a bracket. If p > 0
+/// the method starts at the zero of a pad without spring and damper, r = lean p, where `lean` depends on the journal's
+/// position alone; otherwise at rate 0. Lanes that have converged stay there: no lane depends on its neighbours.
 #ifndef ROTOR_PADS_BALANCE_H
 #define ROTOR_PADS_BALANCE_H
 
 #include "pads_look_up.h"
 
 /// State of the search. All pads of a bearing search at the same time, a step of each in turn, so that no step waits
-/// for the one before it.
+/// for the previous one.
 typedef struct pads_pivot {
     vec along[2]; ///< c, d
     vec p, r;     ///< r at rate 0
@@ -30,7 +30,7 @@ typedef struct pads_pivot {
     bool found;
 } pads_pivot;
 
-/// Computes M at the rate.
+/// Computes M at the present rate.
 VECTOR_INLINE vec pads_moment(pads_pivot *at, vec *V) {
     const vec r = v_fma(at->twice, at->rate, at->r);
     const vec a = v_fma(at->along[0], at->p, v_mul(at->along[1], r));
@@ -56,8 +56,8 @@ VECTOR_INLINE vec pads_moment(pads_pivot *at, vec *V) {
     return v_fma(at->along[0], at->force[0], v_fma(at->along[1], at->force[1], held));
 }
 
-/// Takes a step of Newton's method, or bisects if that leaves the bracket. A converged lane repeats the same step, and
-/// applies it when all lanes have converged, or with the last step.
+/// Takes a step of Newton's method, or bisects if that leaves the bracket. A converged lane repeats the same step; the
+/// step is applied when all lanes have converged, or if it is the last one.
 VECTOR_INLINE void pads_step(pads_pivot *at, bool last) {
     const vec zero = v_set(0.0), near = v_set(1e-7);
     vec V;
@@ -86,7 +86,7 @@ static inline void pads_balance(pads_pivot *pads, size_t count) {
         at->rate = v_select(v_less(v_set(0.0), at->p), free, v_set(0.0));
         at->low = v_set(-INFINITY);
         at->high = v_set(INFINITY);
-        at->cell = v_set(-1.0); // none
+        at->cell = v_set(-1.0); // no cell
         at->found = false;
     }
     bool all = false;

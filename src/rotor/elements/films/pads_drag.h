@@ -1,12 +1,12 @@
-/// Drag of pads on their journal. Included by the scalar builds of elements of pads.
+/// Drag of pads on their journal. Included by the scalar builds of elements with pads.
 #ifndef ROTOR_PADS_DRAG_H
 #define ROTOR_PADS_DRAG_H
 
 #include "turbulence.h"
 #include <math.h>
 
-/// Integrates the shear over a pad, dp/h over its arc with the journal at (x, y) in the frame of its middle, in its
-/// clearance. `reynolds` is that of the clearance.
+/// Integrates the shear over a pad: dp/h over its arc, with the journal at (x, y) in the frame of the pad's middle, in
+/// units of its clearance. reynolds: that of the clearance.
 static double pads_shear(const double *pad, double x, double y, whirl_turbulence law, double reynolds) {
     // Nodes and weights of Gauss' rule of order 20, on every quarter of the pad.
     static const double node[] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244, 0.8650633666889845,
@@ -24,8 +24,8 @@ static double pads_shear(const double *pad, double x, double y, whirl_turbulence
     return sum;
 }
 
-/// Implements element_type.drag: shear over all pads, as if their films were full, and half of the couple of every
-/// pad's force about the middle of its curvature.
+/// Implements element_type.drag: the shear over all pads, as if their films were full, and half of the couple of each
+/// pad's force about the centre of its curvature.
 static void pads_drag(const element *own, const drag_view *in, double torque[2]) {
     const kernel_view view = {.stride = 1, .number = own->number};
     const double *q = in->at->q, *v = in->at->v, d[2] = {q[0] - q[2], q[1] - q[3]}, w[2] = {v[0] - v[2], v[1] - v[3]};

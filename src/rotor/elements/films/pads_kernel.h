@@ -1,11 +1,12 @@
 // The films of pads, fixed or tilting (pads/reynolds.h has the equation, pads/pad_tables.h the tables). Included twice,
-// so without a guard; KERNEL_STATES is 0 of fixed pads.
+// so without a guard; KERNEL_STATES is 0 for fixed pads.
 //
-// For every pad the journal is turned into its frame, x along its middle, moved by the preload and, of one that tilts
-// by s, by -s along the pad at its pivot; all of a machine that turns clockwise is that of its mirror image. The film's
-// force on the journal acts along the pad on its tilt with the opposite sign: s'' = -force, with a spring and a damper
-// at the pivot; or 0 = -force, an equation for s', of one without inertia (pads_balance.h). With PADS_YIELD the pivot
-// moves outwards by u, the journal before the pad by -u along its radius.
+// For every pad the journal is transformed to the pad's frame: turned, so that x is along the pad's middle; moved by
+// the preload; and, if the pad tilts by s, moved by -s along the pad at its pivot. A machine that turns clockwise is
+// computed as its mirror image. The film's force on the journal along the pad acts on the tilt with the opposite sign:
+// s'' = -force, with a spring and a damper at the pivot. For a pad without inertia it is 0 = -force, an equation for s'
+// (pads_balance.h). With PADS_YIELD the pivot moves outwards by u, so that the journal is moved by -u along the pad's
+// radius.
 
 #ifndef PADS_YIELD
 #define PADS_YIELD 0
@@ -43,8 +44,9 @@ static inline void KERNEL(pads_place)(const kernel_view *view, const vec *pad, n
     *scale = n_mul(n_mul(n_mul(most, most), both), over);
 }
 
-/// The journal as a pad sees it, in its frame: place, and (A, B) at the present tilt; table coordinates of the place
-/// (pads_place); half of alpha; V times the scale, by which S becomes a force; the place in the table.
+/// The journal as a pad sees it, in the pad's frame: its position, and (A, B) at the present tilt; the table
+/// coordinates of the position (pads_place); half of alpha; V times the scale, which converts S to a force; and the
+/// place in the table.
 typedef struct KERNEL(pads_view) {
     num x, y, a, b, t, w, scale;
     num half, size;
@@ -111,7 +113,7 @@ static inline void KERNEL(pads_turn)(const kernel_view *view, const vec *pad, nu
     seen->b = n_sub(seen->b, n_scale(v_mul(twice, pad[PAD_ALONG_X * view->stride]), rate));
 }
 
-/// Sums all moments about the pivot except that of inertia.
+/// Returns the sum of all moments about the pivot except that of inertia.
 static inline num KERNEL(pads_moments)(const kernel_view *view, const vec *pad, num tilt, num rate, const num f[2]) {
     const size_t stride = view->stride;
     const num held = n_add(n_scale(view->number[PADS_TILT_SPRING * stride], tilt),
@@ -138,7 +140,8 @@ static inline void KERNEL(pads_prepare)(const kernel_view *view, const vec *pad,
     pads_find(pad[PAD_TABLE * stride], n_value(seen->t), n_value(seen->w), false, &out->spot);
 }
 
-/// Computes the force of such a pad, and the slope of its tilt, with derivatives of an implicit function.
+/// Computes the force of a pad without inertia, and the slope of its tilt, with the derivatives of an implicit
+/// function.
 static inline num KERNEL(pads_found)(const kernel_view *view, const vec *pad, const pads_pivot *found,
                                      KERNEL(pads_view) * seen, num tilt, num f[2]) {
     num rate = n_of(found->rate);
@@ -174,7 +177,7 @@ static inline void KERNEL(pads_yielding)(const kernel_view *view, const vec *pad
 #endif
 #endif
 
-/// Computes the forces of all pads, f [count] in their frames, and the slopes of the states.
+/// Computes the forces of all pads, f [count], in the pads' frames, and the slopes of the states.
 static inline void KERNEL(pads_forces)(const element *own, const kernel_view *view, const num *d, const num *w,
                                        const num *s, KERNEL(pads_view) * seen, num f[][2], num *slope) {
     const size_t stride = view->stride, count = (size_t)own->law;
@@ -188,7 +191,7 @@ static inline void KERNEL(pads_forces)(const element *own, const kernel_view *vi
     num place[KERNEL_STATES], rate[KERNEL_STATES];
     for (int i = 0; i < STATES_OF(own); i++) {
         place[i] = n_scale(over, s[i]);
-        rate[i] = n_set(0.0); // compilers do not see that pads set them all
+        rate[i] = n_set(0.0); // for compilers, which do not see that the pads set all of them
     }
     const num *yields = place + (pads_are_light(own) ? count : 2 * count);
     if (pads_are_light(own)) {

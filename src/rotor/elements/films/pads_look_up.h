@@ -1,4 +1,4 @@
-/// The numbers of bearings of pads, and their tables in lanes.
+/// The numbers of bearings with pads, and the interpolation of their tables in lanes.
 #ifndef ROTOR_PADS_LOOK_UP_H
 #define ROTOR_PADS_LOOK_UP_H
 
@@ -11,9 +11,9 @@
 
 enum { MAX_PADS = WHIRL_MAX_TILTING };
 
-/// Numbers of the bearing: one over the pads' clearance in length scales; 2 over the size of the shaft's speed by tau,
-/// and the sign of that speed; factors from the film's force, the spring and the damper to the tilts' slopes by tau;
-/// for yielding pivots the same factors along the radius.
+/// Numbers of the bearing: 1 divided by the pads' clearance in length scales; 2 divided by the magnitude of the shaft's
+/// speed by tau, and the sign of that speed; factors that convert the film's force, the spring and the damper to the
+/// tilts' slopes by tau; for yielding pivots the same factors along the radius.
 enum {
     PADS_OVER_CLEARANCE,
     PADS_CLEARANCE_UNIT,
@@ -28,8 +28,9 @@ enum {
     PADS_FIRST
 };
 
-/// Numbers of every pad, from PADS_FIRST on: its middle; the shift by the preload and the pad's direction at its pivot,
-/// in the frame of the middle; cosine and one over the sine of half the arc; the number of its table.
+/// Numbers of every pad, from PADS_FIRST on: cosine and sine of its middle; the shift by the preload, and the pad's
+/// direction at its pivot, in the frame of the middle; cosine and 1 divided by the sine of half the arc; the number of
+/// its table.
 enum {
     PAD_COSINE,
     PAD_SINE,
@@ -44,16 +45,16 @@ enum {
     PADS_NUMBERS = PADS_FIRST + MAX_PADS * PAD_NUMBERS
 };
 
-/// Most states of a bearing of tilting pads: tilt and rate of every pad (without inertia only the tilt), and on
-/// yielding pivots the outward displacement of every pad and its rate.
+/// Most states of a bearing with tilting pads: tilt and rate of every pad (without inertia only the tilt); and on
+/// yielding pivots also the outward displacement of every pad and its rate.
 enum { PADS_STATES = 2 * MAX_PADS, PADS_YIELDING_STATES = 2 * PADS_STATES };
 
-/// Returns true if its pads tilt without inertia.
+/// Returns true if the pads tilt without inertia.
 static inline bool pads_are_light(const element *own) {
     return own->states / (size_t)own->law % 2 == 1;
 }
 
-/// Compute four B-splines at u, 0 to 1 between two nodes, and their derivatives by u.
+/// Compute four B-splines at u, which is 0 to 1 between two nodes; and their derivatives, where u changes by over_step.
 VECTOR_INLINE void pads_splines(vec u, vec value[4]) {
     const vec m = v_sub(v_set(1.0), u), sixth = v_set(1.0 / 6.0), uu = v_mul(u, u), mm = v_mul(m, m);
     value[0] = v_mul(sixth, v_mul(mm, m));
@@ -70,8 +71,8 @@ VECTOR_INLINE void pads_spline_slopes(vec u, vec over_step, vec slope[4]) {
     slope[3] = v_mul(half, v_mul(u, u));
 }
 
-/// A position on an axis: the cell, the position in it, and 1 over the step (0 beyond the axis). NaN counts as the
-/// first node.
+/// A position on an axis: the cell, the position in the cell, and 1 divided by the step (0 beyond the ends of the
+/// axis). NaN counts as the first node.
 typedef struct pads_axis {
     vec cell, u, over_step;
 } pads_axis;
@@ -85,11 +86,11 @@ VECTOR_INLINE pads_axis pads_on_axis(vec at, double first, double step, int cell
     return on;
 }
 
-/// Number of sums over t and w: values and, if sloped, derivatives by t and by w.
+/// Sums over t and w: of values and, if derivatives are requested, of those by t and by w; and their number.
 enum { PADS_VALUE, PADS_BY_T, PADS_BY_W, PADS_SUMS };
 
 /// The journal's place in a pad's table, for any direction: the rows of every lane's table with the index of the first
-/// one, and for every sum the weights of the rows (products of the splines along t and w).
+/// one; and for every sum the weights of the rows, which are products of the splines along t and w.
 typedef struct pads_spot {
     const double *rows[VECTOR_LANES];
     vec first;
@@ -175,7 +176,7 @@ VECTOR_INLINE void pads_sum(const pads_spot *spot, vec cell, bool sloped, vec su
             }
         for (int kind = 0; kind < kinds; kind++) memcpy(all[kind][lane], sum[kind], sizeof sum[kind]);
     }
-    // Turn rows of lanes into vectors.
+    // Transpose the rows of lanes to vectors.
     for (int kind = 0; kind < kinds; kind++) v_transpose((const double(*)[8])all[kind], sums[kind]);
 }
 
@@ -200,8 +201,8 @@ VECTOR_INLINE void pads_polar(vec a, vec b, vec *V, vec *half, vec *over) {
     *half = v_half_angle(v_mul(a, part), v_mul(b, part));
 }
 
-/// Finds the places of all lanes in the tables of a pad. All pads of a bearing are found before any table is read, so
-/// that no read waits for its address.
+/// Place of all lanes in the tables of a pad. The places of all pads of a bearing are found before any table is read,
+/// so that no read waits for its address.
 typedef struct pads_entry {
     pads_spot spot;
     pads_axis alpha;
@@ -212,7 +213,7 @@ VECTOR_INLINE void pads_enter(vec table, vec t, vec w, vec half, bool sloped, pa
     pads_find(table, t, w, sloped, &entry->spot);
 }
 
-/// Reads S of every lane.
+/// Reads and interpolates S of every lane.
 static inline void pads_read(const pads_entry *entry, vec force[2]) {
     vec rows[1][8], weight[4];
     pads_sum(&entry->spot, entry->alpha.cell, false, rows);

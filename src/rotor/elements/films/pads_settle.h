@@ -1,10 +1,10 @@
-/// Equilibrium of pads for a journal at a given place: tilts, and displacements of yielding pivots. Included by the
+/// Equilibrium of pads for a journal at a given position: tilts, and displacements of yielding pivots. Included by the
 /// scalar builds of tilting_pad.c and tilting_pad_yielding.c.
 ///
-/// A pad at rest has the moment M(s) = spring s + (c, d) f of its tilt s, f the force of its film; it is stable where M
-/// changes from negative to positive. Of several such tilts the first one with a film is taken, as in `whirl bearing`
-/// (pads/pads.c), or for a pad with a spring the one to which it moves from its present tilt. On a pivot that yields by
-/// u the film's thrust equals spring u, which grows with u.
+/// The moment on a pad at rest with the tilt s is M(s) = spring s + (c, d) f, where f is the force of its film. The pad
+/// is stable where M changes from negative to positive. Of several such tilts the first one with a film is taken, as in
+/// `whirl bearing` (pads/pads.c); for a pad with a spring, the tilt to which it moves from its present tilt. On a pivot
+/// that yields by u the film's thrust equals spring u, which grows with u.
 #ifndef ROTOR_PADS_SETTLE_H
 #define ROTOR_PADS_SETTLE_H
 
@@ -14,7 +14,7 @@
 #include "bracket.h"
 #include "elements/films/pads_gap.h"
 
-/// Rates of tilts and of yielding pivots.
+/// Computes the rates of tilts and of yielding pivots, as element_type.paced.
 static void pads_paced(const element *own, const double *states, double *out) {
     const size_t pads = (size_t)own->law, tilts = pads_are_light(own) ? pads : 2 * pads;
     for (size_t i = 0; i < own->states; i++) {
@@ -23,18 +23,19 @@ static void pads_paced(const element *own, const double *states, double *out) {
     }
 }
 
-/// Films whose force is below this share of mu omega R L (R/c)^2 carry no pad: tables have larger errors.
+/// Share of mu omega R L (R/c)^2 below which the force of a film carries no pad: the errors of tables are larger.
 static const double pads_no_film = 1e-3;
 
-/// R delta/c, limit of the search for tilts.
+/// Largest tilt R delta/c of the search.
 static const double pads_widest = 20.0;
 
-/// A pad at rest, for a journal at a given place.
+/// A pad at rest, for a journal at a given position.
 typedef struct pads_rest {
     const kernel_view *view;
     const double *pad;
-    double journal[4];          ///< place, and velocity 0, in the pads' clearance, as the pads see them
-    double begin;               ///< tilt from which its motion is followed; NaN: none
+    double journal[4];          ///< position and velocity 0 in units of the pads' clearance, mirrored for a shaft that
+                                ///< turns clockwise
+    double begin;               ///< tilt from which the pad's motion is followed; NaN: it is not followed
     double yield[2];            ///< outward displacement of its pivot, and 0
     double tilt, film[2], size; ///< the tilt evaluated last, its film's force, and the force's size
 } pads_rest;
@@ -50,7 +51,7 @@ static double pads_moment_at(pads_rest *at, double tilt) {
     return pads_moments_plain(at->view, at->pad, tilt, 0.0, at->film);
 }
 
-/// Returns true if the pad does not touch the journal at a tilt: (x, y) in the frame of its middle, as in pads_place.
+/// Returns true if the pad does not touch the journal at a tilt, by the position in its frame, as in pads_place.
 static bool pads_are_free(const pads_rest *at, double tilt) {
     static const double least = 1e-4;
     pads_view_plain seen;
@@ -58,7 +59,7 @@ static bool pads_are_free(const pads_rest *at, double tilt) {
     return seen.x < 1.0 && pads_thinnest(at->pad, seen.x, seen.y) > least;
 }
 
-/// Finds the range of tilts without contact; false if it is empty.
+/// Finds the range of tilts without contact. Returns false if it is empty.
 static bool pads_free_tilts(const pads_rest *at, double ends[2]) {
     pads_view_plain seen;
     pads_see_plain(at->view, at->pad, at->journal, 0.0, at->yield, &seen);
@@ -72,8 +73,8 @@ static bool pads_free_tilts(const pads_rest *at, double ends[2]) {
     return true;
 }
 
-/// Finds the first adjacent tilts between which the moment changes from negative to positive, with a film on both or,
-/// with `any`, without regard to films. without such tilts at->tilt becomes the tilt with the weakest film.
+/// Finds the first adjacent tilts between which the moment changes from negative to positive, with a film at both; with
+/// `any` also without films. If there are no such tilts, at->tilt becomes the tilt with the weakest film.
 static bool pads_bracket_tilt(pads_rest *at, const double ends[2], bool any, bracket *found) {
     enum { LOOKS = 32 };
     double last = 0.0, before = 0.0, weakest = INFINITY, best = ends[0], size = 0.0;
@@ -91,8 +92,8 @@ static bool pads_bracket_tilt(pads_rest *at, const double ends[2], bool any, bra
     return false;
 }
 
-/// Finds the adjacent tilts between which a pad comes to rest that starts at at->begin and follows its moment. False if
-/// it reaches contact.
+/// Finds the adjacent tilts between which a pad comes to rest that starts at at->begin and follows its moment. Returns
+/// false if it reaches contact.
 static bool pads_follow_tilt(pads_rest *at, const double ends[2], bracket *found) {
     const double width = ends[1] - ends[0];
     double here = fmin(fmax(at->begin, ends[0]), ends[1]), moment = pads_moment_at(at, here), step = width / 4096.0;
@@ -109,9 +110,9 @@ static bool pads_follow_tilt(pads_rest *at, const double ends[2], bracket *found
     return true;
 }
 
-/// Finds the pad's equilibrium tilt, at->tilt with its film's force. A pad with a spring has an equilibrium even
-/// without a film: it is followed from its present tilt, so that the tilt does not jump while the journal moves. *idle:
-/// there is no film at this tilt. Returns false if the pad touches at every tilt.
+/// Finds the pad's equilibrium tilt, at->tilt, and its film's force. A pad with a spring has an equilibrium even
+/// without a film: it is followed from its present tilt, so that the tilt does not jump while the journal moves. *idle
+/// becomes true if there is no film at this tilt. Returns false if the pad touches the journal at every tilt.
 static bool pads_settle_tilt(pads_rest *at, bool *idle) {
     double ends[2];
     bracket between;
@@ -132,7 +133,7 @@ static bool pads_settle_tilt(pads_rest *at, bool *idle) {
 
 #if PADS_YIELD
 /// Returns the net inward force on a pad whose pivot is displaced outwards by u, at its equilibrium tilt; minus
-/// infinity if it touches.
+/// infinity if the pad touches the journal.
 static double pads_back(pads_rest *at, double u, bool *idle) {
     at->yield[0] = u;
     if (!pads_settle_tilt(at, idle)) return -INFINITY;
@@ -148,7 +149,7 @@ static bool pads_settle_pad(pads_rest *at, bool *idle) {
     for (int k = 0; k < 40 && below > 0.0; k++, step *= 2.0) below = pads_back(at, low = -step, idle);
     for (int k = 0; k < 40 && above < 0.0; k++, step *= 2.0) above = pads_back(at, high = step, idle);
     if (below > 0.0 || above < 0.0) return false;
-    // Leave the places where the film is broken.
+    // Narrow the bracket until the film at its lower end is not broken.
     for (int k = 0; k < 60 && isinf(below); k++) {
         const double middle = 0.5 * (low + high);
         back = pads_back(at, middle, idle);
@@ -204,7 +205,8 @@ static bool pads_settle(const element *own, const double *q, double *states, boo
         idle[tilt] = alone;
         if (!pads_are_light(own)) idle[tilt + 1] = alone, states[tilt + 1] = 0.0;
         if (!PADS_YIELD) continue;
-        // A pad without a film bounces freely on its pivot: errors of the tables there are not damping.
+        // A pad without a film bounces freely on its pivot; the small forces that tables have there are errors, not
+        // damping.
         idle[yield] = idle[yield + 1] = alone;
         states[yield] = unit * at.yield[0];
         states[yield + 1] = 0.0;
@@ -212,7 +214,7 @@ static bool pads_settle(const element *own, const double *q, double *states, boo
     return settled;
 }
 
-/// Implements element_type.film, for pads with a film. Tilting pads give way, so the wall is the contact with the
+/// Implements element_type.film, for pads with a film. Tilting pads give way, so that the wall is contact with the
 /// pivots; yielding pivots have no wall.
 static void pads_film(const element *own, const double *q, const double *states, element_film *out) {
     const kernel_view view = {.stride = 1, .number = own->number};
@@ -230,7 +232,7 @@ static void pads_film(const element *own, const double *q, const double *states,
         pads_see_plain(&view, at.pad, at.journal, at.tilt, at.yield, &seen);
         out->held[p] = at.size > pads_no_film;
         if (out->held[p]) out->least = fmin(out->least, unit * pads_thinnest(at.pad, seen.x, seen.y));
-        // Distance along the pivot's radius; the preload moves the pad's centre along it.
+        // Compute the distance along the pivot's radius. The preload moves the pad's centre along it.
         pads_in_frame(at.pad, at.journal, place);
         const double c = at.pad[PAD_ALONG_Y], s = -at.pad[PAD_ALONG_X],
                      beyond = hypot(at.pad[PAD_SHIFT_X], at.pad[PAD_SHIFT_Y]);

@@ -5,10 +5,10 @@
 #define KERNEL_NUMBERS SQUEEZE_NUMBERS
 #define KERNEL_SWITCHES 0
 
-/// Numbers: one over the clearance in length scales; the scale of the force in newtons.
+/// Numbers: 1 divided by the clearance in length scales; the scale of the force in newtons.
 enum { SQUEEZE_OVER_CLEARANCE, SQUEEZE_STRENGTH, SQUEEZE_NUMBERS };
 
-/// Bits of the law; without them the short damper with half a film.
+/// Bits of the law; without them it is the short damper with half a film.
 enum { SQUEEZE_LONG = 1, SQUEEZE_FULL = 2 };
 
 #include "doubts.h"
@@ -44,7 +44,7 @@ static oil oil_of(const key_value *values) {
     return (oil){&values[OIL]};
 }
 
-/// mu omega R L^3/c^2 or 12 mu omega L R^3/c^2, in N.
+/// Returns the scale of the force, mu omega R L^3/c^2 or 12 mu omega L R^3/c^2, N.
 static double strength(const key_value *values, double viscosity, double speed) {
     const double radius = values[RADIUS].number, length = values[LENGTH].number, clearance = values[CLEARANCE].number;
     const double shape = values[LAW].choice ? 12.0 * radius * radius : length * length;
@@ -64,7 +64,7 @@ static whirl_status squeeze_build(const key_value *values, assembly *to, element
     return whirl_ok();
 }
 
-/// Raises doubts. The long law, with sealed ends, holds for any length.
+/// Raises doubts about the values. The long law, with sealed ends, holds for any length.
 static void squeeze_doubt(const key_value *values, double speed, const doubt_teller *to) {
     const oil own = oil_of(values);
     const double reynolds = oil_reynolds(&own, speed, values[CLEARANCE].number), most = 1.0; // San Andres 2010

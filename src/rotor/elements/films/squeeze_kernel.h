@@ -1,26 +1,28 @@
 // A squeeze film damper: a cylinder that does not turn, in an oil film of clearance c.
 //
-// With the centre of the cylinder at r = (x, y) from that of its housing and moving at v, both in clearances, the film
-// is h = 1 - r.n thick in the direction n = (cos phi, sin phi). Reynolds' equation without wedge gives a pressure, over
-// the length in the short damper and at every place in the long one, in proportion to
+// The centre of the cylinder is at r = (x, y) from that of its housing and moves at v, both in clearances. The film's
+// thickness is h = 1 - r.n in the direction n = (cos phi, sin phi). By Reynolds' equation without wedge the pressure,
+// over the length in the short damper and at every place in the long one, is proportional to
 //
 //     short: v.n/h^3,      long: w.n (1/h + 1/h^2),   w = (2v + r (r.v))/(2 + r^2),
 //
-// positive over the half of the circumference around the direction of v or w. With v standing for w in the long one,
+// It is positive over the half of the circumference around the direction of v or w. With v standing for w in the long
+// damper and
 //
 //     q = 1 - r^2,  p = r.v,  u = y v_x - x v_y,  W = sqrt(q v^2),  D = W^2 + p^2,  M = (W + p angle)/q,  E = u W/D
 //
-// the integral of the positive half is, with angle = pi/2 + atan(p/W),
+// the force, the integral over the positive half, is with angle = pi/2 + atan(p/W)
 //
 //     short: f = -q^(-3/2) (angle v + 3 M r + E (v_y, -v_x)),      long: f = -q^(-1/2) (angle v + M r)
 //
-// times mu omega R L^3/c^2 or 12 mu omega L R^3/c^2. The whole film, negative pressures too, has angle = pi and W = 0.
+// times mu omega R L^3/c^2 or 12 mu omega L R^3/c^2. For the whole film, which has negative pressures too, angle = pi
+// and W = 0.
 //
-// A cylinder at rest feels no force; the 2^-600 in v^2 keeps its quotients finite. Its derivative there, where that of
-// the half film jumps with the direction, is half that of the whole film, the mean of moving one way and the other.
-// Beyond the wall (q < 0) the force is not a number, and the motion counts as diverged.
+// A cylinder at rest feels no force; the 2^-600 in v^2 keeps its quotients finite. The derivative of the half film
+// jumps there with the direction. It is taken as half that of the whole film, the mean of moving in opposite
+// directions. Beyond the wall (q < 0) the force is not a number, and the motion counts as diverged.
 
-/// Computes r and v in clearances; for a long damper w in place of v.
+/// Computes r and v in clearances; for a long damper, w in place of v.
 static inline void KERNEL(squeeze_motion)(const element *own, vec over_clearance, const num *d, const num *w, num *r,
                                           num *v) {
     for (int a = 0; a < KERNEL_AXES; a++) {
@@ -39,10 +41,10 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     num r[KERNEL_AXES], v[KERNEL_AXES];
     (void)s, (void)slope;
     KERNEL(squeeze_motion)(own, view->number[SQUEEZE_OVER_CLEARANCE * view->stride], d, w, r, v);
-    // q is 1 less the square of the eccentricity, p half the rate of that square.
+    // q is 1 minus the square of the eccentricity, p half the rate of that square.
     const num q = n_sub(n_set(1.0), n_fma(r[0], r[0], n_mul(r[1], r[1])));
     const num p = n_fma(r[0], v[0], n_mul(r[1], v[1])), over_q = n_div(n_set(1.0), q);
-    // The part of the circumference that carries: half with cavitation, else all.
+    // Only half of the circumference carries with cavitation, otherwise all of it.
     num W = n_set(0.0), angle = n_set(3.14159265358979323846), E = n_set(0.0);
     if (!(own->law & SQUEEZE_FULL)) {
         W = n_sqrt(n_mul(q, n_fma(v[0], v[0], n_fma(v[1], v[1], n_set(0x1p-600)))));
@@ -50,7 +52,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
         const num u = n_sub(n_mul(r[1], v[0]), n_mul(r[0], v[1]));
         E = n_div(n_mul(u, W), n_fma(W, W, n_mul(p, p)));
     }
-    // A short film, or a long one.
+    // Choose between a short and a long film.
     num M = n_mul(n_fma(p, angle, W), over_q), factor = n_scale(strength, n_sqrt(over_q));
     num across[2] = {n_set(0.0), n_set(0.0)};
     if (!(own->law & SQUEEZE_LONG)) {
@@ -59,7 +61,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
         across[0] = n_mul(E, v[1]);
         across[1] = n_sub(n_set(0.0), n_mul(E, v[0]));
     }
-    // The force along both axes.
+    // Compute the force along both axes.
     for (int a = 0; a < KERNEL_AXES; a++) {
         const num push = n_fma(angle, v[a], n_fma(M, r[a], across[a]));
         force[a] = n_sub(n_set(0.0), n_mul(factor, push));

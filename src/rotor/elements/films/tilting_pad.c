@@ -1,4 +1,4 @@
-// A journal bearing of pads that tilt, with their tilts as states.
+// A journal bearing with pads that tilt; their tilts are states.
 #define KERNEL_FILE "elements/films/pads_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES PADS_STATES

@@ -1,4 +1,4 @@
-// Variant of tilting_pad whose pivots yield along the radius: two more states a pad.
+// Variant of tilting_pad whose pivots yield along the radius, with two more states for each pad.
 #define KERNEL_FILE "elements/films/pads_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES PADS_YIELDING_STATES

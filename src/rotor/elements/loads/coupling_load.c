@@ -8,8 +8,8 @@
 
 enum { MAX_ORDERS = 8 };
 
-/// Numbers: the time function's parts (steady, by cos tau, by sin tau, by cos 2 tau, ...); then, in SI, FX and FY on
-/// the driving shaft, MX and MY on both.
+/// Numbers: the coefficients of the time function (constant, of cos tau, of sin tau, of cos 2 tau, ...); then, in SI,
+/// FX and FY on the driving shaft, and MX and MY on both shafts.
 enum { REACTION_PARTS, REACTION_FORCES = 2 * MAX_ORDERS + 1, REACTION_NUMBERS = REACTION_FORCES + 6 };
 
 #include "generic.h"
@@ -59,7 +59,7 @@ static whirl_status coupling_load_check(const key_value *values) {
     return whirl_ok();
 }
 
-/// Computes FX, FY, MX and MY on the driving shaft, then MX and MY on the driven one, with the signs of Gibbons.
+/// Computes FX, FY, MX and MY on the driving shaft, then MX and MY on the driven shaft, with the signs of Gibbons.
 static void gibbons(const key_value *values, double torque, double out[6]) {
     const double z = values[DISTANCE].number, k = values[STIFFNESS].number;
     const double theta[2] = {asin(values[X1].number / z), asin(values[X2].number / z)};
@@ -73,8 +73,8 @@ static void gibbons(const key_value *values, double torque, double out[6]) {
     out[1] = (out[2] + out[4]) / z;
 }
 
-/// Writes c_0, then c_n cos(n phase) and -c_n sin(n phase), 0 for a shaft that stands still; for clockwise rotation tau
-/// is negative.
+/// Writes c_0, then c_n cos(n phase) and -c_n sin(n phase), which are 0 for a shaft that stands still. For clockwise
+/// rotation tau is negative.
 static int fill_orders(const key_value *values, double phase, bool stands, double *number) {
     const key_value *orders = &values[ORDERS];
     const size_t count = orders->count > 0 ? orders->count : 1;
@@ -87,8 +87,8 @@ static int fill_orders(const key_value *values, double phase, bool stands, doubl
     return (int)count - 1;
 }
 
-/// Its forces balance the moments that bend coupling and shafts; z from the driving to the driven shaft, where MX turns
-/// dy/dz and -MY turns dx/dz.
+/// Builds the element. Its forces balance the moments that bend coupling and shafts. z is from the driving to the
+/// driven shaft; MX turns dy/dz, and -MY turns dx/dz.
 static whirl_status coupling_load_build(const key_value *values, assembly *to, element *out) {
     static const axis axes[] = {AXIS_X, AXIS_Y, AXIS_TILT_X, AXIS_TILT_Y};
     whirl_status status = coupling_load_check(values);
@@ -98,14 +98,14 @@ static whirl_status coupling_load_build(const key_value *values, assembly *to, e
     const double way = copysign(1.0, to->turn);
     gibbons(values, way * values[TORQUE].number, force);
     out->law = fill_orders(values, way * values[PHASE].number, assembly_stands(to), out->number + REACTION_PARTS);
-    // The kernel applies forces to the second places with opposite sign.
+    // The kernel applies the forces on the second places with the opposite sign.
     const double on[KERNEL_PORTS] = {force[0], force[1], -force[3], force[2], force[0], force[1], force[5], -force[4]};
     generic_scale(out, to, 1.0);
     for (size_t port = 0; port < KERNEL_PORTS; port++) out->number[KERNEL_NUMBERS + port] *= on[port];
     return status;
 }
 
-/// Returns the last of its orders, if that exceeds 1.
+/// Returns the last of its orders if that exceeds 1.
 static bool coupling_load_named_order(const element *own, size_t index, double *order, const char **name) {
     if (index > 0 || own->law < 2) return false;
     *order = own->law;

@@ -1,5 +1,5 @@
-// Reactions with one common time function: the sum over the orders n of c_n cos n tau + s_n sin n tau. Powers of exp(i
-// tau) are computed as products.
+// Reactions with a common time function: the sum over the orders n of c_n cos n tau + s_n sin n tau. The powers of
+// exp(i tau) are computed as products.
 static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,
                                  num *force, num *slope) {
     const num cosine = n_phase(view, COS_TAU), sine = n_phase(view, SIN_TAU);

@@ -32,7 +32,7 @@ static const whirl_key keys[KEY_COUNT] = {
 
 static whirl_status drive_build(const key_value *values, assembly *to, element *out) {
     const key_value *speeds = &values[SPEEDS], *torques = &values[TORQUES];
-    // One drive, whose torque is a line or a table.
+    // Check that there is one drive, whose torque is a line or a table.
     shaft_drive *drive = &to->drive;
     (void)out;
     if (drive->given) return whirl_fail(WHIRL_BAD_INPUT, "is a second drive, expected one");
@@ -50,12 +50,12 @@ static whirl_status drive_build(const key_value *values, assembly *to, element *
                           speeds->count, torques->count);
     if (values[NO_LOAD].given && !values[TORQUE].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has no_load_speed without torque, expected both");
-    // Stations of the motor and of its load.
+    // Check the stations of the motor and of its load.
     const size_t at = values[AT].given ? values[AT].station[0] : NO_STATION;
     whirl_status status = assembly_turns(to, at);
     if (status.code == WHIRL_OK && values[LOAD_AT].given) status = assembly_turns(to, values[LOAD_AT].station[0]);
     if (status.code != WHIRL_OK) return status;
-    // Copy it to the rotor.
+    // Copy the drive to the assembly.
     *drive = (shaft_drive){.given = true,
                            .at = at,
                            .load_at = values[LOAD_AT].given ? values[LOAD_AT].station[0] : at,

@@ -1,4 +1,4 @@
-// A harmonic force, moment or torque from outside, at the speed of the shaft or with a phase of its own.
+// A harmonic force, moment or torque from outside, at the speed of the shaft or with its own phase.
 #define KERNEL_FILE "elements/loads/harmonic_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 1
@@ -31,7 +31,7 @@ enum {
     KEY_COUNT
 };
 
-/// Sense of rotation of each law.
+/// Sense of rotation of each law: along an axis, forward, backward.
 static const double sides[] = {0.0, 1.0, -1.0};
 
 static const whirl_key keys[KEY_COUNT] = {
@@ -71,9 +71,9 @@ double harmonic_rounds(const element *own, size_t state) {
 void harmonic_force(element *out, const assembly *to, double size, double side, double angle, double phase,
                     double rate) {
     const double direction[2] = {cos(angle), sin(angle)}, across[2] = {-sin(angle), cos(angle)};
-    // The sense of the shaft's rotation does not matter to the phase: cos(phase + tau) = cos(-phase - tau).
+    // The sense of the shaft's rotation does not change the force: cos(phase + tau) = cos(-phase - tau).
     phase = copysign(1.0, to->turn) * phase;
-    // Along its direction cos(theta + phase); across, on the side to which it turns, sin(theta + phase).
+    // The force along its direction is cos(theta + phase); across, on the side to which it turns, sin(theta + phase).
     for (size_t a = 0; a < 2; a++) {
         out->number[2 * a] = size * (direction[a] * cos(phase) + side * across[a] * sin(phase));
         out->number[2 * a + 1] = size * (-direction[a] * sin(phase) + side * across[a] * cos(phase));
@@ -114,7 +114,7 @@ static whirl_status find_ports(const key_value *values, const assembly *to, elem
         return status;
     }
     element_on(&values[AT], to, tilts ? AXIS_TILT_X : AXIS_X, out);
-    // A station that moves along one axis feels the component along it.
+    // A station that moves along one axis feels the component along this axis.
     return tilts ? assembly_find(to, out->station, AXIS_TILT_X, &out->port[0]) : whirl_ok();
 }
 
@@ -133,7 +133,7 @@ static whirl_status force_check(const key_value *values) {
     return whirl_ok();
 }
 
-/// Adds the constant part along the angle, or about the shaft's axis.
+/// Adds the constant force along the angle, or the constant torque about the shaft's axis.
 static void add_steady(const key_value *values, assembly *to, const element *out) {
     const double direction[2] = {cos(values[ANGLE].number), sin(values[ANGLE].number)};
     for (size_t a = 0; a < 2; a++) {
@@ -145,7 +145,7 @@ static void add_steady(const key_value *values, assembly *to, const element *out
     }
 }
 
-/// Notes the torques, to which the twists respond at their own frequency.
+/// Registers the torques, to which the twists respond at their own frequency.
 static void force_note_torque(const key_value *values, assembly *to) {
     const double sense = copysign(1.0, to->turn);
     harmonic_torque own = {.station = values[AT].station[0], .about_z = true, .count = 1};

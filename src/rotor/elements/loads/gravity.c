@@ -1,4 +1,5 @@
-// Gravity: the same constant acceleration on every station, across the shafts; along them only thrust.c uses it.
+// Gravity: the same constant acceleration of every station, across the shafts. Gravity along the shafts is used by
+// thrust.c alone.
 #include "registry.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
@@ -33,7 +34,7 @@ static whirl_status gravity_build(const key_value *values, assembly *to, element
     if (!stands && values[GRAVITY_HELD_AT].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has held_at without axis: vertical, expected both or none of them");
     if (stands) return whirl_ok();
-    // Straight down without the rounding of cos(-pi/2).
+    // Gravity straight down avoids the rounding of cos(-pi/2).
     if (values[GRAVITY_DIRECTION].given)
         assembly_pull(to, size * cos(direction), size * sin(direction));
     else

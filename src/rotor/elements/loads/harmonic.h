@@ -1,11 +1,11 @@
-/// Forces that are harmonic in a phase of their own, which turns at a constant rate (force.c).
+/// Forces that are harmonic in their own phase, which turns at a constant rate (force.c).
 #ifndef ROTOR_HARMONIC_H
 #define ROTOR_HARMONIC_H
 
 #include "element.h"
 
-/// Numbers: the force along x and y, newtons: X_C cos theta + X_S sin theta, Y_C cos theta + Y_S sin theta; theta' by
-/// tau. As many numbers follow as there are ports.
+/// Numbers: the force along x and y in newtons, X_C cos theta + X_S sin theta and Y_C cos theta + Y_S sin theta; theta'
+/// by tau. As many numbers as there are ports follow.
 enum {
     HARMONIC_XC,
     HARMONIC_XS,
@@ -16,35 +16,36 @@ enum {
     HARMONIC_NUMBERS = HARMONIC_OWN + 4
 };
 
-/// The largest ratio, either way, and most turns in a revolution of motions: steps and samples are counted in these.
+/// The largest ratio of a phase, in either direction; and most turns in a revolution of motions, whose steps and
+/// samples are counted in turns.
 #define HARMONIC_FASTEST 1000.0
 
 extern const element_kernels *const harmonic_kernels[VECTOR_ISAS];
 
-/// The key that names the phase by which sections are taken.
+/// The key of the phase that defines sections.
 // clang-format off
 #define HARMONIC_KEYPHASOR                                                                                             \
     CHOICE_KEY("keyphasor", DEFAULT("no"), "no|yes", \
      "yes: the turns of this phase, in place of the shaft's, define sections, revolutions and orders")
 // clang-format on
 
-/// Returns the turns of the phase in a revolution.
+/// Returns the number of turns of the phase in a revolution.
 double harmonic_rounds(const element *own, size_t state);
 
-/// Rejects a phase that turns too often in a revolution, if the machine is built to move (assembly.in_time). Studies at
+/// Rejects a phase that turns too often in a revolution if the machine is built to move (assembly.in_time). Studies at
 /// rest do not depend on phases. WHIRL_BAD_INPUT with a sentence.
 whirl_status harmonic_check_rate(const assembly *to, double rate);
 
-/// Returns the order of element_type.named_order without name: the phase's rate, if it turns faster than the shaft.
+/// Returns the order of element_type.named_order, without name: the phase's rate if it turns faster than the shaft.
 bool harmonic_order(const element *own, size_t index, double *order);
 
-/// Makes the element a force of `size` newtons on the ports out->port[0] and [1], with a phase that starts at `phase`
-/// and turns by `rate` a radian of tau: along the direction `angle` (side 0), or turning from there with the
-/// shaft (1) or against it (-1).
+/// Makes the element a force of `size` newtons on the ports out->port[0] and [1]. Its phase starts at `phase` and turns
+/// by `rate` per radian of tau. It acts along the direction `angle` (side 0), or turns from there with the shaft (side
+/// 1) or against it (side -1).
 void harmonic_force(element *out, const assembly *to, double size, double side, double angle, double phase,
                     double rate);
 
-/// The keys `at`, `moment` and `angle` of an unbalance, which its enum begins with.
+/// The keys `at`, `moment` and `angle` of an unbalance, with which its enum begins.
 // clang-format off
 #define UNBALANCE_KEYS                                                                                                 \
     STATION_KEY("at", REQUIRED, "station that carries it"),                       \

@@ -1,4 +1,4 @@
-// A force on a place that is harmonic in a phase of its own, a state theta that turns at a constant rate:
+// A force on a place that is harmonic in its own phase, a state theta that turns at a constant rate:
 //
 //     f = (X_c cos theta + X_s sin theta, Y_c cos theta + Y_s sin theta),   theta' = rate.
 static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,

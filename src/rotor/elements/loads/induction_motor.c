@@ -1,5 +1,5 @@
-// An induction motor by its equations: the flux linkages of stator and rotor are states, so that the pulsation at line
-// frequency after switching on comes out by itself. It acts in run-ups alone.
+// An induction motor by its equations. The flux linkages of stator and rotor are states, so that the pulsation at line
+// frequency after switching on is a result. It acts in run-ups alone.
 #include "registry.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
@@ -39,12 +39,14 @@ static const whirl_key keys[KEY_COUNT] = {
     [PHASE] = ANGLE_KEY("phase", "phi_0", NULL, "of the voltage when it is switched on, at t = 0"),
 };
 
-/// Numbers of the law: amplitude of a phase's voltage, rad/s of the line, pairs of poles, the motor's own.
+/// Numbers of the law: amplitude of a phase's voltage, frequency of the line in rad/s, pairs of poles, then the motor's
+/// impedances.
 enum { AMPLITUDE, LINE, PAIRS, R_S, X_LS, X_M, X_LR, R_R };
-enum { PHASE_AT = 0 }; ///< in the table
+enum { PHASE_AT = 0 }; ///< column of the table
 
-/// Krause, Wasynczuk, Sudhoff, "Analysis of Electric Machinery" (2002), ch. 4, in the stationary frame with flux
-/// linkages per second, V: of the stator q, d, of the rotor q, d.
+/// Returns the torque, and writes the slopes of the states: flux linkages per second, V, of the stator q, d, then of
+/// the rotor q, d, in the stationary frame. After Krause, Wasynczuk, Sudhoff, "Analysis of Electric Machinery" (2002),
+/// ch. 4.
 static double induction_torque(const shaft_torque *own, const torque_place *at, double *slopes) {
     const double *n = own->number, *psi = at->state, line = n[LINE], angle = line * at->time + own->table[0][PHASE_AT];
     const double mutual = 1.0 / (1.0 / n[X_M] + 1.0 / n[X_LS] + 1.0 / n[X_LR]), turning = n[PAIRS] * at->speed;

@@ -35,7 +35,7 @@ static const whirl_key keys[KEY_COUNT] = {
                                  "Fritsch, Butland 1984"),
 };
 
-/// Returns how many numbers a key has, of which one alone is no list.
+/// Returns how many numbers a key has. A single number is not a list.
 static size_t pulsation_count(const key_value *of) {
     return !of->given ? 0 : of->count > 0 ? of->count : 1;
 }
@@ -44,13 +44,13 @@ static const double *pulsation_list(const key_value *of) {
     return of->count > 0 ? of->list : &of->number;
 }
 
-/// Checks keys that contradict each other, and the lengths of lists.
+/// Checks for keys that contradict each other, and the lengths of lists.
 static whirl_status pulsation_check(const key_value *values) {
     const key_value *speeds = &values[SPEEDS], *sizes = &values[values[SHARES].given ? SHARES : AMPLITUDES];
     const key_value *rates = &values[values[FREQUENCIES].given ? FREQUENCIES : ORDERS];
     const size_t count = pulsation_count(rates), rows = speeds->given ? pulsation_count(speeds) : 1;
     const char *name = values[SHARES].given ? "shares" : "amplitudes";
-    // Sizes and rates are given in one way each, and together.
+    // Amplitudes and rates must be given in one way each, and together.
     if (values[ORDERS].given && values[FREQUENCIES].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has orders and frequencies, expected one of them: a pulsation for each");
     if (values[AMPLITUDES].given && values[SHARES].given)
@@ -66,7 +66,7 @@ static whirl_status pulsation_check(const key_value *values) {
                           "has %s alone, expected orders or frequencies together with amplitudes or "
                           "shares",
                           rates->given ? values[ORDERS].given ? "orders" : "frequencies" : name);
-    // Lists have as many numbers as there are pulsations and speeds.
+    // Lists must have as many numbers as there are pulsations and speeds.
     if (speeds->given && (speeds->count < 2 || speeds->rows > 1 || !table_rises(speeds->count, speeds->list)))
         return whirl_fail(WHIRL_BAD_INPUT, "has %zu speeds, expected a list of at least 2 that rise", speeds->count);
     if (sizes->given && pulsation_count(sizes) != count * rows)
@@ -87,7 +87,7 @@ static whirl_status pulsation_check(const key_value *values) {
     return whirl_ok();
 }
 
-/// Adds a torque with `factor` times its numbers, one for each speed.
+/// Adds a torque of `factor` times its numbers, one for each speed.
 static void pulsation_add(const key_value *values, assembly *to, harmonic_torque own, const double *sizes,
                           double factor) {
     own.station = values[AT].station[0];

@@ -1,13 +1,13 @@
-// An unbalance while the speed runs up or down evenly, for designs of the library. Speed and angle are states; the
-// rotor's own speed is only the unit of time.
+// An unbalance while the speed runs up or down evenly, for designs of programs that use the library. Speed and angle
+// are states; the rotor's own speed is only the unit of time.
 #define KERNEL_FILE "elements/loads/run_up_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 2
 #define KERNEL_NUMBERS RUN_UP_NUMBERS
 #define KERNEL_SWITCHES 0
 
-/// Numbers: U omega^2 in newtons; the speed at t = 0 over the rotor's; the acceleration over the square of the rotor's
-/// speed; the angle at t = 0.
+/// Numbers: U omega^2 in newtons; the speed at t = 0 divided by the rotor's speed; the acceleration divided by the
+/// square of the rotor's speed; the angle at t = 0.
 enum { RUN_UP_SIZE, RUN_UP_SPEED, RUN_UP_ACCELERATION, RUN_UP_ANGLE, RUN_UP_NUMBERS };
 
 #include "generic.h"

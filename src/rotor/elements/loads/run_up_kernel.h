@@ -1,4 +1,5 @@
-// An unbalance while the speed runs up: theta' = nu and nu' = alpha are states, so that nothing divides by the speed,
+// An unbalance while the speed runs up. The states are theta' = nu and nu' = alpha, so that nothing divides by the
+// speed. The force is
 //
 //     f = U (nu^2 cos theta + alpha sin theta, nu^2 sin theta - alpha cos theta).
 static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,

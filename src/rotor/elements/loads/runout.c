@@ -1,4 +1,4 @@
-// Runout: apparent motion that probes see on a shaft that is not round, or not of uniform metal. No force.
+// Runout: apparent motion that probes see on a shaft that is not round, or not of uniform metal. It causes no force.
 #include "registry.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
@@ -24,7 +24,7 @@ static const whirl_key keys[KEY_COUNT] = {
                                   ""),
 };
 
-/// The surface a cos n psi + b sin n psi, psi = alpha - way tau under a probe at alpha, as Re(v exp(i n tau)).
+/// Adds the surface a cos n psi + b sin n psi, psi = alpha - way tau, under a probe at alpha, as Re(v exp(i n tau)).
 static void runout_add(const key_value *values, assembly *to, int order, double a, double b) {
     const double way = copysign(1.0, to->turn), quarter = -way * 0.25 * two_pi * (order % 4);
     const int by = values[SEEN_BY].choice;

@@ -20,11 +20,11 @@ static const whirl_key keys[KEY_COUNT] = {
     [TIME] = NUMBER_KEY("time", "t_0", "s", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "when it happens"),
 };
 
-/// Numbers of the law, by their keys.
+/// The keys of the law's numbers, in their order.
 static const int of_law[] = {TORQUE, FREQUENCY, FIRST, SECOND, DECAY, TIME};
 enum { T_0, LINE, A_1, A_2, T_A, AFTER };
 
-/// T_0 exp(-t/T_a) (a_1 sin w t + a_2 sin 2 w t); none before.
+/// Returns T_0 exp(-t/T_a) (a_1 sin w t + a_2 sin 2 w t), or 0 before the short circuit.
 static double circuit_torque(const shaft_torque *own, const torque_place *at, double *slopes) {
     const double *n = own->number, t = at->time - n[AFTER], phase = two_pi * n[LINE] * t;
     (void)slopes;

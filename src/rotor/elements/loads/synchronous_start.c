@@ -1,4 +1,4 @@
-// A synchronous motor that starts asynchronously: its torque has a mean and a part that pulsates at twice the slip
+// A synchronous motor that starts asynchronously. Its torque has a mean and a part that pulsates at twice the slip
 // frequency. It acts in run-ups alone.
 #include "registry.h"
 
@@ -25,7 +25,7 @@ static const whirl_key keys[KEY_COUNT] = {
     [PHASE] = ANGLE_KEY("phase", "psi_0", NULL, "of the pulsation at t = 0, for a station at the angle 0"),
 };
 
-/// Numbers of the law, and rows of its table.
+/// Numbers of the law, and the rows of its table.
 enum { LINE, PAIRS, BEGIN };
 enum { ROW_SLIP, ROW_MEAN, ROW_PULSATING };
 
@@ -35,7 +35,8 @@ static double synchronous_value(const shaft_torque *own, int row, double slip) {
     return table_value(own->count, slips, own->table[row], fmin(fmax(slip, slips[0]), slips[own->count - 1]));
 }
 
-/// T = T_a + T_p sin psi, psi' = 2 (2 pi f - p theta'): the pulsation falls from twice line frequency to 0.
+/// Returns T = T_a + T_p sin psi with psi' = 2 (2 pi f - p theta'). The frequency of the pulsation falls from twice the
+/// line frequency to 0.
 static double synchronous_torque(const shaft_torque *own, const torque_place *at, double *slopes) {
     const double *n = own->number, slip = 1.0 - n[PAIRS] * at->speed / n[LINE];
     const double psi = 2.0 * (n[LINE] * at->time - n[PAIRS] * at->angle) + n[BEGIN];
@@ -50,7 +51,7 @@ static double synchronous_highest(const shaft_torque *own) {
 static const torque_law synchronous_law = {
     .name = "synchronous_start", .motor = true, .torque = synchronous_torque, .highest = synchronous_highest};
 
-/// Copies a list of `count` numbers, or one number for all, to a row of the table.
+/// Copies a list of `count` numbers, or a single number for all, to a row of the table.
 static whirl_status synchronous_row(const key_value *value, const char *name, size_t count, double *row) {
     if (value->count > 1 && count == 1)
         return whirl_fail(WHIRL_BAD_INPUT, "has %zu %s and no slips, expected one number, or slips", value->count,

@@ -1,4 +1,4 @@
-// An unbalance mass, turning with the shaft that carries the station or with another one.
+// An unbalance mass that turns with the shaft on which the station is, or with another shaft.
 #include "harmonic.h"
 #include "registry.h"
 

@@ -6,8 +6,8 @@
 #define KERNEL_SWITCHES 0
 #define KERNEL_PHASED 1
 
-/// Numbers: newtons by cos tau and sin tau along x and y of the first plane, then of the second; kg m in total, in the
-/// first and in the second plane.
+/// Numbers: newtons by cos tau and by sin tau, along x and y of the first plane, then of the second; unbalances in
+/// total, in the first and in the second plane, kg m.
 enum { RESIDUAL_FORCES, RESIDUAL_MOMENTS = 2 * KERNEL_AXES, RESIDUAL_NUMBERS = RESIDUAL_MOMENTS + 3 };
 
 #include "generic.h"
@@ -44,7 +44,7 @@ static const whirl_key keys[KEY_COUNT] = {
                           "share of the allowed unbalance that the rotor has"),
 };
 
-/// Computes mass and centre of a station's shaft, by exact moments of the distributed mass.
+/// Computes mass and centre of a shaft, by exact moments of the distributed mass.
 static void weigh(const assembly *of, size_t shaft, double *mass, double *centre) {
     double moment = 0.0;
     *mass = 0.0;
@@ -57,9 +57,9 @@ static void weigh(const assembly *of, size_t shaft, double *mass, double *centre
     *centre = moment / *mass;
 }
 
-/// Computes the mass, and the distances from its centre to both planes, above 0 outwards.
+/// Computes the mass, and the distances of its centre from both planes, above 0 outwards.
 static whirl_status measure(const key_value *values, const assembly *to, double *mass, double distance[2]) {
-    // The planes are on one shaft of finite elements, or mass and distances are given.
+    // The planes must be on one shaft of finite elements, or mass and distances must be given.
     const assembly_station *one = &to->stations[values[PLANES].station[0]],
                            *other = &to->stations[values[PLANES].station[1]];
     const bool meshed = one->shaft != NO_SHAFT && one->shaft == other->shaft;
@@ -72,7 +72,7 @@ static whirl_status measure(const key_value *values, const assembly *to, double 
                                            "to_first and to_second as well");
     if (meshed) weigh(to, one->shaft, mass, &centre);
     if (values[MASS].given) *mass = values[MASS].number;
-    // Distances, outwards.
+    // Compute the distances, outwards.
     const double way = one->position < other->position ? 1.0 : -1.0;
     distance[0] = given ? values[TO_FIRST].number : way * (centre - one->position);
     distance[1] = given ? values[TO_SECOND].number : way * (other->position - centre);
@@ -95,7 +95,8 @@ static whirl_status unbalance_grade_build(const key_value *values, assembly *to,
     if (status.code == WHIRL_OK) status = element_between(&values[PLANES], to, axes, 2, out);
     if (status.code != WHIRL_OK) return status;
     const double all = values[FACTOR].number * 1e-3 * values[GRADE].number * mass / values[SERVICE_SPEED].number;
-    // A plane's share is the other plane's distance from the centre of mass over their sum, limited to .3 to .7.
+    // A plane's share is the distance of the other plane from the centre of mass, divided by the sum of both distances,
+    // and limited to .3 to .7.
     const double share = fmin(fmax(distance[1] / (distance[0] + distance[1]), 0.3), 0.7);
     double *moment = out->number + RESIDUAL_MOMENTS;
     moment[0] = all;

@@ -1,4 +1,4 @@
-// Forces that turn with the shaft: number[2 i] cos tau + number[2 i + 1] sin tau on axis i.
+// Forces that turn with the shaft: on axis i, number[2 i] cos tau + number[2 i + 1] sin tau.
 static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,
                                  num *force, num *slope) {
     const num cosine = n_phase(view, COS_TAU), sine = n_phase(view, SIN_TAU);

@@ -1,4 +1,4 @@
-// A massless beam between two stations that tilt, or from one to a clamp in the ground.
+// A massless beam between two stations that tilt, or from one station to a clamp in the ground.
 #include "registry.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
@@ -32,8 +32,9 @@ static whirl_status bending_of(const key_value *values, double *bending) {
                       values[BENDING].given ? "both diameter and bending" : "neither diameter nor bending");
 }
 
-/// The stiffness matrix of Euler and Bernoulli (Przemieniecki 1968, sec. 5.6) in one plane, where a slope is the
-/// derivative of the displacement along the shaft, from the first end to the second; both of an end, then of the other.
+/// Adds the stiffness matrix of Euler and Bernoulli (Przemieniecki 1968, sec. 5.6) in one plane. A slope is the
+/// derivative of the displacement along the shaft, from the first end to the second. end: displacement and slope of the
+/// first end, then of the second.
 static void add_plane(assembly *to, const size_t end[4], double bending, double length) {
     const double k = bending / (length * length * length);
     const double matrix[4][4] = {{12.0, 6.0 * length, -12.0, 6.0 * length},

@@ -54,8 +54,8 @@ static const whirl_key keys[KEY_COUNT] = {
                              "direction in which the first shaft leans at t = 0, from the x axis towards y"),
 };
 
-/// Adds rotating forces of an offset e: k e + c e', e' = i omega e, on the first place, and the opposite on the second.
-/// port[0], [1]: of the first place, [next] and on: of the second.
+/// Adds the rotating forces of an offset e on the first place, k e + c e' with e' = i omega e, and the opposite on the
+/// second. The ports of the first place are port[0] and [1]; those of the second begin at port[next].
 static void add_turning(assembly *to, const size_t *port, size_t next, double stiffness, double damping, double size,
                         double angle) {
     const double steady = stiffness * size, ahead = damping * size * to->speed, quarter = copysign(0.5 * pi, to->turn);
@@ -67,7 +67,7 @@ static void add_turning(assembly *to, const size_t *port, size_t next, double st
     }
 }
 
-/// Checks that both shafts turn with the rotor, if anything turns with them.
+/// Checks that both shafts turn with the rotor if a bore offset or a face kink turns with them.
 static whirl_status check_turning(const key_value *values, const assembly *to) {
     if (values[KINK].number > 0.0 && !(values[TILT].number > 0.0) && !(values[TILT_DAMPING].number > 0.0))
         return whirl_fail(WHIRL_BAD_INPUT, "has a face_kink and no stiffness against tilts, expected tilt as well");
@@ -85,7 +85,7 @@ static whirl_status check_turning(const key_value *values, const assembly *to) {
     return whirl_ok();
 }
 
-/// Joins the twists of both stations. WHIRL_BAD_INPUT where one of them does not twist.
+/// Joins the twists of both stations. WHIRL_BAD_INPUT if one of them does not twist.
 static whirl_status join_twists(const key_value *values, assembly *to) {
     const size_t *station = values[BETWEEN].station;
     for (size_t i = 0; i < 2; i++) {
@@ -124,7 +124,7 @@ static whirl_status coupling_build(const key_value *values, assembly *to, elemen
     if (status.code == WHIRL_OK && (values[TWIST].number > 0.0 || values[TWIST_DAMPING].number > 0.0))
         status = join_twists(values, to);
     if (status.code != WHIRL_OK || to->balanced) return status;
-    // A runout or a kink turns with the shaft.
+    // Add the forces of a bore offset and a face kink, which turn with the shaft.
     add_turning(to, out->port, count, values[RADIAL].number, values[RADIAL_DAMPING].number, values[RUNS_OFF].number,
                 values[RUNS_OFF_ANGLE].number);
     if (tilts)

@@ -1,4 +1,4 @@
-// A cracked shaft that breathes by its weight: its keys and the numbers of its kernel.
+// A cracked shaft that breathes by its weight: its keys, and the numbers of its kernel.
 #define KERNEL_FILE "elements/shafts/crack_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 0
@@ -6,8 +6,8 @@
 #define KERNEL_SWITCHES 0
 #define KERNEL_PHASED 1
 
-/// Numbers: k, k (d1 + d2)/2 and k (d1 - d2)/2 in newtons per length scale; at tau = 0 cos and sin of twice the angle
-/// of the first axis, and of its angle from the load.
+/// Numbers: k, k (d1 + d2)/2 and k (d1 - d2)/2 in newtons per length scale; at tau = 0 cosine and sine of twice the
+/// angle of the first axis, and of its angle from the load.
 enum {
     CRACK_STIFFNESS,
     CRACK_MEAN_LOSS,
@@ -77,7 +77,8 @@ static whirl_status crack_build(const key_value *values, assembly *to, element *
     return whirl_ok();
 }
 
-/// Range of the law, for a place held by the ground: its weight alone must decide whether the crack is open.
+/// Describes the range of the law, for a shaft end held by the ground: the weight alone must decide whether the crack
+/// is open.
 static bool crack_range(const element *own, size_t index, const element_seen *seen, element_range *out) {
     double sag[KERNEL_AXES], swing[KERNEL_AXES];
     (void)own;

@@ -1,14 +1,14 @@
 // A shaft with a breathing crack: its stiffness k along axes that turn with it, the first towards the crack, is k (1 -
-// d1 f) and k (1 - d2 f). With theta the angle of the first axis and phi that from the load to the crack
+// d1 f) and k (1 - d2 f). With theta, the angle of the first axis, and phi, the angle from the load to the crack,
 //
 //     f = (1 + cos phi)/2     (Mayes & Davies 1984),
 //     f = 1/2 + (2/pi) sum_{i < n} (-1)^i cos((2i + 1) phi)/(2i + 1)     (Gasch's switching crack in n terms),
 //
-// and the force on a place at d from the other is, with M = k (1 - f (d1 + d2)/2) and H = -k f (d1 - d2)/2,
+// and the force on a place at d from the other place is, with M = k (1 - f (d1 + d2)/2) and H = -k f (d1 - d2)/2,
 //
 //     -(M + H [cos 2theta   sin 2theta; sin 2theta   -cos 2theta]) d.
 
-/// Opening of the crack; own->law: terms of the square wave, or 0.
+/// Returns the opening of the crack. own->law: number of terms of the square wave, or 0.
 static inline num KERNEL(crack_opening)(const element *own, const kernel_view *view) {
     const num half = n_set(0.5), cosine = n_of(view->number[CRACK_LOAD_COS * view->stride]);
     const num minus_sine = n_of(v_sub(v_set(0.0), view->number[CRACK_LOAD_SIN * view->stride]));

@@ -1,4 +1,4 @@
-// A disc by its dimensions: adds its mass and inertia to a station.
+// A disc by its dimensions, which adds its mass and inertia to a station.
 #include "registry.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
@@ -25,7 +25,7 @@ static double mass_of(const key_value *values) {
     return values[DENSITY].number * values[WIDTH].number * pi / 4.0 * (outer - inner) * (outer + inner);
 }
 
-/// I_p = m (d_o^2 + d_i^2)/8, I_d = I_p/2 + m h^2/12.
+/// Adds the inertia: I_p = m (d_o^2 + d_i^2)/8, I_d = I_p/2 + m h^2/12.
 static whirl_status disc_inertia(const key_value *values, assembly *to) {
     const double outer = values[OUTER].number, inner = values[INNER].number, width = values[WIDTH].number;
     if (!(inner < outer))

@@ -1,4 +1,4 @@
-// The S-N curve of the torque between two stations, for the cycles of a run. It acts on nothing.
+// The S-N curve of the torque between two stations, for the cycles of a run. It causes no force.
 #include "registry.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
@@ -41,7 +41,7 @@ static const whirl_key keys[KEY_COUNT] = {
                                  "factor of the stress there, as of a keyway or a fillet"),
 };
 
-/// Returns how many numbers a key has, of which one alone is no list.
+/// Returns how many numbers a key has. A single number is not a list.
 static size_t fatigue_count(const key_value *of) {
     return of->count > 0 ? of->count : 1;
 }
@@ -87,7 +87,7 @@ static whirl_status fatigue_build(const key_value *values, assembly *to, element
                                                    "twist")
                      : assembly_find(to, values[BETWEEN].station[i], AXIS_TWIST, &coordinate);
     if (status.code != WHIRL_OK) return status;
-    // Copy the curve to the rotor.
+    // Copy the curve to the assembly.
     out->lumped = true;
     twist_fatigue own = {
         .station = {values[BETWEEN].station[0], values[BETWEEN].station[1]},

@@ -10,17 +10,19 @@
 #define KERNEL_CURVED
 #define KERNEL_TILTS
 
-/// The law: with play; the number of pairs in contact, and with it the stiffness, changes; with an error; with a
-/// profile of the stiffness, the number of whose harmonics is the rest of the law.
+/// Bits of the law: with play; with a changing number of pairs in contact, and so a changing stiffness; with an error;
+/// with a profile of the stiffness. The rest of the law is the number of harmonics of the profile.
 enum { GEAR_PLAY = 1, GEAR_PAIRS = 2, GEAR_ERROR = 4, GEAR_PROFILE = 8, GEAR_LAWS = 16 };
 
-/// Phases over which linear analyses take means, and harmonics of a profile, whose mean they have exactly.
+/// Phases over which linear analyses take means; and most harmonics of a profile, the mean of which these phases give
+/// exactly.
 enum { GEAR_PHASES = 16, GEAR_HARMONICS = GEAR_PHASES - 1 };
 
 #define GEAR_SWITCHES(own) (((own)->law & GEAR_PLAY ? 2 : 0) + ((own)->law & GEAR_PAIRS ? 1 : 0))
 
-/// The line of action along x and y; newtons and length scales; half the share of more pairs, rad of psi; the error
-/// by cos psi and by -sin psi; psi'; m, levers of the force about the axes of both gears; m of a length scale.
+/// Numbers, in newtons and length scales: the line of action along x and y; half the share of more pairs, rad of psi;
+/// the error by cos psi and by -sin psi; psi'; levers of the force about the axes of both gears, m; a length scale in
+/// m.
 enum {
     GEAR_ALONG_X,
     GEAR_ALONG_Y,
@@ -120,14 +122,14 @@ static bool gear_is_rigid(const key_value *values) {
     return !values[STIFFNESS].given;
 }
 
-/// Checks keys that contradict each other. Stations that do not twist are found where coordinates are numbered or
+/// Checks for keys that contradict each other. Stations that do not twist are found where coordinates are numbered or
 /// looked up.
 static whirl_status gear_check(const key_value *values) {
     static const int of_meshes[] = {DAMPING, BACKLASH,       VARIATION, SHARE, PROFILE,
                                     ERROR,   PRESSURE_ANGLE, DIRECTION, HELIX, TEETH};
     if (values[RADII].count != 2)
         return whirl_fail(WHIRL_BAD_INPUT, "has %zu base_radii, expected those of both gears", values[RADII].count);
-    // A rigid mesh has none of the keys of one that yields.
+    // A rigid mesh must have none of the keys of an elastic one.
     for (size_t i = 0; gear_is_rigid(values) && i < sizeof of_meshes / sizeof *of_meshes; i++)
         if (values[of_meshes[i]].given)
             return whirl_fail(WHIRL_BAD_INPUT,
@@ -152,7 +154,7 @@ static whirl_status gear_check(const key_value *values) {
     return whirl_ok();
 }
 
-/// The second gear of a rigid pair follows the first, against its sense.
+/// Makes the twist of the second gear of a rigid pair follow that of the first, in the opposite direction.
 static whirl_status gear_inertia(const key_value *values, assembly *to) {
     if (!gear_is_rigid(values) || values[RADII].count != 2) return whirl_ok();
     const size_t *station = values[BETWEEN].station;
@@ -160,7 +162,7 @@ static whirl_status gear_inertia(const key_value *values, assembly *to) {
     return assembly_gear(to, station[1], station[0], -values[RADII].list[0] / values[RADII].list[1]);
 }
 
-/// Returns the stiffness of a mesh at its phase psi, as its kernel does.
+/// Returns the stiffness of a mesh at its phase psi, as its kernel computes it.
 static double gear_stiffness_at(const element *own, double psi) {
     const double *n = own->number;
     double sum = n[GEAR_STIFFNESS];
@@ -170,8 +172,8 @@ static double gear_stiffness_at(const element *own, double psi) {
     return sum;
 }
 
-/// Sets the harmonics of a profile, of which `stiffness` is the factor. WHIRL_BAD_INPUT where the polynomial through
-/// its values is not above 0.
+/// Sets the harmonics of a profile of factors of `stiffness`. WHIRL_BAD_INPUT if the polynomial through its values is
+/// not above 0 everywhere.
 static whirl_status gear_set_profile(const key_value *profile, double stiffness, element *out) {
     enum { LOOKS = 720 };
     const size_t count = profile->count, harmonics = count / 2;
@@ -180,7 +182,7 @@ static whirl_status gear_set_profile(const key_value *profile, double stiffness,
     out->number[GEAR_STIFFNESS] = stiffness * mean;
     out->law |= GEAR_PROFILE | (int)harmonics * GEAR_LAWS;
     for (size_t k = 1; k <= harmonics; k++) {
-        // The last of an even number has a cosine alone, of half the weight.
+        // Of an even number of values, the last harmonic has only a cosine, with half the weight.
         const double weight = stiffness * (2 * k == count ? 1.0 : 2.0) / (double)count;
         double c = 0.0, s = 0.0;
         for (size_t i = 0; i < count; i++) {
@@ -220,7 +222,7 @@ static void gear_set_numbers(const key_value *values, const assembly *to, elemen
     number[GEAR_DAMPING] = values[DAMPING].number * to->length * to->clock;
     number[GEAR_GAP] = 0.5 * values[BACKLASH].number / to->length;
     number[GEAR_SHARE] = pi * values[SHARE].number;
-    // The error counts along the rotation, so that a mirror changes nothing.
+    // The error is positive along the rotation, so that a mirror image has the same error.
     const double error = copysign(values[ERROR].number / to->length, to->turn);
     number[GEAR_ERROR_COS] = error * cos(values[ERROR_ANGLE].number);
     number[GEAR_ERROR_SIN] = error * sin(values[ERROR_ANGLE].number);
@@ -230,13 +232,13 @@ extern const element_type gear_turning;
 
 static whirl_status gear_build(const key_value *values, assembly *to, element *out) {
     static const axis axes[KERNEL_AXES] = {AXIS_X, AXIS_Y, AXIS_TWIST};
-    // Rigid gears are no elements: they reduce the coordinates.
+    // Rigid gears need no kernel: they reduce the coordinates.
     whirl_status status = gear_check(values);
     out->lumped = gear_is_rigid(values);
     if (status.code != WHIRL_OK || out->lumped) return status;
     status = element_between(&values[BETWEEN], to, axes, KERNEL_AXES, out);
     if (status.code != WHIRL_OK) return status;
-    // Numbers of the mesh.
+    // Compute the numbers of the mesh.
     const size_t first = values[BETWEEN].station[0];
     const double ratio = first == GROUND ? 1.0 : to->stations[first].ratio;
     out->law = (values[BACKLASH].given ? GEAR_PLAY : 0) | (values[VARIATION].number > 0.0 ? GEAR_PAIRS : 0) |
@@ -260,7 +262,7 @@ static double gear_rounds(const element *own, size_t state) {
     return own->number[GEAR_RATE];
 }
 
-/// Finds the force of the mesh, as its kernel does.
+/// Finds the force of the mesh, as its kernel computes it.
 static void gear_carry(const element *own, const element_place *at, element_carried *out) {
     const double *n = own->number, along[KERNEL_AXES] = {n[GEAR_ALONG_X], n[GEAR_ALONG_Y], 1.0};
     const double cosine = cos(at->s[0]), sine = sin(at->s[0]);
@@ -281,7 +283,7 @@ static void gear_carry(const element *own, const element_place *at, element_carr
         closing -= n[GEAR_ERROR_COS] * cosine - n[GEAR_ERROR_SIN] * sine;
         rate += n[GEAR_RATE] * (n[GEAR_ERROR_COS] * sine + n[GEAR_ERROR_SIN] * cosine);
     }
-    // The mean that linear analyses have: over so many phases from that of the state on.
+    // The stiffness is the mean that linear analyses use: over the phases from that of the state on.
     for (int k = 0; k < GEAR_PHASES; k++)
         out->stiffness += gear_stiffness_at(own, at->s[0] + 2.0 * pi * k / GEAR_PHASES) / GEAR_PHASES;
     const double gap = own->law & GEAR_PLAY ? n[GEAR_GAP] : 0.0;
@@ -291,7 +293,7 @@ static void gear_carry(const element *own, const element_place *at, element_carr
         out->force = gear_stiffness_at(own, at->s[0]) * (closing - copysign(gap, closing)) + n[GEAR_DAMPING] * rate;
 }
 
-/// The stiffness jumps, and so does the force of a damper where teeth meet.
+/// Returns true if the force may jump: the stiffness jumps, or a damper acts where teeth meet.
 static bool gear_jumps(const element *own) {
     return (own->law & GEAR_PAIRS) || ((own->law & GEAR_PLAY) && own->number[GEAR_DAMPING] > 0.0);
 }
@@ -300,7 +302,7 @@ static bool gear_touches(const element *own, size_t index) {
     return (own->law & GEAR_PLAY) && index == 0;
 }
 
-/// Second derivatives by psi alone: of the error, and of the share of more pairs.
+/// Computes the second derivatives, which are by psi alone: those of the error, and of the share of more pairs.
 static void gear_curvature(const element *own, const element_place *at, size_t index, const element_place *along,
                            element_place *by) {
     const double c = cos(at->s[0]), s = sin(at->s[0]);
@@ -335,7 +337,7 @@ KERNELS_OF_EVERY_ISA(gear_kernels);
 
 const element_type gear_element = {GEAR_TYPE};
 
-/// The same, with the phase of its mesh as a state.
+/// The gear with a mesh that varies, whose phase is a state.
 const element_type gear_turning = {GEAR_TYPE, .state_count = KERNEL_STATES, .turning = 1, .rounds = gear_rounds,
                                    .named_order = gear_named_order};
 #endif

@@ -6,18 +6,18 @@
 //     F = k(psi) (delta + b) + c delta'    where delta < -b,    else 0
 //     k(psi) = k (1 + eps) where |psi - pi d| < pi d, else k (1 - eps), or a sum of cosines and sines of n psi;
 //
-// the switches are delta - b and delta + b, where there is play, then, where the stiffness changes, cos(psi - pi d) -
-// cos(pi d), as a product that rounding does not disturb at its zeros, one of which is at the beginning of a
-// revolution. d[2] is the sum of both twists times their radii: the second radius counts negative.
+// The switches are delta - b and delta + b if there is play; then, if the stiffness changes, cos(psi - pi d) - cos(pi
+// d). The latter is computed as a product, which rounding does not disturb at its zeros, since one of them is at the
+// beginning of a revolution. d[2] is the sum of both twists times their radii, of which the second is negative.
 
-/// Returns delta by the motion, without the error.
+/// Returns delta by the displacements, without the error.
 static inline num KERNEL(along_action)(const kernel_view *view, const num *d) {
     const vec *number = view->number;
     return n_add(d[2], n_add(n_scale(number[GEAR_ALONG_X * view->stride], d[0]),
                              n_scale(number[GEAR_ALONG_Y * view->stride], d[1])));
 }
 
-/// Writes the closing of the mesh and its rate, with the error.
+/// Computes the closing of the mesh and its rate, with the error.
 static inline void KERNEL(closing)(const element *own, const kernel_view *view, const num *d, const num *w,
                                    const num *s, num *closing, num *rate) {
     const size_t stride = view->stride;
@@ -66,7 +66,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
         stiffness = n_select(above[GEAR_SWITCHES(own) - 1], n_of(number[GEAR_STIFFNESS * stride]),
                              n_of(number[GEAR_STIFFNESS_LESS * stride]));
     if (own->law & GEAR_PROFILE) {
-        // cos and sin of n psi from those of (n - 1) psi.
+        // Compute cos and sin of n psi from those of (n - 1) psi.
         num c, s1, cosine, sine;
         n_sincos(s[0], &s1, &c);
         cosine = c;
@@ -90,5 +90,5 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     force[0] = n_scale(number[GEAR_ALONG_X * stride], pressed);
     force[1] = n_scale(number[GEAR_ALONG_Y * stride], pressed);
     force[2] = pressed;
-    slope[0] = n_of(number[GEAR_RATE * stride]); // only taken where the mesh has its phase
+    slope[0] = n_of(number[GEAR_RATE * stride]); // used only if the phase of the mesh is a state
 }

@@ -1,4 +1,4 @@
-// A universal joint between two shafts at a fixed angle, and its moments twice a turn.
+// A universal joint between two shafts at a fixed angle, and the moments that it causes twice a turn.
 #define KERNEL_FILE "elements/shafts/joint_kernel.h"
 #define KERNEL_AXES 4
 #define KERNEL_STATES 0
@@ -6,8 +6,8 @@
 #define KERNEL_SWITCHES 0
 #define KERNEL_PHASED 1
 
-/// Numbers: moments in N m on the driving shaft's tilts, then on the driven one's, each steady, by cos 2 tau, by sin 2
-/// tau; the bend; the torque.
+/// Numbers: moments on the tilts of the driving shaft, then of the driven shaft, N m: each constant, by cos 2 tau, by
+/// sin 2 tau; then the bend and the torque.
 enum { JOINT_MOMENTS, JOINT_BEND = 3 * KERNEL_AXES, JOINT_TORQUE, JOINT_NUMBERS };
 
 #include "generic.h"
@@ -37,7 +37,7 @@ static const whirl_key keys[KEY_COUNT] = {
 };
 
 /// Adds a moment to the numbers of two tilts. Its components are along and across the direction in which the driven
-/// shaft leans, each with parts steady, by cos 2p, by sin 2p; 2p = 2 tau + twice.
+/// shaft leans. Each component has a constant part and parts by cos 2p and by sin 2p, 2p = 2 tau + twice.
 static void add_moment(double *number, double direction, double twice, const double along[3], const double across[3]) {
     const double c = cos(direction), s = sin(direction);
     for (int a = 0; a < 2; a++, number += 3) {
@@ -49,10 +49,10 @@ static void add_moment(double *number, double direction, double twice, const dou
     }
 }
 
-/// The cross hands on a moment along its normal a1 x (z2 x a1), a1 = (cos p, sin p, 0), z2 = (sin b, 0, cos b), whose
-/// part along the driving shaft is T. What of it is across the shafts bends them, T tan b sin p (-sin p, cos p) the
-/// driving one and T (-sin b cos^2 p, -tan b sin p cos p) the driven one, as moments about x and y; moments (M_y, -M_x)
-/// turn tilts (dx/dz, dy/dz).
+/// Builds the element. The cross passes on a moment along its normal a1 x (z2 x a1), where a1 = (cos p, sin p, 0) and
+/// z2 = (sin b, 0, cos b); the moment's component along the driving shaft is T. The components across the shafts bend
+/// them: T tan b sin p (-sin p, cos p) the driving shaft, and T (-sin b cos^2 p, -tan b sin p cos p) the driven shaft,
+/// as moments about x and y. Moments (M_y, -M_x) turn tilts (dx/dz, dy/dz).
 static whirl_status joint_build(const key_value *values, assembly *to, element *out) {
     static const axis axes[] = {AXIS_TILT_X, AXIS_TILT_Y};
     const double b = values[BEND].number, direction = values[DIRECTION].number;
@@ -72,7 +72,7 @@ static whirl_status joint_build(const key_value *values, assembly *to, element *
     return status;
 }
 
-/// p2 - p1 = t sin 2 p1 + t^2/2 sin 4 p1 + ..., t = tan^2(b/2).
+/// Describes how far the driven shaft runs ahead: p2 - p1 = t sin 2 p1 + t^2/2 sin 4 p1 + ..., t = tan^2(b/2).
 static void joint_note(const element *own, double length, double clock, char *text, size_t size) {
     const double b = own->number[JOINT_BEND], half = tan(0.5 * b), t = half * half, torque = own->number[JOINT_TORQUE];
     (void)length, (void)clock;

@@ -1,5 +1,5 @@
-// Moments on the tilts of two shafts, steady and twice a turn: number[3 i] + number[3 i + 1] cos 2 tau + number[3 i +
-// 2] sin 2 tau.
+// Moments on the tilts of two shafts, constant and twice a turn: on tilt i, number[3 i] + number[3 i + 1] cos 2 tau +
+// number[3 i + 2] sin 2 tau.
 static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,
                                  num *force, num *slope) {
     const num cosine = n_phase(view, COS_2TAU), sine = n_phase(view, SIN_2TAU);

@@ -1,4 +1,4 @@
-// A segment of a shaft of finite elements: a cylinder or a cone; the mesh (mesh.c) makes nodes and elements of it.
+// A segment of a shaft of finite elements: a cylinder or a cone, from which mesh.c makes nodes and elements.
 #include "shafts.h"
 
 #include "registry.h"
@@ -41,7 +41,7 @@ static const whirl_key keys[SEGMENT_KEYS] = {
                                              "as for shafts; absent: that of the shaft"),
 };
 
-/// Does nothing: the mesh has its mass and stiffness.
+/// Does nothing: the mesh adds the mass and stiffness.
 static whirl_status segment_build(const key_value *values, assembly *to, element *out) {
     (void)values, (void)to, (void)out;
     return whirl_ok();

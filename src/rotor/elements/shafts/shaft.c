@@ -1,9 +1,9 @@
-// A shaft of unequal stiffness: its pass over vectors, its keys and the numbers of its kernel.
+// A shaft of unequal stiffness: its pass over vectors, its keys, and the numbers of its kernel.
 #include "block.h"
 #include "registry.h"
 #include "shaft_kernel.h"
 
-/// Adds one shaft, all vectors.
+/// Adds the force of one shaft, all vectors.
 VECTOR_INLINE void add_shaft(int law, int grounded, const block *b, const vec *number, shaft_end here,
                              shaft_end there) {
     const size_t stride = b->stride, vectors = b->vectors;
@@ -12,7 +12,7 @@ VECTOR_INLINE void add_shaft(int law, int grounded, const block *b, const vec *n
         shaft_add(law, grounded, false, cosine[k], sine[k], stride, k, number, &here, &there);
 }
 
-/// Adds the shafts' forces for one vector: a state, or a perturbation of it.
+/// Adds the shafts' forces for a state or a perturbation.
 VECTOR_INLINE void add_shafts(const element *first, size_t count, block at, const vec *q, vec *a) {
     for (const element *own = first; own < first + count; own++) {
         const int grounded = own->port[2] == NO_COORDINATE;
@@ -36,7 +36,7 @@ static void shaft_add_vector(const element *first, size_t count, const block *b,
         add_shafts(first, count, single(b), q, a);
 }
 
-/// Adds the effect of perturbation n of the shaft's phase.
+/// Adds the effect of the shaft's phase on perturbation n.
 static void add_turned(const element *own, const block *b, size_t n) {
     const int grounded = own->port[2] == NO_COORDINATE;
     const size_t x = own->port[0] * b->stride, other = grounded ? x : own->port[2] * b->stride;
@@ -77,7 +77,7 @@ static whirl_status shaft_build(const key_value *values, assembly *to, element *
     static const axis axes[] = {AXIS_X, AXIS_Y};
     key_value between = values[BETWEEN];
     size_t *station = between.station;
-    // The other end is the ground, else the station listed first: the order of listing changes no bit.
+    // Make the other end the ground, or the station that is listed first: so the order of listing changes no bit.
     if (station[0] == GROUND ||
         (station[1] != GROUND && to->stations[station[1]].place < to->stations[station[0]].place)) {
         station[0] = values[BETWEEN].station[1];
@@ -85,7 +85,7 @@ static whirl_status shaft_build(const key_value *values, assembly *to, element *
     }
     whirl_status status = element_beside_none(&between, to);
     if (status.code == WHIRL_OK) status = element_between(&between, to, axes, 2, out);
-    // Its kernel turns, and requires both ends to move in the plane.
+    // The stiffness turns, so that the kernel requires both ends to move in the plane.
     for (size_t end = 0; end < 2 && status.code == WHIRL_OK; end++)
         if (station[end] != GROUND) status = assembly_find_plane(to, station[end], out->port + 2 * end);
     if (status.code != WHIRL_OK) return status;

@@ -7,32 +7,31 @@
 ///      [ dk sin 2tau            kbar - dk cos 2tau ] (dy)
 ///
 /// (`signs: derived`; Friswell et al. 2010, section 7.3). The paper of 2015 prints + dk cos 2tau in both diagonal
-/// entries
-/// (`signs: paper`): no turning shaft does that, x + y and x - y become two Mathieu oscillators.
+/// numbers (`signs: paper`). No turning shaft does that: x + y and x - y become two Mathieu oscillators.
 #ifndef ROTOR_SHAFT_KERNEL_H
 #define ROTOR_SHAFT_KERNEL_H
 
 #include "../../element.h"
 #include "vector.h"
 
-/// Numbers: kbar and dk over m omega^2 at either station.
+/// Numbers: kbar and dk divided by m omega^2, for each of the two stations.
 enum { SHAFT_MEAN_A, SHAFT_HALF_A, SHAFT_MEAN_B, SHAFT_HALF_B, SHAFT_NUMBERS };
 enum { SHAFT_SIGNS_DERIVED, SHAFT_SIGNS_PAPER };
 
-/// One end: the rows of its displacements and accelerations along x; those along y follow a stride later.
+/// One end: the rows of its displacements and accelerations along x; the rows along y follow a stride later.
 typedef struct shaft_end {
     const vec *q;
     vec *a;
 } shaft_end;
 
-/// Adds the forces for vector k; c and s: cos 2tau, sin 2tau. Linear, so that it also serves perturbations. turned: c
-/// and s are their derivatives, and the mean stiffness is left out.
+/// Adds the forces for vector k; c and s: cos 2tau, sin 2tau. The forces are linear, so that this also serves
+/// perturbations. turned: c and s are their derivatives by the phase, and the mean stiffness is left out.
 VECTOR_INLINE void shaft_add(int law, int grounded, int turned, vec c, vec s, size_t stride, size_t k,
                              const vec *number, const shaft_end *here, const shaft_end *there) {
     const size_t y = stride + k;
     const vec dx = grounded ? here->q[k] : v_sub(here->q[k], there->q[k]);
     const vec dy = grounded ? here->q[y] : v_sub(here->q[y], there->q[y]);
-    // The force over its scale is -(mean (dx, dy) + half (turn_x, turn_y)).
+    // The force divided by its scale is -(mean (dx, dy) + half (turn_x, turn_y)).
     const vec turn_x = v_fma(c, dx, v_mul(s, dy));
     const vec across = v_mul(s, dx);
     const vec turn_y = law == SHAFT_SIGNS_PAPER ? v_fma(c, dy, across) : v_fnma(c, dy, across);
@@ -46,7 +45,7 @@ VECTOR_INLINE void shaft_add(int law, int grounded, int turned, vec c, vec s, si
     there->a[y] = v_fma(mean_b, dy, v_fma(half_b, turn_y, there->a[y]));
 }
 
-/// The first vector.
+/// Adds the forces for the first vector.
 VECTOR_INLINE void shaft_kernel(const element *shaft, vec c, vec s, size_t stride, const vec *number, const vec *q,
                                 vec *a) {
     const int grounded = shaft->port[2] == NO_COORDINATE;

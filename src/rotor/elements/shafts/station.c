@@ -1,4 +1,4 @@
-// A station: a lumped mass with damping to ground, eccentricity, and inertia if it tilts.
+// A station: a lumped mass with damping to the ground, eccentricity, and inertia if it tilts.
 #include "element.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
@@ -75,8 +75,8 @@ whirl_status station_inertia(const key_value *values, assembly *to, size_t stati
     return whirl_ok();
 }
 
-/// A skewed axis of inertia turns with the shaft: I_d phi'' - i I_p omega phi' = ... + (I_d - I_p) omega^2 chi e^(i
-/// omega t).
+/// Builds a station. A skewed axis of inertia turns with the shaft: I_d phi'' - i I_p omega phi' = ... + (I_d - I_p)
+/// omega^2 chi e^(i omega t).
 void station_build(const key_value *values, assembly *to, size_t station) {
     const assembly_station *at = &to->stations[station];
     const double moment = (at->diametral - at->polar) * to->speed * to->speed * values[SKEW].number;

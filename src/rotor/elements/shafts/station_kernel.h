@@ -7,14 +7,14 @@
 #include "../../element.h"
 #include "vector.h"
 
-/// Damping and pull alone.
+/// Computes the accelerations by damping and pull alone.
 static inline void station_balanced(size_t stride, const vec *number, const vec *v, vec *a) {
     const vec damping = number[STATION_DAMPING * stride];
     a[0] = v_fnma(damping, v[0], number[STATION_PULL_X * stride]);
     a[stride] = v_fnma(damping, v[stride], number[STATION_PULL_Y * stride]);
 }
 
-/// c and s: cos tau, sin tau.
+/// Computes the accelerations; c and s: cos tau, sin tau.
 static inline void station_kernel(vec c, vec s, size_t stride, const vec *number, const vec *v, vec *a) {
     const vec in_phase = number[STATION_UNBALANCE_COS * stride], ahead = number[STATION_UNBALANCE_SIN * stride];
     const vec damping = number[STATION_DAMPING * stride];
@@ -24,7 +24,7 @@ static inline void station_kernel(vec c, vec s, size_t stride, const vec *number
     a[stride] = v_fma(in_phase, s, v_fma(ahead, c, ay));
 }
 
-/// The same for a perturbation: only damping acts.
+/// Computes the accelerations of a perturbation, on which only damping acts.
 static inline void station_tangent(size_t stride, const vec *number, const vec *v, vec *a) {
     const vec damping = v_sub(v_set(0.0), number[STATION_DAMPING * stride]);
     a[0] = v_mul(damping, v[0]);

@@ -1,6 +1,6 @@
 // A linear bearing or seal: eight coefficients between a station and the ground, or another station, and the inertia of
-// its fluid; constant, or a table over the speed and the frequency of whirl, which a rational function replaces in
-// time.
+// its fluid. They are constant, or tables over the speed and the frequency of whirl. In motions a rational function
+// replaces a table over the frequency.
 #define KERNEL_FILE "elements/supports/bearing_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 16 // two for each axis and pair
@@ -8,12 +8,12 @@
 #define KERNEL_NUMBERS BEARING_NUMBERS
 #define KERNEL_SWITCHES 0
 
-/// Numbers of a pair of poles: w and g over the clock; then E and F, newtons per length scale.
+/// Numbers of a pair of poles: w and g divided by the clock; then E and F, newtons per length scale.
 enum { PAIR_W, PAIR_G, PAIR_PLACE, PAIR_RATE = PAIR_PLACE + 4, PAIR_NUMBERS = PAIR_RATE + 4 };
 
-/// The law is the number of pairs. Numbers: the bearing's offset in length scales; for the report of the fit, its error
-/// at the table's frequencies, its error at these and half way between, the frequency of that error, rad/s, and the
-/// stiffness at rest, N/m.
+/// The law is the number of pairs. Numbers: the bearing's offset in length scales; then for the report of the fit, its
+/// error at the table's frequencies, its error at these and half way between, the frequency of that error in rad/s, and
+/// the stiffness at rest, N/m.
 enum {
     MAX_PAIRS = 4,
     BEARING_SIDEWAYS = 0,
@@ -110,7 +110,7 @@ static const whirl_key keys[KEY_COUNT] = {
                                "studies at another ratio have a warning"),
 };
 
-/// Adds the block of one kind, by `add`, between two places.
+/// Adds the matrix of one kind between two places, with the function `add`.
 static void add_block(assembly *to, void (*add)(assembly *, size_t, size_t, double), const size_t port[4],
                       const double matrix[2][2]) {
     const size_t *one = port, *other = port + 2;
@@ -123,7 +123,7 @@ static void add_block(assembly *to, void (*add)(assembly *, size_t, size_t, doub
         }
 }
 
-/// Adds the block of inertia, which is symmetric: an entry also stands for its mirror image.
+/// Adds the matrix of inertia, which is symmetric: a number stands for two places.
 static void add_inertia(assembly *to, const size_t port[4], double xx, double xy, double yy) {
     const size_t *one = port, *other = port + 2;
     assembly_inerter(to, one[0], other[0], xx);
@@ -134,7 +134,7 @@ static void add_inertia(assembly *to, const size_t port[4], double xx, double xy
     assembly_inertance(to, one[1], other[0], -xy);
 }
 
-/// Checks that an axis of the tables has at least two places, which rise.
+/// Checks that an axis of the tables has at least two ascending places.
 static whirl_status check_axis(const key_value *along, const char *name) {
     if (!along->given) return whirl_ok();
     if (along->rows > 1) return whirl_fail(WHIRL_BAD_INPUT, "has lists of %s, expected a single list", name);
@@ -164,7 +164,8 @@ static double within(const key_value *along, double at) {
     return fmin(fmax(at, along->list[0]), along->list[along->count - 1]);
 }
 
-/// Checks that a coefficient's list fits the axes: along the only axis, or for every speed a row along the frequencies.
+/// Checks that the list of a coefficient fits the axes: along the only axis; or for every speed a row along the
+/// frequencies.
 static whirl_status check_shape(const key_value *values, int key) {
     const key_value *value = &values[key], *speeds = &values[SPEEDS], *frequencies = &values[FREQUENCIES];
     const char *name = keys[key].name;
@@ -184,7 +185,7 @@ static whirl_status check_shape(const key_value *values, int key) {
     return whirl_ok();
 }
 
-/// Finds the coefficient at the rotor's speed and a frequency of whirl: from its list, or the constant.
+/// Finds the coefficient at the rotor's speed and a frequency of whirl, from its list or its constant.
 static whirl_status look_up(const key_value *values, int key, double speed, double frequency, double *out) {
     const key_value *value = &values[key], *speeds = &values[SPEEDS], *frequencies = &values[FREQUENCIES];
     double at_speeds[WHIRL_MAX_LIST] = {0.0};
@@ -203,7 +204,7 @@ static whirl_status look_up(const key_value *values, int key, double speed, doub
     return whirl_ok();
 }
 
-/// Coefficients, row by row; the inertia as xx, xy, yy.
+/// Coefficients, row by row; the inertia is xx, xy, yy.
 typedef struct coefficients {
     double stiffness[2][2], damping[2][2], inertia[3];
 } coefficients;
@@ -220,7 +221,7 @@ static whirl_status look_up_all(const key_value *values, double speed, double fr
     return whirl_ok();
 }
 
-/// Returns true if a coefficient varies along the frequencies.
+/// Returns true if a coefficient varies with the frequency.
 static bool whirls(const key_value *values) {
     const size_t columns = values[FREQUENCIES].count;
     bool varies = false;
@@ -230,7 +231,7 @@ static bool whirls(const key_value *values) {
     return varies;
 }
 
-/// Checks the axes of the tables, and that the rotor is within them.
+/// Checks the axes of the tables, and that the rotor's speed is within them.
 static whirl_status check_tables(const key_value *values, assembly *to) {
     const key_value *frequencies = &values[FREQUENCIES];
     bool varies = false;
@@ -250,7 +251,8 @@ static whirl_status check_tables(const key_value *values, assembly *to) {
     return assembly_frequencies(to, frequencies->count, frequencies->list);
 }
 
-/// Checks both ends: coefficients over speeds are looked up at the rotor's.
+/// Checks that both ends are on shafts of the rotor's speed if coefficients are over speeds, since they are looked up
+/// at the rotor's speed.
 static whirl_status check_ends(const key_value *values, const assembly *to) {
     for (int end = AT; end <= FROM && values[SPEEDS].given; end++) {
         const size_t station = values[end].given ? values[end].station[0] : GROUND;
@@ -263,7 +265,7 @@ static whirl_status check_ends(const key_value *values, const assembly *to) {
     return whirl_ok();
 }
 
-/// Adds K e, e = (sideways, elevation), on the station, and the opposite on the housing.
+/// Adds the force K e with e = (sideways, elevation) on the station, and the opposite on the housing.
 static void add_offset(assembly *to, const size_t port[4], const double matrix[2][2], const double offset[2]) {
     for (size_t i = 0; i < 4; i++) {
         const double *row = matrix[i % 2], force = row[0] * offset[0] + row[1] * offset[1];
@@ -317,7 +319,7 @@ static whirl_status sample_all(const key_value *values, double speed, double ine
     return status;
 }
 
-/// Computes the relative error of the function at the table's frequencies and half way between them.
+/// Computes the relative error of the function at the table's frequencies, and half way between them.
 static whirl_status bearing_compare(const key_value *values, double speed, const rational_fit *fit,
                                     const double inertia[3], double *number) {
     const key_value *frequencies = &values[FREQUENCIES];
@@ -340,13 +342,13 @@ static whirl_status bearing_compare(const key_value *values, double speed, const
     return status;
 }
 
-/// Number of pairs of poles, at most what the table can determine.
+/// Returns the number of pairs of poles: those wanted, but at most as many as the table can determine.
 static size_t pair_count(const key_value *values) {
     const size_t wanted = (size_t)values[POLES].number / 2, most = values[FREQUENCIES].count / 2 - 1;
     return wanted < most ? wanted : most;
 }
 
-/// Checks that the table reaches the rotor's own frequencies.
+/// Checks that the table reaches the rotor's own speed.
 static whirl_status check_top(const key_value *values, const assembly *to) {
     const key_value *frequencies = &values[FREQUENCIES];
     const double top = frequencies->list[frequencies->count - 1];
@@ -367,8 +369,8 @@ static whirl_status check_error(const key_value *values, size_t pairs, double er
         100.0 * error, worst, 2 * pairs, 100.0 * values[FIT_ERROR].number);
 }
 
-/// Finds the function. Poles are common to the whole table (some of its speeds), so that the function is as smooth over
-/// the speed as the table; its numbers are those of the machine's own speed.
+/// Finds the function. Its poles are common to the whole table (at some of its speeds), so that the function is as
+/// smooth over the speed as the table. Its other numbers are those of the machine's own speed.
 static whirl_status find_function(const key_value *values, double speed, double inertia[3], rational_fit *fit) {
     rational_sample samples[(size_t)RATIONAL_MAX_SETS * RATIONAL_MAX_SAMPLES];
     const key_value *frequencies = &values[FREQUENCIES], *speeds = &values[SPEEDS];
@@ -402,7 +404,7 @@ static whirl_status make_fit(const key_value *values, const assembly *to, coeffi
     return status;
 }
 
-/// Builds the function: constant and slope are ordinary coefficients; pairs of poles have states of their own.
+/// Builds the function. Its constant and slope are ordinary coefficients; pairs of poles have states.
 static whirl_status build_in_time(const key_value *values, assembly *to, element *out) {
     rational_fit fit;
     coefficients rest;
@@ -411,14 +413,14 @@ static whirl_status build_in_time(const key_value *values, assembly *to, element
                    "a fit has room for a table");
     const whirl_status status = make_fit(values, to, &rest, &fit, out);
     if (status.code != WHIRL_OK) return status;
-    // Constant and slope of the function are ordinary coefficients, added to the assembly.
+    // Add the constant and slope of the function to the assembly, as ordinary coefficients.
     add_coefficients(values, &rest, to, out);
     out->lumped = false;
     out->law = (int)fit.pair_count;
     out->states = fit.pair_count * 2 * KERNEL_AXES;
     out->number[BEARING_SIDEWAYS] = values[SIDEWAYS].number / to->length;
     out->number[BEARING_ELEVATION] = values[ELEVATION].number / to->length;
-    // Pairs of poles in units of the clock and the length scale.
+    // Convert the pairs of poles to units of the clock and the length scale.
     for (size_t j = 0; j < fit.pair_count; j++) {
         double *own = out->number + BEARING_PAIRS + j * PAIR_NUMBERS;
         own[PAIR_W] = fit.pairs[j].w / to->clock;
@@ -442,7 +444,7 @@ static whirl_status bearing_build(const key_value *values, assembly *to, element
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
     if (to->in_time && whirls(values)) return build_in_time(values, to, out);
-    // At a place of the table interpolation is exact.
+    // A frequency of the table is exact, since nothing is interpolated.
     if (to->in_time && values[FREQUENCIES].given)
         status = look_up_all(values, to->speed, values[FREQUENCIES].list[0], &at);
     add_coefficients(values, &at, to, out);
@@ -460,7 +462,7 @@ static void bearing_doubt(const key_value *values, double speed, const doubt_tel
             values[WHIRL_RATIO].number, values[WHIRL_RATIO].number);
 }
 
-/// Poles of a pair: "-120 +- 400i" or "-30, -900".
+/// Writes the poles of a pair: "-120 +- 400i" or "-30, -900".
 static void tell_poles(const double *pair, double clock, char *text, size_t size) {
     const double w = clock * pair[PAIR_W], half = 0.5 * clock * pair[PAIR_G], square = half * half - w * w;
     const double root = sqrt(fabs(square));

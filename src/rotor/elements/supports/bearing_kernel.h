@@ -1,5 +1,5 @@
-// Bearings in time: pairs of poles of the rational function that replaces a bearing's table over the frequency of
-// whirl. Each has two states for each axis u of the displacement,
+// Bearings in motions: pairs of poles of the rational function that replaces a bearing's table over the frequency of
+// whirl. Each pair has two states for each axis u of the displacement,
 //
 //     z_1' = w z_2,    z_2' = w (u - z_1) - g z_2,    f = -sum (E z_1 + F z_2),
 //

@@ -1,4 +1,5 @@
-// A spring between two stations, or a station and the ground, whose stiffness changes with the square of displacement.
+// A spring between two stations, or between a station and the ground, whose stiffness changes with the square of the
+// displacement.
 #define KERNEL_FILE "elements/supports/cubic_spring_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 0

@@ -1,4 +1,4 @@
-// A radial magnetic bearing with its control: its keys and the numbers of its kernel.
+// A radial magnetic bearing with its control: its keys, and the numbers of its kernel.
 #define KERNEL_FILE "elements/supports/magnetic_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 25
@@ -8,23 +8,25 @@
 #define KERNEL_SWITCHES_BY_STATES
 #define KERNEL_SWITCHES_OF(own) ((own)->law & MAGNETIC_LINEAR ? 0 : KERNEL_SWITCHES)
 
-/// Switches of each axis, and of each of its coils: its current above 0, and below the largest.
+/// Switches of each coil: its current above 0, and its current below the largest; and the number of switches of each
+/// axis.
 enum { MAGNETIC_ABOVE, MAGNETIC_BELOW, MAGNETIC_LIMITS, MAGNETIC_AXIS_SWITCHES = 2 * MAGNETIC_LIMITS };
 
-/// The loop's transfer functions, of an order up to BLOCK_ORDER: b_0 ... then a_0 ...
+/// The transfer functions of the loop, of an order up to BLOCK_ORDER: the numbers b_0, b_1, ..., then a_0, a_1, ...
 enum { SENSOR, PID, FILTER, AMPLIFIER, LOOP_BLOCKS };
 enum { BLOCK_ORDER = 6, BLOCK_NUMBERS = 2 * BLOCK_ORDER + 1 };
 
-/// The law: linear in current and place, fails; from MAGNETIC_ORDERS on the orders of the transfer functions.
+/// Bits of the law: linear in current and displacement; fails. From bit MAGNETIC_ORDERS on: the orders of the transfer
+/// functions.
 enum { MAGNETIC_LINEAR = 1, MAGNETIC_FAILS = 2, MAGNETIC_ORDERS = 2, ORDER_BITS = 3 };
 
-/// Unit of currents, and of the clock x of bearings that fail (as 1 A): the current that corresponds to a displacement
-/// of one length scale, so that distances of states do not depend on the length scale. It is i_0/s_0 for law quadratic
-/// and k_s/k_i for law linear.
+/// Numbers of the law. The unit of currents, and of the clock x of bearings that fail (where it stands for 1 A), is the
+/// current that corresponds to a displacement of one length scale, so that distances of states do not depend on the
+/// length scale. It is i_0/s_0 for law quadratic, and k_s/k_i for law linear.
 ///
-/// k cos a over the square of the length scale; s_0 in length scales; i_0; i_max; k_i; k_s by length scales; 1 A;
-/// cosine and sine of the first axis; lambda; where x is when currents begin to fall, and 1 over by how much it grows
-/// meanwhile.
+/// The numbers are: k cos a divided by the square of the length scale; s_0 in length scales; i_0; i_max; k_i; k_s by
+/// length scales; 1 A; cosine and sine of the first axis; lambda; the value of x when currents begin to fall, and 1
+/// divided by the growth of x while they fall.
 enum {
     MAGNETIC_FORCE,
     MAGNETIC_GAP,
@@ -148,7 +150,7 @@ static const whirl_key keys[KEY_COUNT] = {
 
 // ---------------------------------------------------------------- the loop
 
-/// A transfer function by rising powers of s.
+/// A transfer function by ascending powers of s.
 typedef struct transfer {
     int order;
     double b[BLOCK_ORDER + 1], a[BLOCK_ORDER + 1];
@@ -161,7 +163,7 @@ static transfer lag(const key_value *bandwidth, const key_value *damping) {
     return (transfer){2, {square}, {square, 2.0 * damping->number * corner, 1.0}};
 }
 
-/// K_p + K_i/s + K_d s/(1 + s T_f), without poles for zero gains.
+/// Returns the transfer function K_p + K_i/s + K_d s/(1 + s T_f), without poles for gains of zero.
 static transfer pid(const key_value *values) {
     const double p = values[PROPORTIONAL].number, i = values[INTEGRAL].number, d = values[DERIVATIVE].number;
     const double rate = values[DERIVATIVE_FILTER].given ? 1.0 / values[DERIVATIVE_FILTER].number : 0.0;
@@ -173,7 +175,7 @@ static transfer pid(const key_value *values) {
     return (transfer){0, {p}, {1.0}};
 }
 
-/// Numbers of a list, highest power first, by rising powers; returns the order.
+/// Writes the numbers of a list, which has the highest power first, by ascending powers. Returns the order.
 static int powers(const key_value *list, double *out) {
     const int count = list->count ? (int)list->count : 1;
     for (int k = 0; k < count && k <= BLOCK_ORDER; k++) out[k] = list->count ? list->list[count - 1 - k] : list->number;
@@ -198,7 +200,7 @@ static whirl_status filter(const key_value *values, transfer *out) {
     return whirl_ok();
 }
 
-/// Writes a transfer function with time in 1/clock, a_m = 1, its output times `unit`.
+/// Writes a transfer function with time in 1/clock and a_m = 1, and its output multiplied by `unit`.
 static void magnetic_put(const transfer *from, double clock, double unit, int part, element *out) {
     const int m = from->order;
     double *b = out->number + MAGNETIC_BLOCKS + (size_t)part * BLOCK_NUMBERS, *a = b + BLOCK_ORDER + 1;
@@ -227,7 +229,7 @@ static whirl_status put_loop(const key_value *values, const assembly *to, double
 
 static whirl_status check_keys(const key_value *values) {
     const bool linear = values[LAW].choice == LINEAR, given = values[CONSTANT].given;
-    // Both laws need some keys and have no use for others.
+    // Both laws need some keys, and do not use others.
     static const struct {
         int key;
         bool linear, required;
@@ -247,7 +249,7 @@ static whirl_status check_keys(const key_value *values) {
         if (rules[i].linear != linear && has)
             return whirl_fail(WHIRL_BAD_INPUT, "has a %s, which its law has no use for, expected none", name);
     }
-    // The strength of magnets is given in one way.
+    // The strength of magnets must be given in one way.
     if (!linear && given == (values[TURNS].given && values[AREA].given))
         return whirl_fail(WHIRL_BAD_INPUT, "has %s, expected constant, or turns and area",
                           given ? "both constant and turns with area" : "no strength of its magnets");
@@ -256,7 +258,7 @@ static whirl_status check_keys(const key_value *values) {
     if (values[MAX_CURRENT].given && !(values[MAX_CURRENT].number > values[BIAS].number))
         return whirl_fail(WHIRL_BAD_INPUT, "has a max_current of %g A, expected one above the bias of %g A",
                           values[MAX_CURRENT].number, values[BIAS].number);
-    // A controller needs something to do, and filters that belong together.
+    // The controller must have a gain or a transfer function, and keys that belong together must be given together.
     if (values[DERIVATIVE].number != 0.0 && !values[DERIVATIVE_FILTER].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has no derivative_filter, expected one: a derivative needs it");
     if (!values[PROPORTIONAL].given && !values[INTEGRAL].given && !values[DERIVATIVE].given && !values[NUMERATOR].given)
@@ -270,19 +272,19 @@ static whirl_status check_keys(const key_value *values) {
     return whirl_ok();
 }
 
-/// A current that no coil reaches.
+/// Limit of coils without limit: a current that no coil reaches.
 static const double NO_LIMIT = 0x1p300;
 
-/// mu_0, N/A2: 4 pi 1e-7 to nine digits.
+/// mu_0 in N/A2: 4 pi 1e-7 to nine digits.
 static const double permeability = 1.2566370614359173e-6;
 
-/// N m2/A2
+/// Returns the constant k of a magnet, N m2/A2.
 static double strength(const key_value *values) {
     const double turns = values[TURNS].number;
     return values[CONSTANT].given ? values[CONSTANT].number : 0.25 * permeability * turns * turns * values[AREA].number;
 }
 
-/// 1 A in the unit of currents. A linear bearing without k_s has no natural unit.
+/// Returns 1 A in the unit of currents. A linear bearing without k_s has no natural unit.
 static double ampere_of(const key_value *values, double length) {
     const double usual = 1e4; // A/m
     double by_place = values[BIAS].number / values[GAP].number;
@@ -303,7 +305,7 @@ static void put_failure(const key_value *values, const assembly *to, element *ou
 
 static whirl_status magnetic_build(const key_value *values, assembly *to, element *out) {
     const double length = to->length;
-    // The controller's states come first.
+    // Add the states of the controller, which come first.
     whirl_status status = check_keys(values);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     out->law = values[LAW].choice == LINEAR ? MAGNETIC_LINEAR : 0;
@@ -312,7 +314,7 @@ static whirl_status magnetic_build(const key_value *values, assembly *to, elemen
     const double ampere = ampere_of(values, length), of_force = length * ampere;
     status = put_loop(values, to, ampere, out);
     if (status.code != WHIRL_OK) return status;
-    // Numbers of the law, in a unit of current in which forces and displacements are of the rotor's units.
+    // Compute the numbers of the law, in a unit of current for which forces and displacements are in the rotor's units.
     out->number[MAGNETIC_AMPERE] = ampere;
     out->number[MAGNETIC_FORCE] = strength(values) * cos(values[POLE_ANGLE].number) / (of_force * of_force);
     out->number[MAGNETIC_GAP] = values[GAP].number / length;
@@ -347,8 +349,8 @@ static void magnetic_loop(const element *own, const double *q, const double *sta
     }
 }
 
-/// For a loop whose last part lags, so that the current is a state: the current over that state, and the number of loop
-/// states before it; 0: it is no state.
+/// Returns the ratio of the current to a state, for a loop whose last part lags, so that the current is a state; 0 for
+/// other loops. *before becomes the number of the loop's states before it.
 static double current_by_state(const element *own, size_t *before) {
     double factor = -1.0;
     *before = (size_t)loop_order(own);
@@ -374,7 +376,7 @@ static bool magnetic_jumps(const element *own) {
     return false;
 }
 
-/// Ranges: coil currents, and the gap between magnets.
+/// Describes the ranges: coil currents, and the gap between magnets.
 static bool magnetic_range(const element *own, size_t index, const element_seen *seen, element_range *out) {
     const double *number = own->number, bias = number[MAGNETIC_BIAS], ampere = number[MAGNETIC_AMPERE];
     size_t before;
@@ -393,7 +395,8 @@ static bool magnetic_range(const element *own, size_t index, const element_seen 
     return index == 1 && factor != 0.0;
 }
 
-/// Iron saturates: B = mu_0 N i/(2 s_0) of a magnet whose N turns are on both poles.
+/// Raises a doubt about currents with which iron saturates. The field is B = mu_0 N i/(2 s_0) for a magnet whose N
+/// turns are on both poles.
 static void magnetic_doubt(const key_value *values, double speed, const doubt_teller *to) {
     const double most = 1.6;
     const double current = values[MAX_CURRENT].given ? values[MAX_CURRENT].number : values[BIAS].number;
@@ -405,9 +408,7 @@ static void magnetic_doubt(const key_value *values, double speed, const doubt_te
                     most);
 }
 
-/// Returns the state that counts the time until the bearing fails, the last one; the number of states without a
-/// failure.
-/// State j of a block is a derivative of order j.
+/// Computes derivatives as element_type.paced: state j of a transfer function is a derivative of order j.
 static void magnetic_paced(const element *own, const double *states, double *out) {
     size_t next = 0;
     for (size_t i = 0; i < own->states; i++) out[i] = 0.0;
@@ -416,6 +417,8 @@ static void magnetic_paced(const element *own, const double *states, double *out
             for (int j = 0; j < block_order(own, part); j++, next++) out[next] = j * states[next];
 }
 
+/// Returns the index of the state that counts the time until the bearing fails, the last one; the number of states if
+/// it does not fail.
 static size_t magnetic_clock(const element *own) {
     return own->law & MAGNETIC_FAILS ? own->states - 1 : own->states;
 }

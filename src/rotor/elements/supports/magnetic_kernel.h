@@ -2,19 +2,19 @@
 //
 //     F = k cos a [((i_0 + i)/(s_0 - u))^2 - ((i_0 - i)/(s_0 + u))^2],       both currents within 0 and i_max,
 //
-// or F = k_i i + k_s u, and a loop i = -A(p) C(p) S(p) u of sensor, controller (PID, then a filter) and amplifier, each
-// a transfer function b(p)/a(p) of order m in observable form, a_m = 1,
+// or F = k_i i + k_s u; and a loop i = -A(p) C(p) S(p) u of sensor, controller (PID, then a filter) and amplifier. Each
+// of these is a transfer function b(p)/a(p) of order m in observable form, a_m = 1,
 //
 //     y = x_1 + b_m u,    x_j' = x_{j+1} + b_{m-j} u - a_{m-j} y,    x_{m+1} = 0.
 //
-// Switches are the currents of both coils of an axis, above 0, and i_max less these.
+// The switches of an axis are the currents of both coils, which stay above 0, and i_max minus these currents.
 //
 // A bearing that fails has one more state, a clock x' = lambda (1 - x), which begins at 0: x = 1 - e^(-lambda tau).
-// Currents fall smoothly while x passes from one given value to another. Linear analyses, which do not depend on time,
-// leave x at 0. The unit of x is that of a current of 1 A.
+// Currents fall smoothly while x grows from one given value to another. Linear analyses, which do not depend on time,
+// leave x at 0. The unit of x is a current of 1 A.
 
-/// Computes one of the loop's transfer functions on `lines` axes side by side. u [lines] are the inputs, which become
-/// the outputs; s and slope are the states of the first axis, those of the next axis `apart` further on.
+/// Computes one of the loop's transfer functions on `lines` axes side by side. The inputs u [lines] become the outputs.
+/// s and slope are those of the first axis; those of the next axis are `apart` further on.
 VECTOR_INLINE void KERNEL(of_order)(const kernel_view *view, size_t part, int order, size_t lines, size_t apart, num *u,
                                     const num *s, num *slope) {
     const size_t stride = view->stride;
@@ -41,7 +41,7 @@ VECTOR_INLINE void KERNEL(currents)(const element *own, const kernel_view *view,
     VECTOR_FOR (part, (size_t)LOOP_BLOCKS) {
         const int order = block_order(own, (int)part);
 #ifndef NUMBERS_DUAL
-        // Common orders, known to the compiler.
+        // Orders that are known to the compiler are faster.
         if (order == 0)
             KERNEL(of_order)(view, part, 0, lines, apart, u, s, slope);
         else if (order == 1)
@@ -57,7 +57,7 @@ VECTOR_INLINE void KERNEL(currents)(const element *own, const kernel_view *view,
     VECTOR_FOR (line, lines) u[line] = n_sub(n_set(0.0), u[line]);
 }
 
-/// Limits a coil's current; with fixed sides [MAGNETIC_LIMITS], as these have it.
+/// Limits a coil's current; by `sides` [MAGNETIC_LIMITS] if they are given, otherwise by the current.
 static inline num KERNEL(limited)(const kernel_view *view, num current, const vec *sides) {
     const vec zero = v_set(0.0), most = view->number[MAGNETIC_MAX * view->stride];
     const vec above = sides ? sides[MAGNETIC_ABOVE * view->stride] : n_value(current);
@@ -66,7 +66,7 @@ static inline num KERNEL(limited)(const kernel_view *view, num current, const ve
     return n_select(v_less(zero, below), lifted, n_of(most));
 }
 
-/// Force along an axis.
+/// Returns the force along an axis.
 static inline num KERNEL(pull)(const element *own, const kernel_view *view, num u, num current, const vec *sides) {
     const size_t stride = view->stride;
     const vec *number = view->number;
@@ -75,7 +75,8 @@ static inline num KERNEL(pull)(const element *own, const kernel_view *view, num 
                      n_scale(number[MAGNETIC_BY_PLACE * stride], u));
     const num bias = n_of(number[MAGNETIC_BIAS * stride]), gap = n_of(number[MAGNETIC_GAP * stride]);
     const vec *others = sides ? sides + MAGNETIC_LIMITS * stride : NULL;
-    // One division: of currents by gaps, the difference of squares by their sum and difference.
+    // Use only one division: of the currents by the gaps; the difference of squares is computed from their sum and
+    // difference.
     const num near = n_sub(gap, u), far = n_add(gap, u), over = n_div(n_set(1.0), n_mul(near, far));
     const num one = n_mul(KERNEL(limited)(view, n_add(bias, current), sides), far);
     const num other = n_mul(KERNEL(limited)(view, n_sub(bias, current), others), near);
@@ -83,7 +84,7 @@ static inline num KERNEL(pull)(const element *own, const kernel_view *view, num 
     return n_scale(number[MAGNETIC_FORCE * stride], n_mul(square, n_mul(over, over)));
 }
 
-/// Displacements along both axes.
+/// Computes the displacements along both axes.
 static inline void KERNEL(along_axes)(const kernel_view *view, const num *d, num *u) {
     const vec c = view->number[MAGNETIC_COS * view->stride], sine = view->number[MAGNETIC_SIN * view->stride];
     u[0] = n_add(n_scale(c, d[0]), n_scale(sine, d[1]));
@@ -117,7 +118,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     num u[2], pull[2], current[2], left = n_set(1.0);
     const size_t loop = (size_t)loop_order(own);
     (void)w;
-    // Currents of the controller, and the pull of both axes.
+    // Compute the currents of the controller, and the pull of both axes.
     KERNEL(along_axes)(view, d, u);
     for (size_t line = 0; line < 2; line++) current[line] = u[line];
     KERNEL(currents)(own, view, 2, current, s, slope);
@@ -136,7 +137,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
         const num share = n_sub(n_of(one), n_mul(n_mul(q, q), n_sub(n_set(3.0), n_scale(v_set(2.0), q))));
         left = n_mul(share, share);
     }
-    // Turn back from the magnets' axes.
+    // Turn the force back from the magnets' axes.
     force[0] = n_mul(left, n_sub(n_scale(c, pull[0]), n_scale(sine, pull[1])));
     force[1] = n_mul(left, n_add(n_scale(sine, pull[0]), n_scale(c, pull[1])));
 }

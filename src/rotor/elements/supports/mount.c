@@ -1,4 +1,4 @@
-// An elastomer mount between two stations, or a station and the ground: its damping fades with the frequency.
+// An elastomer mount between two stations, or between a station and the ground. Its damping fades with the frequency.
 #define KERNEL_FILE "elements/supports/mount_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 2

@@ -1,5 +1,5 @@
 // An elastomer between two places, the standard linear solid (Zener 1948): along every axis a spring k, in parallel
-// with a spring k_m and a damper c in series. The extension s of the damper is a state of its own,
+// with a spring k_m and a damper c in series. The extension s of the damper is a state:
 //
 //     f = -(k d + k_m (d - s)),   c s' = k_m (d - s).
 

@@ -1,20 +1,25 @@
-/// Rolling bearings: definitions shared by both compilations of their kernel (rolling_bearing.c, rolling_dents.c).
+/// Rolling bearings: definitions that both compilations of their kernel share (rolling_bearing.c, rolling_dents.c).
 #ifndef ROTOR_ROLLING_H
 #define ROTOR_ROLLING_H
 
 #include "element.h"
 
-/// Dents: of the inner race, the outer race, one rolling element.
+/// Dents: of the inner race, of the outer race, of one rolling element.
 enum { DENT_INNER, DENT_OUTER, DENT_BALL, DENTS };
 
-/// Numbers: C in newtons by length scales to the power of the law; g_0 in length scales; theta_0; the cosine and sine
-/// of the angle between rolling elements. For oblique contacts, in length scales and with the shaft in the middle: the
-/// distance A of the centres of both grooves, its part along the radius, the square of its part along the axis, and the
-/// excess of the sum of both squares over A^2. By tau: the slopes of the states (the angle of the cage and, with dents,
-/// of the dented part); then the speeds of inner race, outer race and a rolling element about its own axis, relative to
-/// the cage (0: unknown). For dents: depths in length scales, 2 pi over the widths, cosines of half the widths, and the
-/// angles of the races' dents at the start. Compression of a rolling element at which it or its races begin to yield; 0
-/// if sizes are unknown.
+/// Numbers: C in newtons by length scales to the power of the law; g_0 in length scales; theta_0; cosine and sine of
+/// the angle between rolling elements.
+///
+/// For oblique contacts, in length scales and with the shaft in the middle: the distance A of the centres of both
+/// grooves, its part along the radius, the square of its part along the axis, and the excess of the sum of both squares
+/// over A^2.
+///
+/// By tau: the slopes of the states (the angle of the cage and, with dents, of the dented parts); then the speeds of
+/// inner race, outer race and a rolling element about its own axis, relative to the cage (0: unknown).
+///
+/// For dents: depths in length scales, 2 pi divided by the widths, cosines of half the widths, and the angles of the
+/// races' dents at the start. Last the compression of a rolling element at which it or its races begin to yield; 0 if
+/// sizes are unknown.
 enum {
     ROLLING_STIFFNESS,
     ROLLING_GAP,
@@ -35,10 +40,11 @@ enum {
     ROLLING_NUMBERS
 };
 
-/// Law: number of rolling elements in the cage, and bits for other structure.
+/// The law: number of rolling elements in the cage, and bits: rollers, oblique contacts, a dent of a rolling element.
 enum { ROLLING_COUNT = 0xfff, ROLLING_LINE = 0x1000, ROLLING_OBLIQUE = 0x2000, ROLLING_BALL_DENT = 0x4000 };
 
-/// States: the angle of the cage; with dents those of the inner race, of the outer one and of a rolling element, too.
+/// Number of states: the angle of the cage; with dents also the angles of the inner race, of the outer race and of a
+/// rolling element.
 enum { ROLLING_STATES = 1, DENTED_STATES = 4 };
 
 extern const element_kernels *const dented_kernels[VECTOR_ISAS];

@@ -1,4 +1,4 @@
-// Ball and roller bearings, whose stiffness varies as their balls or rollers pass: keys and the numbers of the kernel.
+// Ball and roller bearings, whose stiffness varies as their balls or rollers pass: keys, and the numbers of the kernel.
 #include "rolling.h"
 
 #define KERNEL_FILE "elements/supports/rolling_kernel.h"
@@ -17,7 +17,8 @@ const element_kernels ISA(rolling_bearing_kernels) = GENERIC_KERNELS;
 #include <math.h>
 #include <stdio.h>
 
-/// Keys; from CONTACT_ANGLE on only balls have them. The keys of a dent: its depth, width and place; a ball's has none.
+/// Keys; those from CONTACT_ANGLE on are for balls only. The keys of a dent are its depth, width and place; that of a
+/// ball has no place.
 enum {
     AT,
     FROM,
@@ -57,7 +58,8 @@ enum {
     DENT_KEYS(place, symbol), ANGLE_KEY(place "_dent_angle", "", place "_dent",                                        \
                                         "position of its middle at t = 0, from the x axis towards y")
 
-/// Keys of a bearing of `many` of `one`, whose force is proportional to a power of the approach, as in the unit.
+/// Keys of a bearing with rolling elements `one`, plural `many`, whose force is proportional to a power of the
+/// approach, as in the unit.
 #define ROLLING_KEYS(one, many, unit, cited)                                                                           \
     [AT] = STATION_KEY("at", REQUIRED, "station that it carries"),                                                     \
     [FROM] = STATION_KEY("from", OPTIONAL, "station of the housing; absent: the ground"),                              \
@@ -106,14 +108,15 @@ static const whirl_key roller_keys[CONTACT_ANGLE] = {
                  "Palmgren 1959; Harris 2001, ch. 6"),
 };
 
-/// Speeds of both races over the rotor's. A housing that is no station of a shaft is fixed.
+/// Computes the ratios of both races' speeds to the rotor's. A housing that is no station of a shaft is fixed.
 static void find_races(const key_value *values, const assembly *to, double races[2]) {
     const assembly_station *housing = values[FROM].given ? &to->stations[values[FROM].station[0]] : NULL;
     races[0] = to->stations[values[AT].station[0]].ratio;
     races[1] = housing && housing->shaft != NO_SHAFT ? housing->ratio : 0.0;
 }
 
-/// Ratio of the cage, for balls that roll: the mean of both races' velocities over the mean of their radii.
+/// Computes the ratio of the cage's speed for balls that roll: the mean of both races' velocities divided by the mean
+/// of their radii.
 static whirl_status cage_ratio(const key_value *values, const double races[2], double *ratio) {
     const bool radii = values[INNER].given && values[OUTER].given;
     const double inner = values[INNER].number, outer = values[OUTER].number;
@@ -135,8 +138,8 @@ static whirl_status cage_ratio(const key_value *values, const double races[2], d
     return whirl_ok();
 }
 
-/// Sets the rates by tau from the cage's. A ball rolls on the inner race; the race's share of the sum of both radii is
-/// also the share of its speed in the cage's, 0 if unknown. Both are reduced by slip.
+/// Sets the rates by tau from that of the cage. A ball rolls on the inner race. The share of the inner race's radius in
+/// the sum of both radii is also the share of its speed in the cage's; 0 if unknown. Slip reduces both rates.
 static void set_rates(const key_value *values, const double races[2], double cage, double obliquity, double *number) {
     const double radii = values[INNER].number / (values[INNER].number + values[OUTER].number);
     const double share = values[CAGE].given ? (cage - races[1]) / (races[0] - races[1]) : radii;
@@ -149,24 +152,25 @@ static void set_rates(const key_value *values, const double races[2], double cag
 
 // ---------------------------------------------------------------- oblique contacts
 
-/// Lengths in metres, the shaft in the middle of the row.
+/// Lengths in metres, with the shaft in the middle of the row.
 typedef struct oblique {
-    double centres, radial, axial; ///< distance of both grooves' centres: A; along the radius and the axis, loaded
+    double centres, radial, axial; ///< distance A of both grooves' centres; its parts along the radius and the axis
+                                   ///< under load
 } oblique;
 
-/// Compression of balls along their contacts.
+/// Returns the compression of balls along their contacts.
 static double approach(const oblique *o) {
     return hypot(o->radial, o->axial) - o->centres;
 }
 
-/// Force along the axis, of all balls of a row.
+/// Returns the force along the axis of all balls of a row.
 static double thrust(const key_value *values, const oblique *o) {
     const double depth = fmax(approach(o), 0.0);
     return values[COUNT].number * values[STIFFNESS].number * depth * sqrt(depth) * o->axial /
            hypot(o->radial, o->axial);
 }
 
-/// The axial displacement at which the row bears the load, by bisection: thrust grows with it.
+/// Finds the axial displacement at which the row carries the load, by bisection: the thrust grows with it.
 static oblique find_oblique(const key_value *values) {
     const double centres = values[CENTRES].number, angle = values[CONTACT_ANGLE].number;
     oblique o = {centres, centres * cos(angle) - values[CLEARANCE].number, centres * sin(angle)};
@@ -246,14 +250,14 @@ static whirl_status set_dents(const key_value *values, const whirl_key *keys, do
 
 // ---------------------------------------------------------------- the element
 
-/// Rounds of a state per revolution after which the forces repeat: balls without dents are equal.
+/// Returns the rounds of a state per revolution after which the forces repeat: balls without dents are equal.
 static double rounds_of(const element *own, size_t state) {
     const bool alike = state == 0 && !(own->law & ROLLING_BALL_DENT);
     return (alike ? own->law & ROLLING_COUNT : 1) * own->number[ROLLING_RATES + state];
 }
 
-/// Orders of the cage, of a ball about its own axis, of balls past a place of each race and, with a fixed outer race,
-/// past a fixed load.
+/// Returns the orders of the cage, of a ball about its own axis, of balls passing a place of each race and, with a
+/// fixed outer race, passing a fixed load.
 static bool rolling_bearing_named_order(const element *own, size_t index, double *order, const char **name) {
     static const char *const names[] = {"FTF", "BSF", "BPFO", "BPFI", "BPF"};
     const double *speeds = own->number + ROLLING_SPEEDS, cage = own->number[ROLLING_RATES];
@@ -278,7 +282,7 @@ static void rolling_bearing_note(const element *own, double length, double clock
         used += (size_t)snprintf(text + used, size - used, "%s%s %.4gX", i ? ", " : "", name, order);
 }
 
-/// Compression of the rolling element under the load.
+/// Returns the compression of the rolling element under the load.
 static double depth_at(const element *own, double radius) {
     const double *number = own->number;
     const double reach = radius + number[ROLLING_RADIAL];
@@ -286,7 +290,7 @@ static double depth_at(const element *own, double radius) {
                                       : radius - number[ROLLING_GAP];
 }
 
-/// The pressure is proportional to the load to the power 1/3, for rollers 1/2.
+/// Describes the range of the Hertz pressure, which is proportional to the load to the power 1/3, for rollers 1/2.
 static bool rolling_bearing_range(const element *own, size_t index, const element_seen *seen, element_range *out) {
     const bool line = own->law & ROLLING_LINE;
     const double most = line ? HERTZ_MAX_ROLLER : HERTZ_MAX_BALL, yield = own->number[ROLLING_YIELD];
@@ -348,7 +352,8 @@ static void doubt_balls(const key_value *values, double speed, const doubt_telle
 static const element_type dented_balls = BALL_TYPE(DENTED_STATES, dented_kernels, NULL);
 static const element_type dented_rollers = ROLLER_TYPE(DENTED_STATES, dented_kernels, NULL);
 
-/// Compression at which a rolling element yields, m. Radii of grooves follow from the distance of their centres.
+/// Returns the compression at which a rolling element yields, m. Radii of grooves follow from the distance of their
+/// centres.
 static double yield_depth(const key_value *values, bool line) {
     const double race = values[INNER].number, diameter = values[OUTER].number - race,
                  stiffness = values[STIFFNESS].number;
@@ -358,7 +363,7 @@ static double yield_depth(const key_value *values, bool line) {
                 : pow(hertz_ball_load(diameter, race, groove) / stiffness, 2.0 / 3.0);
 }
 
-/// Builds one kind, by its table of keys and its law.
+/// Builds a bearing of one kind, by its table of keys and its law.
 static whirl_status rolling_bearing_build(const key_value *values, const whirl_key *keys, int law, assembly *to,
                                           element *out) {
     const bool staggered = values[STAGGERED].choice == 0, line = law & ROLLING_LINE;
@@ -368,7 +373,7 @@ static whirl_status rolling_bearing_build(const key_value *values, const whirl_k
     bool dented = false;
     whirl_status status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
-    // Rates of cage and rollers, and dents, from the geometry.
+    // Compute the rates of cage and rolling elements, and the dents, from the geometry.
     find_races(values, to, races);
     status = cage_ratio(values, races, &ratio);
     out->law = law | (int)balls;
@@ -378,7 +383,7 @@ static whirl_status rolling_bearing_build(const key_value *values, const whirl_k
     status = set_dents(values, keys, length, out, &dented);
     if (dented) out->type = line ? &dented_rollers : &dented_balls;
     for (size_t i = ROLLING_RATES; i < ROLLING_DEPTH; i++) number[i] *= to->turn;
-    // Numbers of the contact, in the rotor's units.
+    // Compute the numbers of the contact, in the rotor's units.
     number[ROLLING_STIFFNESS] = values[STIFFNESS].number * (staggered ? 1.0 : rows) *
                                 (line ? length * pow(length, 1.0 / 9.0) : length * sqrt(length));
     number[ROLLING_GAP] = values[CLEARANCE].number / length;
@@ -387,7 +392,7 @@ static whirl_status rolling_bearing_build(const key_value *values, const whirl_k
     number[ROLLING_APART_COS] = cos(apart);
     number[ROLLING_APART_SIN] = sin(apart);
     generic_scale(out, to, 1.0);
-    // The damping adds to the matrices.
+    // Add the damping to the matrices.
     for (int a = 0; a < KERNEL_AXES; a++)
         assembly_damper(to, out->port[a], out->port[KERNEL_AXES + a], values[DAMPING].number);
     return status;

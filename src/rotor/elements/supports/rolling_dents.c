@@ -1,4 +1,4 @@
-// The kernels of a rolling bearing with dents, whose races and rolling elements have angles of their own.
+// The kernels of a rolling bearing with dents; the angles of its races and of a rolling element are states.
 #include "rolling.h"
 
 #define KERNEL_FILE "elements/supports/rolling_kernel.h"

@@ -1,21 +1,24 @@
 // A rolling bearing whose balls or rollers pass under the load (Sunnersjo 1978; Fukata et al. 1985). Ball j stands at
-// theta_j = theta + 2 pi j/N, theta = theta_0 + ratio tau; with the shaft at r_j = x cos theta_j + y sin theta_j along
-// it, it is pressed in by delta_j = r_j - g_0 and pushes back by Hertz's law where that is above zero,
+// theta_j = theta + 2 pi j/N, theta = theta_0 + ratio tau. With the shaft at r_j = x cos theta_j + y sin theta_j in the
+// direction of the ball, the ball is compressed by delta_j = r_j - g_0. Where that is above zero it pushes back by
+// Hertz's law:
 //
 //     f = -C sum_j delta_j^n lever_j (cos theta_j, sin theta_j),    n = 3/2, of rollers 10/9; lever_j = 1.
 //
-// Where the contact is oblique, the centres of both grooves, A apart without load, are A_j = sqrt((R + r_j)^2 + Z^2)
-// apart with R = A cos alpha_0 - g_0 and Z = A sin alpha_0 + the axial displacement; then delta_j = A_j - A and
-// lever_j = (R + r_j)/A_j. A_j - A is written as (r_j (2 R + r_j) + R^2 + Z^2 - A^2)/(A_j + A), free of cancellation.
+// In an oblique contact the centres of both grooves, whose distance without load is A, are at a distance of
+// A_j = sqrt((R + r_j)^2 + Z^2) with R = A cos alpha_0 - g_0 and Z = A sin alpha_0 + the axial displacement. Then
+// delta_j = A_j - A and lever_j = (R + r_j)/A_j. A_j - A is computed as (r_j (2 R + r_j) + R^2 + Z^2 - A^2)/(A_j + A),
+// which has no cancellation.
 //
-// A dent of depth h and width w takes h (1 + cos(2 pi phi/w))/2 from delta_j, phi the angle from its middle, |phi| <
-// w/2: in a race that of the ball, in a ball its own from the contact with the inner race, or with the outer one.
+// A dent of depth h and width w reduces delta_j by h (1 + cos(2 pi phi/w))/2 for |phi| < w/2, where phi is the angle
+// from its middle: for a dent in a race, the ball's angle; for a dent in a ball, the angle of the contact with the
+// inner race, or with the outer one.
 //
-// The force has a continuous derivative, so that contacts need not be located. Angles from their start are states, for
-// those that do not fit the revolution.
+// The force has a continuous derivative, so that contacts need not be located. The angles from their start are states,
+// since they need not repeat after a revolution.
 
 #ifdef ROLLING_DENTED
-/// Depth of dent `which` at the angle from its middle whose cosine and sine are x and y.
+/// Returns the depth of dent `which` at the angle from its middle, whose cosine and sine are x and y.
 static inline num KERNEL(dent)(const kernel_view *view, int which, num x, num y) {
     const vec *number = view->number;
     const size_t stride = view->stride;
@@ -26,7 +29,8 @@ static inline num KERNEL(dent)(const kernel_view *view, int which, num x, num y)
     return n_select(n_less(edge, x), n_scale(half, n_add(n_set(1.0), cosine)), n_set(0.0));
 }
 
-/// Depth of both races' dents under a ball at the angle of x and y; `at` are the cosines and sines of their dents.
+/// Returns the depth of both races' dents under a ball at the angle of x and y. `at` has the cosines and sines of the
+/// dents.
 static inline num KERNEL(race_dents)(const kernel_view *view, const num *at, num x, num y) {
     num taken = n_set(0.0);
     for (int race = DENT_INNER; race <= DENT_OUTER; race++) {
@@ -43,7 +47,7 @@ static inline void KERNEL(find_dents)(const kernel_view *view, const num *s, num
     }
 }
 
-/// Depth of the ball's own dent, at its own angle, on both races.
+/// Returns the depth of the ball's own dent, at the ball's angle, on both races.
 static inline num KERNEL(ball_dent)(const kernel_view *view, num angle) {
     const num zero = n_set(0.0);
     num x, y;
@@ -53,7 +57,8 @@ static inline num KERNEL(ball_dent)(const kernel_view *view, num angle) {
 }
 #endif
 
-/// Compression of a ball with the shaft at r along it, and the part of its push that acts along the radius.
+/// Returns the compression of a ball with the shaft at r along it. *lever becomes the part of the ball's push that acts
+/// along the radius.
 static inline num KERNEL(oblique)(const kernel_view *view, num r, num *lever) {
     const vec *number = view->number;
     const size_t stride = view->stride;
@@ -81,7 +86,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     num at[2 * DENT_BALL];
     KERNEL(find_dents)(view, s, at);
 #endif
-    // Each rolling element: its compression along its direction (x, y), and its push.
+    // For each rolling element compute its compression along its direction (x, y), and its push.
     for (int j = 0; j < (own->law & ROLLING_COUNT); j++) {
         const num r = n_fma(d[0], x, n_mul(d[1], y));
         num pressed = own->law & ROLLING_OBLIQUE ? KERNEL(oblique)(view, r, &lever) : n_sub(r, gap);
@@ -95,7 +100,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
         if (own->law & ROLLING_OBLIQUE) push = n_mul(push, lever);
         sum_x = n_fma(push, x, sum_x);
         sum_y = n_fma(push, y, sum_y);
-        // Direction of the next element.
+        // Turn to the direction of the next element.
         const num next = n_sub(n_scale(c, x), n_scale(sine, y));
         y = n_add(n_scale(sine, x), n_scale(c, y));
         x = next;

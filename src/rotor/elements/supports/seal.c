@@ -1,12 +1,12 @@
-// An annular seal with a turning fluid: its keys and the numbers of its kernel.
+// An annular seal with a turning fluid: its keys, and the numbers of its kernel.
 #define KERNEL_FILE "elements/supports/seal_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 0
 #define KERNEL_NUMBERS SEAL_NUMBERS
 #define KERNEL_SWITCHES 0
 
-/// Numbers: K_0, D_0, m_f in newtons per length scale and radian; 1/c^2 in length scales; lambda_0 by tau, n and b; the
-/// torque of the shear on the shaft, N m (0: not known), which no kernel reads.
+/// Numbers: K_0, D_0 and m_f in newtons per length scale and radian; 1/c^2 in length scales; lambda_0 by tau, n and b;
+/// the torque of the shear on the shaft, N m (0: unknown), which kernels do not read.
 enum {
     SEAL_STIFFNESS,
     SEAL_DAMPING,
@@ -19,7 +19,7 @@ enum {
     SEAL_NUMBERS
 };
 
-/// Bits of the law: coefficients follow from geometry; which powers are given by keys.
+/// Bits of the law: coefficients follow from geometry; the powers n and b are given.
 enum { SEAL_BLACK = 1, SEAL_GROWS = 2, SEAL_SLOWS = 4 };
 
 #include "black.h"
@@ -96,7 +96,7 @@ static const whirl_key keys[KEY_COUNT] = {
                                "Black, Allaire, Barrett 1981; Childs 1983"),
 };
 
-/// Coefficients at the centre: as given, or from its geometry.
+/// Returns the coefficients at the centre: as given, or from the geometry.
 static black_coefficients middle_of(const key_value *values, double speed) {
     const double density = values[DENSITY].number;
     const double viscosity = values[KINEMATIC].given ? values[KINEMATIC].number * density : values[VISCOSITY].number;
@@ -110,7 +110,7 @@ static black_coefficients middle_of(const key_value *values, double speed) {
                                 .ratio = values[RATIO].number};
 }
 
-/// Checks that the keys of its law are given, and none of the other law.
+/// Checks that the keys of the seal's law are given, and no keys of the other law.
 static whirl_status check_law(const key_value *values) {
     const bool black = values[LAW].choice;
     for (int k = STIFFNESS; k <= RATIO; k++)
@@ -160,7 +160,7 @@ static whirl_status seal_build(const key_value *values, assembly *to, element *o
     return whirl_ok();
 }
 
-/// Doubts Blasius' friction of smooth walls, and the neglect of circumferential flow.
+/// Raises doubts about Blasius' friction of smooth walls, and about the neglect of circumferential flow.
 static void doubt_black(const key_value *values, double speed, const doubt_teller *to) {
     const double least = 3000.0, most = 1e5, reynolds = middle_of(values, speed).reynolds;
     const double share = values[LENGTH].number / (2.0 * values[RADIUS].number), longest = 0.5 * (1.0 + 1e-9);
@@ -175,7 +175,7 @@ static void doubt_black(const key_value *values, double speed, const doubt_telle
                     share);
 }
 
-/// Doubts values beyond measurements (theory.md, "Annular seal").
+/// Raises doubts about values beyond measurements (theory.md, "Annular seal").
 static void seal_doubt(const key_value *values, double speed, const doubt_teller *to) {
     static const struct {
         int key;
@@ -188,7 +188,7 @@ static void seal_doubt(const key_value *values, double speed, const doubt_teller
     if (values[LAW].choice) doubt_black(values, speed, to);
 }
 
-/// Describes a seal given by its geometry: in the rotating fluid, and for a centred station.
+/// Describes a seal given by its geometry: its coefficients in the rotating fluid, and for a centred station.
 static void seal_note(const element *own, double length, double clock, char *text, size_t size) {
     const double *number = own->number, turn = number[SEAL_RATIO] * clock;
     const double K = number[SEAL_STIFFNESS] / length, C = number[SEAL_DAMPING] / (clock * length);
@@ -201,7 +201,7 @@ static void seal_note(const element *own, double length, double clock, char *tex
         K, C, M, fabs(number[SEAL_RATIO]), K - M * turn * turn, C * turn, C, 2.0 * M * turn);
 }
 
-/// Implements element_type.drag: the shear, and the couple that turns the fluid at lambda of the shaft's speed.
+/// Implements element_type.drag: the shear, and the couple that turns the fluid at lambda times the shaft's speed.
 static void seal_drag(const element *own, const drag_view *in, double torque[2]) {
     const double *number = own->number;
     const double share = in->distance / in->length * sqrt(number[SEAL_OVER_CLEARANCE_SQUARE]);
@@ -216,7 +216,7 @@ static double seal_clearance(const element *own) {
     return 1.0 / sqrt(own->number[SEAL_OVER_CLEARANCE_SQUARE]);
 }
 
-/// Coefficients of the centre hold to about half the clearance: Childs 1993.
+/// Describes the range: coefficients of the centre hold up to about half the clearance (Childs 1993).
 static bool seal_range(const element *own, size_t index, const element_seen *seen, element_range *out) {
     const bool grows = own->number[SEAL_GROWTH] > 0.0;
     const char *const limit =

@@ -1,11 +1,12 @@
-// An annular seal whose fluid turns at lambda of the shaft's speed (Muszynska 1988): on a place at d with the velocity
-// w, d and w as complex numbers, the force is
+// An annular seal whose fluid turns at lambda times the shaft's speed (Muszynska 1988). On a place at d with the
+// velocity w, both as complex numbers, the force is
 //
 //     -(K d + D (w - i lambda d) - m_f (2 i lambda w + lambda^2 d)),
 //
-// K = K_0 (1 - e^2)^-n, D = D_0 (1 - e^2)^-n, lambda = lambda_0 (1 - e)^b, e = |d|/c. m_f w' is the station's, by its
-// inertia, or in a housing that moves an inerter between both. At the wall and beyond the force is not a number, and
-// the motion counts as diverged. Powers that no key names are 1 without being computed.
+// K = K_0 (1 - e^2)^-n, D = D_0 (1 - e^2)^-n, lambda = lambda_0 (1 - e)^b, e = |d|/c. The term m_f w' is not in
+// this force: it is part of the station's inertia, or in a housing that moves, an inerter between both. At the wall and
+// beyond, the force is not a number, and the motion counts as diverged. Powers that are not given by keys are 1, and
+// are not computed.
 
 static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,
                                  num *force, num *slope) {

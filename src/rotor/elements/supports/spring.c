@@ -1,4 +1,4 @@
-// A spring and damper between two stations, or a station and the ground, with play between them.
+// A spring and damper with play between two stations, or between a station and the ground.
 #define KERNEL_FILE "elements/supports/spring_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 0
@@ -6,7 +6,7 @@
 #define KERNEL_SWITCHES 4
 #define KERNEL_TILTS
 
-/// Numbers in newtons and length scales; for tilts in N m and the unit of the first tilt; that unit, m or rad.
+/// Numbers in newtons and length scales; for tilts in N m and the unit of the first tilt; then this unit, m or rad.
 enum { SPRING_STIFFNESS, SPRING_DAMPING, SPRING_GAP, SPRING_UNIT, SPRING_NUMBERS };
 
 #include "elements/along.h"
@@ -54,7 +54,7 @@ static whirl_status spring_build(const key_value *values, assembly *to, element 
     return whirl_ok();
 }
 
-/// Finds the torque of a spring along the twist, as its kernel does along its first axis.
+/// Finds the torque of a spring along the twist, as its kernel computes it along its first axis.
 static void spring_carry(const element *own, const element_place *at, element_carried *out) {
     const double *n = own->number;
     *out = (element_carried){.unit = n[SPRING_UNIT],
@@ -70,7 +70,7 @@ static void spring_carry(const element *own, const element_place *at, element_ca
     if (!out->open) out->force = out->stiffness * (closing - copysign(n[SPRING_GAP], closing)) + out->damping * rate;
 }
 
-/// With damping the force jumps as the play ends.
+/// Returns true if the force jumps as the play ends: there is damping.
 static bool spring_jumps(const element *own) {
     return own->law != 0;
 }
