@@ -34,7 +34,8 @@ enum {
 size_t plan_given(const whirl_batch *batch, double value, double second, double third,
                   whirl_given given[PLAN_MAX_GIVEN]);
 
-/// Like plan_given, for one point of a batch, by its index among the values of its axes.
+/// Fills in the parameter values of one point of a batch, as plan_given does, and returns their number. point: its
+/// index among the values of the axes.
 size_t plan_given_at(const whirl_batch *batch, size_t point, whirl_given given[PLAN_MAX_GIVEN]);
 
 /// Returns the index of the batch of a name; `batch_count` if there is none.

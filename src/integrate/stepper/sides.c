@@ -59,8 +59,6 @@ static void slope_on(const stepper *c, double t, const double *x, const double *
         system->rhs(system->model, t, forcing, x, dxdt);
 }
 
-/// Solves the n by n equations matrix out = right by elimination with the largest pivot; `right` becomes out. Returns
-/// false if they are singular.
 bool stepper_solve(size_t n, double matrix[MAX_SLIDING][MAX_SLIDING], double *right) {
     for (size_t k = 0; k < n; k++) {
         size_t pivot = k;

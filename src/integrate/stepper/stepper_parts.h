@@ -64,7 +64,8 @@ size_t stepper_list_sliding(const stepper *c, size_t list[MAX_SLIDING]);
 /// remain in `work`, in rows from the second on.
 void stepper_slope_along(const stepper *c, double t, const double *x, double *dxdt, double *share);
 
-/// Solves n by n equations; `right` becomes the solution. Returns false if they are singular.
+/// Solves the n by n equations matrix x = right by elimination with the largest pivot; `right` becomes x. Returns false
+/// if they are singular.
 bool stepper_solve(size_t n, double matrix[MAX_SLIDING][MAX_SLIDING], double *right);
 
 /// Moves x back onto the switches along which it slides.
