@@ -13,10 +13,9 @@
 #include "settings.h"
 #include "table_file.h"
 #include "tree.h"
+#include "two_pi.h"
 
 enum { VERSION = 1, MAX_ROWS = 10000 };
-
-static const double two_pi = 6.283185307179586476925;
 
 /// Keys of a vibration: amplitude and phase, or real and imaginary part.
 #define VECTOR_KEYS(unit, size, angle)                                                                                 \

@@ -10,10 +10,11 @@
 #include "input.h"
 #include "matrix.h"
 #include "settings.h"
+#include "two_pi.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/linear.h"
 
-static const double moment = 1e-6, two_pi = 6.283185307179586476925; // unbalance of the responses, kg m
+static const double moment = 1e-6; // unbalance of the responses, kg m
 
 /// State of consulting the model.
 typedef struct consulting {

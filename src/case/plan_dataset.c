@@ -12,8 +12,7 @@
 #include "problem.h"
 #include "schema.h"
 #include "tree.h"
-
-static const double two_pi = 6.283185307179586476925;
+#include "two_pi.h"
 
 // ---------------------------------------------------------------- reading
 

@@ -12,14 +12,13 @@
 #include "problem.h"
 #include "schema.h"
 #include "tree.h"
+#include "two_pi.h"
 #include "whirl/internal/csv.h"
 
 enum { FIT_MAX_COLUMNS = 2 + 4 * WHIRL_MAX_PROBES, FIT_INSTANTS = 64, FIT_MAX_ORDER = 64, FIT_PATH = 4096 };
 
 /// Largest distance of an angle from an instant of the motion, as part of the distance of instants.
 #define FIT_OFF_INSTANT 1e-3
-
-static const double two_pi = 6.283185307179586476925;
 
 // ---------------------------------------------------------------- reading the case
 

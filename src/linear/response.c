@@ -9,9 +9,8 @@
 #include "mean.h"
 #include "mean_rest.h"
 #include "periodic.h"
+#include "two_pi.h"
 #include "whirl/engine/linear.h"
-
-static const double two_pi = 6.283185307179586476925;
 
 /// Computes the first harmonic [count][2] of what the forcing adds to the slope at the equilibrium. Phases that turn
 /// once per revolution do so here.

@@ -5,13 +5,12 @@
 
 #include "machine_at.h"
 #include "named_lines.h"
+#include "two_pi.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/result.h"
 #include "whirl/engine/study.h"
 #include "whirl/engine/system.h"
 #include "whirl/status.h"
-
-static const double two_pi = 6.283185307179586476925;
 
 whirl_status machine_of(const whirl_result *result, whirl_case **machine) {
     const char *text = result->case_text ? result->case_text : "";

@@ -1,4 +1,5 @@
 #include "units.h"
+#include "two_pi.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/result.h"
 #include "whirl/engine/shown.h"
@@ -8,7 +9,6 @@
 #include <string.h>
 
 double units_order(const whirl_shown_units *units, double speed) {
-    const double two_pi = 6.283185307179586476925;
     return units->frequency > 0.0 && speed > 0.0 ? speed / two_pi / units->frequency : (double)NAN;
 }
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "two_pi.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/result.h"
 #include "whirl/internal/csv.h"
@@ -22,8 +23,6 @@ enum {
     MAX_SAMPLES = 256,
     POLYNOMIAL = 7
 };
-
-static const double two_pi = 6.283185307179586476925;
 
 /// A column of the table.
 typedef struct record_column {

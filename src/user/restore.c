@@ -3,9 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "two_pi.h"
 #include "user.h"
-
-static const double two_pi = 6.283185307179586476925;
 
 /// Fields of a table that depend on the time, NULL for missing ones.
 typedef struct timed_fields {

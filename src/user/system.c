@@ -4,10 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "two_pi.h"
 #include "user.h"
 #include "whirl/engine/case.h"
-
-static const double two_pi = 6.283185307179586476925;
 
 whirl_status whirl_user_system_new(const char *title, size_t dimension, whirl_user_system **out) {
     *out = NULL;

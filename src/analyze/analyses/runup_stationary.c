@@ -9,9 +9,8 @@
 
 #include "bracket.h"
 #include "runup_parts.h"
+#include "two_pi.h"
 #include "whirl/engine/linear.h"
-
-static const double two_pi = 6.283185307179586476925;
 
 /// Instants of a turn over which torques are averaged.
 enum { INSTANTS = 64 };

@@ -5,8 +5,7 @@
 
 #include "runup_parts.h"
 #include "spectrum.h"
-
-static const double two_pi = 6.283185307179586476925;
+#include "two_pi.h"
 
 size_t runup_bins(const whirl_runup_options *options) {
     if (options->spectra == 0) return 0;

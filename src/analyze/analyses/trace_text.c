@@ -2,9 +2,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "two_pi.h"
 #include "whirl/engine/analyze.h"
-
-static const double two_pi = 6.283185307179586476925;
 
 const char *whirl_special_name(whirl_special special) {
     static const char *const names[] = {

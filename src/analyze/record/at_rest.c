@@ -2,6 +2,7 @@
 // steps, so neither its returns nor a perturbed copy mean anything; the equilibrium and its eigenvalues decide instead.
 // See docs/theory.md, "Rest".
 #include "at_rest.h"
+#include "two_pi.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -66,7 +67,6 @@ static bool stays_at(const whirl_system *system, const double *x, double scale, 
 
 /// Takes the mode that decays most slowly, or grows, per revolution; its frequency in orders.
 static void take_slowest(const whirl_modes *modes, double period, whirl_record_rest *rest) {
-    const double two_pi = 6.283185307179586;
     rest->growth = modes->growth * period;
     for (size_t i = 0; i < modes->count; i++)
         if (modes->modes[i].real == modes->growth) rest->order = modes->modes[i].imaginary * period / two_pi;

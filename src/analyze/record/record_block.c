@@ -1,5 +1,6 @@
 // The memory of a record.
 #include "record_block.h"
+#include "two_pi.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -167,7 +168,6 @@ void whirl_record_free(whirl_record *record) {
 }
 
 section record_points(const whirl_record *record) {
-    const double two_pi = 6.283185307179586476925;
     const size_t d = record->dimension, wide = d + turns_count(record->angles, d);
     const double *x = record->section;
     double *to = record->points;

@@ -1,12 +1,11 @@
 // A run turn by turn: the first turn from standstill by time, from then on by the angle; machines whose torques depend
 // on time, or whose stations twist, by time throughout. Events are landed on.
 #include "runup.h"
+#include "two_pi.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static const double two_pi = 6.283185307179586476925;
 
 /// A search for an instant ends when the interval has shrunk to this share of its first length.
 static const double located = 1e-14;

@@ -1,11 +1,10 @@
 // The last turns of a run, as samples at equal angles of the shaft.
 #include "turn_history.h"
+#include "two_pi.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static const double two_pi = 6.283185307179586476925;
 
 turn_samples turn_samples_new(size_t samples, size_t probes, size_t contacts) {
     turn_samples made = {.samples = samples, .probes = probes, .contacts = contacts};

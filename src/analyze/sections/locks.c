@@ -11,8 +11,7 @@
 #include "locks.h"
 #include "rotation.h"
 #include "section.h"
-
-static const double two_pi = 6.283185307179586;
+#include "two_pi.h"
 
 enum { SHORTEST_LIMIT = 96 };
 

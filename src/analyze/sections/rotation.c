@@ -10,10 +10,9 @@
 #include "birkhoff_weight.h"
 #include "rotation.h"
 #include "section.h"
+#include "two_pi.h"
 
 enum { MIN_POINTS = 24, ORDERED_POINTS = 2000 };
-
-static const double two_pi = 6.283185307179586;
 
 /// Every `curves`-th point, relative to the centre, in one block.
 typedef struct cloud {

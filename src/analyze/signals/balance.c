@@ -9,8 +9,7 @@
 #include "balance_limits.h"
 #include "balance_sets.h"
 #include "balance_trials.h"
-
-static const double two_pi = 6.283185307179586476925;
+#include "two_pi.h"
 
 // ---------------------------------------------------------------- rows
 

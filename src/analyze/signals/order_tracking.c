@@ -6,8 +6,7 @@
 #include <stdlib.h>
 
 #include "signal_check.h"
-
-static const double two_pi = 6.283185307179586476925;
+#include "two_pi.h"
 
 // ---------------------------------------------------------------- the angle
 

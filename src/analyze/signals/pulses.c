@@ -6,6 +6,7 @@
 #include "signal_check.h"
 #include "synchronous.h"
 #include "transform.h"
+#include "two_pi.h"
 
 static const double pi = 3.141592653589793238463;
 
@@ -44,8 +45,6 @@ whirl_synchronous synchronous_of(double complex x, double complex y, double size
 
 // ---------------------------------------------------------------- pulses
 // Pulses of a keyphasor, one a turn of the shaft.
-
-static const double two_pi = 6.283185307179586476925;
 
 whirl_status whirl_signals_threshold(const double *voltage, size_t count, double *threshold, double *hysteresis) {
     const whirl_status status = signal_check_channels(voltage, count, 1, 2);

@@ -7,8 +7,7 @@
 
 #include "lock.h"
 #include "random.h"
-
-static const double two_pi = 6.283185307179586476925;
+#include "two_pi.h"
 
 const char *whirl_sensor_name(whirl_sensor sensor) {
     static const char *const names[] = {"proximity", "velocity", "accelerometer", "keyphasor",

@@ -6,13 +6,12 @@
 // whole bins the transform of one sinusoid falls monotonically.
 #include "spectral_lines.h"
 #include "transform.h"
+#include "two_pi.h"
 
 #include <complex.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
-
-static const double two_pi = 6.283185307179586476925;
 
 /// Lines below this share of the largest are taken for noise or leakage.
 static const double smallest_share = 1e-4;

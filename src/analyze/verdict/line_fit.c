@@ -4,6 +4,7 @@
 // wanders by w per revolution and grows by g has, about the middle of the record, the parts (g + 2 pi i d) t c and pi i
 // w t^2 c. Orders are refined by d (method of Gauss and Newton).
 #include "line_fit.h"
+#include "two_pi.h"
 
 #include <complex.h>
 #include <math.h>
@@ -22,8 +23,6 @@ enum {
     ROUNDS = 6,
     MIN_SAMPLES = 16
 };
-
-static const double two_pi = 6.283185307179586476925;
 
 /// Orders of combinations that are added, and bins between lines that a fit tells apart.
 static const double highest_added = 2.0, told_apart = 1.0;

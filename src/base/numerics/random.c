@@ -1,4 +1,5 @@
 #include "random.h"
+#include "two_pi.h"
 
 #include <math.h>
 
@@ -18,7 +19,6 @@ double random_share(uint64_t seed, uint64_t first, uint64_t second) {
 }
 
 void random_normals(uint64_t seed, uint64_t first, uint64_t index, double out[2]) {
-    const double two_pi = 6.283185307179586476925;
     const double size = sqrt(-2.0 * log(random_share(seed, first, 2 * index)));
     const double angle = two_pi * random_share(seed, first, 2 * index + 1);
     out[0] = size * cos(angle);

@@ -1,9 +1,8 @@
 #include "harmonics.h"
+#include "two_pi.h"
 
 #include <math.h>
 #include <string.h>
-
-static const double two_pi = 6.283185307179586476925;
 
 /// Returns angle j of `count` equally spaced ones, rad.
 static double angle_of(size_t j, size_t count) {

@@ -8,8 +8,7 @@
 #include "section_map.h"
 #include "torus_equations.h"
 #include "torus_follower.h"
-
-static const double two_pi = 6.283185307179586476925;
+#include "two_pi.h"
 
 /// Computes the eigenvector of a [n][n] with the eigenvalue nearest to exp(i angle): vector [n][2]. Returns false
 /// without memory.

@@ -3,13 +3,12 @@
 #include "harmonics.h"
 #include "section_map.h"
 #include "torus_equations.h"
+#include "two_pi.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static const double two_pi = 6.283185307179586476925;
 
 static whirl_torus *torus_describe_allocate(const torus_equations *e) {
     const size_t d = e->map->dimension;

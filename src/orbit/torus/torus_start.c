@@ -7,14 +7,13 @@
 #include "harmonics.h"
 #include "section_map.h"
 #include "torus_equations.h"
+#include "two_pi.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "birkhoff_weight.h"
-
-static const double two_pi = 6.283185307179586476925;
 
 enum { MAX_SECTIONS = 2048, MAX_HARMONICS = 24 };
 

@@ -11,13 +11,12 @@
 
 #include "harmonics.h"
 #include "turns.h"
+#include "two_pi.h"
 #include "whirl/engine/torus.h"
 
 typedef double complex number;
 
 enum { INSTANTS = 64, MIN_ANGLES = 128 };
-
-static const double two_pi = 6.283185307179586476925;
 
 /// Motions that begin at the nodes, at equally spaced instants of all revolutions. At each instant they lie on a closed
 /// curve with as many harmonics as that of the nodes.

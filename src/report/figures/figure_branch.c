@@ -7,8 +7,7 @@
 #include "figure_kinds.h"
 #include "quantities.h"
 #include "tori_bands.h"
-
-static const double two_pi = 6.283185307179586476925;
+#include "two_pi.h"
 
 // Kinds of special points, as whirl_special has them.
 static const struct {

@@ -5,12 +5,11 @@
 #include "figure_build.h"
 #include "figure_kinds.h"
 #include "shown_kinds.h"
+#include "two_pi.h"
 #include "whirl/engine/fit.h"
 
 /// Columns of the field fit/number that are drawn.
 enum { FIT_SET, FIT_MOTION, FIT_STATION, FIT_ANGLE, FIT_QUANTITY, FIT_AT, FIT_MEASURED, FIT_MODEL, FIT_NUMBERS = 9 };
-
-static const double two_pi = 6.283185307179586476925;
 
 /// Kinds of panels.
 enum { FIT_DISPLACEMENT, FIT_RESIDUAL, FIT_LAG };

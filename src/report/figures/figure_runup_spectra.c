@@ -7,6 +7,7 @@
 #include "figure_build.h"
 #include "quantities.h"
 #include "runup_panels.h"
+#include "two_pi.h"
 #include "units.h"
 
 /// Figures of spectra, and the meaning of `which` in their places.
@@ -51,7 +52,6 @@ static double spectra_at(const run_spectra *of, size_t spectrum, long bin) {
 
 /// Shown frequency of an order at a speed: Hz if frequencies are shown as orders elsewhere.
 static double spectra_frequency(const drawing *of, double order, double speed) {
-    const double two_pi = 6.283185307179586476925;
     return order * speed / two_pi / (of->units->frequency > 0.0 ? of->units->frequency : 1.0);
 }
 

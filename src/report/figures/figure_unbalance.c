@@ -5,9 +5,8 @@
 #include "figure_build.h"
 #include "figure_kinds.h"
 #include "margins.h"
+#include "two_pi.h"
 #include "units.h"
-
-static const double two_pi = 6.283185307179586476925;
 
 typedef struct view {
     const drawing *of;

@@ -4,9 +4,8 @@
 #include "mode_lines.h"
 #include "quantities.h"
 #include "shown_kinds.h"
+#include "two_pi.h"
 #include "units.h"
-
-static const double two_pi = 6.283185307179586476925;
 
 /// Adds the columns of a mode to a sheet.
 static void mode_columns(const finder *of, whirl_sheet *sheet) {

@@ -6,8 +6,7 @@
 #include "mode_lines.h"
 #include "quantities.h"
 #include "shown_kinds.h"
-
-static const double two_pi = 6.283185307179586476925;
+#include "two_pi.h"
 
 /// Required separation of a torsional mode from an excitation, %.
 static const double asked_separation = 10.0;

@@ -7,6 +7,7 @@
 #include "law_range_text.h"
 #include "page.h"
 #include "quantities.h"
+#include "two_pi.h"
 #include "units.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/findings.h"
@@ -246,7 +247,7 @@ void page_computed(const page *to, size_t index) {
     snprintf(text, sizeof text, "%.6g rad/s (%.6g revolutions a minute)", result->speed,
              result->speed * 60.0 / 6.283185307179586);
     write_row(to->stream, "Speed of rotation", text);
-    const double clock = whirl_result_clock(result), two_pi = 6.283185307179586;
+    const double clock = whirl_result_clock(result);
     snprintf(text, sizeof text, "once a turn of the %.80s (%.6g Hz), in which revolutions and orders are counted",
              whirl_result_keyphasor(result), clock / two_pi);
     if (*whirl_result_keyphasor(result)) write_row(to->stream, "Sections", text);

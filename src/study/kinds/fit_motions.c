@@ -1,4 +1,5 @@
 #include "fit_motions.h"
+#include "two_pi.h"
 
 #include <math.h>
 #include <omp.h>
@@ -7,8 +8,6 @@
 
 #include "whirl/engine/orbit.h"
 #include "whirl/engine/sensitivity.h"
-
-static const double two_pi = 6.283185307179586476925;
 
 whirl_status fit_motions_make(fit_motions *m) {
     m->kept = calloc(2 * m->fit->motion_count, sizeof *m->kept);

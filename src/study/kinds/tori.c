@@ -2,6 +2,7 @@
 #include "kinds.h"
 #include "pass.h"
 #include "study_run.h"
+#include "two_pi.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,8 +10,6 @@
 #include "first_error.h"
 #include "rows.h"
 #include "settled.h"
-
-static const double two_pi = 6.283185307179586476925;
 
 /// A pass over tori.
 typedef struct tori {

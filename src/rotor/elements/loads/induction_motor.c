@@ -1,11 +1,10 @@
 // An induction motor by its equations. The flux linkages of stator and rotor are states, so that the pulsation at line
 // frequency after switching on is a result. It acts in run-ups alone.
 #include "registry.h"
+#include "two_pi.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
-
-static const double two_pi = 6.283185307179586476925;
 
 enum {
     AT,

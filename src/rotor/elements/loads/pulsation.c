@@ -1,12 +1,11 @@
 // Torques that pulsate at orders of the speed or at fixed frequencies, and a steady one. They act in the study torsion.
 #include "registry.h"
+#include "two_pi.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
 
 #include "table.h"
-
-static const double two_pi = 6.283185307179586476925;
 
 enum { AT, ORDERS, FREQUENCIES, AMPLITUDES, SHARES, RATED, PHASES, STEADY, SPEEDS, KEY_COUNT };
 

@@ -1,13 +1,12 @@
 // Runout: apparent motion that probes see on a shaft that is not round, or not of uniform metal. It causes no force.
 #include "registry.h"
+#include "two_pi.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
 
 enum { AT, SEEN_BY, ORDER, AMPLITUDE, ANGLE, PROFILE, KEY_COUNT };
 enum { SEEN_BY_BOTH, SEEN_BY_FIRST };
-
-static const double two_pi = 6.283185307179586476925;
 
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = STATION_KEY("at", REQUIRED, "station of the probes"),

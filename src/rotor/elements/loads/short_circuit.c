@@ -1,10 +1,9 @@
 // The torque of a short circuit at the terminals of an electric machine. It acts in run-ups alone.
 #include "registry.h"
+#include "two_pi.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
-
-static const double two_pi = 6.283185307179586476925;
 
 enum { AT, TORQUE, FREQUENCY, FIRST, SECOND, DECAY, TIME, KEY_COUNT };
 

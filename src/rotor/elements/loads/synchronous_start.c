@@ -1,13 +1,12 @@
 // A synchronous motor that starts asynchronously. Its torque has a mean and a part that pulsates at twice the slip
 // frequency. It acts in run-ups alone.
 #include "registry.h"
+#include "two_pi.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
 
 #include "table.h"
-
-static const double two_pi = 6.283185307179586476925;
 
 enum { AT, FREQUENCY, POLES, MEAN, PULSATING, SLIPS, PHASE, KEY_COUNT };
 
