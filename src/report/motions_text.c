@@ -73,6 +73,35 @@ static void add_count(const paragraph *p) {
     if (done < whirl_table_planned(p->table)) paragraph_add(p, " (of %zu points)", whirl_table_planned(p->table));
 }
 
+/// Reports how many motions without a verdict ended early.
+static void add_lost(const paragraph *p) {
+    size_t first;
+    const size_t lost = motions_lost(p->table, &first);
+    if (lost > 0)
+        paragraph_add(p, "; %zu of them ended early (clearances and contacts are reported without %s)", lost,
+                      lost == 1 ? "it" : "them");
+}
+
+/// Reports starts without a verdict, and places where none has one: these have no motion in the table.
+static void add_untold(const paragraph *p) {
+    const whirl_table *const source = p->table->source;
+    size_t done = 0, untold = 0;
+    double told_places = 0.0;
+    for (size_t i = 0; i < source->count; i++) {
+        if (!whirl_table_done(source, i)) continue;
+        done++;
+        untold += whirl_table_verdict(source, i).regime == WHIRL_UNDETERMINED;
+    }
+    if (done < whirl_table_planned(source))
+        paragraph_add(p, " (%zu of %zu starts are computed)", done, whirl_table_planned(source));
+    if (untold == 0) return;
+    paragraph_add(p, ", %zu of %zu starts have no verdict", untold, done);
+    for (size_t i = 0; i < p->table->count; i++) told_places += 1.0 / (double)p->table->attractors[i].beside;
+    const double places = (double)whirl_table_places(p->table), without = places - round(told_places);
+    if (done == whirl_table_planned(source) && without > 0.0)
+        paragraph_add(p, " (at %.0f of %.0f points none of them has one)", without, places);
+}
+
 static void add_regimes(const paragraph *p) {
     size_t done = 0, periodic = 0, doubtful = 0, diverged = 0;
     for (size_t i = 0; i < p->table->count; i++) {
@@ -91,7 +120,10 @@ static void add_regimes(const paragraph *p) {
                       "and contacts are reported without them)",
                       diverged);
     if (doubtful > 0) paragraph_add(p, ", %zu are in doubt", doubtful);
-    if (done < whirl_table_planned(p->table)) paragraph_add(p, " (of %zu points)", whirl_table_planned(p->table));
+    if (p->table->attractors)
+        add_untold(p);
+    else if (done < whirl_table_planned(p->table))
+        paragraph_add(p, " (of %zu points)", whirl_table_planned(p->table));
 }
 
 // ---------------------------------------------------------------- clearances
@@ -148,8 +180,8 @@ static void add_contact(const paragraph *p, size_t contact) {
         return;
     }
     paragraph_add(p, "touches in %zu of %zu motions", touching, done);
-    add_place(p, ", from ", first);
-    add_place(p, " to ", last);
+    add_place(p, touching > 1 ? ", from " : ", at ", first);
+    if (touching > 1) add_place(p, " to ", last);
     const whirl_unit *const unit = &p->units->of[WHIRL_QUANTITY_FORCE];
     paragraph_add(p, ", at most %.3g %% of the time and with %.4g %s", 100.0 * share,
                   force * p->view->force_scale / unit->size, unit->name);
@@ -205,6 +237,7 @@ void motions_text(const whirl_shown_units *units, const whirl_result *view, cons
     judged ? add_regimes(&p) : add_count(&p);
     paragraph_add(&p, ", ");
     add_unbalances(&p);
+    if (!judged) add_lost(&p);
     add_clearance(&p);
     for (size_t c = 0; c < view->contact_count; c++)
         if (whirl_layout_field(&table->layout, WHIRL_FIELD_RUB_SHARE)) add_contact(&p, c);

@@ -99,6 +99,22 @@ bool has_rub(const whirl_table *table, size_t contact_count) {
     return contact_count > 0 && whirl_layout_field(&table->layout, WHIRL_FIELD_RUB_SHARE) != NULL;
 }
 
+bool motion_lost(const whirl_table *table, size_t point) {
+    const double *block = whirl_table_done(table, point) ? whirl_table_block(table, point) : NULL;
+    if (!block) return false;
+    for (size_t i = 0; i < table->layout.size; i++)
+        if (!isnan(block[i])) return false;
+    return table->layout.size > 0;
+}
+
+size_t motions_lost(const whirl_table *table, size_t *first) {
+    size_t count = 0;
+    *first = table->count;
+    for (size_t point = 0; point < table->count; point++)
+        if (motion_lost(table, point) && count++ == 0) *first = point;
+    return count;
+}
+
 const whirl_table *detail_table(const whirl_result *result) {
     const whirl_table *detail = whirl_result_role(result, WHIRL_ROLE_DETAIL);
     return detail ? detail : whirl_result_role(result, WHIRL_ROLE_POINT);

@@ -19,12 +19,14 @@ import h5py
 import numpy as np
 
 RPM = math.pi / 30.0
-UNITS = {"rpm": RPM, "Hz": 2.0 * math.pi, "rad/s": 1.0, "1/s": 1.0, "%": 1.0, "N/m": 1.0, "µm p-p": 1e-6, "µm": 1e-6,
+MIL = 25.4e-6
+UNITS = {"mil p-p": MIL, "mil": MIL, "s": 1.0, "N": 1.0, "MN/m": 1e6, "mm 0-p": 1e-3, "rpm": RPM, "Hz": 2.0 * math.pi, "rad/s": 1.0, "1/s": 1.0, "%": 1.0, "N/m": 1.0, "µm p-p": 1e-6, "µm": 1e-6,
          "mm": 1e-3, "": 1.0}
 
 # What has numbers and is no finding.
 FIXED = {
-    r"[1-9]\. [A-Z][a-z, -]+|8\. Nonlinear motions": "a title",
+    r"\d+\. [A-Z][a-z, -]+|Contacts of a run": "a title",
+    r"Values before and after a jump, on the way up .*": "what a jump is",
     r"Clauses are those of API RP 684, .*": "editions of standards",
     r"Of the machine without damping, the lowest 6 of each direction\.": "how many are listed",
     r"Natural frequencies over the speed \(Campbell diagram\), .*": "what the chapter has",
@@ -121,16 +123,16 @@ def critical(result, own):
     table, text = own["table"], own["found"]["text"]
     values, speed = result.values(table), result.field(table, "modes/speed")
     frequency, growth = result.field(table, "modes/frequency"), result.field(table, "modes/stability")
-    thresholds = re.findall(r"(unstable|stable) from (?:\w+ = )?(\S+)(?: (rpm|N/m))?", text)
+    thresholds = re.findall(r"(unstable|stable) from (?:\w+ = )?(\S+)(?: (rpm|MN/m|N/m))?", text)
     for word, shown, unit in thresholds:
         value = float(shown) * UNITS[unit]
         after = np.searchsorted(values, value)
         assert 0 < after < len(values), f"{value} is at no point"
         signs = (growth[after - 1] > 0, growth[after] > 0)
         assert signs == ((False, True) if word == "unstable" else (True, False)), f"growth {growth[after - 1 : after + 1]}"
-    rest = re.sub(r"(unstable|stable) from (?:\w+ = )?(\S+)(?: (rpm|N/m))?", "", text)
-    for shown in re.findall(r"([\d.]+(?:e[+-]\d+)?) rpm", rest):
-        after = np.searchsorted(speed, float(shown) * RPM)
+    rest = re.sub(r"(unstable|stable) from (?:\w+ = )?(\S+)(?: (rpm|MN/m|N/m))?", "", text)
+    for shown, at, unit in re.findall(r"([\d.]+(?:e[+-]\d+)?) rpm(?: at \w+ = (\S+) ([^\s,]+))?", rest):
+        after = np.searchsorted(values, float(at) * UNITS[unit]) if at else np.searchsorted(speed, float(shown) * RPM)
         assert 0 < after < len(speed), f"{shown} rpm is at no point"
         below = [np.sum(frequency[i] < speed[i]) for i in (after - 1, after)]
         assert below[0] != below[1], f"no frequency crosses the speed near {shown} rpm"
@@ -328,6 +330,55 @@ def weight(result, own):
     assert text.startswith("none: ") == (gravity == 0.0)
 
 
+def missing(result, table):
+    """The points without any number of what motions are analyzed for."""
+    numbers = []
+    for analysis in ("poincare", "orbit", "rub", "spectrum", "lyapunov", "exponents"):
+        for name in result.file[table].get(analysis, {}):
+            numbers.append(np.isfinite(result.field(table, f"{analysis}/{name}")).reshape(len(result.values(table)), -1).any(axis=1))
+    return ~np.any(numbers, axis=0)
+
+
+def ended_early(result, own):
+    lost = missing(result, own["table"])
+    match = re.match(r"(\d+) of (\d+) motions(?:, first at (\S+))?", own["found"]["text"])
+    assert match and (int(match[1]), int(match[2])) == (lost.sum(), len(lost)), f"{lost.sum()} of {len(lost)}"
+    assert not match[3] or np.isclose(own["found"]["values"][0], result.values(own["table"])[lost.argmax()])
+
+
+def largest_motion(result, own):
+    """The station that goes farthest from the centre during any run, when and at which speed."""
+    table = own["table"]
+    peak = result.field(table, "runup/peak") * result.lengths(table)[:, None]
+    run, station = np.unravel_index(np.nanargmax(peak), peak.shape)
+    seen = [peak[run, station]] + [result.field(table, f"runup/peak_{name}")[run, station] for name in ("time", "speed")]
+    assert np.allclose(own["found"]["values"], seen, rtol=1e-12) and f"at {result.stations[station]}," in own["found"]["text"], seen
+
+
+def touches(result, own):
+    """How often a contact closes in the run in which it is pressed most, and the largest force at the instants of the run."""
+    table, contact = own["table"], result.contacts.index(own["what"])
+    force = result.field(table, "runup/force")[:, contact] * result.file["case"].attrs["force_scale"]
+    run = np.unravel_index(np.nanargmax(force), force.shape)[0]
+    match = re.match(r"closes (\d+) times?, first at ([\d.e+]+) s, with up to (\S+) N", own["found"]["text"])
+    assert match and int(match[1]) == result.field(table, "runup/contact_number")[run, contact], "number"
+    assert rounds_to(result.field(table, "runup/contact")[run, contact, 0], match[2]), result.field(table, "runup/contact")
+    assert rounds_to(np.nanmax(force), match[3]), f"{np.nanmax(force)} N"
+
+
+def line_jump(result, own):
+    """Between neighbouring points; the line is the strongest of its station on its side at both."""
+    table, values = own["table"], result.values(own["table"])
+    match = re.match(r"jumps from (\S+) .* to (\S+) .* after (\S+)", own["found"]["text"])
+    lines = result.field(table, "spectrum/lines")
+    order, size = lines[..., 0], np.fmax(lines[..., 1], lines[..., 2]) * result.lengths(table)[:, None, None]
+    at = np.argmin(abs(values - own["found"]["values"][-1]))
+    assert match and at + 1 < len(values), f"{own['found']}"
+    told = float(own["what"].split()[-1])
+    assert any(rounds_to(one, own["what"].split()[-1]) for one in order[at].ravel()), f"no line of order {told}"
+    assert np.isclose(size[at], own["found"]["values"][0]).any() and np.isclose(size[at + 1], own["found"]["values"][1]).any()
+
+
 def runout(result, own):
     assert result.field(own["table"], "unbalance/seen") is not None
 
@@ -352,6 +403,8 @@ STATEMENTS = {
     "bearings": unknown_bearings,
     "sub-synchronous lines": lines_beside,
     "super-synchronous lines": lines_beside,
+    "ended early": ended_early,
+    "largest motion": largest_motion,
     "stability, Level I": level_one,
     "stability, Level II": level_two,
 }
@@ -361,7 +414,7 @@ def shown_agrees(own):
     """Numbers of a statement's texts are its numbers in the units that stand behind them."""
     for part in ("asked", "found", "judged"):
         values = list(own[part]["values"])
-        for shown, unit in re.findall(r"(?<![\w.])(-?\d[\d.]*(?:e[+-]?\d+)?)(?: (µm p-p|µm|mm|rpm|Hz|rad/s|1/s|%|N/m))?", own[part]["text"]):
+        for shown, unit in re.findall(r"(?<![\w.])(-?\d[\d.]*(?:e[+-]?\d+)?)(?: (µm p-p|µm|mil p-p|mil|mm 0-p|mm|rpm|Hz|rad/s|1/s|%|MN/m|N/m|s\b|N\b))?", own[part]["text"]):
             if values and rounds_to(values[0] / UNITS[unit], shown):
                 values.pop(0)
         assert not values, f"{values} stand in no text of {own[part]['text']!r}"
@@ -391,11 +444,30 @@ def check_shafts(result):
 def motions(result, match):
     table = match["table"]
     codes, periods = result.field(table, "regime/code"), result.field(table, "regime/period")
+    if result.file[table].attrs.get("starts", 1) > 1:
+        of_starts(result, table, match)
+        return
     assert int(match["all"]) == len(codes) and int(match["one"]) == np.sum((codes == 1) & (periods == 1)), f"{codes}, {periods}"
     doubt = np.sum(result.field(table, "regime/confidence") == 0)
     assert int(match["doubt"] or 0) == doubt, f"{doubt} in doubt"
-    rest = match["rest"]
-    for name in result.contacts:
+    near_and_touching(result, table, match["rest"])
+
+
+def of_starts(result, table, match):
+    """Motions from several starts a point: how many starts have no verdict, at how many points none has one, and that the
+    others are told."""
+    codes, values = result.field(table, "regime/code"), result.values(table)
+    told = {value: np.any(codes[values == value] > 0) for value in set(values)}
+    starts = re.search(r"(\d+) of (\d+) starts have no verdict(?: \(at (\d+) of (\d+) points none of them has one\))?", match["rest"])
+    without, empty = np.sum(codes == 0), sum(not one for one in told.values())
+    assert (int(starts[1]) if starts else 0) == without, f"{without} of {len(codes)} starts"
+    assert not starts or int(starts[3] or 0) == empty, f"{empty} of {len(told)} points"
+    assert int(match["one"]) <= int(match["all"]) >= len(told) - empty, f"{len(told)} points"
+
+
+def near_and_touching(result, table, rest):
+    """Where motions touch, how long and how hard, and where they come nearest to a wall."""
+    for name in result.contacts if result.field(table, "rub/share") is not None else []:
         own = re.search(re.escape(name) + r" (never touches|touches in (\d+) of (\d+) motions.*?at most (\S+) % of the time and with (\S+) N)", rest)
         share = result.field(table, "rub/share")[:, result.contacts.index(name)]
         force = result.field(table, "rub/max_force")[:, result.contacts.index(name)] * result.file["case"].attrs["force_scale"]
@@ -406,18 +478,26 @@ def motions(result, match):
     if wall:
         at = result.stations.index(wall[1])
         reach = result.file["stations"]["gap" if wall[3] == "gap" else "clearance"][at]
-        seen = 100 * np.nanmax(result.field(table, "orbit/max_radius")[:, at]) / reach
+        parameter = result.option(table, "parameter")
+        parameter = parameter.decode() if isinstance(parameter, bytes) else parameter
+        if wall[3] == "gap" and re.search(rf"gap: = {parameter}\b", result.file["case/text"].asstr("utf-8")[0]):
+            reach = result.values(table) / result.lengths(table)
+        seen = 100 * np.nanmax(result.field(table, "orbit/max_radius")[:, at] / reach)
         assert rounds_to(seen, wall[2]), f"{seen} %"
 
 
 def unjudged(result, match):
     table = match["table"]
     assert int(match["all"]) == len(result.values(table)) and int(match["record"]) == result.option(table, "record")
+    lost = missing(result, table).sum()
+    assert int(match["lost"] or 0) == lost, f"{lost} have no numbers"
+    near_and_touching(result, table, match["rest"])
 
 
-def left_out(result, match):
+def left_out(result, title, match):
+    """Stations without a figure in that table of responses."""
     count = 0
-    for table in result.tables():
+    for table in [title] if title in result.tables() else result.tables():
         placed, clearance = (result.field(table, f"unbalance/{name}") for name in ("placed", "clearance"))
         if clearance is not None:
             probes = probed(result, table)
@@ -429,7 +509,7 @@ def left_out(result, match):
 def beyond(result, match):
     """Of what goes beyond the range of a law: the limit, the most that was reached, at how many points and where first."""
     table = match["table"]
-    reached, most = np.moveaxis(result.field(table, "ranges/reached"), -1, 0)
+    reached, most = np.moveaxis(result.field(table, "ranges/reached"), -1, 0).reshape(2, len(result.values(table)), -1)
     found = [row for row in range(reached.shape[1]) if rounds_to(np.nanmax(reached[:, row]), match["reached"])
              and rounds_to(most[0, row], match["most"])]
     assert found, f"{np.nanmax(reached, axis=0)}"
@@ -447,7 +527,8 @@ def check_motions(result, table, text):
     for pattern, check in (
         (r"(?P<one>\d+) of (?P<all>\d+) motions come back every revolution(?:, \d+ diverge \(.*?\))?"
          r"(?:, (?P<doubt>\d+) are in doubt)?(?P<rest>.*)", motions),
-        (r"(?P<all>\d+) motions?, not judged \(analyze: regime\): (?P<record>\d+) revolutions.*", unjudged)):
+        (r"(?P<all>\d+) motions?, not judged \(analyze: regime\): (?P<record>\d+) revolutions[^;]*"
+         r"(?:; (?P<lost>\d+) of them ended early[^;]*)?(?P<rest>.*)", unjudged)):
         match = re.fullmatch(pattern, text)
         if match:
             check(result, {**match.groupdict(), "table": table})
@@ -466,7 +547,7 @@ def check_other(result, title, text):
         return not any(own["verdict"] != "none asked for" for own in result.json["statements"] if "clause" in own)
     match = re.match(r"(\d+) other stations? without probe, clearance or unbalance", text)
     if match:
-        left_out(result, match)
+        left_out(result, title, match)
         return True
     match = re.fullmatch(r"Beyond its law: (?P<table>\w+), .* up to (?P<most>\S+?)(?: [^\s,]+)?, .*; reached (?P<reached>\S+)"
                          r"(?: \((?P<points>\d+) of \d+ points, first at (?P<first>\S+)(?: (?P<unit>\S+))?\))?", text)
@@ -496,7 +577,8 @@ def main(path, page):
     for own in result.json.get("statements", []):
         try:
             shown_agrees(own)
-            STATEMENTS[own["what"]](result, own)
+            check = touches if own["what"] in result.contacts else line_jump if own["what"].startswith("line of order ") else None
+            (check or STATEMENTS[own["what"]])(result, own)
         except KeyError as error:
             faults.append(f"{own['what']}: no check of {error}")
         except AssertionError as error:
@@ -507,7 +589,7 @@ def main(path, page):
         if any(all(part in text for part in parts) for parts in texts if parts) or any(
             parts and parts[0] in text and text.split(". ")[0] in result.tables() for parts in texts):
             continue
-        if any(re.fullmatch(pattern, text) for pattern in FIXED):
+        if text == result.json["title"] or any(re.fullmatch(pattern, text) for pattern in FIXED):
             counts["fixed"] += 1
             continue
         try:

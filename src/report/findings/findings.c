@@ -19,10 +19,12 @@
 
 static void find_table(const finder *of) {
     const shown_kind *kind = shown_kind_of(of->table);
-    if (!kind)
+    if (!kind) {
+        find_lost(of);
         find_lines(of);
-    else if (of->table->count > 0 || whirl_analysis_kind(of->table->analyses)->found)
+    } else if (of->table->count > 0 || whirl_analysis_kind(of->table->analyses)->found) {
         kind->find(of);
+    }
     find_derivatives(of);
 }
 

@@ -35,6 +35,9 @@ void find_derivatives(const finder *of);
 /// Finds the inertias and joints of stations that twist.
 void find_train(const finder *of, const whirl_model *model);
 
+/// Finds motions without any number, of tables without verdicts.
+void find_lost(const finder *of);
+
 /// Finds spectral lines of motions along a parameter, below and above the synchronous one.
 void find_lines(const finder *of);
 

@@ -92,18 +92,17 @@ static void find_limits(const finder *of, size_t point) {
 enum { MAX_LOCATED = 6 };
 
 /// Writes a row of WHIRL_FIELD_MODES_CRITICAL: "2753.2 rpm", "unstable from 6100 rpm" or, for a parameter other than
-/// the speed, "unstable from q = 1e+07 N/m".
+/// the speed, "3000 rpm at k = 8e+06 N/m", "unstable from q = 1e+07 N/m".
 static void phrase_change(const finder *of, whirl_phrase *found, const double *row) {
+    const bool critical = row[0] < 1.5, by_speed = fabs(row[1] - row[2]) <= 1e-9 * row[2];
     phrase_text(of, found, "%s%s", found->count ? ", " : "",
-                row[0] < 1.5   ? ""
+                critical       ? ""
                 : row[0] < 2.5 ? "unstable from "
                                : "stable from ");
-    if (row[0] < 1.5 || fabs(row[1] - row[2]) <= 1e-9 * row[2]) {
-        phrase_number(of, found, WHIRL_QUANTITY_SPEED, 5, row[2]);
-    } else {
-        phrase_text(of, found, "%s = ", of->table->parameter);
-        phrase_value(of, found, 5, row[1]);
-    }
+    if (critical || by_speed) phrase_number(of, found, WHIRL_QUANTITY_SPEED, 5, row[2]);
+    if (by_speed) return;
+    phrase_text(of, found, "%s%s = ", critical ? " at " : "", of->table->parameter);
+    phrase_value(of, found, 5, row[1]);
 }
 
 /// Writes the number of unstable values, for tables in which no threshold was located.

@@ -38,6 +38,20 @@ typedef struct analysis_document {
     bool moves;              ///< with a summary of motions
 } analysis_document;
 
+/// Chooses the tables of a chapter.
+static bool is_of_chapter(const whirl_table *table, const void *by) {
+    const chapter *own = by;
+    return own->field ? whirl_layout_field(&table->layout, own->field) != NULL : shown_kind_of(table) == NULL;
+}
+
+/// Chooses tables with findings that no chapter of a document has.
+static bool is_of_no_chapter(const whirl_table *table, const void *by) {
+    const analysis_document *document = by;
+    for (size_t i = 0; i < document->count; i++)
+        if (is_of_chapter(table, &document->chapters[i])) return false;
+    return shown_kind_of(table) != NULL;
+}
+
 // ---------------------------------------------------------------- summary
 
 /// Writes the effect of the machine's motions on clearances, and coexisting motions.
@@ -69,7 +83,7 @@ static void write_found(const page *to, const analysis_document *document) {
         return;
     }
     fputs("<li><strong>Nonlinear motions.</strong> ", to->stream);
-    found_each(to, NULL, tell_motions, &written);
+    found_each(to, is_of_chapter, &(chapter){.field = NULL}, tell_motions, &written);
     if (!written) fputs("Not computed (study: motions).", to->stream);
     size_t beyond = 0;
     for (size_t r = 0; r < to->count; r++) beyond += laws_left(to->results[r]);
@@ -240,12 +254,20 @@ static void write_chapter(const page *to, const chapter *own, size_t index) {
     chapter_state state = {.kind = NULL};
     fprintf(to->stream, "<section id=\"chapter-%zu\">\n<h2>%zu. %s</h2>\n<p>%s</p>\n", index, index + FIRST_CHAPTER,
             own->title, own->about);
-    if (found_each(to, own->field, NULL, NULL) > 0)
-        found_each(to, own->field, write_table, &state);
-    else
-        fprintf(to->stream, "<p>%s</p>\n", own->absent);
+    if (found_each(to, is_of_chapter, own, write_table, &state) == 0) fprintf(to->stream, "<p>%s</p>\n", own->absent);
     free(state.section);
     fputs("</section>\n", to->stream);
+}
+
+/// Writes a chapter with all tables that no other one has, if there are any; returns whether there are.
+static bool write_others(const page *to, const analysis_document *document, size_t index) {
+    chapter_state state = {.kind = NULL};
+    if (found_each(to, is_of_no_chapter, document, NULL, NULL) == 0) return false;
+    fprintf(to->stream, "<section id=\"chapter-%zu\">\n<h2>%zu. Other studies</h2>\n", index, index + FIRST_CHAPTER);
+    found_each(to, is_of_no_chapter, document, write_table, &state);
+    free(state.section);
+    fputs("</section>\n", to->stream);
+    return true;
 }
 
 // ---------------------------------------------------------------- machine and model
@@ -293,6 +315,7 @@ void analysis_write(const page *to, analysis_kind kind) {
     write_found(to, document);
     write_machine(to);
     for (size_t i = 0; i < document->count; i++) write_chapter(to, &document->chapters[i], i);
-    write_appendix(to, document->count);
+    const bool others = write_others(to, document, document->count);
+    write_appendix(to, document->count + others);
     fputs("</main>\n</body>\n</html>\n", to->stream);
 }

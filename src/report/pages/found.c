@@ -18,14 +18,12 @@
 #include "whirl/engine/result.h"
 #include "whirl/engine/shown.h"
 
-size_t found_each(const page *to, const char *field, each_table *act, void *context) {
+size_t found_each(const page *to, choose_table *chosen, const void *by, each_table *act, void *context) {
     size_t count = 0;
     for (size_t r = 0; r < to->count; r++)
         for (size_t t = 0; t < to->results[r]->table_count; t++) {
             const whirl_table *table = &to->results[r]->tables[t];
-            if (table->count == 0 ||
-                !(field ? whirl_layout_field(&table->layout, field) != NULL : shown_kind_of(table) == NULL))
-                continue;
+            if (table->count == 0 || !chosen(table, by)) continue;
             if (act) act(to, r, table, context);
             count++;
         }

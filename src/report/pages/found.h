@@ -8,9 +8,12 @@
 /// Function applied to a table.
 typedef void each_table(const page *to, size_t result, const whirl_table *table, void *context);
 
-/// Applies `act` (NULL: nothing) to every table of all results that has points and the field (NULL: whose points are
-/// motions). Returns the number of tables.
-size_t found_each(const page *to, const char *field, each_table *act, void *context);
+/// Returns true for a table that is chosen.
+typedef bool choose_table(const whirl_table *table, const void *by);
+
+/// Applies `act` (NULL: nothing) to every table of all results that has points and is chosen. Returns the number of
+/// tables.
+size_t found_each(const page *to, choose_table *chosen, const void *by, each_table *act, void *context);
 
 /// Writes the findings of studies at rest, and the number of criteria that hold; `lacks`: why there may be none.
 void found_at_rest(const page *to, const char *lacks);

@@ -148,7 +148,7 @@ static void print_point(FILE *out, const whirl_shown_units *units, const whirl_c
         print_verdict(out, table->name, &verdict);
     else
         fprintf(out, "%s: no verdict, as the analyses have no regime\n", table->name);
-    if (verdict.regime == WHIRL_DIVERGING) return;
+    if (verdict.regime == WHIRL_DIVERGING || motion_lost(table, point)) return;
     print_failed_exponents(out, table, point);
     print_rubs(out, units, table, point);
     print_radii(out, units, table, point);
