@@ -73,6 +73,29 @@ def test_scales_and_lanes():
     assert abs(motion.states[-1, 0] - 3e5 * np.cos(20)) < 3e5 * 1e-8
 
 
+NO_EVENTS = (
+    (
+        Event(lambda t, x, p: x[0], -1, lambda t, x, p: [1.0]),
+        r"the reset of .* a state of shape \(1,\), expected \(2,\)",
+    ),
+    (Event(lambda t, x, p: x[0], -1, lambda t, x, p: None), "the reset of event 'event 0' gave None, expected real"),
+    (
+        Event(lambda t, x, p: x[0], -1, [1.0, 0.0]),
+        r"the reset of event 'event 0' is \[1.0, 0.0\], expected a Python fun",
+    ),
+    (
+        Event(lambda t, x, p: x, name="all"),
+        r"the value of event 'all' gave numbers of shape \(2,\), expected one number",
+    ),
+    (Event(lambda t, x, p: None), "the value of event 'event 0' gave None, expected real numbers"),
+    (Event(lambda t, x, p: 1j), "the value of event 'event 0' gave 1j, expected real numbers"),
+    (Event("x"), "the value of event 'event 0' is 'x', expected a Python function of t, x, p"),
+    (Event(lambda t, x, p: x[0], "up"), "event 'event 0' has passing 'up', expected 1 for rising"),
+    (Event(lambda t, x, p: x[0], 2), "event 'event 0' has passing 2, expected 1 for rising"),
+    (lambda t, x, p: x[0], r"event 0 is <function .*, expected whirl.systems.Event\(value"),
+)
+
+
 def test_what_cannot_be_followed_is_said():
     system = System(fall, [1, 0], {"e": 0.5})
     with pytest.raises(whirl.BadInput, match="instant 1 of the motion is 0, expected instants that rise"):
@@ -85,7 +108,8 @@ def test_what_cannot_be_followed_is_said():
         system.follow([0, 1], Event(lambda t, x, p: 1 / 0))
     with pytest.raises(whirl.NumericalFailure, match="function of event 'odd' is no number at t = 0"):
         system.follow([0, 1], Event(lambda t, x, p: float("nan"), name="odd"))
-    with pytest.raises(whirl.BadInput, match="reset gave a state of shape"):
-        system.follow([0, 1], Event(lambda t, x, p: x[0], -1, lambda t, x, p: [1.0]))
+    for event, words in NO_EVENTS:
+        with pytest.raises(whirl.BadInput, match=words):
+            system.follow([0, 1], [event])
     burst = System(lambda t, x, p: (x[0] ** 2,), [1.0]).follow([0, 0.5, 2])
     assert burst.end in ("diverged", "stuck") and abs(burst.time - 1) < 1e-2 and abs(burst.states[1, 0] - 2) < 1e-6

@@ -4,6 +4,7 @@ import functools
 import importlib.util
 import ctypes
 import os
+import sys
 import shutil
 import threading
 
@@ -142,13 +143,20 @@ def test_forms_of_c_texts_are_found_and_compared():
         System(functions[0], [0.3, 0], PARAMETERS, tangent=functions[0], **more)
 
 
-REAL = ctypes.POINTER(ctypes.c_double)
+POINTER = ctypes.POINTER
+REAL = POINTER(ctypes.c_double)
+SWAPPED = ctypes.c_double.__ctype_be__ if sys.byteorder == "little" else ctypes.c_double.__ctype_le__
 NO_FORMS = (
     (ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_double, REAL, REAL, REAL), "expected 'int rates"),
     (ctypes.CFUNCTYPE(None, ctypes.c_double, REAL, REAL, REAL, ctypes.c_void_p), "'void \\(double, double \\*"),
     (ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_float, REAL, REAL, REAL, ctypes.c_void_p), "'int \\(float, double"),
     (ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_double, *4 * [ctypes.c_void_p]), "'int \\(double, void \\*, void"),
     (ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_double, REAL, REAL, REAL, ctypes.c_void_p), "'int64_t \\(double"),
+    (ctypes.CFUNCTYPE(ctypes.c_int, SWAPPED, REAL, REAL, REAL, ctypes.c_void_p), "'int \\(swapped_float64_t, double"),
+    (ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_int, REAL, REAL, REAL, ctypes.c_void_p), "'int \\(int, double"),
+    (ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_double, POINTER(REAL), REAL, REAL, ctypes.c_void_p), "double \\*\\*, "),
+    (ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_double, REAL, REAL, REAL, ctypes.c_size_t), "double \\*, size_t\\)'"),
+    (ctypes.CFUNCTYPE(ctypes.c_uint, ctypes.c_double, REAL, REAL, REAL, ctypes.c_void_p), "'uint32_t \\(double"),
 )
 
 
@@ -186,6 +194,38 @@ def test_cfuncs_of_another_form_are_refused():
 
     with pytest.raises(whirl.BadInput, match=r"'int \(double, double \*, double \*, double \*\)', expected 'int rates"):
         System(as_gsl_has_it, [0.3, 0], PARAMETERS, speed="omega")
+    for result, time, state in (
+        ("void", "float64", "float64"),
+        ("int64", "float64", "float64"),
+        ("float64", "float64", "float64"),
+        ("boolean", "float64", "float64"),
+        ("int32", "float32", "float64"),
+        ("int32", "int64", "float64"),
+        ("int32", "float64", "float32"),
+    ):
+        form = f"{result}({time}, CPointer({state}), CPointer(float64), CPointer(float64), voidptr)"
+        other = numba.cfunc(form)((lambda t, x, p, d, c: None) if result == "void" else (lambda t, x, p, d, c: 0))
+        with pytest.raises(whirl.BadInput, match=r"^rates is a function '.*', expected 'int rates"):
+            System(other, [0.3, 0], PARAMETERS, speed="omega")
+
+
+NO_SLOPES = (
+    (lambda t, x, p: (x[1], 1j), "rates gave .* expected real numbers"),
+    (lambda t, x, p: np.array([x[1], 1j]), "rates gave .* expected real numbers"),
+    (lambda t, x, p: ("1", "2"), r"rates gave \('1', '2'\), expected real numbers"),
+    (lambda t, x, p: (x[1], None), "rates gave .* expected real numbers"),
+    (lambda t, x, p: {0: x[1], 1: 0.0}, "rates gave .* expected real numbers"),
+    (lambda t, x, p: (value for value in x), "rates gave .* expected real numbers"),
+    (lambda t, x, p: ([1.0, 2.0], 3.0), "rates gave .* expected real numbers"),
+    (lambda t, x, p: x[1], r"rates gave slopes of shape \(\), expected \(2,\)"),
+    (lambda t, x, p: [x], r"rates gave slopes of shape \(1, 2\), expected \(2,\)"),
+)
+
+
+@pytest.mark.parametrize("rates, words", NO_SLOPES)
+def test_what_is_no_slopes_is_refused(rates, words):
+    with pytest.raises(whirl.BadInput, match=words):
+        System(rates, [0.3, 0], PARAMETERS, speed="omega").response(**OPTIONS)
 
 
 @compiler
@@ -350,7 +390,7 @@ def test_what_is_wrong_is_said():
         ("an axis of the map is 'F', expected", lambda: make(period=1).map("F", "omega")),
         ("no option stepp, did you mean step", lambda: make(period=1).branch("F", 0, 1, stepp=1)),
         (
-            r"rates gave \['a', 'b'\], expected a number",
+            r"rates gave \['a', 'b'\], expected real numbers",
             lambda: System(lambda t, x, p: ["a", "b"], [0, 0], period=1).response(),
         ),
     ]:

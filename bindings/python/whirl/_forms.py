@@ -54,9 +54,10 @@ def _ctypes_word(kind):
         inner = _ctypes_word(kind._type_)
         return inner + ("*" if inner.endswith("*") else " *")
     try:
-        number = np.dtype(getattr(kind, "_dtype_", None) or kind).name
+        dtype = np.dtype(getattr(kind, "_dtype_", None) or kind)
     except TypeError:
         return getattr(kind, "__name__", str(kind))
+    number = dtype.name if dtype.isnative else "swapped_" + dtype.name
     word = _NUMBERS.get(number, number + "_t")
     return word + " *" if hasattr(kind, "_dtype_") else word
 

@@ -169,6 +169,28 @@ _OF_BRANCHES = (
 )
 
 
+def _given(function, what, values, shape):
+    """Returns what a function in Python gave, as numbers of that shape."""
+    try:
+        found = np.asarray(values)
+        if found.dtype.kind == "O":
+            found = np.array([float(value) for value in found.ravel()]).reshape(found.shape)
+    except (TypeError, ValueError):
+        found = np.asarray("")
+    if found.dtype.kind not in "biuf":
+        raise errors.BadInput(f"{function} gave {values!r}, expected real numbers")
+    if found.shape != shape:
+        raise errors.BadInput(f"{function} gave {what} of shape {found.shape}, expected {shape or 'one number'}")
+    return found
+
+
+def _passing(value, called):
+    """Returns the direction in which the value of an event passes 0."""
+    if not isinstance(value, (int, np.integer)) or value not in (-1, 0, 1):
+        raise errors.BadInput(f"{called} has passing {value!r}, expected 1 for rising, -1 for falling, 0 for both")
+    return int(value)
+
+
 def _flag(value, what):
     if not isinstance(value, (bool, np.bool_)):
         raise errors.BadInput(f"{what} is {value!r}, expected True or False")
@@ -465,13 +487,7 @@ class System:
             raised.setdefault("value", value)
 
         def put(slopes, to, shape):
-            try:
-                found = np.asarray(slopes, dtype=float)
-            except (TypeError, ValueError):
-                raise errors.BadInput(f"rates gave {slopes!r}, expected a number for every slope") from None
-            if found.shape != shape:
-                raise errors.BadInput(f"rates gave slopes of shape {found.shape}, expected {shape}")
-            to[...] = found
+            to[...] = _given("rates", "slopes", slopes, shape)
 
         @ffi.callback(callback_type("rates"), onerror=keep, error=1)
         def one(t, x, p, out, _context):
@@ -500,12 +516,8 @@ class System:
 
         @ffi.callback(callback_type("tangent"), onerror=keep, error=1)
         def tangent(t, x, p, dx, out, _context):
-            slopes = np.asarray(
-                self.tangent(t, self._copied(x, n), names(*self._copied(p, count_p)), self._copied(dx, n)), dtype=float
-            )
-            if slopes.shape != (n,):
-                raise errors.BadInput(f"tangent gave an array of shape {slopes.shape}, expected ({n},)")
-            self._state(out, n)[...] = slopes
+            slopes = self.tangent(t, self._copied(x, n), names(*self._copied(p, count_p)), self._copied(dx, n))
+            self._state(out, n)[...] = _given("tangent", "slopes", slopes, (n,))
             return 0
 
         return tangent
@@ -659,6 +671,13 @@ class System:
 
     def _put_event(self, handle, event, number, raised):
         """Passes an event to the library; returns what must live as long as it is called."""
+        if not isinstance(event, Event):
+            raise errors.BadInput(f"event {number} is {event!r}, expected whirl.systems.Event(value, ...)")
+        called = f"event '{event.name or f'event {number}'}'"
+        for part, function in (("value", event.value), ("reset", event.reset)):
+            if not callable(function) and not (part == "reset" and function is None):
+                raise errors.BadInput(f"the {part} of {called} is {function!r}, expected a Python function of t, x, p")
+        passing = _passing(event.passing, called)
         n, names, count_p = len(self.start), namedtuple("Parameters", self.parameters), len(self.parameters)
 
         def keep(kind, value, trace):
@@ -666,14 +685,13 @@ class System:
 
         @ffi.callback("double(double, const double *, const double *, void *)", onerror=keep, error=float("nan"))
         def value(t, x, p, _context):
-            return float(event.value(t, self._copied(x, n), names(*self._copied(p, count_p))))
+            found = event.value(t, self._copied(x, n), names(*self._copied(p, count_p)))
+            return float(_given(f"the value of {called}", "numbers", found, ()))
 
         @ffi.callback("int(double, const double *, const double *, double *, void *)", onerror=keep, error=1)
         def reset(t, x, p, after, _context):
-            state = np.asarray(event.reset(t, self._copied(x, n), names(*self._copied(p, count_p))), dtype=float)
-            if state.shape != (n,):
-                raise errors.BadInput(f"reset gave a state of shape {state.shape}, expected ({n},)")
-            self._state(after, n)[...] = state
+            state = event.reset(t, self._copied(x, n), names(*self._copied(p, count_p)))
+            self._state(after, n)[...] = _given(f"the reset of {called}", "a state", state, (n,))
             return 0
 
         check(
@@ -681,7 +699,7 @@ class System:
                 handle,
                 word_bytes(event.name or f"event {number}"),
                 value,
-                int(event.passing),
+                passing,
                 reset if event.reset is not None else ffi.NULL,
                 int(bool(event.ends)),
                 ffi.NULL,
