@@ -133,12 +133,14 @@ static void pair_units(whirl_user_system *system) {
 }
 
 /// Takes scales from observed sizes [4][dimension]: at once, over half of a longer time, over all of it, and of the
-/// start with its slopes. A motion that keeps growing has no definite size: the start's is used.
+/// start with its slopes. A motion that keeps growing has no definite size, and one that was not observed none that is
+/// known: the start's is used or, where that is 0, the one seen at once.
 static void take_sizes(whirl_user_system *system, const double *sizes) {
     const size_t n = system->dimension;
     for (size_t k = 0; k < n; k++) {
         const double at_once = sizes[k], half = fmax(at_once, sizes[n + k]), all = fmax(half, sizes[2 * n + k]);
-        const double size = all <= steady * half ? all : sizes[3 * n + k];
+        const double start = sizes[3 * n + k] > 0.0 ? sizes[3 * n + k] : at_once;
+        const double size = all > 0.0 && all <= steady * half ? all : start;
         system->units[k] = scales_unit_of(system, k, size);
     }
     pair_units(system);

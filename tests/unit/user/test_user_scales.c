@@ -43,6 +43,14 @@ static int lost(double t, const double *x, const double *p, double *dxdt, void *
     return 0;
 }
 
+/// u'' - 0.05 u' + u = 0.1 cos t from rest: its amplitude is 2 (exp(t/40) - 1), in whatever unit.
+static int growing(double t, const double *x, const double *p, double *dxdt, void *context) {
+    (void)context;
+    dxdt[0] = x[1];
+    dxdt[1] = 0.1 * p[0] * cos(t) + 0.05 * x[1] - x[0];
+    return 0;
+}
+
 static whirl_user_system *make(size_t dimension, whirl_user_rates_fn rates, double unit, double level) {
     whirl_user_system *system;
     good(whirl_user_system_new("units", dimension, &system));
@@ -129,6 +137,23 @@ static void limit_is_named(void **state) {
     }
 }
 
+/// A motion that grows from rest has no size at its start: it is lost where its amplitude passes a million times the
+/// size of its first revolutions, to a factor of ten, and not at once where that size is above a million.
+static void growth_in_any_unit(void **state) {
+    static const double units[] = {1.0, 1e7, 1e12};
+    const double revolution = 2.0 * pi / 40.0, least = log(1e6 / 20.0) / revolution, most = log(1e7 / 2.0) / revolution;
+    (void)state;
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++) {
+        whirl_user_system *system = make(2, growing, units[i], 0.0);
+        whirl_result *result = run(system, 1);
+        const whirl_verdict v = whirl_table_verdict(whirl_result_table(result, "response"), 0);
+        assert_int_equal(v.regime, WHIRL_DIVERGING);
+        assert_true(v.diverged_at > least && v.diverged_at < most + 1.0);
+        whirl_result_free(result);
+        whirl_user_system_free(system);
+    }
+}
+
 static void scales_that_do_not_fit(void **state) {
     whirl_user_system *system = make(2, van_der_pol, 1.0, 0.0);
     whirl_result *result;
@@ -150,9 +175,8 @@ static void scales_that_do_not_fit(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(exponents_in_any_unit),
-        cmocka_unit_test(no_bound_of_pascals),
-        cmocka_unit_test(limit_is_named),
+        cmocka_unit_test(exponents_in_any_unit),  cmocka_unit_test(no_bound_of_pascals),
+        cmocka_unit_test(limit_is_named),         cmocka_unit_test(growth_in_any_unit),
         cmocka_unit_test(scales_that_do_not_fit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
