@@ -78,27 +78,6 @@ static void state_number(const finder *of, const whirl_spread_of *own, size_t nu
     }
 }
 
-/// Returns the SI unit of a number, "1" for none.
-static const char *number_unit(const whirl_table *table, const whirl_spread_of *own) {
-    const whirl_field *field = whirl_layout_field(&table->layout, own->field);
-    whirl_spread_at at = {.field = field};
-    char names[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE];
-    if (!field) return "1";
-    if (*own->column && whirl_field_column_names(field, names))
-        while (at.index + 1 < field->columns && strcmp(names[at.index], own->column) != 0) at.index++;
-    const char *unit = whirl_column_unit(field, at.index);
-    return strcmp(unit, "length") == 0 ? "m" : strcmp(unit, "force") == 0 ? "N" : unit;
-}
-
-/// Returns the unit of a derivative in words: "rad/s per N/m", "m per 1".
-static const char *slope_unit(const finder *of, const whirl_spread_of *own, const char *parameter) {
-    const char *unit = number_unit(of->table, own), *by = "1";
-    if (strcmp(unit, "parameter") == 0) unit = "1";
-    for (size_t i = 0; i < of->result->parameter_count; i++)
-        if (strcmp(of->result->parameters[i].name, parameter) == 0) by = of->result->parameters[i].unit;
-    return find_text(of->findings, "%s per %s", unit, by);
-}
-
 void find_derivatives(const finder *of) {
     const whirl_table *table = of->table;
     const size_t parameters = sensitivity_parameters(table);
@@ -109,38 +88,32 @@ void find_derivatives(const finder *of) {
     const bool asked = *whirl_result_fact(of->result, "derived 1") != '\0';
     for (size_t i = 0; (asked || i < STATED) && whirl_table_derived(of->result, table, i, &own); i++)
         state_number(of, &own, i);
-    // Set up the columns.
+    // Set up a column for each parameter.
     whirl_sheet *sheet = find_sheet(of, "sensitivity", "Sensitivity to parameters");
-    sheet->about =
-        "The change is that of the number if the parameter grows by 1 %. The derivative and its error are in "
-        "SI; an error of 0 means that it is exact.";
+    sheet->about = "Change of a number if the parameter of the column grows by 1 %, all others as they are. The result "
+                   "has the derivatives in SI, with their errors (sensitivity/slopes).";
     sheet->of_points = true;
     sheet_texts(of, sheet, "what", "of");
     sheet_values(of, sheet, "", 6);
-    sheet_texts(of, sheet, "parameter", "parameter");
-    sheet_column(of, sheet, "change", "change", WHIRL_QUANTITY_PERCENT, 4);
-    sheet_column(of, sheet, "derivative", "derivative", WHIRL_QUANTITY_NUMBER, 8);
-    sheet_column(of, sheet, "error", "error", WHIRL_QUANTITY_NUMBER, 2);
-    sheet_texts(of, sheet, "unit", "unit");
-    // Add a row for each number, point and parameter.
+    for (size_t p = 0; p < parameters; p++) {
+        const char *name = find_text(of->findings, "%s", sensitivity_parameter(of->result, p));
+        sheet_column(of, sheet, find_text(of->findings, "change_%s", name), name, WHIRL_QUANTITY_PERCENT, 4);
+    }
+    // Add a row for each number and point.
     for (size_t i = 0; whirl_table_derived(of->result, table, i, &own); i++) {
         char name[SPREAD_NAME];
         spread_name(table, &own, name);
         const char *what = find_text(of->findings, "%s", name);
-        for (size_t point = 0; point < table->count; point++)
-            for (size_t p = 0; p < parameters && whirl_table_done(table, point); p++) {
-                const sensitivity_at at = sensitivity_of(table, point, i, p);
-                const char *parameter = find_text(of->findings, "%s", sensitivity_parameter(of->result, p));
-                if (!isfinite(at.slope)) continue;
-                sheet_row(of, sheet);
-                cell_text(of, sheet, what);
-                cell_value(of, sheet, point);
-                cell_text(of, sheet, parameter);
-                cell_number(of, sheet, at.change);
-                cell_number(of, sheet, at.slope);
-                cell_number(of, sheet, at.error);
-                cell_text(of, sheet, slope_unit(of, &own, parameter));
-            }
+        for (size_t point = 0; point < table->count; point++) {
+            bool any = false;
+            for (size_t p = 0; p < parameters && whirl_table_done(table, point); p++)
+                any = any || isfinite(sensitivity_of(table, point, i, p).change);
+            if (!any) continue;
+            sheet_row(of, sheet);
+            cell_text(of, sheet, what);
+            cell_value(of, sheet, point);
+            for (size_t p = 0; p < parameters; p++) cell_number(of, sheet, sensitivity_of(table, point, i, p).change);
+        }
     }
     find_sheet_end(of);
 }
