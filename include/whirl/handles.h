@@ -118,7 +118,7 @@ const whirl_table *whirl_result_table(const whirl_result *result, const char *na
 const char *whirl_table_name(const whirl_table *table);      ///< "sweep", "map", ...
 const char *whirl_table_parameter(const whirl_table *table); ///< The varied parameter, or "".
 const char *whirl_table_varied(const whirl_table *table); ///< The second varied parameter, of a map or curves, or "".
-/// The third varied parameter, from plane to plane of a map, or "".
+/// Returns the third varied parameter, from plane to plane of a map, or "" if there is none.
 const char *whirl_table_stacked(const whirl_table *table);
 /// Returns the role of the table's points in the study, independent of its name: "point", "survey", "detail", "map",
 /// "basin", "branches", "curves", "tori", "motions", "rest", "tolerances" or "records".

@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-/// Like whirl_claims_load, from memory; `name` is used in messages.
+/// Reads claims from memory as whirl_claims_load does from a file; `name` is used in messages.
 whirl_status claims_parse(const char *text, size_t length, const char *name, whirl_problems *problems,
                           whirl_claims **claims);
 

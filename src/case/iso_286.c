@@ -70,7 +70,7 @@ static size_t iso_range(const double *upper, double millimetres) {
     return i;
 }
 
-/// Lower deviation of a shaft of the letters k to s, or upper deviation of a hole K to S, in um.
+/// Returns the lower deviation of a shaft of the letters k to s, or the upper deviation of a hole K to S, in um.
 static double iso_inward(const deviation *own, bool hole, size_t grade, size_t range, size_t place) {
     // Grades from which a hole has the rule with the difference of two grades, and shafts k have a deviation.
     const bool k = own->letter == 'k', early = k || own->letter == 'm' || own->letter == 'n';

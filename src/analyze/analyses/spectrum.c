@@ -19,7 +19,7 @@ size_t spectrum_bins(size_t revolutions, size_t samples_per_revolution, double h
     return (size_t)fmin(wanted, last_whole) + 1;
 }
 
-/// The periodic Hann window of `count` samples, which sums to count/2.
+/// Writes the periodic Hann window of `count` samples, which sums to count/2.
 static void hann_window(size_t count, double *window) {
     for (size_t j = 0; j < count; j++) {
         const double s = sin(pi * (double)j / (double)count);

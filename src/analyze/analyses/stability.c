@@ -92,7 +92,7 @@ static double decrement_of(const whirl_mode *mode) {
     return 6.283185307179586476925 * (0.0 - mode->real) / mode->imaginary;
 }
 
-/// Highest frequency of deciding modes: the speed, or the first mode's frequency if that is higher.
+/// Returns the highest frequency of deciding modes: the speed, or the frequency of the first mode if that is higher.
 static double highest_of(const whirl_modes *modes, const bool *any, double clock, double speed) {
     double first = INFINITY;
     for (size_t i = 0; i < modes->count; i++)
@@ -119,8 +119,8 @@ static void stability_choose(const whirl_modes *modes, double clock, double spee
     }
 }
 
-/// Least decrement of the deciding modes [count], and of growing modes up to the highest of these; NaN without any.
-/// *frequency is that of the mode.
+/// Returns the least decrement of the deciding modes [count], and of growing modes up to the highest frequency of
+/// these; NaN if there are none. *frequency becomes that of the mode.
 static double least_decrement(const whirl_modes *modes, const bool *any, double clock, double speed,
                               double *frequency) {
     const double highest = highest_of(modes, any, clock, speed);

@@ -13,7 +13,8 @@
 /// Largest size of a motion at rest, over the state's size.
 static const double near_enough = 1e-5;
 
-/// Smallest size of a state: anything below near_enough of it is not resolved by the steps, or is rounding.
+/// Returns the smallest size of a state: motions below near_enough of it are not resolved by the steps, or are
+/// rounding.
 static double least_scale(const whirl_integrate_options *integrate) {
     const double tolerances = 100.0, rounding = 1e-12;
     return fmax(whirl_method_is_adaptive(integrate->method) ? tolerances * integrate->atol : 0.0, rounding) /
@@ -65,7 +66,7 @@ static bool stays_at(const whirl_system *system, const double *x, double scale, 
     return true;
 }
 
-/// Takes the mode that decays most slowly, or grows, per revolution; its frequency in orders.
+/// Finds the mode that decays most slowly, or grows fastest, per revolution. Its frequency is in orders.
 static void take_slowest(const whirl_modes *modes, double period, whirl_record_rest *rest) {
     rest->growth = modes->growth * period;
     for (size_t i = 0; i < modes->count; i++)

@@ -66,7 +66,7 @@ double orbit_search_distance(const orbit_search *s, const double *x) {
     return sqrt(sum);
 }
 
-/// Largest modulus of the coordinates that do not turn.
+/// Returns the largest modulus of the coordinates that do not turn.
 static double searches_largest(const orbit_search *s, const double *x) {
     double most = 0.0;
     for (size_t i = 0; i < s->dimension; i++)

@@ -14,7 +14,7 @@ static const double least_share = 1e-8, most_share = 1e-4, share_in_tolerances =
 /// At first, when only the state at the section was known, the motion may be `outgrown_first` times larger.
 static const double outgrown = 1e3, outgrown_first = 10.0;
 
-/// Norm of the coordinates that do not turn.
+/// Returns the norm of the coordinates that do not turn.
 static double perturbed_copy_norm(const perturbed_copy *copy, const double *x) {
     double sum = 0.0;
     for (size_t i = 0; i < copy->dimension; i++) sum += turns_on(copy->turns, i) ? 0.0 : x[i] * x[i];

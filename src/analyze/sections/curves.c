@@ -44,7 +44,7 @@ static int longer_first(const void *a, const void *b) {
     return (first < second) - (first > second);
 }
 
-/// Prim's algorithm, from point 0.
+/// Grows the tree from point 0 by Prim's algorithm.
 static void curves_grow(tree *t, const section *points) {
     // The tree begins as point 0.
     for (size_t i = 1; i < t->count; i++) {
@@ -110,7 +110,8 @@ typedef struct descent {
     size_t length, end;
 } descent;
 
-/// Longest paths of all parts: children join after their parents, so one pass from the last to the first does.
+/// Finds the longest paths of all parts. Children join after their parents, so that one pass from the last to the first
+/// suffices.
 static void longest_paths(const tree *t, size_t parts, descent *down, part_path *paths) {
     for (size_t p = 0; p < parts; p++) paths[p] = (part_path){0};
     for (size_t i = 0; i < t->count; i++) {
@@ -130,7 +131,7 @@ static void longest_paths(const tree *t, size_t parts, descent *down, part_path 
     }
 }
 
-/// Largest distance of a part's points from one of them.
+/// Returns the largest distance of a part's points from one of them.
 static double curves_reach(const tree *t, const section *points, size_t from) {
     double farthest = 0.0;
     for (size_t i = 0; i < t->count; i++) {
@@ -166,7 +167,8 @@ static int curves_ascending(const void *a, const void *b) {
     return (first > second) - (first < second);
 }
 
-/// Median of the revolutions between the two points of an edge that was not cut. Uses up the tree's work space.
+/// Returns the median of the revolutions between the two points of an edge that was not cut. Overwrites the tree's
+/// workspace.
 static int median_lag(tree *t) {
     size_t count = 0, *lags = t->nearest;
     for (size_t e = 0; e + 1 < t->count; e++) {

@@ -21,8 +21,8 @@ int longest_lock(const section *all, int curves) {
     return third > SHORTEST_LIMIT ? third : SHORTEST_LIMIT;
 }
 
-/// Weighted mean square of the returns after q revolutions, `count` of them from `first` on. It measures the square of
-/// the speed of psi on any curve, since the q starting places of returns are spread evenly along it.
+/// Returns the weighted mean square of the returns after q revolutions, `count` of them from `first` on. It measures
+/// the square of the speed of psi on any curve, since the q starting places of returns are spread evenly along it.
 static double mean_square_return(const section *points, size_t q, size_t first, size_t count) {
     double weights = 0.0, sum = 0.0;
     for (size_t i = 0; i < count; i++) {

@@ -5,7 +5,7 @@
 
 #include "matrix.h"
 
-/// out = a b, or a' b.
+/// Computes out = a b, or a' b.
 static void metric_multiply(size_t n, const double *a, bool transposed, const double *b, double *out) {
     memset(out, 0, n * n * sizeof *out);
     for (size_t i = 0; i < n; i++)

@@ -70,7 +70,7 @@ void balance_within(const balance_normal *of, const double *limits, double compl
     }
 }
 
-/// Significance is 1/sqrt(G_ii (G^-1)_ii) with G the matrix of the normal equations.
+/// Computes significance as 1/sqrt(G_ii (G^-1)_ii), where G is the matrix of the normal equations.
 double balance_condition(const balance_normal *of, double *significance) {
     const size_t n = of->n, all = 2 * n;
     double *square = calloc(2 * all * all + all + 1, sizeof *square);

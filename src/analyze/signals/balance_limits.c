@@ -32,7 +32,7 @@ static double complex slope_of(const double complex *of, size_t k) {
     return k % 2 ? of[k / 2] * I : of[k / 2];
 }
 
-/// Barrier -log(limit^2 - |u|^2), infinite outside of the limit.
+/// Returns the barrier -log(limit^2 - |u|^2), infinite outside of the limit.
 static double balance_limits_wall(double complex u, double limit) {
     const double inside = limit - cabs(u);
     return inside > 0.0 ? -log(inside * (limit + cabs(u))) : (double)INFINITY;

@@ -111,7 +111,7 @@ static void measure(const whirl_record *record, const whirl_channel *channel, co
 enum { PLACES = 1024 }; // of the filter's table, a sample
 static const size_t table_end = (size_t)WHIRL_SENSOR_REACH * PLACES;
 
-/// I0, the modified Bessel function, by its series.
+/// Returns I0, the modified Bessel function, by its series.
 static double bessel_zero(double x) {
     double sum = 1.0, term = 1.0;
     for (int k = 1; term > 1e-17 * sum; k++) {

@@ -34,7 +34,7 @@ static void fill_turns(size_t size, double *re, double *im) {
     }
 }
 
-/// A stage of the transform: pairs `half` groups apart, in groups of `stride`.
+/// Carries out a stage of the transform: pairs that are `half` groups apart, in groups of `stride`.
 static void transform_stage(size_t half, size_t stride, const double *turn_re, const double *turn_im,
                             const double *restrict re, const double *restrict im, double *restrict to_re,
                             double *restrict to_im) {
@@ -51,8 +51,8 @@ static void transform_stage(size_t half, size_t stride, const double *turn_re, c
     }
 }
 
-/// Stockham's transform of a power of two, which sorts in place of a bit reversal. `work` has space for three times
-/// `size` numbers.
+/// Transforms a power of two of numbers by Stockham's algorithm, which sorts them without a bit reversal. `work` has
+/// space for three times `size` numbers.
 static void transform_in_place(double *re, double *im, size_t size, double *work) {
     double *turn_re = work + 2 * size, *turn_im = turn_re + size / 2;
     double *from_re = re, *from_im = im, *to_re = work, *to_im = work + size;
@@ -116,7 +116,7 @@ typedef struct position {
     double rest;
 } position;
 
-/// The position of factor bin/count, as it is between 0 and `period`.
+/// Returns the position of factor bin/count, reduced to 0 to `period`.
 static position position_of(const wave_transform *t, double bin, size_t factor, size_t period) {
     const double floor_bin = floor(bin), broken = (bin - floor_bin) * (double)factor;
     const size_t turns = (size_t)fmod(floor_bin, (double)t->count); // factor times count is a whole period
@@ -124,7 +124,7 @@ static position position_of(const wave_transform *t, double bin, size_t factor, 
     return (position){(turns * factor / t->count + (size_t)carry) % period, sum - carry};
 }
 
-/// Transform of x + iy about the middle of the samples, at a place between those of the grid.
+/// Returns the transform of x + iy about the middle of the samples, at a place between those of the grid.
 static double complex transform_interpolate(const wave_transform *t, size_t at, double d) {
     const size_t mask = t->size - 1;
     // e^(-c (d - m)^2) is e^(-c d^2) (e^(2 c d))^m e^(-c m^2).

@@ -284,7 +284,7 @@ void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other) {
     }
 }
 
-/// Rank of the ends of copies, highest first: settled, lost, undetermined, still chaotic.
+/// Returns the rank of the end of a copy, highest first: settled, lost, undetermined, still chaotic.
 static int end_rank(whirl_regime regime) {
     static const int ranks[] = {[WHIRL_CHAOTIC] = 0,   [WHIRL_UNDETERMINED] = 1,   [WHIRL_NOT_JUDGED] = 1,
                                 [WHIRL_DIVERGING] = 2, [WHIRL_QUASI_PERIODIC] = 3, [WHIRL_PERIODIC] = 4};

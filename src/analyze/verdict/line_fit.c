@@ -159,7 +159,8 @@ typedef struct base_solved {
     double complex own[2], linear[2], square[2];
 } base_solved;
 
-/// Phase by which a base's line is ahead at a time t/half, in turns: the mean over both directions, by their power.
+/// Returns the phase by which a base's line is ahead at a time t/half, in turns: the mean over both directions,
+/// weighted by their power.
 static double ahead_at(const base_solved *of, double scaled) {
     double complex turned = 0.0;
     for (size_t k = 0; k < 2; k++) {

@@ -42,7 +42,7 @@ static const whirl_line *largest_beside(const whirl_spectrum *spectrum) {
     return NULL;
 }
 
-/// Half the diagonal of the box in which a station moves.
+/// Returns half the diagonal of the box in which a station moves.
 static double half_extent(const whirl_record *record, size_t station) {
     const whirl_probe *probe = &record->probes[station];
     return 0.5 * hypot(whirl_probe_value(probe, record->high, 0) - whirl_probe_value(probe, record->low, 0),

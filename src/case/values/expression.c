@@ -136,7 +136,8 @@ struct expression_evaluator {
     muParserHandle_t parser;
 };
 
-/// Without a handler muParser's C interface writes errors to standard output.
+/// Is the error handler, which does nothing, since errors are asked for later. Without a handler the C interface of
+/// muParser writes errors to standard output.
 static void remember_only(muParserHandle_t parser) {
     (void)parser;
 }

@@ -72,8 +72,8 @@ static bool units_ready(void) {
     return true;
 }
 
-/// UDUNITS also reads numbers, dates and logarithms as units, and overlooks a ')' too many; only products of names and
-/// powers are meant here.
+/// Returns true if a text consists of products of names and powers. UDUNITS also reads numbers, dates and logarithms as
+/// units, and overlooks a superfluous ')'.
 static bool looks_like_unit(const char *text) {
     const size_t length = strlen(text);
     int open = 0;

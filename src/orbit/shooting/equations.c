@@ -71,7 +71,7 @@ void equations_take(const orbit_equations *e, const double *nodes, double *u) {
 /// Size below which an orbit lies at zero, and has no size of its own.
 static const double nothing = 1e-12;
 
-/// Least size of a branch's orbits: equilibria and sections may pass through zero.
+/// Returns the least size of a branch's orbits, since equilibria and sections may pass through zero.
 static double least_size(const orbit_equations *e) {
     return (shooting_rests(e->s) ? 0.1 : 0.01) * e->largest;
 }

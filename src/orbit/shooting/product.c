@@ -26,7 +26,7 @@ typedef struct product {
     double *work;  ///< [n][n]
 } product;
 
-/// out = a b, of n by n.
+/// Computes out = a b, of n by n.
 static void product_multiply(size_t n, const double *a, const double *b, double *out) {
     memset(out, 0, n * n * sizeof *out);
     for (size_t i = 0; i < n; i++)

@@ -86,7 +86,7 @@ typedef struct search {
     whirl_critical at;           ///< result at the last value tried
 } search;
 
-/// Growth rate of the machine's least stable mode, 1/s.
+/// Returns the growth rate of the machine's least stable mode, 1/s.
 static double growth_of(const resting_machine *r) {
     return r->machine.clock * r->modes->growth;
 }

@@ -63,7 +63,7 @@ whirl_family rows_family(const rows *r) {
 
 // ---------------------------------------------------------------- what the journal has
 
-/// Journal entry of a row: its block, with the value of its parameter in place of a state.
+/// Returns the journal entry of a row: its block, and the value of its parameter in place of a state.
 static journal_entry rows_entry(const rows *r, size_t row) {
     return (journal_entry){.batch = r->pass->batch,
                            .slot = row,

@@ -49,7 +49,7 @@ whirl_status rows_trace(const rows *r, size_t row, whirl_trace *trace);
 /// Returns true if two rows are on one branch.
 bool rows_are_one(const rows *r, size_t row, size_t other);
 
-/// Number of branch switches that lead to a row's branch.
+/// Returns the number of branch switches that lead to a row's branch.
 size_t rows_depth(const rows *r, size_t row);
 
 /// Informs the tracker and flushes kept rows; false if the run must end. rows_found is the whirl_branch_options.found

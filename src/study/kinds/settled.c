@@ -50,7 +50,7 @@ static whirl_status settled_follow(const whirl_machine *machine, const whirl_bat
     return whirl_fail(WHIRL_BAD_INPUT, "the motion leaves its bounds after %.0f revolutions", bounded);
 }
 
-/// Largest difference of states so many revolutions apart.
+/// Returns the largest difference of states that are `apart` revolutions apart.
 static double return_distance(const whirl_record *r, size_t apart) {
     double largest = 0.0;
     for (size_t n = apart; n < r->section_count; n++) {

@@ -23,7 +23,8 @@ typedef struct pass {
     bool dealt;    ///< true if other runs compute points of it, too
 } pass;
 
-/// Number of points that are computed one after the other, each from the end of the one before: 1 if none is carried.
+/// Returns the number of points that are computed one after the other, each from the end of the previous one: 1 if no
+/// state is carried on.
 static inline size_t pass_carried(const pass *p, const whirl_batch *batch) {
     const bool first = p->round == 0 && !p->confirming && p->copy == 0;
     return first && batch->carry != WHIRL_CARRY_NONE ? batch->count : 1;

@@ -23,7 +23,7 @@ typedef struct step {
     size_t station; ///< station with the largest change
 } step;
 
-/// The longer side of the motion's box, or a hundredth of the displacement if that is larger.
+/// Returns the longer side of the motion's box, or a hundredth of the displacement if that is larger.
 static double jumps_size_of(const double *bounds) {
     const double box = fmax(bounds[4] - bounds[2], bounds[5] - bounds[3]);
     double far = 0.0;
@@ -73,7 +73,7 @@ static int jumps_by_size(const void *left, const void *right) {
     return (a > b) - (a < b);
 }
 
-/// Median of up to SIDE steps on either side within the regime; NaN if they are too few.
+/// Returns the median of up to SIDE steps on either side within the regime, or NaN if they are too few.
 static double usual_change(const step *steps, size_t count, size_t at) {
     double around[2 * SIDE];
     size_t found = 0;

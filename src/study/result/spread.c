@@ -284,7 +284,8 @@ static whirl_status spread_quantiles(const drawn *of, whirl_spread *s) {
 
 // ---------------------------------------------------------------- probabilities
 
-/// One end of the interval after Wilson 1927 for `hits` of `count`: the lower one for side -1, the upper one for 1.
+/// Returns one end of the interval after Wilson (1927) for `hits` of `count`: the lower end for side -1, the upper end
+/// for side 1.
 static double wilson(double hits, double count, double side) {
     const double z = 1.959963984540054, square = z * z, share = hits / count;
     const double centre = share + 0.5 * square / count;

@@ -80,8 +80,8 @@ bool whirl_bearing_pad_idle(const whirl_bearing_point *point, size_t pad) {
 
 // ---------------------------------------------------------------- a point
 
-/// Critical mass of a rigid rotor, per bearing: K - m w^2 + i w C is singular at one real w (Lund 1965). Matrices are
-/// xx, xy, yx, yy.
+/// Finds the critical mass of a rigid rotor, per bearing: K - m w^2 + i w C is singular at one real w (Lund 1965).
+/// Matrices are xx, xy, yx, yy.
 static void find_critical_mass(const double *k, const double *c, double speed, double *mass, double *whirl) {
     const double together = (k[0] * c[3] + k[3] * c[0] - k[1] * c[2] - k[2] * c[1]) / (c[0] + c[3]);
     const double square = ((together - k[0]) * (together - k[3]) - k[1] * k[2]) / (c[0] * c[3] - c[1] * c[2]);
@@ -102,7 +102,7 @@ static void bearing_scale(const double *from, double unit, double *to) {
     for (int i = 0; i < 4; i++) to[i] = unit * from[i];
 }
 
-/// Unit of force, mu Omega R L (R/c)^2.
+/// Returns the unit of force, mu Omega R L (R/c)^2.
 static double bearing_unit_of(const whirl_bearing *of, const whirl_bearing_point *point) {
     const double share = of->radius / of->pad_clearance;
     return point->viscosity * point->speed * of->radius * of->length * share * share;
@@ -136,7 +136,7 @@ static double power_of(const whirl_bearing *of, const whirl_bearing_point *point
            state->drag;
 }
 
-/// Temperature rise of the leaving oil if it absorbs all of the power.
+/// Returns the temperature rise of the leaving oil if it absorbs all of the power.
 static double heating_of(const whirl_bearing *of, const whirl_bearing_point *point, const whirl_pads_state *state) {
     return power_of(of, point, state) / (of->density * of->specific_heat * flow_of(of, point, state));
 }

@@ -10,7 +10,7 @@
 /// Makes all passes, on all threads. The tracker reports errors and stops. WHIRL_NO_MEMORY.
 whirl_status passes_work(study_run *run, const pass *passes, size_t count);
 
-/// Outcome of a stage, after its threads have ended: WHIRL_STOPPED if a stop came before its last point.
+/// Returns the outcome of a stage, after its threads have ended: WHIRL_STOPPED if a stop came before its last point.
 whirl_status passes_outcome(const study_run *run);
 
 #endif

@@ -21,7 +21,7 @@ typedef struct squares {
     const void *context;
 } squares;
 
-/// Number of first squares, counted row after row.
+/// Returns the number of first squares, counted row after row.
 size_t squares_count(const squares *s);
 
 /// Returns true if a point is in a first square, edges included.

@@ -74,7 +74,7 @@ static const double *last_rows(const whirl_table *table, size_t point, size_t st
     return rows + (field->rows - (size_t)period) * field->columns;
 }
 
-/// Largest difference of a coordinate between row i of one section and row k of another.
+/// Returns the largest difference of a coordinate between row i of one section and row k of another.
 static double row_distance(const whirl_table *a, const whirl_table *b, size_t point, int period, int i, int k) {
     const whirl_field *field = whirl_layout_field(&a->layout, WHIRL_FIELD_POINCARE_SECTION);
     double largest = 0.0;

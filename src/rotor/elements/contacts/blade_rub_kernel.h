@@ -62,7 +62,7 @@ VECTOR_INLINE void KERNEL(blades_by)(const element *own, const kernel_view *view
     *all = sizes;
 }
 
-/// The case without a power has its own loop, in which registers hold its constants.
+/// Chooses between two loops, so that the one without a power has registers for its constants.
 static inline void KERNEL(blades)(const element *own, const kernel_view *view, const num *d, const num *s, num *sum,
                                   num *all) {
     if (own->law & BLADE_POWERED)

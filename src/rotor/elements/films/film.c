@@ -8,7 +8,7 @@
 #include "registry.h"
 #include "whirl/engine/rotor.h"
 
-/// First and last phase of a film on the ground.
+/// Begin a film on the ground, and finish it: the first and the last phase.
 static inline void begin(const element *own, const block *b, size_t k, film_work *work, size_t at) {
     const vec *number = numbers_of(b, own) + k;
     film_begin(own, b->stride, number, number[FILM_TWICE * b->stride], b->q + k, b->v + k, work, at);

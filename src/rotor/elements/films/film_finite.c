@@ -157,8 +157,8 @@ static double series(const double *terms, size_t n, double x) {
     return x * b1 - b2 + terms[0];
 }
 
-/// Beyond the lengths of the table: for shorter films 1 - R is proportional to (L/D)^2, for longer ones R to its
-/// inverse.
+/// Sums up the series. Beyond the lengths of the table they are extended: for shorter films 1 - R is proportional to
+/// (L/D)^2, for longer ones R to its inverse.
 void film_coefficients(double length, double *number) {
     const double r = length < FILM_SHORTEST ? FILM_SHORTEST : length > FILM_LONGEST ? FILM_LONGEST : length;
     const double s = r / (FILM_SHIFT + r), first = FILM_SHORTEST / (FILM_SHIFT + FILM_SHORTEST);
