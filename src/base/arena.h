@@ -1,4 +1,4 @@
-/// Memory that is freed as a whole.
+/// An arena: many small blocks of memory that are freed together.
 #ifndef BASE_ARENA_H
 #define BASE_ARENA_H
 

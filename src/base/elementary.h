@@ -5,10 +5,11 @@
 
 #include "vector.h"
 
-/// sqrt(3/a) for normal a > 0, by multiply-adds where the divider is the bottleneck. A seed r from the bits of a leaves
-/// y = a r^2 within 0.7901 and 0.8898; the cubic of y of least relative error, 4.3e-7, takes it to 3 - e; the series of
-/// 1/sqrt(1 - e/3) up to e^2 does the rest. The seed is chosen so that the cubic, which is -(z^3 + d z) + g about the
-/// place where its square term vanishes, begins with -1.
+/// Computes sqrt(3/a) for normal a > 0 by multiply-adds, for code in which the divider is the bottleneck. Three steps:
+/// a seed r from the bits of a, with y = a r^2 from 0.7901 to 0.8898; a factor for r, the cubic of y with the least
+/// relative error (4.3e-7), after which a r^2 = 3 - e; the series of 1/sqrt(1 - e/3) up to e^2. With z = y minus the
+/// place where its square term vanishes, the cubic is -(z^3 + d z) + g: the seed is chosen so that the factor of z^3 is
+/// -1.
 static inline vec v_root_of_3_over(vec a) {
     vec r = v_seed_half(0x5fe4a4740bc00000, a);
     const vec z = v_fma(v_mul(a, r), r, v_set(-0x1.2cf762c990cfdp+0));
@@ -18,19 +19,19 @@ static inline vec v_root_of_3_over(vec a) {
     return v_fma(v_mul(r, e), v_fma(v_set(0x1.5555555555555p-5), e, v_set(0x1.5555555555555p-3)), r);
 }
 
-/// 1/sqrt(a) for normal a > 0, by multiply-adds.
+/// Computes 1/sqrt(a) for normal a > 0, by multiply-adds.
 static inline vec v_over_root(vec a) {
     return v_mul(v_set(0.57735026918962576451), v_root_of_3_over(a));
 }
 
-/// The angle a within -pi/2 and pi/2 from half the cosine and half the sine of 2a, which need one division but no root
-/// and no fold: atan(y/x), x > 0, from x^2/(x^2 + y^2) - 1/2 and x y/(x^2 + y^2). Symmetries take a to within pi/8 of
-/// pi/8, where
+/// Computes the angle a, from -pi/2 to pi/2, from half the cosine and half the sine of 2a. It serves as atan(y/x) for x
+/// > 0: x^2/(x^2 + y^2) - 1/2 and x y/(x^2 + y^2) are half the cosine and half the sine, and need one division but no
+/// root. Symmetries move a to within pi/8 of pi/8, where
 ///
 ///     a - pi/8 = w F(v),   w = (sin 2a - cos 2a)/2 = sin(2a - pi/4)/sqrt 2,   v = 1/sqrt 2 - (sin 2a + cos 2a)/2.
 ///
-/// The minimax polynomial F leaves an error of 3.9e-17 in the angle; that of the whole is below 2 2^-52, two units in
-/// the last place of an angle above 1.
+/// The minimax polynomial F leaves an error of 3.9e-17 in the angle. The error of the result is below 2^-51, two units
+/// in the last place of an angle above 1.
 static inline vec v_half_angle(vec half_cosine, vec half_sine) {
     const vec c = v_abs(half_cosine), s = v_abs(half_sine);
     const vec v = v_sub(v_set(0x1.6a09e667f3bcdp-1), v_add(s, c));
@@ -47,7 +48,7 @@ static inline vec v_half_angle(vec half_cosine, vec half_sine) {
     return v_flip(v_sub(v_set(0x1.921fb54442d18p-1), v_flip(below, half_cosine)), half_sine);
 }
 
-/// a rounded to the nearest whole number, for |a| < 2^51.
+/// Rounds a to the nearest whole number, for |a| < 2^51.
 static inline vec v_round(vec a) {
     const vec magic = v_set(0x1.8p52);
     return v_sub(v_add(a, magic), magic);
@@ -88,9 +89,9 @@ static inline void v_sincos_small(vec r, vec *sine, vec *cosine) {
     *cosine = v_fma(v_mul(z, z), c, v_fnma(v_set(0.5), z, v_set(1.0)));
 }
 
-/// sin and cos of |t| up to 10000. The quarter turns are subtracted in three parts; their products with the first two
-/// are exact. The error is below 1 unit in the last place for 0 <= t <= 8 pi, beyond it below 1 in that of 1 (measured:
-/// tests/unit/base/test_elementary.c).
+/// sin and cos of |t| up to 10000. Quarter turns are subtracted in three parts, of which the first two have exact
+/// products with their number. The error is below 1 unit in the last place for 0 <= t <= 8 pi, and below 2^-52 beyond
+/// (measured: tests/unit/base/test_elementary.c).
 static inline void v_sincos(vec t, vec *sine, vec *cosine) {
     const vec zero = v_set(0.0), quarters = v_round(v_mul(t, v_set(0x1.45f306dc9c883p-1)));
     const vec near = v_fnma(quarters, v_set(0x1.921fb54400000p+0), t);
@@ -98,7 +99,7 @@ static inline void v_sincos(vec t, vec *sine, vec *cosine) {
     const vec low = v_fnma(quarters, v_set(0x1.3198a2e037073p-69), v_sub(v_sub(near, r), middle));
     vec s, c;
     v_sincos_near(r, low, &s, &c);
-    // -2, -1, 0, 1 or 2 of four quarters; after an odd number sin and cos have changed places.
+    // turn: quarter turns modulo 4, from -2 to 2. After an odd number sin and cos have changed places.
     const vec turn = v_fnma(v_set(4.0), v_round(v_mul(v_set(0.25), quarters)), quarters);
     const vec_mask second = v_less(v_set(1.5), v_abs(turn)),
                    odd = v_less(v_abs(v_sub(v_abs(turn), v_set(1.0))), v_set(0.5));
@@ -109,8 +110,8 @@ static inline void v_sincos(vec t, vec *sine, vec *cosine) {
 }
 
 /// ln a for normal a > 0 up to 2^1023; not a number for others. With a = m 2^k, m from 1/sqrt 2 to sqrt 2, f = m - 1
-/// and s = f/(2 + f), ln m = 2 artanh s = f - s (f - s^2 P(s^2)), where P is the minimax polynomial of what follows 2s.
-/// Its relative error is 2^-59.4; ln 2 is split so that k times its first part is exact.
+/// and s = f/(2 + f), ln m = 2 artanh s = f - s (f - s^2 P(s^2)), where P is the minimax polynomial of the terms after
+/// 2s. Its relative error is 2^-59.4; ln 2 is split so that k times its first part is exact.
 static inline vec v_log(vec a) {
     const vec k = v_exponent(v_mul(a, v_set(0x1.6a09e667f3bcdp+0)));
     const vec f = v_sub(v_mul(a, v_power_of_2(v_sub(v_set(0.0), k))), v_set(1.0)), s = v_div(f, v_add(v_set(2.0), f));
@@ -144,7 +145,7 @@ static inline vec v_exp(vec a) {
 
 /// The ninth root of normal a > 0 up to 2^1023. With a = m 2^k a quadratic of m and the cubic of the fraction of
 /// q = -(log2 a)/9 make z, which is a^(-1/9) within 5.3e-4; then a^(1/9) = a z^8 (1 - e)^(-8/9), e = 1 - a z^9, whose
-/// series up to e^6 leaves 4.1e-17. The rounding of z^8 makes for most of the error.
+/// series up to e^6 has an error of 4.1e-17. Most of the error comes from the rounding of z^8.
 static inline vec v_ninth_root(vec a) {
     const vec k = v_exponent(a), m = v_mul(a, v_power_of_2(v_sub(v_set(0.0), k)));
     const vec curve = v_fma(m, v_set(0x1.30b22cc8e5453p-5), v_set(-0x1.c5c979892d38cp-3));
@@ -161,9 +162,9 @@ static inline vec v_ninth_root(vec a) {
     return v_fma(v_mul(root, e), series, root);
 }
 
-/// a^b for normal a > 0 up to 2^1023; not a number for others. The rounding of b ln a makes for its error of
-/// up to 2 (1 + |b ln a|) units in the last place; roots, b = 1/2, are rounded once, and quick where all lanes take
-/// one.
+/// a^b for normal a > 0 up to 2^1023; not a number for others. Its error of up to 2 (1 + |b ln a|) units in the last
+/// place comes from the rounding of b ln a. For b = 1/2 it is a square root, rounded once, which is fast if b is 1/2 in
+/// all lanes.
 static inline vec v_pow(vec a, vec b) {
     const vec_mask other = v_less(v_set(0.0), v_abs(v_sub(b, v_set(0.5)))), above = v_less(v_set(0.0), a);
     const vec root = v_select(above, v_sqrt(a), v_set(NAN));

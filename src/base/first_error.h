@@ -1,10 +1,11 @@
-/// The first error of work that continues for long after it: the message of a status lasts only for so many others.
+/// Keeps the first error of work that continues after it: the message of a whirl_status is overwritten after
+/// WHIRL_MESSAGES_KEPT other messages.
 #ifndef BASE_FIRST_ERROR_H
 #define BASE_FIRST_ERROR_H
 
 #include "whirl/status.h"
 
-/// All zero before an error.
+/// The first error; all zero if there was none.
 typedef struct first_error {
     whirl_code code;
     char message[WHIRL_MESSAGE_SIZE];

@@ -10,7 +10,7 @@
 
 #include "whirl/internal/input.h"
 
-/// Closes the file and notes why.
+/// Closes the file, notes the reason, and returns false.
 static bool input_fail(input_file *in, int error, const char *reason) {
     if (in->descriptor >= 0) close(in->descriptor);
     in->descriptor = -1;
@@ -35,7 +35,7 @@ bool input_open(const char *path, input_file *in) {
     return true;
 }
 
-/// Reads until the end, or `most` bytes; -1 after a failure.
+/// Reads until the end of the file, at most `most` bytes; returns the number of bytes, -1 after a failure.
 static ssize_t read_up_to(int descriptor, char *to, size_t most) {
     size_t length = 0;
     while (length < most) {

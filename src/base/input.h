@@ -12,7 +12,7 @@ enum { INPUT_REASON = 128 };
 typedef struct input_file {
     int descriptor; ///< -1 if it is not open; the caller closes it
     uint64_t size;
-    bool no_memory;            ///< reason why it could not be read
+    bool no_memory;            ///< true: it could not be read for lack of memory
     char reason[INPUT_REASON]; ///< the reason in words: "it is a folder"
 } input_file;
 
@@ -20,12 +20,13 @@ typedef struct input_file {
 /// block or never end.
 bool input_open(const char *path, input_file *in);
 
-/// Reads the first bytes of a plain file, at most `most`. The text, with a zero byte at its end, is to be freed. False
-/// as input_open, or without memory. Afterwards the file is closed and in->descriptor is -1.
+/// Reads the first bytes of a plain file, at most `most`, into a new text with a zero byte at its end, which the caller
+/// frees. Returns false where input_open does, if reading fails, or without memory. Afterwards the file is closed and
+/// in->descriptor is -1.
 bool input_read(const char *path, size_t most, input_file *in, char **text, size_t *length);
 
-/// Writes the path of a file that another one names: from the folder of that file, unless it begins at the root. False
-/// if it is too long.
+/// Writes to `out` the path of a file that `file` names as `path`: a relative path starts in the folder of `file`.
+/// Returns false if the result is too long.
 bool input_beside(const char *file, const char *path, char *out, size_t size);
 
 #endif

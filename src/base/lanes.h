@@ -14,7 +14,7 @@ typedef struct lanes_view {
     const void *model;
     size_t stride, vectors;
     const void *numbers;
-    const size_t *places; ///< [part_count] start of each part's numbers; NULL: each has its own
+    const size_t *places; ///< [part_count] start of each part's numbers; NULL: parts follow each other, unshared
     const void *forcing;  ///< [forcing_count]
     const void *sides;    ///< [switch_count] -1 or +1, as whirl_system.rhs_on_sides takes them; NULL: the state decides
     size_t tangents;      ///< perturbations that follow the state
@@ -61,6 +61,7 @@ struct whirl_lanes {
     /// states, may depend on positions, velocities and these states.
     void (*depends)(const void *model, bool *table);
     size_t switch_count, contact_count;
+    /// Writes the probe at which contact `index` acts, and its gap.
     void (*contact)(const void *model, size_t index, size_t *probe, double *gap);
     /// Groups of consecutive coordinates whose sizes are measured together: group g has groups[g] up to groups[g + 1],
     /// [group_count + 1].
@@ -70,14 +71,14 @@ struct whirl_lanes {
     bool slides;    ///< motions can slide along a switch
     bool jumps;     ///< accelerations may jump at a switch
     bool damped;    ///< normal forces depend on velocities too: `contacts` defines contact, not the closed gap
-    bool lags;      ///< switches depend on states, so that their time derivatives need slopes
+    bool lags;      ///< switches depend on first-order states, so that their time derivatives need slopes
     bool rubs;      ///< friction takes power, which `contacts` reports
-    /// One function for every instruction set of vector.h; NULL if it is not built.
+    /// Tables of functions, one for every instruction set of vector.h; NULL for sets that are not built.
     lanes_flow *const *flow;
     lanes_switches *const *switches;
     lanes_forcing *const *forcing;
     lanes_contacts *const *contacts;
-    const lanes_instance *instance; ///< structure for which integrators have loops of their own; NULL: another
+    const lanes_instance *instance; ///< structure for which integrators have loops of their own; NULL: none
 };
 
 #endif

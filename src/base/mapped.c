@@ -9,7 +9,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-/// One array.
+/// A file-backed array, in the list of its owner.
 struct whirl_mapped {
     whirl_mapped *next;
     void *array;
@@ -26,8 +26,8 @@ static int nameless_file(void) {
     return file;
 }
 
-/// Maps zeros whose place on the disk is reserved: writing a page without one would kill the program. NULL if the disk
-/// is full.
+/// Maps zeros and reserves their space on the disk: writing a page for which the disk has no space would kill the
+/// program. NULL if the disk is full.
 static void *map_file(size_t bytes) {
     const int file = nameless_file();
     if (file < 0) return NULL;

@@ -1,6 +1,6 @@
 /// Large arrays that need not be in memory all at once: nameless files, cached by the system as far as memory allows.
-/// They are in the folder that TMPDIR names, else in /var/tmp. If such a file cannot be made, an array is in memory
-/// instead. whirl_mapped lists those of one owner.
+/// They are in the folder that TMPDIR names, else in /var/tmp. If such a file cannot be made, the array is in memory
+/// instead.
 #ifndef BASE_MAPPED_H
 #define BASE_MAPPED_H
 

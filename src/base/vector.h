@@ -32,7 +32,7 @@
 
 #define VECTOR_SCALAR 0 ///< one lane, unfused: any machine
 #define VECTOR_128 1    ///< two lanes, unfused: SSE2, NEON, WebAssembly
-#define VECTOR_FMA 2    ///< one lane, fused: the reference of the next two
+#define VECTOR_FMA 2    ///< one lane, fused: the same bits as the next two
 #define VECTOR_AVX2 3   ///< four lanes, fused
 #define VECTOR_AVX512 4 ///< eight lanes, fused
 #define VECTOR_ISAS 5
@@ -165,7 +165,7 @@ static inline vec v_power_of_2(vec k) {
     return _mm512_castsi512_pd(_mm512_slli_epi64(bits, 52));
 }
 
-/// Eight numbers of every lane as eight vectors.
+/// Transposes eight numbers of every lane to eight vectors.
 static inline void v_transpose(const double from[VECTOR_LANES][8], vec to[8]) {
     enum { LOW = 0x88, HIGH = 0xdd };
     vec pair[8], four[8];
@@ -432,7 +432,7 @@ static inline vec v_fms(vec a, vec b, vec c) {
 static inline vec v_fnma(vec a, vec b, vec c) {
     return VECTOR_FUSED ? fma(-a, b, c) : c - a * b;
 }
-/// Minimum and maximum as the instructions have it: the second operand if one is not a number.
+/// Minimum and maximum, like the processor's instructions: the second operand if one is not a number.
 static inline vec v_min(vec a, vec b) {
     return a < b ? a : b;
 }
@@ -488,7 +488,7 @@ static inline vec v_power_of_2(vec k) {
 
 #endif
 
-/// Loads as many numbers from any address.
+/// Loads VECTOR_LANES numbers from any address, aligned or not.
 static inline vec v_load(const double *from) {
     vec out;
     memcpy(&out, from, sizeof out);

@@ -1,5 +1,5 @@
-/// Bracketed zero of a function with different signs at two places: by the secant, halved in if that does not help
-/// (Dekker 1969, with Illinois' weights: Dowell, Jarratt 1971).
+/// Finds a zero of a function that has different signs at two places, by secant steps, with halving if they narrow the
+/// bracket too slowly (Dekker 1969; the Illinois method: Dowell, Jarratt 1971).
 #ifndef BASE_BRACKET_H
 #define BASE_BRACKET_H
 
@@ -9,8 +9,8 @@
 typedef struct bracket {
     double a, fa, b, fb;
     double last; ///< width at the last request
-    int side;    ///< end that moved last
-    int asked;
+    int side;    ///< end that moved last: -1 for a, 1 for b
+    int asked;   ///< requests so far
 } bracket;
 
 static inline bracket bracket_between(double a, double fa, double b, double fb) {
@@ -32,7 +32,7 @@ static inline double bracket_next(bracket *r) {
     return inside && narrows ? secant : middle;
 }
 
-/// Takes the function's value there.
+/// Narrows the bracket by the function's value fc at the place c.
 static inline void bracket_update(bracket *r, double c, double fc) {
     const bool like_a = (fc < 0.0) == (r->fa < 0.0);
     if (like_a) {

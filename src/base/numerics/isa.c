@@ -42,7 +42,7 @@ const isa *isa_at(int number) {
 
 whirl_status isa_choose(const isa **chosen) {
     const char *names[VECTOR_ISAS], *wish = getenv("WHIRL_ISA");
-    if (wish && !*wish) wish = NULL; // set to nothing is not set
+    if (wish && !*wish) wish = NULL; // an empty variable counts as unset
     *chosen = NULL;
     for (int i = 0; i < VECTOR_ISAS; i++) {
         names[i] = known[i].name;

@@ -12,7 +12,7 @@ typedef struct isa {
     int number;
     const char *name; ///< name in WHIRL_ISA
     size_t lanes;
-    bool fused;
+    bool fused; ///< a multiply-add rounds once
 } isa;
 
 /// Returns the instruction set of that number, or NULL if this processor or this build lacks it.

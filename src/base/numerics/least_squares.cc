@@ -38,13 +38,14 @@ bool evaluate(const State &s, const VectorXd &at, VectorXd &residuals, RowMajor 
            residuals.allFinite() && derivatives.allFinite();
 }
 
-/// Returns true if the sum falls only beyond a bound at which p_i is.
+/// Returns true if p_i is at a bound and the sum of squares falls only beyond that bound.
 bool held(const State &s, Index i, const VectorXd &gradient) {
     return (s.p(i) <= s.problem->low[i] && gradient(i) > 0.0) || (s.p(i) >= s.problem->high[i] && gradient(i) < 0.0);
 }
 
-/// Returns the next p by the present damping.
+/// Returns the next p, by the step of the present damping.
 VectorXd next_of(const State &s) {
+    // Unknowns that are held at a bound stay.
     const VectorXd gradient = s.jacobian.transpose() * s.r;
     std::vector<Index> free;
     for (Index i = 0; i < s.n; i++)
@@ -52,7 +53,7 @@ VectorXd next_of(const State &s) {
     const auto count = static_cast<Index>(free.size());
     VectorXd out = s.p;
     if (count == 0) return out;
-    // Columns have length 1 at most, so that no unit makes one of them count as rounding.
+    // Scale columns to length 1 at most: in no unit does a column look like rounding. Damping adds a row for each.
     MatrixXd a = MatrixXd::Zero(s.m + count, count);
     VectorXd b = VectorXd::Zero(s.m + count);
     b.head(s.m) = -s.r;
@@ -61,6 +62,7 @@ VectorXd next_of(const State &s) {
         a.col(k).head(s.m) = s.jacobian.col(i) / s.longest(i);
         a(s.m + k, k) = std::sqrt(s.damping);
     }
+    // Take the step, cut at the bounds.
     const VectorXd step = a.colPivHouseholderQr().solve(b);
     for (Index k = 0; k < count; k++) {
         const Index i = free[static_cast<size_t>(k)];
@@ -77,13 +79,14 @@ bool is_short(const State &s, const VectorXd &step) {
     return true;
 }
 
-/// Returns by how much a step makes the linearized sum smaller.
+/// Returns the predicted gain of a step: by how much it lowers the linearized sum of squares.
 double promise_of(const State &s, const VectorXd &step) {
     return s.sum - (s.r + s.jacobian * step).squaredNorm();
 }
 
-/// Returns the end at a p that no step leaves: at a minimum if a step with little damping is short, too, or promises so
-/// little that p is within a thousandth of a standard error of the minimum.
+/// Returns how the method ends at a p from which no step lowers the sum: at a minimum if a step with little damping is
+/// short, too, or has so small a predicted gain that p is within a thousandth of a standard error of the minimum; else
+/// stuck.
 least_squares_end end_of(State &s) {
     constexpr double little = 1e-6;
     s.damping = std::min(s.damping, first_damping);
@@ -112,6 +115,7 @@ least_squares_result solve(State &s) {
     if (!evaluate(s, start, residuals, derivatives)) return out;
     go(s, start, residuals, derivatives);
     for (out.end = LEAST_SQUARES_STEPS; out.steps < s.problem->most_steps;) {
+        // Propose a step, and end if it is too short to matter.
         const VectorXd to = next_of(s), step = to - s.p;
         const double promised = promise_of(s, step);
         if (is_short(s, step)) {
@@ -121,8 +125,9 @@ least_squares_result solve(State &s) {
         out.steps++;
         const bool computed = evaluate(s, to, residuals, derivatives);
         const double gain = computed ? s.sum - residuals.squaredNorm() : -1.0;
-        // Rounding of the sum hides smaller promises.
+        // A predicted gain below this part of the sum is hidden by rounding.
         const bool rounds = computed && promised <= 1e-13 * s.sum && gain > -1e-12 * s.sum;
+        // Accept a step that lowers the sum: the better the prediction was, the less damping follows.
         if (computed && (gain > 1e-4 * promised || rounds)) {
             const double ratio = promised > 0.0 ? gain / promised : 1.0;
             go(s, to, residuals, derivatives);
@@ -132,6 +137,7 @@ least_squares_result solve(State &s) {
             out.end = LEAST_SQUARES_FOUND;
             break;
         }
+        // Try again with more damping.
         s.damping = std::max(s.damping, least_damping) * s.growth;
         s.growth *= 2.0;
         if (s.damping < most_damping) continue;
@@ -162,7 +168,8 @@ least_squares_result least_squares_solve(const least_squares *problem, double *p
 
 bool least_squares_describe(size_t unknowns, size_t count, const double *derivatives, double *errors,
                             double *correlations, least_squares_facts *facts) {
-    // Singular values below this part of the largest are rounding of the derivatives; so is such a part of a vector.
+    // rounding: singular values below this part of the largest count as rounding errors of the derivatives. belongs: an
+    // unknown with a larger component belongs to a singular vector.
     constexpr double rounding = 1e-8, belongs = 1e-3;
     constexpr double missing = std::numeric_limits<double>::quiet_NaN();
     constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -175,7 +182,7 @@ bool least_squares_describe(size_t unknowns, size_t count, const double *derivat
         const Eigen::JacobiSVD<MatrixXd> svd(a, Eigen::ComputeThinU | Eigen::ComputeThinV);
         const VectorXd &values = svd.singularValues();
         const MatrixXd &v = svd.matrixV();
-        // Covariance of the combinations that r depends on; the others leave their members unknown.
+        // Sum the covariance over singular vectors on which r depends. Unknowns that belong to the others are lost.
         MatrixXd covariance = MatrixXd::Zero(n, n);
         std::vector<bool> lost(unknowns, false);
         facts->rank = 0;

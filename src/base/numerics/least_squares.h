@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-/// A sum of squares to be made small: |r(p)|^2 for p between bounds.
+/// The problem: minimize |r(p)|^2 for p between bounds.
 typedef struct least_squares {
     size_t unknowns, count; ///< numbers of p and of r
     void *context;          ///< passed to both functions
@@ -18,7 +18,7 @@ typedef struct least_squares {
     /// Called for the p of the last evaluation when the method goes there; optional.
     void (*accept)(void *context);
     const double *low, *high; ///< [unknowns] bounds; infinite: none
-    const double *scale;      ///< [unknowns] sizes of p, above 0: those of a change that matters
+    const double *scale;      ///< [unknowns] size of a change of each p that matters, above 0
     double tolerance;         ///< largest change of p in the last step, as part of p (of the scale near p = 0)
     int most_steps;           ///< most evaluations
 } least_squares;
@@ -40,10 +40,10 @@ typedef struct least_squares_result {
     double sum; ///< |r|^2 at p
 } least_squares_result;
 
-/// Moves p [unknowns] from a start within the bounds to a local minimum; residuals [count] and derivatives
-/// [count][unknowns] are those there. A step solves min |J d + r|^2 + l |D d|^2 over the p that are not held at a
-/// bound, D the largest norms of columns so far (More 1978), and ends at the bounds; l follows the ratio of gain and
-/// promise (Nielsen 1999).
+/// Moves p [unknowns] from a start within the bounds to a local minimum, and writes the residuals [count] and
+/// derivatives [count][unknowns] there. A step solves min |J d + r|^2 + l |D d|^2 over the p that are not held at a
+/// bound, and is cut at the bounds. D holds the largest norms of columns so far (More 1978); the damping l depends on
+/// the ratio of actual and predicted gain (Nielsen 1999).
 least_squares_result least_squares_solve(const least_squares *problem, double *p, double *residuals,
                                          double *derivatives);
 
@@ -60,8 +60,8 @@ typedef struct least_squares_facts {
 bool least_squares_describe(size_t unknowns, size_t count, const double *derivatives, double *errors,
                             double *correlations, least_squares_facts *facts);
 
-/// Returns the half-width, in standard errors, of the two-sided 95 % interval of Student's distribution with so many
-/// degrees of freedom, to 1e-4 from 3 on (Abramowitz, Stegun 1964, 26.7.5).
+/// Returns the half-width, in standard errors, of the two-sided 95 % interval of Student's distribution with `degrees`
+/// degrees of freedom. The error is below 1e-4 from 3 degrees on (Abramowitz, Stegun 1964, 26.7.5).
 double least_squares_student(size_t degrees);
 
 #ifdef __cplusplus

@@ -29,7 +29,7 @@ Index index_of(size_t n) {
     return static_cast<Index>(n);
 }
 
-/// Runs code that may throw: Eigen throws only without memory.
+/// Runs code that may throw, and returns false if it does: Eigen throws only without memory.
 template <typename Work> bool attempt(Work work) noexcept {
     try {
         return work();
@@ -39,8 +39,8 @@ template <typename Work> bool attempt(Work work) noexcept {
     }
 }
 
-/// Returns the first of the components that are largest to rounding, so that the choice does not depend on the last
-/// bits.
+/// Returns the index of the largest component; of several that are equal within 1e-6 the first, so that the choice does
+/// not depend on the last bits.
 template <typename Sizes> Index largest_of(const Sizes &sizes) {
     const double enough = (1.0 - 1e-6) * sizes.maxCoeff();
     Index i = 0;
@@ -48,7 +48,8 @@ template <typename Sizes> Index largest_of(const Sizes &sizes) {
     return i;
 }
 
-/// Rejects matrices that are not positive definite; Eigen checks only the last pivots, and lets NaN pass.
+/// Computes Cholesky's factors; returns false if the matrix is not positive definite. Eigen itself checks only the last
+/// pivots, and lets NaN pass.
 bool factor(Eigen::LLT<MatrixXd> &factors, const MatrixXd &m) {
     factors.compute(m);
     return factors.info() == Eigen::Success && factors.matrixLLT().diagonal().minCoeff() > 0.0;
@@ -66,7 +67,7 @@ bool symmetric_modes(Index n, const double *k, const double *m, double *values, 
         factors.matrixU().solveInPlace<Eigen::OnTheRight>(stiffness);
     }
     if (!stiffness.allFinite()) return false;
-    // Solve it.
+    // Solve the standard problem.
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(stiffness);
     if (solver.info() != Eigen::Success) return false;
     Eigen::Map<VectorXd>(values, n) = solver.eigenvalues();
@@ -93,8 +94,9 @@ void write_vector(const Eigen::VectorXcd &v, double *out) {
     }
 }
 
-/// Bounds how far rounding moves eigenvalues: the norm of the matrix times the row's length in the inverse of all
-/// vectors (Golub, Van Loan 2013, 7.2.2). Equal for all fast or damped modes.
+/// Bounds how far rounding moves each eigenvalue: the norm of the matrix times the rounding unit. For slow modes with
+/// hardly any damping it is multiplied by the condition of the eigenvalue, the length of its row in the inverse of the
+/// matrix of eigenvectors (Golub, Van Loan 2013, 7.2.2).
 void write_rounding(const RowMajor &balanced, const Eigen::EigenSolver<MatrixXd> &solver, double *rounding) {
     static const double fast = 1e-3, free = 0.01;
     const Index n = balanced.rows();

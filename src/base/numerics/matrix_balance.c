@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-/// The sums of moduli of row and column i, without the diagonal.
+/// Computes the sums of moduli of row and column i, without the diagonal.
 static void off_diagonal_sums(size_t n, const double *a, size_t i, double *row, double *column) {
     *row = *column = 0.0;
     for (size_t k = 0; k < n; k++) {

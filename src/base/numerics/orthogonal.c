@@ -7,8 +7,8 @@
 
 enum { TOGETHER = 4 }; ///< columns
 
-/// Reflects the rows from k on, in `count` columns, at most TOGETHER, by column k of r: a vector whose component k is 1
-/// and whose others are below.
+/// Applies the reflection of column k of r to the rows from k on of `count` columns, at most TOGETHER. The reflection's
+/// vector has component k equal to 1, and below it the entries of the column.
 static inline void reflect_some(size_t n, const double *r, size_t k, double twice, double *columns, size_t count) {
     double sum[TOGETHER];
     for (size_t c = 0; c < count; c++) sum[c] = columns[k * n + c];
@@ -20,7 +20,7 @@ static inline void reflect_some(size_t n, const double *r, size_t k, double twic
         for (size_t c = 0; c < count; c++) columns[i * n + c] -= sum[c] * r[i * n + k];
 }
 
-/// Reflects all columns from `first` on.
+/// Applies the reflection of column k of r to all columns from `first` on.
 static void orthogonal_reflect(size_t n, const double *r, size_t k, double *rows, size_t first) {
     double square = 1.0;
     for (size_t i = k + 1; i < n; i++) square += r[i * n + k] * r[i * n + k];
@@ -30,8 +30,8 @@ static void orthogonal_reflect(size_t n, const double *r, size_t k, double *rows
     for (; j < n; j++) reflect_some(n, r, k, twice, rows + j, 1);
 }
 
-/// Turns column k of r into the reflection that leaves only its first component, which it writes; does nothing to a
-/// column that already is so.
+/// Replaces column k of r: below the diagonal by the vector of the reflection that makes these entries vanish, on it by
+/// the entry that remains. A column whose entries below are 0 stays.
 static void make_reflection(size_t n, double *r, size_t k) {
     const double first = r[k * n + k];
     double largest = 0.0, square = 0.0;

@@ -6,8 +6,8 @@
 
 #include "matrix.h"
 
-/// Limits. A set of samples has two rows for each, real and imaginary; columns are functions of all poles, 1 and s and,
-/// for each entry, those that move the poles.
+/// Sizes of matrices. A set of samples has two rows for each sample, for its real and imaginary parts. Columns are the
+/// partial fractions of all poles, 1 and s and, for each entry, the scaling function that moves the poles.
 enum {
     MAX_POLES = 2 * RATIONAL_MAX_PAIRS,
     MAX_ROWS = 2 * RATIONAL_MAX_SAMPLES,
@@ -23,7 +23,8 @@ typedef struct pole_set {
 /// A fit, with frequencies in units of the highest one.
 typedef struct fitting {
     size_t sets, count;
-    double top, least; ///< rad/s; modulus of the slowest pole
+    double top;   ///< highest frequency, rad/s
+    double least; ///< modulus of the slowest pole
     double w[RATIONAL_MAX_SAMPLES];
     const rational_sample *samples; ///< [sets][count]
     double weight[RATIONAL_MAX_SETS][RATIONAL_MAX_SAMPLES];
@@ -40,7 +41,7 @@ static double complex entry_of(const rational_sample *of, int e) {
     return of->entry[e][0] + of->entry[e][1] * I;
 }
 
-/// 1/z, computed the same way by all compilers, unlike their own division.
+/// Computes 1/z with the same bits for all compilers, whose own divisions differ.
 static double complex rational_fit_inverse(double complex z) {
     const double size = creal(z) * creal(z) + cimag(z) * cimag(z);
     return creal(z) / size - cimag(z) / size * I;
@@ -48,8 +49,8 @@ static double complex rational_fit_inverse(double complex z) {
 
 // ---------------------------------------------------------------- least squares
 
-/// Householder's reflections of a [rows][stride], which triangularize `count` columns from `first` on, in the rows from
-/// there on, and transform all columns up to `columns` (Golub, Van Loan 2013, 5.2).
+/// Triangularizes `count` columns of a [rows][stride] from column and row `first` on, by Householder's reflections,
+/// which transform all columns up to `columns` (Golub, Van Loan 2013, 5.2).
 static void rational_fit_triangularize(size_t rows, size_t first, size_t count, size_t columns, size_t stride,
                                        double *a) {
     for (size_t c = first; c < first + count && c < rows; c++) {
@@ -87,7 +88,7 @@ static void put_row(double *a, size_t stride, size_t k, size_t column, double co
 
 // ---------------------------------------------------------------- functions of given poles
 
-/// The first and the second function of a pair.
+/// Function 0 or 1 of a pair at s = i w: w_j^2/(s^2 + g_j s + w_j^2), or w_j s over the same.
 static double complex of_pair(const rational_pair *pair, double w, int which) {
     const double complex below = rational_fit_inverse(pair->w * pair->w - w * w + I * (pair->g * w));
     return which == 0 ? pair->w * pair->w * below : I * (pair->w * w) * below;
@@ -106,7 +107,7 @@ rational_sample rational_fit_value(const rational_fit *of, double w) {
     return out;
 }
 
-/// Sorts real poles by size into pairs.
+/// Writes the poles as pairs: complex ones as they are, real ones sorted by size, two by two.
 static void pair_up(const pole_set *poles, rational_fit *out) {
     double real[MAX_POLES];
     size_t count = 0;
@@ -123,14 +124,14 @@ static void pair_up(const pole_set *poles, rational_fit *out) {
         out->pairs[out->pair_count++] = (rational_pair){.w = sqrt(real[k] * real[k + 1]), .g = real[k] + real[k + 1]};
 }
 
-/// Writes the functions of pairs, and 1, as columns.
+/// Writes the functions of all pairs at sample k, and 1, as columns.
 static void put_functions(const fitting *f, const rational_fit *of, size_t k, double weight, size_t stride, double *a) {
     for (size_t j = 0; j < 2 * of->pair_count; j++)
         put_row(a, stride, k, j, weight * of_pair(&of->pairs[j / 2], f->w[k], (int)(j % 2)));
     put_row(a, stride, k, 2 * of->pair_count, weight);
 }
 
-/// Fits the only set with the pairs of io, in units of the highest frequency, and with its slope if that is `held`.
+/// Fits the only set by the functions of the pairs of io, in units of the highest frequency. A `held` slope stays.
 static bool fit_numbers(const fitting *f, bool held, rational_fit *io) {
     double a[MAX_ROWS * (MAX_POLES + 3)] = {0.0}, x[MAX_POLES + 2];
     const size_t n = 2 * io->pair_count + (held ? 1 : 2), stride = n + 1;
@@ -153,7 +154,7 @@ static bool fit_numbers(const fitting *f, bool held, rational_fit *io) {
     return true;
 }
 
-/// Residual of all sets with these poles: the root of the sum of squares.
+/// Computes the residual of all sets with these poles: the root of the sum of squares.
 static bool error_of(const fitting *f, const pole_set *poles, rational_fit *pairs, double *error) {
     double a[MAX_ROWS * MAX_COLUMNS];
     *pairs = (rational_fit){.pair_count = 0};
@@ -177,7 +178,8 @@ static bool error_of(const fitting *f, const pole_set *poles, rational_fit *pair
 
 // ---------------------------------------------------------------- poles
 
-/// 1/(s - p), or of a pair the sum of both, and i times their difference.
+/// Returns the partial fraction of pole k at s = i w: 1/(s - p) for a real pole p; for a complex pair the sum of both
+/// fractions at its first pole, and i times their difference at its second.
 static double complex rational_fit_partial(const pole_set *poles, size_t k, double w) {
     const double b = poles->imaginary[k];
     const double a = poles->real[k];
@@ -186,15 +188,16 @@ static double complex rational_fit_partial(const pole_set *poles, size_t k, doub
     return b == 0.0 ? one : b > 0.0 ? one + other : I * (one - other);
 }
 
-/// Distance of the samples around a frequency.
+/// Returns the distance of the two samples around a frequency.
 static double rational_fit_spacing(const fitting *f, double w) {
     size_t k = 1;
     while (k + 1 < f->count && f->w[k] < w) k++;
     return f->w[k] - f->w[k - 1];
 }
 
-/// Restricts poles: stable, neither far beyond the frequencies nor far below them, where samples cannot distinguish
-/// them from constants, and no resonances narrower than half the distance of samples, which would fit their errors.
+/// Moves poles into the permitted range. Poles are stable, and neither far beyond the frequencies nor far below them,
+/// where samples cannot distinguish them from constants. Resonances are no narrower than half the distance of samples:
+/// narrower ones would fit the samples' errors.
 static void rational_fit_tidy(const fitting *f, pole_set *poles) {
     const double fastest = 10.0;
     for (size_t k = 0; k < poles->count; k++) {
@@ -208,12 +211,13 @@ static void rational_fit_tidy(const fitting *f, pole_set *poles) {
 }
 
 /// Writes the equations of the common scaling function, which moves the poles: rows [entries][poles + 1] of one set.
-/// The columns before, the functions of the poles, 1 and s, are the same for all entries.
+/// The first columns, the partial fractions of the poles, 1 and s, are the same for all entries.
 static void rows_of_set(const fitting *f, const pole_set *poles, size_t set, double *out) {
     double a[MAX_ROWS * MAX_COLUMNS], own[MAX_ROWS * (MAX_POLES + 1)];
     const size_t n = poles->count, before = n + 2, stride = before + RATIONAL_ENTRIES * (n + 1);
     const size_t rows = 2 * f->count - before;
-    // Columns of the parts and of the scaling function, with one row for the real and one for the imaginary part.
+    // Columns of the partial fractions and of the scaling function, with a row for the real and one for the imaginary
+    // part.
     for (size_t k = 0; k < f->count; k++) {
         const double weight = f->weight[set][k];
         for (size_t j = 0; j <= n; j++) {
@@ -225,7 +229,7 @@ static void rows_of_set(const fitting *f, const pole_set *poles, size_t set, dou
         }
         put_row(a, stride, k, n + 1, I * (f->w[k] * weight));
     }
-    // Eliminate the parts: what is left is the scaling function of each entry.
+    // Eliminate the partial fractions: the rows that remain have the scaling function of each entry alone.
     rational_fit_triangularize(2 * f->count, 0, before, stride, stride, a);
     for (size_t e = 0; e < RATIONAL_ENTRIES; e++, out += (n + 1) * (n + 2)) {
         for (size_t r = 0; r < rows; r++)
@@ -244,10 +248,10 @@ static bool rational_fit_relocate(const fitting *f, pole_set *poles) {
     double a[(MAX_ENTRIES * (MAX_POLES + 1) + 1) * (MAX_POLES + 2)] = {0.0}, x[MAX_POLES + 2];
     double matrix[MAX_POLES * MAX_POLES] = {0.0};
     const size_t n = poles->count, rows = f->sets * RATIONAL_ENTRIES * (n + 1) + 1;
-    // Least squares for the scaling function, whose mean is 1.
+    // Least squares for the scaling function; the last row sets its mean to 1.
     for (size_t set = 0; set < f->sets; set++)
         rows_of_set(f, poles, set, a + set * RATIONAL_ENTRIES * (n + 1) * (n + 2));
-    double *last = a + (rows - 1) * (n + 2); // its mean is 1
+    double *last = a + (rows - 1) * (n + 2);
     for (size_t j = 0; j < n; j++) {
         last[j] = 0.0;
         for (size_t k = 0; k < f->count; k++)
@@ -255,7 +259,7 @@ static bool rational_fit_relocate(const fitting *f, pole_set *poles) {
     }
     last[n] = last[n + 1] = 1.0;
     if (!solve_nearest(rows, n + 1, a, x)) return false;
-    // Its zeros are the eigenvalues of the poles' matrix less a matrix of rank one.
+    // The zeros of the scaling function are the eigenvalues of the poles' matrix minus a matrix of rank one.
     const double smallest = 1e-8, constant = fabs(x[n]) > smallest ? x[n] : copysign(smallest, x[n]);
     for (size_t i = 0; i < n; i++) {
         const double b = poles->imaginary[i], drive = b > 0.0 ? 2.0 : b < 0.0 ? 0.0 : 1.0;
@@ -269,7 +273,7 @@ static bool rational_fit_relocate(const fitting *f, pole_set *poles) {
     return true;
 }
 
-/// First poles: pairs spread over the frequencies, well damped.
+/// Returns the poles to start from: well-damped pairs, spread over the frequencies.
 static pole_set first_poles(const fitting *f, size_t pair_count) {
     pole_set out = {.count = 2 * pair_count};
     for (size_t j = 0; j < pair_count; j++) {
@@ -305,7 +309,7 @@ bool rational_fit_poles(size_t sets, size_t count, const double *w, const ration
     double least, last;
     if (!error_of(&f, &poles, out, &least)) return false;
     last = least;
-    // Keeps the best of all iterates, until steps improve nothing.
+    // Keep the best of all iterates, until steps improve nothing.
     for (int step = 0; step < MAX_STEPS && pair_count > 0 && least > 1e-14; step++) {
         rational_fit next;
         double error;
@@ -324,7 +328,8 @@ bool rational_fit_poles(size_t sets, size_t count, const double *w, const ration
 
 // ---------------------------------------------------------------- the slope
 
-/// Symmetric part of a matrix: its mean, half the difference of its eigenvalues, and twice the direction.
+/// Symmetric part of a matrix: mean of its eigenvalues, half their difference, and cosine and sine of twice the
+/// direction of the larger one's vector.
 typedef struct symmetric {
     double mean, half, c, s;
 } symmetric;
@@ -334,7 +339,7 @@ static symmetric symmetric_of(const double m[RATIONAL_ENTRIES]) {
     return (symmetric){0.5 * (m[0] + m[3]), half, half > 0.0 ? a / half : 1.0, half > 0.0 ? b / half : 0.0};
 }
 
-/// Least damping of the samples, if it is negative.
+/// Returns the least damping of the samples, if it is negative; else 0.
 static double least_damping(const fitting *f) {
     double least = 0.0;
     for (size_t k = 0; k < f->count; k++) {

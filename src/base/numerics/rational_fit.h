@@ -30,20 +30,21 @@ typedef struct rational_sample {
 } rational_sample;
 
 /// Finds the best common poles for several sets of samples [sets][count] at the same frequencies w [count], rad/s,
-/// rising, not negative, each weighted by its own size: pairs' w and g of out. At negative frequencies functions are
-/// conjugate. pair_count: at most (count - 2)/2. False if a number is not finite, or without memory.
+/// rising, not negative, and writes them as w and g of the pairs of out. Each sample is weighted by its own size. At
+/// negative frequencies functions are conjugate. pair_count: at most (count - 2)/2. False if a number is not finite, or
+/// without memory.
 bool rational_fit_poles(size_t sets, size_t count, const double *w, const rational_sample *samples, size_t pair_count,
                         rational_fit *out);
 
-/// Finds the function with the poles of io that is nearest to samples [count]. It depends as smoothly on them as their
-/// sizes do. Its slope drives no motion that no sample drives: the symmetric part is at least the least of the samples'
-/// imaginary parts over w, or 0.
+/// Finds the function with the poles of io that is nearest to samples [count]. It depends as smoothly on the samples as
+/// their sizes do. Its slope makes no motion unstable unless a sample does: no eigenvalue of the slope's symmetric part
+/// is below the least damping of the samples (imaginary part over w), or below 0 if no sample has a negative one.
 bool rational_fit_numbers(size_t count, const double *w, const rational_sample *samples, rational_fit *io);
 
-/// Returns the function at i w.
+/// Returns the function at s = i w.
 rational_sample rational_fit_value(const rational_fit *of, double w);
 
-/// Returns the root of the sum of squares of all entries.
+/// Returns the size of a sample: the root of the sum of squares of all entries.
 double rational_size(const rational_sample *of);
 
 #endif

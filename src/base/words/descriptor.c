@@ -6,13 +6,13 @@
 
 enum { LONGEST_WORD = 63 };
 
-/// " kg", or nothing for plain numbers and words.
+/// Writes the unit with a blank before it, " kg"; nothing for plain numbers and words.
 static void unit_suffix(const char *unit, char *text, size_t size) {
     const bool plain = unit[0] == '\0' || strcmp(unit, "1") == 0;
     snprintf(text, size, "%s%s", plain ? "" : " ", plain ? "" : unit);
 }
 
-/// "a number above 0 kg", "a whole number from 1 to 1000", "a finite number".
+/// Writes which numbers a key expects: "a number above 0 kg", "a whole number from 1 to 1000", "a finite number".
 static void describe_range(const whirl_key *key, char *text, size_t size) {
     const whirl_range *range = &key->range;
     const bool low = range->low > -INFINITY, high = range->high < INFINITY;
@@ -62,8 +62,8 @@ static size_t descriptor_least(size_t a, size_t b) {
     return a < b ? a : b;
 }
 
-/// Damerau-Levenshtein distance in its restricted form (optimal string alignment): insertions, deletions,
-/// substitutions and swaps of neighbours.
+/// Returns the Damerau-Levenshtein distance in its restricted form (optimal string alignment): the number of
+/// insertions, deletions, substitutions and swaps of neighbours.
 static size_t spelling_distance(const char *a, size_t a_length, const char *b, size_t b_length) {
     size_t before[LONGEST_WORD + 1] = {0}, last[LONGEST_WORD + 1], now[LONGEST_WORD + 1];
     for (size_t j = 0; j <= b_length; j++) last[j] = j;

@@ -1,4 +1,4 @@
-// Members of structs as their tables describe them.
+// Reads, writes and checks members of structs by the tables that describe them (whirl_member).
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -4,7 +4,8 @@
 
 #include <stddef.h>
 
-/// A whirl_member: `field` of STRUCT, of type WHIRL_MEMBER_<TYPE>, with the parts of its key behind the others.
+/// Initializes a whirl_member for `field` of STRUCT, of type WHIRL_MEMBER_<TYPE>. Further arguments initialize its
+/// whirl_key.
 #define MEMBER(STRUCT, TYPE, name, field, part, refined, ...)                                                          \
     { name, WHIRL_MEMBER_##TYPE, offsetof(STRUCT, field), part, {__VA_ARGS__, NULL}, refined }
 

@@ -73,8 +73,8 @@ static const unit_word words[] = {
     {NULL, NULL, UNIT_KINDS, 0.0},
 };
 
-/// Words of the system US, by kind; under UNIT_SYSTEM that of places along shafts and diameters; NULL: as in every
-/// other system.
+/// Units of the system US, by kind; under UNIT_SYSTEM the unit of places along shafts and of diameters. NULL: the same
+/// unit as without a system.
 static const char *const customary[UNIT_KINDS] = {
     [UNIT_LENGTH] = "mil",    [UNIT_SPEED] = "rpm",       [UNIT_FREQUENCY] = "cpm",    [UNIT_AMPLITUDE] = "p-p",
     [UNIT_FORCE] = "lbf",     [UNIT_MASS] = "lbm",        [UNIT_STIFFNESS] = "lbf/in", [UNIT_DAMPING] = "lbf s/in",

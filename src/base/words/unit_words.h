@@ -4,7 +4,7 @@
 
 #include "whirl/status.h"
 
-/// Kinds of units, or of counting, that a word may name.
+/// Kinds of quantities whose unit, or whose way of counting (amplitudes), a word chooses.
 typedef enum unit_kind {
     UNIT_LENGTH = 0,
     UNIT_SPEED,
@@ -31,12 +31,12 @@ typedef enum unit_kind {
 typedef struct unit_word {
     const char *word, *shown; ///< as written, and as shown
     unit_kind kind;
-    /// Size in SI. 0 for lengths and frequencies of the case (the length scale, the order of the running speed), and
-    /// for systems; frequencies in Hz; amplitudes relative to the zero-to-peak one; temperatures: size of a degree.
+    /// Size of the unit: in SI; of frequencies in Hz; of amplitudes relative to zero-to-peak; of temperatures that of a
+    /// degree. 0 for units that depend on the case (its length scale, orders of its running speed), and for systems.
     double size;
 } unit_word;
 
-/// At most one word of each kind; NULL for kinds without a choice.
+/// The chosen words, one of each kind; NULL for kinds without a choice.
 typedef struct unit_choice {
     const unit_word *of[UNIT_KINDS];
 } unit_choice;
@@ -44,8 +44,8 @@ typedef struct unit_choice {
 /// Returns all words; static, terminated by one whose word is NULL.
 const unit_word *unit_words(void);
 
-/// Returns the word of a system of units ("US") for a kind; for UNIT_SYSTEM that of places along shafts and of
-/// diameters; NULL if it has none.
+/// Returns the unit of a system of units ("US") for a kind; for UNIT_SYSTEM the unit of places along shafts and of
+/// diameters. NULL if the system has none.
 const unit_word *unit_of_system(const unit_word *system, unit_kind kind);
 
 /// Reads "um, rpm, Hz, p-p": words in any order, separated by commas. "" chooses nothing. WHIRL_BAD_INPUT for an
