@@ -93,13 +93,13 @@ const char *field_text(field_section *section, const char *key, const char *fall
     return found && found->kind == VALUE_TEXT ? found->text : fallback;
 }
 
-/// Number of values in the rows of a list, 1 for a list of numbers; refuses unequal rows.
+/// Returns the number of values in each row of a list, 1 for a list of numbers; refuses unequal rows.
 static size_t width_of(field_section *section, const field_kind *kind, const value *list) {
     const bool nested = list->kind == VALUE_LIST && list->first && list->first->kind == VALUE_LIST;
     const size_t width = nested ? list->first->count : 1;
     for (const value *row = nested ? list->first : NULL; row; row = row->next) {
         if (row->kind != VALUE_LIST) {
-            refuse_kind(section, kind->key, row, "a row as the one before");
+            refuse_kind(section, kind->key, row, "a row of numbers like the one before");
         } else if (row->count == 0 || row->count != width) {
             field_refuse(section, kind->key, row, "has a row of %zu numbers after one of %zu, expected equal rows",
                          row->count, width);

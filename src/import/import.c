@@ -1,4 +1,4 @@
-// A file of another program in, a case out.
+// Converts a file of another program, a rotor saved by ROSS, to a case.
 #include "whirl/internal/import.h"
 
 #include <stdio.h>
@@ -14,7 +14,7 @@
 
 enum { MAX_BYTES = 1 << 24, MAX_CASE_BYTES = 1 << 20 };
 
-/// JSON begins with a brace, which no TOML does.
+/// Returns true for JSON: it begins with a brace, with which no TOML file begins.
 static bool is_json(const char *text, size_t length) {
     size_t i = 0;
     while (i < length && strchr(" \t\r\n", text[i]) && text[i]) i++;
@@ -37,8 +37,8 @@ static whirl_status check_case(const char *file, const whirl_imported *made) {
     whirl_case *object = NULL;
     whirl_status status = whirl_case_parse(made->text, made->length, file, &problems, &object);
     if (status.code == WHIRL_BAD_INPUT && problems.count > 0)
-        status = whirl_fail(WHIRL_BAD_INPUT, "%.120s: makes no machine: %.120s: %.240s", file, problems.items[0].key,
-                            problems.items[0].message);
+        status = whirl_fail(WHIRL_BAD_INPUT, "%.120s: converts to an invalid case: %.120s: %.240s", file,
+                            problems.items[0].key, problems.items[0].message);
     whirl_problems_free(&problems);
     whirl_case_free(object);
     return status;

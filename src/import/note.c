@@ -9,20 +9,20 @@
 
 enum { NOTE_SIZE = 800, NAMES_SIZE = 320 };
 
-/// %s: the names of the sections.
+/// The sentence of each kind; %s stands for the tags of the sections.
 static const char *const sentences[NOTE_KINDS] = {
-    [NOTE_DRAWING] = "Colours and scale factors, which are of drawings, are left out.",
+    [NOTE_DRAWING] = "Colours and scale factors, which only drawings use, are left out.",
     [NOTE_AXIAL] = "Axial coefficients (kzz, czz, mzz) are left out, for motions here are lateral: %s.",
     [NOTE_AXIAL_MASS] =
         "Masses along the shaft (mz) that differ from mx are left out, for motions here are lateral: %s.",
     [NOTE_LEAKAGE] = "The leakage of seals is left out: %s.",
-    [NOTE_NOTHING_LATERAL] = "Without lateral coefficients, so left out whole: %s.",
+    [NOTE_NOTHING_LATERAL] = "Sections without lateral coefficients are left out: %s.",
     [NOTE_SKEW_MASS] =
-        "Modes here may be damped otherwise than in ROSS: of unequal added masses mxy and myx the mean is taken, for "
+        "Modes here may be damped otherwise than in ROSS: unequal added masses mxy and myx become their mean, for "
         "inertia is symmetric here. Half their difference, behind each name, is lost; it acts on a mode that whirls at "
         "omega like a damping of omega times it, to be compared with cxx: %s.",
     [NOTE_THINNED] = "Tables of more speeds than a bearing takes here are thinned, evenly: %s.",
-    [NOTE_EXTRA] = "Keys that say how coefficients were found are left out, the coefficients are as they stand: %s.",
+    [NOTE_EXTRA] = "Keys for the computation of coefficients are left out; the coefficients of the file are used: %s.",
     [NOTE_UNKNOWN] = "Keys that are not known here are left out: %s.",
     [NOTE_AXIAL_DAMPING] = "whirl applies beta to the stiffness without the axial force: %s.",
     [NOTE_COUPLING_AXIAL] = "Axial and torsional coefficients of couplings (kt_z, kr_z, ct_z, cr_z) are left out, for "
@@ -30,10 +30,10 @@ static const char *const sentences[NOTE_KINDS] = {
     [NOTE_COUPLING_LENGTH] = "Lengths and diameters of couplings (L, o_d) are left out; no force depends on them, in "
                              "ROSS neither: %s.",
     [NOTE_COUPLING_LOOSE] =
-        "Couplings without lateral coefficients join nothing here, what they weigh is taken over: %s.",
+        "Couplings without lateral coefficients join nothing here; their masses are taken over: %s.",
     [NOTE_HUTCHINSON] =
         "ROSS's own frequencies are lower, by 0.1 to 0.5 % in the first mode of shafts 20 to 5 times as long as thick, "
-        "by more in higher ones: of Hutchinson's shear factor it has 1 + nu where he has the square of that: %s.",
+        "by more in higher ones: its shear factor has 1 + nu where Hutchinson's has (1 + nu)^2: %s.",
     [NOTE_ROTARY] =
         "ROSS's own modes are faster forward and slower backward, by some 0.1 % at 3000 rpm and 0.5 % at 10 000 rpm: "
         "it keeps the gyroscopic moments of shafts without rotary inertia, which have none here: %s.",
@@ -41,11 +41,10 @@ static const char *const sentences[NOTE_KINDS] = {
         "ROSS's own frequencies are higher, by about 0.5 % where a diameter grows by half along an element and 2 % "
         "where it doubles: its cones are too stiff, those here agree with fine steps of cylinders: %s.",
     [NOTE_MAGNETIC] =
-        "Magnetic bearings come with their magnets and their controller, whose poles modes have; ROSS's own modes have "
-        "linear coefficients in its place. Limits of the current are not in the file: %s.",
-    [NOTE_MAGNETIC_TABLE] = "Controllers other than PID are not in the file: of these magnetic bearings the "
-                            "coefficients are taken over, over "
-                            "the frequency of whirl: %s.",
+        "Magnetic bearings have their magnets and their controller here, and modes have its poles; ROSS's own modes "
+        "use linear coefficients instead. Limits of the current are not in the file: %s.",
+    [NOTE_MAGNETIC_TABLE] = "Controllers other than PID are not in the file: these magnetic bearings have "
+                            "the file's coefficients over the frequency of whirl instead: %s.",
     [NOTE_MAGNETIC_FILTER] = "Derivatives of controllers without a filter get the default filter of ROSS 2.1, "
                              "10 000 rad/s: %s.",
 };
@@ -78,7 +77,7 @@ void note_of(note_list *to, note_kind kind, const char *tag) {
     tags->count++;
 }
 
-/// "'A', 'B', 'C' and 4 more"
+/// Writes the tags as "'A', 'B', 'C' and 4 more".
 static void list_tags(const note_tags *tags, char names[NAMES_SIZE]) {
     const size_t most = sizeof tags->first / sizeof *tags->first;
     size_t used = 0;

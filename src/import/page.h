@@ -19,14 +19,14 @@ typedef struct page_line {
     int items;          ///< since page_open
 } page_line;
 
-/// A number with at most 15 significant digits and a decimal point in every locale, so that 0.1 is no
-/// 0.10000000000000001, and its unit.
+/// Writes a number and its unit. The number has at most 15 significant digits, so that 0.1 is not written
+/// 0.10000000000000001, and a decimal point in every locale.
 void page_quantity(double number, const char *unit, char text[QUANTITY_SIZE]);
 
 /// Starts a line with `head`; later lines are indented by `indent`.
 page_line page_open(FILE *out, int indent, const char *head);
 
-/// Adds an item, after a comma unless it is the first; printf.
+/// Adds an item, after a comma unless it is the first. The format is that of printf.
 void page_item(page_line *line, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /// Adds "key: number unit".
@@ -40,7 +40,7 @@ void page_close(page_line *line, const char *tail, const char *comment);
 void page_comment(FILE *out, const char *mark, const char *hang, const char *text);
 
 // ---------------------------------------------------------------- note
-// Omissions and choices of a conversion: a sentence each, for the user and in the case.
+// Notes on what a conversion left out or chose: a sentence each, shown to the user and written into the case.
 
 /// Omissions that several sections share, reported in one sentence.
 typedef enum note_kind {
@@ -91,7 +91,7 @@ void note_add(note_list *to, const char *format, ...) __attribute__((format(prin
 /// Remembers that the section with this tag (borrowed) has lost something of that kind.
 void note_of(note_list *to, note_kind kind, const char *tag);
 
-/// Adds a sentence for every kind of which something was lost.
+/// Adds a sentence for every kind with sections that lost something.
 void note_finish(note_list *to);
 
 // ---------------------------------------------------------------- field
@@ -118,7 +118,7 @@ bool field_good(const import_reader *reader);
 void field_refuse(field_section *section, const char *key, const value *at, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-/// `size` bytes of zeros of the reader's memory; NULL, and a problem, without it.
+/// Returns `size` bytes of zeros from the reader's arena; NULL, with a problem reported, without memory.
 void *field_memory(import_reader *reader, size_t size);
 
 /// Expected unit and range of a key.
@@ -133,10 +133,10 @@ double field_number(field_section *section, const field_kind *kind, double fallb
 /// Reads a whole number from 0 to a million; `fallback` for a missing key, below -1: the key is required.
 long field_whole(field_section *section, const char *key, long fallback);
 
-/// true or false.
+/// Reads true or false; `fallback` for a missing key.
 bool field_truth(field_section *section, const char *key, bool fallback);
 
-/// A text, or `fallback`; borrowed.
+/// Reads a text, borrowed; `fallback` for a missing key.
 const char *field_text(field_section *section, const char *key, const char *fallback);
 
 /// Reads a number, a list, or a list of rows of equal length, as [*rows][*columns]; *rows is 0 and the result NULL if

@@ -44,7 +44,7 @@ typedef struct ross_point {
     field_section section;
 } ross_point;
 
-/// The coefficients, in the order in which a case has them.
+/// Coefficients of bearings, in the order in which a case lists them.
 typedef enum ross_coefficient {
     KXX,
     KXY,
@@ -65,12 +65,12 @@ extern const char *const ross_coefficient_units[COEFFICIENTS];
 
 /// The magnets of both axes of a magnetic bearing, and their controller.
 typedef struct ross_magnet {
-    double gap, bias, area, turns, pole_angle, angle; ///< SI; angle: of its first axis, from x towards y
-    double proportional, integral, derivative;        ///< current by displacement, with the gains of all parts
+    double gap, bias, area, turns, pole_angle, angle; ///< SI; angle: of the first axis, from x towards y
+    double proportional, integral, derivative;        ///< A/m, A/(m s), A s/m; gains of sensor and amplifier included
     double filter;                                    ///< s, time constant of the derivative
 } ross_magnet;
 
-/// The film that coefficients were computed of (CylindricalBearing), and its load; SI.
+/// The film from which coefficients were computed (CylindricalBearing), and its load; SI.
 typedef struct ross_film {
     double radius, length, clearance, viscosity, load;
 } ross_film;
@@ -84,7 +84,7 @@ typedef struct ross_bearing {
     size_t frequency_count;    ///< 0: nothing depends on the frequency of whirl
     const double *frequencies; ///< rad/s, rising
     const double *values[COEFFICIENTS];
-    bool varies[COEFFICIENTS]; ///< [1 or speed_count][1 or frequency_count], else one for all
+    bool varies[COEFFICIENTS]; ///< true: values are [1 or speed_count][1 or frequency_count]; false: one number
     bool seal;
     const ross_magnet *magnet; ///< in place of coefficients; NULL: none
     const ross_film *film;     ///< film of the coefficients; NULL: not in the file
@@ -101,7 +101,7 @@ typedef struct ross_coupling {
     field_section section;
 } ross_coupling;
 
-/// A node of the row of shafts and couplings.
+/// A node of the shafts and couplings, which follow each other in one row.
 typedef struct ross_node {
     size_t shaft;    ///< ROSS_NO_SHAFT: between couplings, or at the end of one
     double position; ///< m from the left end of its shaft
@@ -114,7 +114,7 @@ typedef struct ross_station {
     const char *name;                 ///< valid and unique
     const char *first;                ///< tag that it is named after
     const ross_node *place;           ///< NULL: a support
-    double mass[2], diametral, polar; ///< supported mass along x and y, and inertias
+    double mass[2], diametral, polar; ///< masses along x and y, and inertias, of all parts on the node
 } ross_station;
 
 typedef struct ross_rotor {
@@ -137,7 +137,8 @@ typedef struct ross_rotor {
 /// Reads all sections. Problems are in reader->status.
 void ross_read(import_reader *reader, value *root, ross_rotor *out);
 
-/// A bearing, seal, or any class that has coefficients, of a file of this version.
+/// Reads a bearing, a seal, or any class that has coefficients. `version`: that of ROSS, which changed the keys of
+/// speeds.
 void ross_read_bearing(field_section *section, const char *tag, const char *version, ross_bearing *out);
 
 /// Returns true if a section has magnets: from ROSS 2.1 on it is a BearingElement with keys of magnets, and
@@ -148,28 +149,29 @@ bool ross_is_magnet(const field_section *section);
 /// which ROSS does not save.
 bool ross_read_magnetic(field_section *section, const char *tag, ross_bearing *out);
 
-/// A coupling.
+/// Reads a coupling.
 void ross_read_coupling(field_section *section, const char *tag, ross_coupling *out);
 
-/// Notes the keys that were not read.
+/// Notes the keys of a section that were not read. computed: unread keys belong to the computation of coefficients and
+/// are noted as such, not as unknown.
 void ross_note_rest(field_section *section, const char *tag, bool computed);
 
-/// Joins the shafts, and checks that everything on a node has one.
+/// Joins pieces and couplings to one row of nodes, and checks that the nodes of all other elements exist.
 void ross_join(import_reader *reader, ross_rotor *rotor);
 
 /// Makes stations of the nodes that carry something.
 void ross_find_stations(import_reader *reader, ross_rotor *rotor);
 
-/// The station of a node that has one.
+/// Returns the station of a node, which must have one.
 const ross_station *ross_station_at(const ross_rotor *rotor, long node);
 
 /// Makes a word of small letters, digits, '_' and '-' from a tag, or uses `fallback` if nothing remains.
 void ross_name(const char *tag, const char *fallback, char name[WHIRL_NAME_SIZE]);
 
-/// The bearing's coefficients differ from 0 somewhere.
+/// Returns true if a coefficient of the bearing differs from 0 at any speed or frequency.
 bool ross_acts(const ross_bearing *bearing, ross_coefficient which);
 
-/// Adds the stations of a bearing: "at: ...", and "from: ..." if it has a housing.
+/// Writes the stations of a bearing: "at: ...", and "from: ..." if it has a housing.
 void ross_put_place(page_line *line, const ross_rotor *rotor, const ross_bearing *bearing);
 
 /// Writes the element of a magnetic bearing.

@@ -13,7 +13,7 @@ const char *const ross_coefficient_units[COEFFICIENTS] = {"N/m",   "N/m",   "N/m
 
 static const double nothing[1] = {0.0};
 
-/// The numbers of an axis, rising.
+/// Reads the numbers of an axis, which have to rise.
 static const double *read_axis(field_section *section, const char *key, const char *what, size_t *count) {
     const field_kind kind = {key, "rad/s", WHIRL_NOT_NEGATIVE};
     const double *const numbers = field_numbers(section, &kind, count);
@@ -24,8 +24,8 @@ static const double *read_axis(field_section *section, const char *key, const ch
     return numbers;
 }
 
-/// From ROSS 3 on the speeds are called speed, and frequency is that of an excitation: of whirl; of magnets it always
-/// was.
+/// Reads the axes of tables. From ROSS 3 on `speed` has the speeds and `frequency` the frequencies of whirl. Before,
+/// `frequency` has the speeds, except for magnetic bearings.
 static void read_axes(field_section *section, const char *version, ross_bearing *out) {
     const bool named = value_member(section->table, "speed"), old = value_member(section->table, "frequency");
     const bool new = strtol(version, NULL, 10) >= 3 || (named && !old) || ross_is_magnet(section);
@@ -45,7 +45,8 @@ static size_t at_least_one(size_t count) {
     return count > 0 ? count : 1;
 }
 
-/// Checks that a table has a number for every place: one for all, a list along the only axis or the speeds, or rows.
+/// Returns true if a table fits the axes: it is one number, a list along the only axis or along the speeds, or a row of
+/// frequencies for each speed.
 static bool fits(field_section *section, const char *key, size_t rows, size_t columns, const ross_bearing *out) {
     const value *at = value_member(section->table, key);
     const bool whirls = out->speed_count == 0 && out->frequency_count > 0; // a list is along the frequencies
@@ -61,7 +62,7 @@ static bool fits(field_section *section, const char *key, size_t rows, size_t co
     return field_good(section->reader);
 }
 
-/// Reads a coefficient as a number for every place.
+/// Reads a coefficient: one number, or one for every speed and frequency.
 static void read_coefficient(field_section *section, ross_coefficient which, ross_bearing *out) {
     const field_kind kind = {ross_coefficient_names[which], ross_coefficient_units[which], WHIRL_ANY};
     const size_t speeds = at_least_one(out->speed_count), frequencies = at_least_one(out->frequency_count);
@@ -98,8 +99,8 @@ static void note_skew_mass(field_section *section, const char *tag, double lost)
     note_of(&section->reader->notes, NOTE_SKEW_MASS, text);
 }
 
-/// Inertia is symmetric, as the mass matrix of whirl's bearings is by construction: of unequal cross terms the mean is
-/// taken.
+/// Replaces unequal added masses mxy and myx by their mean, since the mass matrix of whirl's bearings is symmetric, and
+/// notes the loss.
 static void make_symmetric(field_section *section, const char *tag, ross_bearing *out) {
     const bool varies = out->varies[MXY] || out->varies[MYX];
     const size_t count = varies ? at_least_one(out->speed_count) * at_least_one(out->frequency_count) : 1;
@@ -117,12 +118,12 @@ static void make_symmetric(field_section *section, const char *tag, ross_bearing
     out->varies[MXY] = out->varies[MYX] = !is_constant(mean, count);
 }
 
-/// Index of the i-th of `kept` evenly spaced places out of `count`, both ends included; the first for one.
+/// Returns the index of the i-th of `kept` evenly spaced places out of `count`, both ends included; 0 if one is kept.
 static size_t kept_place(size_t i, size_t kept, size_t count) {
     return kept == 1 ? 0 : (i * (count - 1) + (kept - 1) / 2) / (kept - 1);
 }
 
-/// Keeps so many speeds and frequencies.
+/// Thins all tables evenly to `speeds` speeds and `frequencies` frequencies.
 static void keep(field_section *section, size_t speeds, size_t frequencies, ross_bearing *out) {
     const size_t all_speeds = at_least_one(out->speed_count), all_frequencies = at_least_one(out->frequency_count);
     for (int which = KXX; which < COEFFICIENTS; which++) {

@@ -1,4 +1,4 @@
-// The case that a rotor of ROSS becomes.
+// Writes a rotor of ROSS as a case.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,7 +17,7 @@ typedef struct speed_range {
 
 // ---------------------------------------------------------------- speeds
 
-/// Finds the range in which all tables are known.
+/// Finds the range of speeds that all tables cover.
 static void find_known(const ross_rotor *rotor, double *low, double *high) {
     const ross_bearing *lowest = NULL;
     *low = 0.0;
@@ -40,7 +40,8 @@ static void find_known(const ross_rotor *rotor, double *low, double *high) {
         *low, *high);
 }
 
-/// Chooses the file's own speeds, within its tables; without any, the range of its tables, or up to 10000 rpm.
+/// Chooses the speeds of the study: those that the file names, cut to its tables; else the range of the tables; else up
+/// to 10000 rpm.
 static speed_range find_speeds(import_reader *reader, const ross_rotor *rotor) {
     const double usual = 10000.0 * 3.14159265358979323846 / 30.0;
     double low, high;
@@ -71,7 +72,7 @@ static speed_range find_speeds(import_reader *reader, const ross_rotor *rotor) {
     return range;
 }
 
-/// Writes a speed in whole rpm if it is such a speed up to last bits; else, and at the ends of a table, in rad/s.
+/// Writes a speed in rpm if it is a whole number of rpm to rounding; else, and at the ends of a table, in rad/s.
 static void speed_text(double speed, bool in_table, char text[QUANTITY_SIZE]) {
     const double rpm = round(speed * 30.0 / 3.14159265358979323846);
     if (!in_table && fabs(rpm * 3.14159265358979323846 / 30.0 - speed) <= 1e-12 * speed)
@@ -87,7 +88,7 @@ static const char *base_of(const char *path) {
     return slash ? slash + 1 : path;
 }
 
-/// In quotes, so that nothing in it means anything to YAML.
+/// Writes the title in quotes, so that YAML takes all characters of the file's name as they are.
 static void put_title(FILE *out, const char *file) {
     fputs("title: 'Rotor of ", out);
     for (const char *c = base_of(file); *c; c++) {
@@ -109,7 +110,7 @@ static void put_head(FILE *out, import_reader *reader, const ross_rotor *rotor) 
     put_title(out, reader->file);
 }
 
-/// A thousandth of the shaft's mean radius as 1, 2 or 5 times a power of ten.
+/// Returns a thousandth of the shaft's mean radius, rounded to 1, 2 or 5 times a power of ten.
 static double length_scale(const ross_rotor *rotor) {
     double area = 0.0, length = 0.0;
     for (size_t i = 0; i < rotor->piece_count; i++) {
@@ -151,7 +152,8 @@ static void put_materials(FILE *out, const ross_rotor *rotor, char (*names)[WHIR
     }
 }
 
-/// Writes the modelling options of an element: for the shaft, and for a segment that differs.
+/// Writes the modelling options of a piece: all that are not defaults, or, with `usual`, those that differ from its
+/// shaft's.
 static void ross_put_options(page_line *line, const ross_piece *own, const ross_piece *usual) {
     char text[QUANTITY_SIZE];
     if (!usual || own->shear != usual->shear || (own->shear && own->hutchinson != usual->hutchinson))
@@ -296,7 +298,7 @@ static void put_list(FILE *out, const char *head, const double *numbers, size_t 
     page_close(&line, "]", NULL);
 }
 
-/// A list, or one for every speed.
+/// Writes a coefficient as a list, or as a list of lists, one for every speed.
 static void put_coefficient(FILE *out, const ross_bearing *bearing, ross_coefficient which) {
     const size_t rows = bearing->frequency_count > 0 ? bearing->speed_count : 0, columns = bearing->frequency_count;
     char head[32];
@@ -309,7 +311,7 @@ static void put_coefficient(FILE *out, const ross_bearing *bearing, ross_coeffic
     for (size_t i = 0; i < rows; i++) put_list(out, "          - [", bearing->values[which] + i * columns, columns);
 }
 
-/// A bearing with coefficients over the speed or the frequency: a key a line.
+/// Writes a bearing whose coefficients vary with speed or frequency, each key on its own line.
 static void put_table(FILE *out, const ross_rotor *rotor, const ross_bearing *bearing) {
     char text[QUANTITY_SIZE];
     fprintf(out, "    - bearing:\n        at: %s\n", ross_station_at(rotor, bearing->node)->name);
@@ -339,7 +341,7 @@ static void put_constant(FILE *out, const ross_rotor *rotor, const ross_bearing 
     page_close(&line, "}", NULL);
 }
 
-/// The film itself, which motions may have in place of its coefficients.
+/// Writes a comment with the film from which the coefficients were computed, as an element that can replace them.
 static void put_film(FILE *out, const ross_rotor *rotor, const ross_bearing *bearing) {
     const double numbers[] = {bearing->film->radius, bearing->film->length, bearing->film->clearance,
                               bearing->film->viscosity};
@@ -347,7 +349,7 @@ static void put_film(FILE *out, const ross_rotor *rotor, const ross_bearing *bea
     static const char *const units[] = {"m", "m", "m", "Pa s"};
     char text[QUANTITY_SIZE];
     page_quantity(bearing->film->load, "N", text);
-    fprintf(out, "    # of a short film under %s, which motions may have itself, with gravity\n", text);
+    fprintf(out, "    # computed from this short film under %s, which can replace it in motions with gravity\n", text);
     fprintf(out, "    # - film: {at: %s", ross_station_at(rotor, bearing->node)->name);
     if (bearing->link >= 0) fprintf(out, ", from: %s", ross_station_at(rotor, bearing->link)->name);
     fputs(", law: short", out);
@@ -367,10 +369,10 @@ static void put_bearing(FILE *out, const ross_rotor *rotor, const ross_bearing *
     if (bearing->film) put_film(out, rotor, bearing);
 }
 
-// ---------------------------------------------------------------- the whole
+// ---------------------------------------------------------------- the whole case
 
-/// Returns true if every shaft has at least two bearings with a stiffness along y, none of them magnetic: weight has an
-/// equilibrium, and does not change modes or responses.
+/// Returns true if every shaft has at least two bearings with a stiffness along y, none of them magnetic. The rotor
+/// then has a position of rest under its weight, which changes neither modes nor responses.
 static bool is_carried(const ross_rotor *rotor) {
     for (size_t s = 0; s < rotor->shaft_count; s++) {
         size_t bearings = 0;
@@ -389,7 +391,7 @@ static bool is_carried(const ross_rotor *rotor) {
     return true;
 }
 
-/// Writes weight as in static analyses of ROSS, for horizontal shafts.
+/// Writes gravity as in static analyses of ROSS, for horizontal shafts: as a comment if the rotor is not carried.
 static void put_gravity(FILE *out, const ross_rotor *rotor) {
     if (is_carried(rotor))
         fputs("    - gravity: 9.8065 m/s2    # that of ROSS, for statics: responses do not depend on it\n", out);

@@ -10,7 +10,7 @@ enum { LEFT, RIGHT, ENDS };
 
 // ---------------------------------------------------------------- reading
 
-/// "Coupling 0" becomes "Coupling 0 left" and "Coupling 0 right".
+/// Names both ends: those of "Coupling 0" are "Coupling 0 left" and "Coupling 0 right".
 static void name_ends(field_section *section, ross_coupling *out) {
     static const char *const sides[ENDS] = {" left", " right"};
     for (int end = LEFT; end < ENDS; end++) {
@@ -45,8 +45,8 @@ static double read_tilt(field_section *section, const char *const keys[2], const
     }
     if (along[0] != along[1])
         field_refuse(section, keys[1], value_member(section->table, keys[1]),
-                     "is %.10g %s and %s is %.10g, expected the same of both: what joins two shafts resists their "
-                     "tilts alike in both planes here",
+                     "is %.10g %s and %s is %.10g, expected equal numbers: a coupling here resists tilts "
+                     "alike in both planes",
                      along[1], unit, keys[0], along[0]);
     return along[0];
 }

@@ -4,7 +4,7 @@
 #include "ross.h"
 #include "whirl/engine/rotor.h"
 
-/// By their nodes; layers stay in the order of the file.
+/// Sorts the pieces by their nodes; layers stay in the order of the file.
 static void sort_pieces(ross_rotor *rotor) {
     for (size_t i = 1; i < rotor->piece_count; i++) {
         const ross_piece moved = rotor->pieces[i];
@@ -33,7 +33,7 @@ static bool couplings_lead(const ross_rotor *rotor, long from, long to) {
     return true;
 }
 
-/// A layer of the piece before it, its continuation, or the beginning of the next shaft.
+/// Gives a piece its shaft and start: it is a layer of the piece before it, continues it, or begins the next shaft.
 static void join_piece(ross_rotor *rotor, const ross_piece *before, ross_piece *piece) {
     piece->shaft = before->shaft;
     if (piece->node == before->node) {
@@ -67,7 +67,7 @@ static void refuse_apart(const ross_rotor *rotor, ross_coupling *coupling) {
                  rotor->first_node, rotor->last_node);
 }
 
-/// Couplings may go on beyond the pieces of shaft: their free ends are weights.
+/// Extends the row of nodes to couplings beyond the pieces of shaft, whose free ends are weights.
 static void join_couplings(ross_rotor *rotor) {
     ross_coupling *const all = rotor->couplings;
     for (size_t i = rotor->coupling_count; i-- > 0;) {
@@ -92,7 +92,7 @@ static void find_nodes(import_reader *reader, ross_rotor *rotor) {
     }
 }
 
-/// Returns true for nodes of shafts and couplings.
+/// Returns true for nodes of the shafts and couplings, which are in one row.
 static bool in_row(const ross_rotor *rotor, long node) {
     return node >= rotor->first_node && node <= rotor->last_node;
 }

@@ -5,11 +5,11 @@
 #include <stdio.h>
 #include <string.h>
 
-/// Linear coefficients in the file, which follow from the other keys.
+/// Keys of linear coefficients, which follow from the other keys.
 static const char *const computed[] = {"kxx", "kxy", "kyx", "kyy", "kzz", "cxx", "cxy",       "cyx",  "cyy",
                                        "czz", "mxx", "mxy", "myx", "myy", "mzz", "frequency", "speed"};
 
-/// A number that ROSS may have for each axis: here both have one controller.
+/// Reads a number that ROSS may list for each axis. It must be equal for both, which share one controller here.
 static double read_common(field_section *section, const field_kind *kind, double fallback) {
     const value *const at = value_member(section->table, kind->key);
     size_t count;
@@ -32,11 +32,11 @@ static double read_gain(field_section *section, const field_kind *kind, double g
     const double number = gain * read_common(section, kind, 0.0);
     if (!isfinite(number))
         field_refuse(section, kind->key, value_member(section->table, kind->key),
-                     "is beyond all numbers with the gains k_amp and k_sense, expected a controller");
+                     "is infinite times the gains k_amp and k_sense, expected smaller gains");
     return number;
 }
 
-/// k_p + k_i/s + k_d s/(1 + s/n_f).
+/// Reads the controller k_p + k_i/s + k_d s/(1 + s/n_f).
 static void read_controller(field_section *section, ross_magnet *out) {
     const double gain = read_common(section, &(field_kind){"k_amp", "1", WHIRL_ANY}, 1.0) *
                         read_common(section, &(field_kind){"k_sense", "1", WHIRL_ANY}, 1.0);
@@ -49,7 +49,7 @@ static void read_controller(field_section *section, ross_magnet *out) {
                      "times k_sense is 0, expected gains of a controller that acts");
 }
 
-/// Returns the value of a key, of a list the first; NULL without one.
+/// Returns the value of a key, or its first item if it is a list; NULL without one.
 static const value *first_of(const field_section *section, const char *key) {
     const value *const at = value_member(section->table, key);
     return at && at->kind == VALUE_LIST ? at->first : at;
@@ -76,8 +76,8 @@ static bool has_gains(const field_section *section) {
     return false;
 }
 
-/// Returns true if the coefficients are those of the PID at their first frequency. Otherwise ROSS used another
-/// controller, which it does not save.
+/// Returns true if the stiffness in the file is that of magnet and PID at the first frequency. Otherwise ROSS used
+/// another controller, which it does not save.
 static bool is_controlled_so(const field_section *section, const ross_magnet *magnet) {
     const double w = first_number(section, "frequency", 0.0), lag = w * magnet->filter;
     const double by_current = 4e-7 * 3.14159265358979323846 * magnet->turns * magnet->turns * magnet->area *
@@ -93,6 +93,7 @@ bool ross_read_magnetic(field_section *section, const char *tag, ross_bearing *o
     ross_magnet *const magnet = field_memory(section->reader, sizeof *magnet);
     *out = (ross_bearing){.tag = tag, .section = *section, .magnet = magnet};
     if (!magnet) return true;
+    // Read the nodes and the magnets.
     out->node = field_whole(section, "n", -2);
     out->link = field_whole(section, "n_link", -1);
     magnet->gap = read_common(section, &(field_kind){"g0", "m", WHIRL_POSITIVE}, NAN);
@@ -103,8 +104,10 @@ bool ross_read_magnetic(field_section *section, const char *tag, ross_bearing *o
         fabs(read_common(section, &(field_kind){"alpha", "rad", WHIRL_FROM_TO(-1.5, 1.5)}, 0.39269908));
     // Before ROSS 2.1 magnets were along x and y.
     magnet->angle = read_common(section, &(field_kind){"sensors_axis_rotation", "rad", WHIRL_ANY}, 0.0);
+    // Read the controller, and reject one that is not in the file.
     read_controller(section, magnet);
     if (field_good(section->reader) && !is_controlled_so(section, magnet)) return false;
+    // Mark computed coefficients as read, and note the changes.
     for (size_t i = 0; i < sizeof computed / sizeof *computed; i++) (void)value_member(section->table, computed[i]);
     note_of(&section->reader->notes, NOTE_MAGNETIC, tag);
     if (magnet->derivative != 0.0 && !value_member(section->table, "n_f"))

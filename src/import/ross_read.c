@@ -1,4 +1,4 @@
-// The sections of a file of ROSS, each by its class.
+// Reads the sections of a ROSS file, each by the function of its class.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -13,12 +13,12 @@ static bool same_material(const ross_material *one, const ross_material *other) 
            one->shear == other->shear;
 }
 
-/// The shear modulus, or it by Poisson's ratio.
+/// Reads the shear modulus, or computes it from E and Poisson's ratio.
 static double read_shear(field_section *section, double modulus) {
     const field_kind shear = {"G_s", "Pa", WHIRL_POSITIVE}, poisson = {"Poisson", "1", WHIRL_FROM_TO(-0.99, 0.5)};
     if (!value_member(section->table, "G_s") && value_member(section->table, "Poisson"))
         return 0.5 * modulus / (1.0 + field_number(section, &poisson, NAN));
-    (void)value_member(section->table, "Poisson"); // it follows from both
+    (void)value_member(section->table, "Poisson"); // it follows from E and G_s
     const double found = field_number(section, &shear, NAN);
     if (field_good(section->reader) && !(found >= modulus / 3.0))
         field_refuse(section, "G_s", value_member(section->table, "G_s"),
@@ -27,7 +27,7 @@ static double read_shear(field_section *section, double modulus) {
     return found;
 }
 
-/// Returns the index of a piece's material, known or new.
+/// Reads a piece's material and returns its index; equal materials share one.
 static size_t read_material(field_section *piece, ross_rotor *out) {
     static const char expected[] = "a table with name, rho, E and G_s";
     value *const table = value_member(piece->table, "material");
@@ -38,6 +38,7 @@ static size_t read_material(field_section *piece, ross_rotor *out) {
     char *const name = field_memory(piece->reader, strlen(piece->name) + sizeof ".material");
     if (!name || !table) return 0;
     strcat(strcpy(name, piece->name), ".material");
+    // Read it as the next material.
     field_section section = {piece->reader, name, table};
     const field_kind density = {"rho", "kg/m3", WHIRL_POSITIVE}, modulus = {"E", "Pa", WHIRL_POSITIVE};
     ross_material *const one = &out->materials[out->material_count];
@@ -45,11 +46,12 @@ static size_t read_material(field_section *piece, ross_rotor *out) {
     one->density = field_number(&section, &density, NAN);
     one->modulus = field_number(&section, &modulus, NAN);
     one->shear = read_shear(&section, one->modulus);
-    // Keys for ROSS's bearings, and the colour.
+    // Mark keys as read that only drawings and ROSS's bearings use.
     static const char *const others[] = {"color", "specific_heat", "thermal_conductivity"};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++) (void)value_member(table, others[i]);
     ross_note_rest(&section, name, false);
     if (!field_good(piece->reader)) return 0;
+    // Keep it if no earlier one is equal.
     size_t i = 0;
     while (!same_material(&out->materials[i], one)) i++;
     if (i == out->material_count) out->material_count++;
@@ -194,7 +196,8 @@ static const ross_class classes[] = {
 };
 enum { CLASSES = sizeof classes / sizeof *classes };
 
-/// The class that a section's name begins with: "ShaftElement_Shaft Element 0", of older files "ShaftElement6DoF_...".
+/// Finds the class by the first `length` letters of a section's name: ShaftElement for "ShaftElement_Shaft Element 0",
+/// and for "ShaftElement6DoF_..." of older files.
 static const ross_class *find_class(const char *name, size_t length) {
     static const char old[] = "6DoF";
     if (length > 4 && strncmp(name + length - 4, old, 4) == 0) length -= 4;
@@ -241,7 +244,7 @@ static void read_element(import_reader *reader, value *table, ross_rotor *out) {
         field_refuse(&section, NULL, table, "%s", class->instead);
 }
 
-/// Speeds that the rotor is made for.
+/// Reads the speeds for which the rotor is made.
 static void read_parameters(import_reader *reader, value *root, ross_rotor *out) {
     value *const table = value_member(root, "parameters");
     out->least = out->most = out->rated = NAN;
@@ -263,7 +266,7 @@ static bool is_element(const value *one) {
     return one->key[0] != '_' && strcmp(one->key, "parameters") != 0 && strcmp(one->key, "ross_version") != 0;
 }
 
-/// Room for as many of each as there are sections: of one file they are few.
+/// Allocates for each kind of element as many as the file has sections.
 static bool ross_make_room(import_reader *reader, const value *root, ross_rotor *out) {
     size_t count = 1;
     for (const value *one = root->first; one; one = one->next) count += is_element(one);

@@ -7,7 +7,7 @@
 /// Longest name of a key and its section, in bytes; notes show no more of it.
 enum { MAX_SHOWN = 96 };
 
-/// Keys of drawings.
+/// Keys that only drawings use.
 static const char *const drawing_keys[] = {"color", "scale_factor"};
 
 /// Keys that count as read in every section, so that they are never noted as unknown.
@@ -15,7 +15,7 @@ static const char *const other_keys[] = {"tag", "material", "n"};
 
 void ross_note_rest(field_section *section, const char *tag, bool computed) {
     note_list *const notes = &section->reader->notes;
-    // Keys of drawings and others without an effect.
+    // Mark keys of drawings, and others without an effect, as read.
     bool drawn = false;
     for (size_t i = 0; i < sizeof drawing_keys / sizeof *drawing_keys; i++)
         drawn = value_member(section->table, drawing_keys[i]) || drawn;

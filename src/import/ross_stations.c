@@ -1,4 +1,4 @@
-// Nodes that carry something become stations, with names made of the tags.
+// Makes stations of the nodes that carry something, with names made of the tags.
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
@@ -7,7 +7,7 @@
 #include "ross.h"
 #include "whirl/engine/rotor.h"
 
-/// "Seal 1 (R0)" becomes "seal_1_r0".
+/// Makes a station's name of a tag: "Seal 1 (R0)" becomes "seal_1_r0".
 void ross_name(const char *tag, const char *fallback, char name[WHIRL_NAME_SIZE]) {
     const size_t room = WHIRL_NAME_SIZE - 8; // for "_1024"
     size_t length = 0;

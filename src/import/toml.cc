@@ -111,7 +111,7 @@ whirl_status read(memory_arena *arena, std::string_view text, const char *name, 
     } catch (const std::length_error &) {
         return whirl_fail(WHIRL_BAD_INPUT, "%.120s: has more than %d lists or tables within each other", name,
                           static_cast<int>(VALUE_MAX_DEPTH));
-    } catch (...) { // it throws nothing else but where memory is lacking
+    } catch (...) { // nothing but a lack of memory throws anything else
         return whirl_fail(WHIRL_NO_MEMORY, "no memory to read %.200s", name);
     }
 }

@@ -31,7 +31,7 @@ struct value {
     double number;    ///< value of VALUE_NUMBER; 0 or 1 for VALUE_TRUTH
     size_t count;     ///< number of members or items
     value *first, *last, *next;
-    bool seen; ///< it was read
+    bool seen; ///< a reader has asked for it
 };
 
 /// Adds an empty value to a table or list, or makes a root (`parent` NULL). Texts are copied, `key` NULL in lists.

@@ -261,7 +261,7 @@ static void test_magnets(void **state) {
         {"kp_pid = 0.0\nkxx = 8e6\ncxx = 10.0", "Controllers other than PID"},
         {"kp_pid = 2.0\nkxx = [8e6, 9e6]\ncxx = 10.0\nfrequency = [1, 10]", "frequencies: [1, 10"},
         {"kp_pid = [2.0, 3.0]", "!kp_pid: is 2 A/m along one axis and 3 along another, expected one number for both"},
-        {"kp_pid = 1e308\nk_amp = 1e308", "!kp_pid: is beyond all numbers with the gains"},
+        {"kp_pid = 1e308\nk_amp = 1e308", "!kp_pid: is infinite times the gains k_amp and k_sense"},
         {"kp_pid = 1.0\nk_amp = 0.0", "!k_amp: times k_sense is 0"},
         {"kp_pid = 1.0\nalpha = 2.0", "!alpha: is 2 rad"},
     };
@@ -285,7 +285,7 @@ static void test_film(void **state) {
     expect_line("BearingElement_Support\"]\n",
                 "CylindricalBearing_Support\"]\nweight = 525.0\nbearing_length = 0.03\njournal_diameter = 0.1\n"
                 "radial_clearance = 1e-4\noil_viscosity = 0.1\n",
-                "    # of a short film under 525 N, which motions may have itself, with gravity\n"
+                "    # computed from this short film under 525 N, which can replace it in motions with gravity\n"
                 "    # - film: {at: pedestal, law: short, radius: 0.05 m, length: 0.03 m, clearance: 0.0001 m, "
                 "viscosity: 0.1 Pa s}\n");
 }
@@ -413,12 +413,12 @@ static void ross3(void **state) {
 
 static void test_no_machine(void **state) {
     (void)state;
-    expect_refused(
-        "L = 0.25\nidl = 0.01", "L = 1e-12\nidl = 0.01",
-        "r.toml: makes no machine: rotor: stations 'disk_0' and 'bearing_1' lie on the same place of a shaft");
-    expect_refused(
-        "n = 1\ntag", "n = 1\naxial_force = -1e9\ntag",
-        "r.toml: makes no machine: rotor: shaft 1 gives way between its stations: its axial force buckles it");
+    expect_refused("L = 0.25\nidl = 0.01", "L = 1e-12\nidl = 0.01",
+                   "r.toml: converts to an invalid case: rotor: stations 'disk_0' and 'bearing_1' lie on the same "
+                   "place of a shaft");
+    expect_refused("n = 1\ntag", "n = 1\naxial_force = -1e9\ntag",
+                   "r.toml: converts to an invalid case: rotor: shaft 1 gives way between its stations: its axial "
+                   "force buckles it");
 }
 
 static void test_no_rotor(void **state) {
@@ -453,12 +453,12 @@ static void test_no_rotor(void **state) {
 }
 
 #define SKEW_MASS                                                                                                      \
-    "Modes here may be damped otherwise than in ROSS: of unequal added masses mxy and myx the mean is taken, for "     \
+    "Modes here may be damped otherwise than in ROSS: unequal added masses mxy and myx become their mean, for "        \
     "inertia is symmetric here. Half their difference, behind each name, is lost; it acts on a mode that whirls at "   \
     "omega like a damping of omega times it, to be compared with cxx: "
 #define HUTCHINSON                                                                                                     \
     "ROSS's own frequencies are lower, by 0.1 to 0.5 % in the first mode of shafts 20 to 5 times as long as thick, "   \
-    "by more in higher ones: of Hutchinson's shear factor it has 1 + nu where he has the square of that: "
+    "by more in higher ones: its shear factor has 1 + nu where Hutchinson's has (1 + nu)^2: "
 #define ROTARY                                                                                                         \
     "ROSS's own modes are faster forward and slower backward, by some 0.1 % at 3000 rpm and 0.5 % at 10 000 rpm: "     \
     "it keeps the gyroscopic moments of shafts without rotary inertia, which have none here: "
@@ -467,7 +467,7 @@ static void test_notes(void **state) {
     (void)state;
     expect_note("", "", NULL);
     expect_note("m = 30.0", "m = 30.0\ncolor = \"red\"",
-                "Colours and scale factors, which are of drawings, are left out.");
+                "Colours and scale factors, which only drawings use, are left out.");
     expect_note("n = 3\nkxx", "n = 3\nkzz = [ 1,]\nkxx",
                 "Axial coefficients (kzz, czz, mzz) are left out, for motions here are lateral: 'Support'.");
     expect_note("n = 3\nkxx", "n = 3\nkzz = [ 0,]\nkxx", NULL);
@@ -475,7 +475,7 @@ static void test_notes(void **state) {
                 "The leakage of seals is left out: 'Support'.");
     expect_note(
         "BearingElement_Support\"]", "LabyrinthSeal_Support\"]\nn_teeth = 16",
-        "Keys that say how coefficients were found are left out, the coefficients are as they stand: 'Support'.");
+        "Keys for the computation of coefficients are left out; the coefficients of the file are used: 'Support'.");
     expect_note("m = 30.0", "m = 30.0\nbore = 1",
                 "Keys that are not known here are left out: 'bore of DiskElement_Disk 0'.");
     expect_note("m = 30.0", "m = 30.0\nbore = 1\nkeyway = 2\nhub = 3\nrim = 4",
@@ -492,7 +492,7 @@ static void test_notes(void **state) {
     expect_note("[\"BearingElement_Support",
                 "[\"ThrustPad_Collar\"]\nn = 2\nkxx = [ 0,]\ncxx = [ 0,]\nkzz = [ 0,]\n"
                 "[\"BearingElement_Support",
-                "Without lateral coefficients, so left out whole: 'Collar'.");
+                "Sections without lateral coefficients are left out: 'Collar'.");
 }
 
 /// What ROSS computes otherwise of the same numbers.

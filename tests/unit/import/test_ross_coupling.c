@@ -132,13 +132,12 @@ static void test_places(void **state) {
 
 static void test_refused(void **state) {
     (void)state;
-    expect_refused(
-        "kr_y = 5e3", "kr_y = 6e3",
-        "r.toml:34: [CouplingElement_Hub] kr_y: is 6000 N m/rad and kr_x is 5000, expected the same of both: "
-        "what joins two shafts resists their tilts alike in both planes here");
+    expect_refused("kr_y = 5e3", "kr_y = 6e3",
+                   "r.toml:34: [CouplingElement_Hub] kr_y: is 6000 N m/rad and kr_x is 5000, expected equal numbers: "
+                   "a coupling here resists tilts alike in both planes");
     expect_refused("cr_y = 0.7\n", "",
-                   "r.toml:25: [CouplingElement_Hub] cr_y: is 0 N m s/rad and cr_x is 0.7, expected the same of both: "
-                   "what joins two shafts resists their tilts alike in both planes here");
+                   "r.toml:25: [CouplingElement_Hub] cr_y: is 0 N m s/rad and cr_x is 0.7, expected equal numbers: "
+                   "a coupling here resists tilts alike in both planes");
     expect_refused("kt_x = 4e6", "kt_x = -4e6",
                    "r.toml:31: [CouplingElement_Hub] kt_x: is -4000000 N/m, expected a number of at least 0 N/m");
     expect_refused("m_r = 3.0\n", "", "r.toml:25: [CouplingElement_Hub] m_r: is missing, expected a number in kg");
@@ -175,7 +174,7 @@ static void test_notes(void **state) {
                 "Lengths and diameters of couplings (L, o_d) are left out; no force depends on them, in ROSS neither: "
                 "'Hub'.");
     expect_note(LATERAL, "",
-                "Couplings without lateral coefficients join nothing here, what they weigh is taken over: 'Hub'.");
+                "Couplings without lateral coefficients join nothing here; their masses are taken over: 'Hub'.");
     expect_none(LATERAL, "", "coupling:");
     expect_line(LATERAL, "", "    hub_right: {shaft: shaft_2, position: 0 m, mass: 3 kg");
 }
