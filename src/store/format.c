@@ -55,7 +55,7 @@ int format_dimension_names(const whirl_field *field, shape points, char names[SH
 }
 
 // ---------------------------------------------------------------- column
-// Datasets of one point after the other: what writing and reading have in common.
+// Layout of datasets that are written or read point by point (items.h).
 
 void column_lay(column *of, shape points, const size_t *dimensions, int rank, size_t element) {
     *of = (column){.dataset = H5I_INVALID_HID, .type = H5I_INVALID_HID, .rank = rank, .axes = points.rank};
@@ -64,7 +64,7 @@ void column_lay(column *of, shape points, const size_t *dimensions, int rank, si
     for (int i = points.rank; i < rank; ++i) of->size *= dimensions[i];
 }
 
-/// Points of which a step along an axis has gone past.
+/// Returns how many points a step along an axis passes.
 static size_t step_of(const column *of, int axis) {
     size_t step = 1;
     while (++axis < of->axes) step *= (size_t)of->dimensions[axis];
@@ -100,7 +100,7 @@ void column_box(const column *of, size_t points, hsize_t *first, hsize_t *count)
     }
 }
 
-/// Compares an ending, ignoring case.
+/// Returns true if an ending equals `lower`, ignoring case.
 static bool format_is_ending(const char *ending, const char *lower) {
     while (*lower && tolower((unsigned char)*ending) == *lower) ending++, lower++;
     return !*lower && !*ending;

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// Fails with what is wrong with `name` of `object` ("": the object itself).
+/// Sets the status to "PATH WRONG" for the member `name` of `object` ("": the object itself).
 static void fail_get(whirl_status *status, hid_t object, const char *name, const char *wrong) {
     char folder[160] = "";
     H5Iget_name(object, folder, sizeof folder);
@@ -48,13 +48,14 @@ static bool attribute_extent(hid_t attribute, int rank, hsize_t *count) {
     return well;
 }
 
-/// Is it a text of fixed length as put.c writes it, of at most `size` bytes?
+/// Returns true for the type of a text of fixed length, at most `size` bytes, as put.c writes it.
 static bool is_text(hid_t type, size_t size) {
     return type >= 0 && H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0 &&
            H5Tget_strpad(type) == H5T_STR_NULLTERM && H5Tget_size(type) > 0 && H5Tget_size(type) <= size;
 }
 
-/// Memory type of stored texts. HDF5 converts no characters, so both have the same character set.
+/// Returns the memory type of stored texts. HDF5 converts no characters, so it has the character set of the stored
+/// type.
 static hid_t memory_text(hid_t stored, size_t size) {
     const hid_t type = H5Tcopy(H5T_C_S1);
     if (type < 0) return type;
@@ -92,17 +93,17 @@ int64_t get_whole_attribute(whirl_status *status, hid_t object, const char *name
     return status->code == WHIRL_OK ? value : low;
 }
 
-/// Ends texts that fill their field.
+/// Ends texts with a zero byte where they fill their field.
 static void end_texts(char *first, size_t stride, size_t count) {
     for (size_t i = 0; i < count; ++i) first[i * stride + stride - 1] = '\0';
 }
 
-/// Words of a result are shown in many places, by terminals and browsers too.
+/// Removes control characters from texts of a result, which terminals and browsers show.
 static void make_plain(char *first, size_t stride, size_t count) {
     for (size_t i = 0; i < count; ++i) whirl_make_plain(first + i * stride);
 }
 
-/// Texts of an attribute of that rank; returns how many.
+/// Reads the texts of an attribute of that rank, at most `most`; returns their number.
 static size_t read_texts(whirl_status *status, hid_t object, const char *name, int rank, char *first, size_t stride,
                          size_t most) {
     const hid_t attribute = open_attribute(status, object, name);
@@ -151,7 +152,8 @@ void get_attribute_name(whirl_status *status, hid_t object, size_t index, char *
 
 // ---------------------------------------------------------------- groups and datasets
 
-/// Follows `path` ("rub/share") link by link: only links to objects of this very group count.
+/// Returns true if every link of `path` ("rub/share") is a hard link: soft and external links could lead to other
+/// files.
 static bool only_hard_links(hid_t parent, const char *path) {
     char part[200];
     const size_t length = strlen(path);
@@ -189,7 +191,8 @@ hid_t get_group(whirl_status *status, hid_t parent, const char *name) {
     return open_object(status, parent, name, H5I_GROUP);
 }
 
-/// Is the dataset stored as put.c does, in chunks no larger than itself and with checksums alone?
+/// Returns true if a dataset is stored as put.c does: in chunks no larger than itself, with checksums as the only
+/// filter.
 static bool stored_plainly(hid_t dataset, const hsize_t *dimensions, int rank) {
     hsize_t chunk[SHAPE_MAX_RANK];
     unsigned flags, configuration;
@@ -203,7 +206,7 @@ static bool stored_plainly(hid_t dataset, const hsize_t *dimensions, int rank) {
     return well;
 }
 
-/// Number of elements of a dataset of that rank; its bytes must really be in the file.
+/// Finds the dimensions of a dataset of that rank. Returns false unless all its bytes are in the file.
 static bool dataset_extent(hid_t dataset, hsize_t *dimensions, int rank) {
     const hid_t space = H5Dget_space(dataset), type = H5Dget_type(dataset);
     bool well = space >= 0 && type >= 0 && H5Sget_simple_extent_type(space) == H5S_SIMPLE &&
@@ -258,7 +261,7 @@ size_t get_length(whirl_status *status, hid_t parent, const char *name, size_t m
     return 0;
 }
 
-/// Are these the dimensions?
+/// Checks that a dataset has these dimensions.
 static void check_dimensions(whirl_status *status, hid_t dataset, const size_t *dimensions, int rank) {
     hsize_t found[SHAPE_MAX_RANK] = {0};
     bool well = dataset_extent(dataset, found, rank);
@@ -274,7 +277,7 @@ static void read_list(whirl_status *status, hid_t dataset, hid_t memory, shape o
         fail_library(status, dataset, "");
 }
 
-/// Is the type of a dataset exactly this?
+/// Checks that the type of a dataset is exactly this one.
 static void check_kind(whirl_status *status, hid_t dataset, hid_t kind) {
     if (status->code != WHIRL_OK) return;
     const hid_t type = H5Dget_type(dataset);
@@ -300,14 +303,14 @@ void get_wholes(whirl_status *status, hid_t parent, const char *name, int64_t *v
 
 // ---------------------------------------------------------------- columns
 
-/// The dimensions of a chunk, which the dataset is read by; none is larger than the dataset's own.
+/// Reads the dimensions of a dataset's chunks, none of which is larger than that of the dataset.
 static void read_chunk(hid_t dataset, int rank, hsize_t *chunk) {
     const hid_t creation = H5Dget_create_plist(dataset);
     if (creation >= 0) H5Pget_chunk(creation, rank, chunk);
     if (creation >= 0) H5Pclose(creation);
 }
 
-/// Opens the dataset of a column, which must be of this kind.
+/// Opens the dataset of a column, whose values must be of this kind.
 static void open_column(whirl_status *status, column *from, hid_t parent, const char *name, hid_t kind, hid_t memory) {
     hsize_t chunk[SHAPE_MAX_RANK] = {1, 1};
     size_t dimensions[SHAPE_MAX_RANK];
@@ -368,7 +371,7 @@ void column_close(column *from) {
 
 // ---------------------------------------------------------------- texts
 
-/// Texts without gaps between them.
+/// Reads texts that follow each other without gaps.
 static void read_packed_texts(whirl_status *status, hid_t parent, const char *name, char *packed, size_t size,
                               size_t count) {
     const hid_t dataset = get_dataset(status, parent, name);

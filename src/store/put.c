@@ -1,4 +1,4 @@
-// Writing into HDF5: see items.h.
+// Writes attributes and datasets to an HDF5 file (items.h).
 #include "h5file.h"
 #include "items.h"
 
@@ -6,7 +6,7 @@
 #include <string.h>
 
 enum {
-    CHUNK_BYTES = 1 << 20, ///< a chunk is at most about this large, so that parts of large results are read quickly
+    CHUNK_BYTES = 1 << 20, ///< approximate limit of a chunk, so that parts of large results are read quickly
     PATH_SIZE = 256
 };
 
@@ -16,8 +16,8 @@ static void fail_put(whirl_status *status, const char *name) {
     *status = whirl_fail(WHIRL_IO_ERROR, "cannot store %s: %s", name, reason);
 }
 
-/// Type of texts of up to `length` bytes, ended by 0. All texts are UTF-8; datasets are not marked as such, since
-/// Octave's `load` cannot read datasets of UTF-8.
+/// Returns the type of texts of up to `length` bytes, ended by 0. All texts are UTF-8; datasets are not marked so,
+/// since Octave's `load` cannot read datasets of UTF-8.
 static hid_t text_type(size_t length, H5T_cset_t letters) {
     const hid_t type = H5Tcopy(H5T_C_S1);
     if (type < 0) return type;
@@ -41,7 +41,7 @@ static size_t longest(texts list) {
     return length;
 }
 
-/// The texts one after the other in fields of `size` bytes, filled with 0; to be freed.
+/// Returns the texts one after the other in fields of `size` bytes, filled with 0; to be freed.
 static char *pack_texts(texts list, size_t size) {
     char *packed = calloc(list.count ? list.count : 1, size);
     if (!packed) return NULL;
@@ -111,7 +111,8 @@ void close_group(hid_t group) {
     if (group >= 0) H5Gclose(group);
 }
 
-/// Halves the longest leading dimension until a chunk is small enough.
+/// Chooses the dimensions of chunks: halves those of the dataset, from the first on and down to 1, until a chunk is
+/// small enough.
 static void choose_chunk(hsize_t *chunk, const hsize_t *dimensions, int rank, size_t element) {
     double bytes = (double)element;
     for (int i = 0; i < rank; ++i) {
@@ -142,7 +143,7 @@ static hid_t make_dataset(whirl_status *status, hid_t parent, const char *name, 
     return dataset;
 }
 
-/// `unit` NULL: texts have none.
+/// Writes a whole dataset. `unit` is NULL for texts.
 static void put_list(whirl_status *status, hid_t parent, const char *name, hid_t file_type, hid_t memory_type, shape of,
                      const void *values, const char *unit) {
     hsize_t dimensions[SHAPE_AXES];
@@ -192,7 +193,7 @@ static void put_group_above(whirl_status *status, hid_t parent, const char *name
     if (H5Lexists(parent, group, H5P_DEFAULT) <= 0) close_group(put_group(status, parent, group));
 }
 
-// ---------------------------------------------------------------- columns: datasets of a point after the other
+// ---------------------------------------------------------------- columns: datasets that are written point by point
 
 static void begin_column(whirl_status *status, column *out, hid_t parent, const char *name, hid_t type) {
     out->dataset = make_dataset(status, parent, name, type, out->dimensions, out->rank);
@@ -235,7 +236,7 @@ void column_of_texts(whirl_status *status, column *out, hid_t parent, const char
     begin_column(status, out, parent, name, out->type);
 }
 
-/// Writes the points that have gathered; whole chunks, but for the last ones.
+/// Writes the points that have gathered: a whole chunk, except at the end.
 static void flush_column(whirl_status *status, column *out) {
     hsize_t first[SHAPE_MAX_RANK], count[SHAPE_MAX_RANK];
     if (status->code != WHIRL_OK || out->gathered == 0) return;

@@ -1,4 +1,4 @@
-// A result from an HDF5 file, which may come from anywhere: nothing in it is believed before it is checked.
+// Reads a result from an HDF5 file. The file may come from anywhere, so that everything in it is checked before use.
 #include "read.h"
 
 #include "bytes.h"
@@ -15,14 +15,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// A file being read, and the destination of its points.
+/// How a file is read, and where its points go.
 typedef struct reading {
-    size_t limit; ///< bytes of the file
-    whirl_layout known;
-    const block_taker *taker; ///< NULL: into the tables
+    size_t limit;             ///< bytes of the file
+    whirl_layout known;       ///< fields of this version of whirl
+    const block_taker *taker; ///< receives the blocks; NULL: they go to the tables
 } reading;
 
-/// Zeroed memory, or NULL with the status set.
+/// Returns zeroed memory, or NULL with the status set.
 static void *take(whirl_status *status, size_t count, size_t size) {
     if (status->code != WHIRL_OK) return NULL;
     void *memory = calloc(count ? count : 1, size);
@@ -61,8 +61,8 @@ static void get_parameters(whirl_status *status, hid_t file, whirl_result *resul
     free(values);
 }
 
-/// Numbers of all stations. Coordinates are indices of the state; a rotor has four a station, other systems may have
-/// more.
+/// Reads a member of all stations. Coordinates are indices of the state, which has four a station for a rotor and may
+/// have more for other systems.
 static void get_station_numbers(whirl_status *status, hid_t group, const whirl_member *member, whirl_probe *stations,
                                 size_t count) {
     double numbers[WHIRL_MAX_PROBES];
@@ -135,14 +135,14 @@ static void get_options(whirl_status *status, hid_t group, const whirl_member *m
     }
 }
 
-/// Reads the analyses. Those of a later version are unknown; their fields are read all the same.
+/// Reads the analyses. Unknown ones, of a later version, are skipped; their fields are read.
 static void get_analyses(whirl_status *status, hid_t group, whirl_analysis_set *set) {
     char names[FORMAT_MAX_ANALYSES][WHIRL_NAME_SIZE];
     const size_t count = get_texts_attribute(status, group, "analyses", names[0], WHIRL_NAME_SIZE, FORMAT_MAX_ANALYSES);
     for (size_t i = 0; i < count; ++i) whirl_analysis_add(set, names[i]);
 }
 
-/// Words of a field that a table was read with; a field of a running program points to the registry's.
+/// Unit and meaning of a field that was read from a file; fields of this program point to those of the registry.
 typedef struct field_words {
     char unit[WHIRL_NAME_SIZE], meaning[FORMAT_MAX_MEANING];
 } field_words;
@@ -162,7 +162,7 @@ static void get_extent(whirl_status *status, hid_t dataset, const whirl_result *
     *status = whirl_fail(WHIRL_BAD_INPUT, "%s: extent is '%s', expected point, station or contact", field->name, word);
 }
 
-/// Checks that a known field has the shape that the program expects: one number, or so many columns.
+/// Checks that a known field has the extent and columns that this program expects, and one row where it expects one.
 static void check_known(whirl_status *status, const whirl_layout *known, const whirl_field *field) {
     const whirl_field *ours = whirl_layout_field(known, field->name);
     if (status->code != WHIRL_OK || !ours) return;
@@ -172,7 +172,8 @@ static void check_known(whirl_status *status, const whirl_layout *known, const w
                              format_extents[ours->extent]);
 }
 
-/// Shape and words of one field. Its numbers, `count` times the shape, must have room in a file of `limit` bytes.
+/// Reads shape, unit and meaning of a field. Its numbers, `count` times the shape, must fit into a file of `limit`
+/// bytes.
 static void get_field(whirl_status *status, hid_t group, const whirl_result *result, size_t count, size_t limit,
                       whirl_layout *layout, whirl_field *field, field_words *words) {
     const hid_t dataset = get_dataset(status, group, field->name);
@@ -192,8 +193,8 @@ static void get_field(whirl_status *status, hid_t group, const whirl_result *res
                              field->singles, field->columns);
         return;
     }
-    // Two factors below 2^31 and one of at most 256 cannot overflow a double, nor size_t once the product is small. A
-    // table without points has no numbers: then the rows of a point take neither memory nor time.
+    // Two factors below 2^31 and one of at most 256 overflow no double, nor size_t once the product is small. A table
+    // without points has no numbers, so that any shape is allowed.
     const double numbers = (double)field->rows * (double)field->columns * (double)(field->repeat ? field->repeat : 1);
     const double most = count ? (double)(limit / sizeof(double)) / (double)count : 0x1p31;
     if (numbers > most) {
@@ -218,7 +219,7 @@ static void get_field_names(whirl_status *status, hid_t group, const char *table
     }
 }
 
-/// The same, of a table's own.
+/// Returns a zeroed array of a table, in a file if it is large; NULL with the status set.
 static void *take_array(whirl_status *status, whirl_table *table, size_t count, size_t size) {
     if (status->code != WHIRL_OK) return NULL;
     void *array = mapped_take(&table->mapped, count, size, MAPPED_MIN);
@@ -226,7 +227,7 @@ static void *take_array(whirl_status *status, whirl_table *table, size_t count, 
     return array;
 }
 
-/// Numbers of the points that are read one after the other; column_close also after a failure.
+/// Opens a dataset with a number for each point. column_close must be called after a failure, too.
 static column open_numbers(whirl_status *status, hid_t group, const char *name, shape points) {
     column from;
     column_open(status, &from, group, name, points, points.sizes, points.rank);
@@ -239,7 +240,7 @@ static column open_wholes(whirl_status *status, hid_t group, const char *name, s
     return from;
 }
 
-/// Reads the values of the parameter; the words of the fields follow in the same memory.
+/// Reads the values of the parameter. Returns the words of the fields, still empty, which follow in the same memory.
 static field_words *get_values(whirl_status *status, hid_t group, shape points, whirl_table *table) {
     const size_t numbers = table->count * sizeof(double);
     table->values = take_array(status, table, 1, numbers + table->layout.field_count * sizeof(field_words) + 1);
@@ -291,7 +292,7 @@ static void get_length_scales(whirl_status *status, hid_t group, const whirl_res
 
 /// Reads the grid of a refined map.
 static void get_grid(whirl_status *status, hid_t group, whirl_table *table) {
-    const int64_t most = (int64_t)1 << 28; // all of them are looked at where the map is drawn
+    const int64_t most = (int64_t)1 << 28; // a drawing of the map visits all of them
     const bool refined = whirl_layout_field(&table->layout, WHIRL_FIELD_MAP_WIDTH) &&
                          whirl_layout_field(&table->layout, WHIRL_FIELD_MAP_SECOND);
     if (status->code != WHIRL_OK || !refined) return;
@@ -299,13 +300,14 @@ static void get_grid(whirl_status *status, hid_t group, whirl_table *table) {
     table->grid = (size_t)get_whole_attribute(status, group, "grid", 1, most);
 }
 
-/// Reads the indices of these points in the study; NULL if the table has all.
+/// Reads the indices of the table's points in the study; leaves `slots` NULL if the table has all points.
 static void get_slots(whirl_status *status, hid_t group, shape points, whirl_table *table) {
     table->slots = take_array(status, table, table->count, sizeof *table->slots);
     const int64_t most = (int64_t)1 << 48; // tables of all sizes can be summed
     const int64_t planned = get_whole_attribute(status, group, "points", (int64_t)table->count, most);
     const int64_t room = (int64_t)(table->places * (table->starts + WHIRL_MAX_NEIGHBOUR_STARTS));
     const int64_t last = table->grid > 0 ? (int64_t)table->grid : room > 0 ? room : planned;
+    // Indices are counted from 1 in the file, and rise.
     int64_t before = 0, place = 0;
     column from = open_wholes(status, group, "point", points);
     for (size_t i = 0; status->code == WHIRL_OK && i < table->count; ++i) {
@@ -319,13 +321,14 @@ static void get_slots(whirl_status *status, hid_t group, shape points, whirl_tab
     }
     column_close(&from);
     if (status->code != WHIRL_OK) return;
+    // A table with all points needs no indices.
     if ((size_t)planned > table->count) table->planned = (size_t)planned;
     if (table->planned > 0 || table->grid > 0 || table->places > 0) return;
     mapped_drop(&table->mapped, table->slots);
     table->slots = NULL;
 }
 
-/// All points, one after the other.
+/// Reads the blocks of all points, one after the other.
 static void get_points(whirl_status *status, const whirl_table *table, size_t index, const block_taker *taker,
                        column *columns, double *block) {
     const whirl_layout *layout = &table->layout;
@@ -369,7 +372,7 @@ static void get_starts(whirl_status *status, hid_t group, whirl_table *table) {
     table->places = (size_t)get_whole_attribute(status, group, "places", 1, most);
 }
 
-/// Checks that every place has the same number of starts, besides those from neighbours.
+/// Checks that every place has the same number of starts, those from neighbours not counted.
 static void check_starts(whirl_status *status, const whirl_table *table) {
     const size_t planned = whirl_table_planned(table), own = table->places * table->starts;
     if (status->code != WHIRL_OK || table->starts == 0) return;
@@ -379,7 +382,7 @@ static void check_starts(whirl_status *status, const whirl_table *table) {
                        table->name, planned, table->starts);
 }
 
-/// Checks that a study of tolerances has the same points for every machine of its samples.
+/// Checks that a study of tolerances has the same number of points for every sampled machine.
 static void check_samples(whirl_status *status, const whirl_table *table) {
     const whirl_field *values = whirl_layout_field(&table->layout, WHIRL_FIELD_TOLERANCES_VALUES);
     if (status->code != WHIRL_OK || table->role != WHIRL_ROLE_TOLERANCES) return;
@@ -392,7 +395,7 @@ static void check_samples(whirl_status *status, const whirl_table *table) {
                              table->name, planned, machines);
 }
 
-/// Reads the planes of a map, which must be whole, with whole rows.
+/// Reads the planes of a map. Each must have all its rows, and each row all its points.
 static void get_planes(whirl_status *status, hid_t group, size_t planned, whirl_table *table) {
     if (status->code != WHIRL_OK || !whirl_layout_field(&table->layout, WHIRL_FIELD_MAP_THIRD) || table->grid > 0)
         return;
@@ -413,7 +416,7 @@ static void check_rows(whirl_status *status, shape points, size_t planned, const
                              table->name, row, plane, table->row, table->plane);
 }
 
-/// Reads the second parameter of a map and the length of its rows, which must be those of its datasets.
+/// Reads the second parameter of a map and the length of its rows, which its datasets must have, too.
 static void get_plane(whirl_status *status, hid_t group, shape points, whirl_table *table) {
     const size_t planned = whirl_table_places(table);
     const bool is_map = whirl_layout_field(&table->layout, WHIRL_FIELD_MAP_SECOND);
@@ -430,7 +433,8 @@ static void get_plane(whirl_status *status, hid_t group, shape points, whirl_tab
     check_rows(status, points, planned, table);
 }
 
-/// Leaves fields in single precision to whirl_signals_read: they may be larger than the memory.
+/// Removes fields in single precision from the layout: signals may be larger than the memory, and whirl_signals_read
+/// reads them.
 static void leave_out_signals(whirl_layout *layout) {
     const size_t all = layout->field_count;
     layout->field_count = layout->size = 0;
@@ -447,6 +451,7 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     whirl_table *table = &result->tables[index];
     const hid_t group = get_group(status, file, table->name);
     whirl_layout *layout = &table->layout;
+    // Role, parameter and analyses.
     char role[WHIRL_NAME_SIZE] = "";
     get_text_attribute(status, group, "role", role, sizeof role);
     table->role = whirl_role_of(role);
@@ -455,6 +460,7 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
                              whirl_role_name(WHIRL_ROLE_POINT), whirl_role_name(WHIRL_ROLE_SURVEY));
     get_text_attribute(status, group, "parameter", table->parameter, sizeof table->parameter);
     get_analyses(status, group, &table->analyses);
+    // Options; those of analyses that the table lacks have defaults.
     const whirl_member *members;
     whirl_members_default(whirl_trace_members(), &table->record.trace);
     whirl_members_default(whirl_runup_members(), &table->record.runup);
@@ -463,6 +469,7 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     for (size_t i = 0, at; (members = whirl_table_options(table, i, &at)) != NULL; i++)
         get_options(status, group, members, (char *)table + at);
     if (status->code == WHIRL_OK) *status = whirl_record_options_check(&table->record);
+    // Fields and points.
     get_field_names(status, group, table->name, layout);
     const shape points = get_shape(status, group, "values", how->limit / sizeof(double));
     table->count = shape_count(points);
@@ -476,6 +483,7 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     get_length_scales(status, group, result, points, table);
     table->clock_of = (int)get_whole_attribute(status, group, "clock_of", 0, WHIRL_CLOCK_UNKNOWN);
     get_number_attribute(status, group, "clock_factor", &table->clock_factor);
+    // Shapes and words of the fields.
     for (size_t i = 0; status->code == WHIRL_OK && i < layout->field_count; ++i) {
         get_field(status, group, result, table->count, how->limit, layout, &layout->fields[i], &words[i]);
         check_known(status, &how->known, &layout->fields[i]);
@@ -483,7 +491,8 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     if (!how->taker) leave_out_signals(layout);
     check_samples(status, table);
     if (status->code == WHIRL_OK) *status = whirl_layout_check(layout, table->analyses, &table->record);
-    // Each field has room in the file, so all of them have in 64 times its size; datasets are then checked one by one.
+    // Each field fits into the file, so that a block of all fields takes at most 64 times its size. Each dataset is
+    // checked before it is read.
     if (status->code == WHIRL_OK && (!how->taker || how->taker->take))
         get_blocks(status, group, points, table, index, how->taker);
     close_group(group);
@@ -505,7 +514,7 @@ static void get_tables(whirl_status *status, hid_t file, reading *how, whirl_res
     }
 }
 
-// ---------------------------------------------------------------- the whole
+// ---------------------------------------------------------------- the whole result
 
 static void check_format(whirl_status *status, hid_t file) {
     char format[WHIRL_NAME_SIZE] = "";
@@ -549,8 +558,8 @@ whirl_status read_result(const byte_source *source, const char *name, const bloc
         h5_loud(errors);
         return status;
     }
-    // HDF5 1.10 leaks memory after a wrong checksum and would print about it at exit; after a damaged file its messages
-    // stay off.
+    // HDF5 1.10 leaks memory after a wrong checksum and would print messages at exit: they stay off after a damaged
+    // file.
     whirl_result_free(*result);
     *result = NULL;
     if (bytes.reason) return whirl_fail(WHIRL_IO_ERROR, "cannot read %.250s: %s", name, strerror(bytes.reason));

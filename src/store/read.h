@@ -5,8 +5,8 @@
 #include "bytes.h"
 #include "whirl/engine/result.h"
 
-/// Receives the blocks of a result's tables, point by point. An error ends the reading. Without `take` no numbers are
-/// read.
+/// Receives the blocks of a result's tables, point by point. If `take` returns an error, reading ends. If it is NULL,
+/// no blocks are read.
 typedef struct block_taker {
     whirl_status (*take)(void *context, const whirl_table *outline, size_t table, size_t point, const double *block);
     void *context;

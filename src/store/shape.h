@@ -6,10 +6,10 @@
 
 enum {
     SHAPE_AXES = 3,                 ///< dimensions of points: planes, rows, columns
-    SHAPE_MAX_RANK = SHAPE_AXES + 3 ///< dimensions of a dataset: those, stations, rows, columns
+    SHAPE_MAX_RANK = SHAPE_AXES + 3 ///< dimensions of a dataset: those of points, then stations, rows, columns
 };
 
-/// Arrangement of values: a list, a matrix row by row, or planes of these.
+/// Arrangement of values: a list, a matrix row by row, or planes of matrices.
 typedef struct shape {
     int rank; ///< 1 to SHAPE_AXES
     size_t sizes[SHAPE_AXES];

@@ -27,7 +27,7 @@ static void name_of(hid_t object, char name[NAME_BYTES]) {
 
 // ---------------------------------------------------------------- values
 
-/// Kind and shape by type and space, which are closed.
+/// Finds the kind and shape of an array by its type and space, which it closes.
 static bool describe(hid_t type, hid_t space, stored_array *array) {
     *array = (stored_array){.count = 1};
     hsize_t sizes[SHAPE_MAX_RANK];
@@ -51,7 +51,7 @@ static bool describe(hid_t type, hid_t space, stored_array *array) {
     return well;
 }
 
-/// The type of values in memory: texts stay as they are.
+/// Returns the type of values in memory: that of the file for texts, else double or int64.
 static hid_t memory_type(const stored_array *array, hid_t stored) {
     return array->kind == STORED_TEXTS ? stored : array->kind == STORED_NUMBERS ? H5T_NATIVE_DOUBLE : H5T_NATIVE_INT64;
 }
@@ -133,20 +133,21 @@ void stored_visit(whirl_status *status, hid_t object, const stored_visitor *visi
         *status = damaged("an attribute");
 }
 
-// ---------------------------------------------------------------- data that is not needed otherwise
+// ---------------------------------------------------------------- data that readers of a result do not need
 
 /// Bytes of a dataset that are read at a time, unless a row is longer.
 enum { SOME_BYTES = 1 << 22 };
 
-/// Reads the rows of a dataset for their checksums.
+/// Reads all rows of a dataset, some at a time, so that HDF5 checks their checksums.
 static void check_rows(whirl_status *status, hid_t dataset) {
     char name[NAME_BYTES];
     stored_array array;
     stored_outline(status, dataset, &array);
     if (status->code != WHIRL_OK || array.rank == 0) return;
-    // Numbers of points with an extent are fields, which have been read.
+    // Skip fields, which have an attribute "extent": they have been read.
     const hsize_t all = array.sizes[0], row = all > 0 ? array.count / all * array.width : 0;
     if (row == 0 || H5Aexists(dataset, "extent") > 0) return;
+    // Read as many rows at a time as fit into SOME_BYTES.
     name_of(dataset, name);
     const hsize_t fit = SOME_BYTES / row, some = fit < 1 ? 1 : fit < all ? fit : all;
     const hid_t type = H5Dget_type(dataset), space = H5Dget_space(dataset);

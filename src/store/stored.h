@@ -1,4 +1,4 @@
-/// Generic walk over a result file: groups, datasets and attributes, whatever their names.
+/// Visits the groups, datasets and attributes of a result file, whatever their names are.
 #ifndef STORE_STORED_H
 #define STORE_STORED_H
 
@@ -13,8 +13,8 @@
 typedef struct stored_array {
     enum { STORED_NUMBERS, STORED_WHOLES, STORED_TEXTS } kind; ///< double, int64_t, texts of `width` bytes each
     int rank;                                                  ///< 0: a single value
-    size_t sizes[SHAPE_MAX_RANK], count, width;                ///< the last dimension runs fastest; width of an element
-    bool single;                                               ///< the file has the numbers in single precision
+    size_t sizes[SHAPE_MAX_RANK], count, width; ///< sizes: the last dimension runs fastest; width: bytes of an element
+    bool single;                                ///< the file has the numbers in single precision
     void *values;
 } stored_array;
 
@@ -25,25 +25,25 @@ typedef struct stored_visitor {
     void *context;
 } stored_visitor;
 
-/// Visits the members of a group by name (groups only), then the attributes of the object in their order. The first
-/// error ends it; a visitor may leave out either function.
+/// Visits the members of a group, sorted by name (datasets have none), then the attributes of the object in their
+/// order. The first error ends the visit. Either function may be NULL.
 void stored_visit(whirl_status *status, hid_t object, const stored_visitor *visitor);
 
 bool stored_is_group(hid_t object);
 
-/// Finds the kind and shape of a dataset, no values. WHIRL_BAD_INPUT if the file lacks some of its numbers.
+/// Finds the kind and shape of a dataset, without its values. WHIRL_BAD_INPUT if the file lacks some of its numbers.
 void stored_outline(whirl_status *status, hid_t dataset, stored_array *outline);
 
-/// The same with the values, to be freed with stored_free.
+/// Reads a dataset with its values, to be freed with stored_free.
 void stored_read(whirl_status *status, hid_t dataset, stored_array *array);
 void stored_free(stored_array *array);
 
-/// Reads all datasets but the fields of tables, and all attributes: those that are not needed otherwise (a verdict's
-/// name and the shares of attractors follow from other numbers) may be damaged, too. WHIRL_BAD_INPUT.
+/// Reads all datasets but the fields of tables, and all attributes, to find damage in data that no reader needs (names
+/// of verdicts and shares of attractors follow from other numbers). WHIRL_BAD_INPUT.
 void stored_check_unread(whirl_status *status, hid_t file);
 
-/// Opens a result that has been read through before (see whirl_result_read_outline), calls `write` with its root, and
-/// closes it.
+/// Opens a result file, calls `write` with its root, and closes it. The file must have been read before
+/// (whirl_result_read_outline).
 typedef void (*stored_writer)(whirl_status *status, void *context, hid_t root);
 whirl_status stored_open(const char *path, stored_writer write, void *context);
 

@@ -1,4 +1,4 @@
-// Comparison of results: a file with the result it was written from, and the studies of two results.
+// Compares results: a file with the result from which it was written, and the studies of two results.
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -22,7 +22,7 @@ bool whirl_result_same_study(const whirl_result *earlier, const whirl_result *la
     return same;
 }
 
-/// NaN equals NaN, and 0 not -0.
+/// Returns true if two numbers have the same bits: a NaN equals itself, 0 differs from -0.
 static bool same_number(double a, double b) {
     uint64_t bits[2];
     memcpy(&bits[0], &a, sizeof a);
@@ -30,7 +30,7 @@ static bool same_number(double a, double b) {
     return bits[0] == bits[1];
 }
 
-/// Compares two texts as reading changes them.
+/// Returns true if two texts are equal once control characters are replaced, as reading does.
 static bool same_text(const char *a, const char *b) {
     char one[256], other[256];
     snprintf(one, sizeof one, "%s", a);
@@ -85,10 +85,10 @@ static const char *head_difference(const whirl_result *a, const whirl_result *b)
     return same_facts(a, b) ? NULL : "the provenance";
 }
 
-/// A comparison with a file.
+/// Comparison of a result with the file that was written.
 typedef struct comparison {
     const whirl_result *result; ///< the written result
-    whirl_result own;           ///< the part of it that a file has: the same with the tables below
+    whirl_result own;           ///< the part of the result that a file has: the same, but with the tables below
     whirl_table tables[FORMAT_MAX_TABLES];
     finished parts[FORMAT_MAX_TABLES];
     const char *path;
@@ -99,7 +99,7 @@ static whirl_status differs(const char *path, const whirl_table *table, size_t p
                       point + 1, table->name);
 }
 
-/// As many points, and the same ones of the study, with the same values and scales?
+/// Checks that the file has the same points of the study, with the same values and scales.
 static whirl_status compare_slots(const comparison *with, const whirl_result *there) {
     for (size_t i = 0; i < there->table_count; ++i) {
         const whirl_table *own = &with->tables[i], *found = &there->tables[i];
@@ -122,8 +122,8 @@ static whirl_status compare_slots(const comparison *with, const whirl_result *th
     return whirl_ok();
 }
 
-/// Compares a point's block. Signs of zeros and bits of a NaN count. The file may differ from the one whose outline was
-/// compared.
+/// Compares a point's block, bit by bit. Indices are checked again: the file may have been replaced since its outline
+/// was compared.
 static whirl_status compare_block(void *context, const whirl_table *there, size_t table, size_t point,
                                   const double *block) {
     const comparison *with = context;
@@ -136,7 +136,7 @@ static whirl_status compare_block(void *context, const whirl_table *there, size_
     return same ? whirl_ok() : differs(with->path, written, whirl_table_slot(own, point));
 }
 
-/// All but the numbers.
+/// Compares everything but the numbers of the points.
 static whirl_status compare_outline(const comparison *with) {
     whirl_result *there = NULL;
     char difference[WHIRL_MESSAGE_SIZE];
@@ -160,7 +160,7 @@ static whirl_status compare(comparison *with) {
         status = finished_points(&with->result->tables[i], &with->parts[i]);
         with->tables[i] = with->parts[i].table;
     }
-    // The same outline has the same tables of the same layout: only then the numbers can be compared.
+    // Numbers can be compared only if the outlines, and thus the layouts of the tables, are equal.
     if (status.code == WHIRL_OK) status = compare_outline(with);
     if (status.code == WHIRL_OK) status = read_file(with->path, &(block_taker){compare_block, with}, &there);
     whirl_result_free(there);

@@ -1,4 +1,4 @@
-// A result as an HDF5 file.
+// Writes a result to an HDF5 file.
 #include "atomic_file.h"
 #include "finished.h"
 #include "format.h"
@@ -19,7 +19,7 @@ static texts texts_of(const char *first, size_t stride, size_t count) {
     return (texts){first, stride, count};
 }
 
-/// In which units figures show numbers, for people who draw their own.
+/// Writes the units in which figures show numbers, for users who draw their own figures.
 static void put_shown(whirl_status *status, hid_t group, const whirl_result *result) {
     whirl_shown_units units;
     if (status->code == WHIRL_OK) *status = whirl_result_shown_units(result, NULL, &units);
@@ -129,7 +129,7 @@ static void put_options(whirl_status *status, hid_t group, const whirl_member *m
             put_whole_attribute(status, group, member->name, (int64_t)whirl_member_number(member, options));
 }
 
-/// Bits have a meaning in one version only; names last.
+/// Writes the names of the analyses: the bits of a set have other meanings in other versions.
 static void put_analyses(whirl_status *status, hid_t group, whirl_analysis_set set) {
     char names[FORMAT_MAX_ANALYSES][WHIRL_NAME_SIZE];
     size_t count = 0;
@@ -139,8 +139,8 @@ static void put_analyses(whirl_status *status, hid_t group, whirl_analysis_set s
     put_texts_attribute(status, group, "analyses", texts_of(names[0], WHIRL_NAME_SIZE, count));
 }
 
-/// Shape of a table's datasets: a complete map without several starts has its axes (planes, rows, columns); other
-/// tables are lists.
+/// Returns the shape of a table's datasets: a complete map with one start a place has its axes (planes, rows, columns);
+/// other tables are lists.
 static shape shape_of(const whirl_table *table) {
     const size_t row = table->row, plane = table->plane > 0 ? table->plane : table->count;
     const bool plain = row > 0 && table->refine == 0 && table->starts <= 1 && table->count == table->planned;
@@ -155,7 +155,7 @@ static void put_column_names(whirl_status *status, hid_t dataset, const whirl_fi
         put_texts_attribute(status, dataset, "column_names", texts_of(names[0], WHIRL_NAME_SIZE, field->columns));
 }
 
-/// The dataset of a field with its attributes.
+/// Begins the dataset of a field, with its attributes.
 static void begin_field(whirl_status *status, column *out, hid_t group, const whirl_result *result,
                         const whirl_table *table, const whirl_field *field) {
     const shape points = shape_of(table);
@@ -184,14 +184,14 @@ static void begin_field(whirl_status *status, column *out, hid_t group, const wh
 typedef struct point_source {
     const whirl_result *result;
     const finished *own;
-    const size_t *attractors;            ///< [points of the whole table] their numbers,
-    const double *shares, *share_errors; ///< and the shares of the starts
+    const size_t *attractors;            ///< [points of the whole table] numbers of attractors
+    const double *shares, *share_errors; ///< [points of the whole table] shares of starts, and their standard errors
 } point_source;
 
 typedef double (*number_of)(const point_source *from, size_t at);
 typedef int64_t (*whole_of)(const point_source *from, size_t at);
 
-/// Datasets of a number a point.
+/// Writes a dataset with one number for each point.
 static void put_each_number(whirl_status *status, hid_t group, const char *name, const char *unit, number_of number,
                             const point_source *from) {
     const shape points = shape_of(&from->own->table);
@@ -239,7 +239,7 @@ static void put_fields(whirl_status *status, hid_t group, const whirl_result *re
     for (size_t i = 0; i < layout->field_count; ++i) column_end(status, &columns[i]);
 }
 
-/// A verdict in words, for people: readers of this library take the numbers.
+/// Name and reason of a verdict, for readers of the file; this library reads only the numbers of verdicts.
 typedef struct verdict_words {
     char name[WHIRL_NAME_SIZE], reason[WHIRL_MESSAGE_SIZE];
 } verdict_words;
@@ -278,7 +278,7 @@ static void put_verdicts(whirl_status *status, hid_t group, const whirl_table *w
     close_group(verdicts);
 }
 
-/// Checks that fields follow one another, as reading assumes.
+/// Checks the fields of a table before they are written: names, meanings, columns, and offsets without gaps.
 static whirl_status check_layout(const whirl_table *table) {
     const whirl_layout *layout = &table->layout;
     size_t offset = 0;
@@ -316,7 +316,7 @@ static int64_t branch_of(const point_source *from, size_t at) {
     return from->own->table.branch[at];
 }
 
-/// Place of a point in the study, from 1.
+/// Returns the index of a point in the study, from 1.
 static int64_t place_of(const point_source *from, size_t at) {
     return (int64_t)whirl_table_slot(&from->own->table, at) + 1;
 }
@@ -362,7 +362,7 @@ static void put_axis(whirl_status *status, hid_t group, const char *name, const 
 }
 
 /// Writes the axes of a complete map, whose points have a dimension for each: "x" of its columns, "y" of its rows, "z"
-/// of its planes. For people: this library reads the values of the points.
+/// of its planes. These are for users of the file: this library reads the values of the points.
 static void put_axes(whirl_status *status, hid_t group, const whirl_result *result, const whirl_table *whole,
                      const finished *own) {
     const shape map = shape_of(&own->table);
@@ -430,7 +430,7 @@ static void put_table(whirl_status *status, hid_t file, const whirl_result *resu
     close_group(group);
 }
 
-// ---------------------------------------------------------------- the whole
+// ---------------------------------------------------------------- the whole file
 
 static whirl_status check_tables(const whirl_result *result) {
     if (result->table_count > FORMAT_MAX_TABLES)
@@ -470,7 +470,7 @@ static whirl_status make_file(const whirl_result *result, int descriptor) {
     if (status.code != WHIRL_OK) return status;
     put_result(&status, file, result);
     const whirl_status closed = h5_finish(&bytes, file);
-    // A disk error is the cause of later failures.
+    // An error of the disk comes first: it causes all later failures.
     return bytes.reason || status.code == WHIRL_OK ? closed : status;
 }
 

@@ -11,7 +11,7 @@
 #include "whirl/engine/shown.h"
 #include "whirl/status.h"
 
-/// A line being written.
+/// A line of a file while it is written.
 typedef struct line {
     FILE *stream;
     bool started;
@@ -57,21 +57,21 @@ static bool has_one_scale(const whirl_table *table) {
     return !table->length_scales;
 }
 
-/// Units that the case asks for (`units`); without any, amplitudes are zero to peak.
+/// Returns the units that the case asks for (key `units`); without them amplitudes are zero to peak.
 static whirl_shown_units units_of(const whirl_result *result) {
     whirl_shown_units units;
-    whirl_result_shown_units(result, NULL, &units); // which nothing asked for cannot be wrong
+    whirl_result_shown_units(result, NULL, &units); // no words are given that could be wrong
     return units;
 }
 
-/// Writes the unit of a length and its counting: "[um p-p]" as the case asks, else "[0.2 mm 0-p]", "[mm]", "[0.2 mm per
-/// radian]".
+/// Writes the unit of a length and how amplitudes are counted: "[um p-p]" if the case asks for it, else "[0.2 mm 0-p]",
+/// "[mm]", "[0.2 mm per radian]".
 static void length_text(const whirl_shown_units *units, const whirl_table *table, const whirl_field *field,
                         const char *behind, char *text, size_t size) {
     const double scale = units->result->length_scale;
     const whirl_unit length = units->size.size > 0.0 ? units->size : whirl_result_length_unit(units->result);
     const char *counted = whirl_shown_counted(units, whirl_field_counting(field));
-    static const char micro[] = "\xC2\xB5"; // spreadsheets take files for their own alphabet
+    static const char micro[] = "\xC2\xB5"; // written as u: spreadsheets guess another alphabet than UTF-8
     const bool is_micro = strncmp(length.name, micro, sizeof micro - 1) == 0;
     char name[WHIRL_NAME_SIZE];
     snprintf(name, sizeof name, "%s%.60s", is_micro ? "u" : "", length.name + (is_micro ? sizeof micro - 1 : 0));
@@ -82,7 +82,7 @@ static void length_text(const whirl_shown_units *units, const whirl_table *table
         snprintf(text, size, "[%s%s%s%s]", name, space, counted, behind);
 }
 
-/// A unit in brackets; scales are written out, lengths in the unit of the case.
+/// Writes the unit of a column in brackets: lengths in the unit of the case, scales as numbers.
 static void unit_text(const whirl_shown_units *units, const whirl_table *table, const whirl_field *field, size_t column,
                       char *text, size_t size) {
     const whirl_result *result = units->result;
@@ -99,7 +99,7 @@ static void unit_text(const whirl_shown_units *units, const whirl_table *table, 
         snprintf(text, size, "[%s]", strcmp(unit, "force") == 0 ? "N" : unit);
 }
 
-/// Factor from the numbers of a field at a point to the unit in the heading.
+/// Returns the factor that converts a field's numbers at a point to the unit in the heading.
 static double unit_factor(const whirl_shown_units *units, const whirl_table *table, size_t point,
                           const whirl_field *field, size_t column) {
     if (strncmp(whirl_column_unit(field, column), "length", 6) != 0) return 1.0;
@@ -115,7 +115,7 @@ static const char *repetition_name(const whirl_result *result, const whirl_field
     return "";
 }
 
-/// Name of a column of a field; "" for a field with one column.
+/// Writes the name of a column of a field; "" for a field with one column.
 static void column_text(const whirl_field *field, size_t column, char *text, size_t size) {
     char names[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE];
     if (field->columns == 1)
@@ -126,7 +126,7 @@ static void column_text(const whirl_field *field, size_t column, char *text, siz
         snprintf(text, size, "column %zu", column + 1);
 }
 
-/// "orbit/mean disc x [0.0002 m]".
+/// Writes a heading such as "orbit/mean disc x [0.0002 m]".
 static void put_field_heading(line *row, const whirl_shown_units *units, const whirl_table *table,
                               const whirl_field *field, size_t which, size_t column) {
     char unit[WHIRL_NAME_SIZE + 40], name[WHIRL_NAME_SIZE], text[400];
@@ -330,7 +330,7 @@ static void write_attractors(FILE *stream, const whirl_result *result, const whi
 
 typedef void (*write_fn)(FILE *stream, const whirl_result *result, const whirl_table *table, const whirl_field *field);
 
-/// Content of a file of an export, DIR/name.csv.
+/// Content of one file of an export, FOLDER/NAME.csv.
 typedef struct csv_file {
     write_fn write;
     const whirl_result *result;
@@ -346,7 +346,7 @@ typedef struct csv_visitor {
     void *context;
 } csv_visitor;
 
-/// Writes the file, whole or not at all.
+/// Writes a file, whole or not at all.
 static whirl_status csv_write(void *context, const csv_file *file, const char *path) {
     atomic_file out;
     (void)context;
@@ -356,7 +356,7 @@ static whirl_status csv_write(void *context, const csv_file *file, const char *p
     return atomic_file_commit(&out);
 }
 
-/// Stores the path in an empty text if a file exists there.
+/// Stores the path if a file exists there and none was found before.
 static whirl_status csv_look(void *context, const csv_file *file, const char *path) {
     char *const found = context;
     (void)file;
@@ -390,7 +390,7 @@ static whirl_status csv_visit_table(const csv_visitor *by, const whirl_table *ta
     return status;
 }
 
-/// All files of an export, in order.
+/// Visits all files of an export, in order.
 static whirl_status csv_visit_all(const csv_visitor *by) {
     whirl_status status = csv_visit(by, "parameters", write_parameters, NULL, NULL);
     if (status.code == WHIRL_OK) status = csv_visit(by, "options", write_options, NULL, NULL);
@@ -412,7 +412,7 @@ whirl_status whirl_result_export_csv(const whirl_result *result, const char *pat
 bool whirl_result_find_csv(const whirl_result *result, const char *path, char *found, size_t size) {
     char first[ATOMIC_PATH_SIZE] = "";
     const csv_visitor looker = {path, result, csv_look, first};
-    csv_visit_all(&looker); // what cannot be named cannot be written either, and is said there
+    csv_visit_all(&looker); // a table that cannot name a file is reported by whirl_result_export_csv
     snprintf(found, size, "%s", first);
     return *first != '\0';
 }

@@ -19,20 +19,20 @@
 enum {
     MAT_NAME_SIZE = 64,    ///< name of a variable or member with its zero byte, as in MATLAB
     MAT_HEADER = 128,      ///< bytes before the first variable
-    MAT_ELEMENT_BYTES = 96 ///< size of a variable or a text of a list besides its values
+    MAT_ELEMENT_BYTES = 96 ///< bytes of a variable, or of a text in a list, in addition to its values
 };
 
-/// MATLAB and Octave count the bytes of a variable of such a file by 31 bits.
+/// Limit of a variable: MATLAB and Octave count its bytes with 31 bits.
 static const size_t most_bytes = INT32_MAX;
 
 typedef struct mat_writer {
     mat_t *mat;
     size_t most, bytes; ///< limit of a variable; bytes of the current one so far
-    size_t written;     ///< variables
+    size_t written;     ///< number of variables written
     const char *variable, *path;
 } mat_writer;
 
-/// A struct that receives what is visited.
+/// The struct that receives the members and attributes of a visited group.
 typedef struct mat_target {
     mat_writer *writer;
     matvar_t *group;
@@ -119,7 +119,7 @@ static size_t by_columns(const stored_array *array, size_t at) {
     return place;
 }
 
-/// Numbers and lists of texts with the dimensions of the file, its lists as columns.
+/// Makes a variable of numbers or texts with the dimensions of the file; lists become columns.
 static matvar_t *new_variable(const stored_array *array) {
     static const enum matio_classes classes[] = {MAT_C_DOUBLE, MAT_C_INT64, MAT_C_CELL};
     static const enum matio_types types[] = {MAT_T_DOUBLE, MAT_T_INT64, MAT_T_CELL};
@@ -145,7 +145,8 @@ static void put_array(whirl_status *status, matvar_t *group, const char *name, c
     add(status, group, name, text ? text_variable(array->values, array->width) : new_variable(array));
 }
 
-/// Adds the size of a variable before it is read.
+/// Adds the size of an array to that of its variable, before the array is read; fails if the variable becomes too
+/// large.
 static void count_bytes(whirl_status *status, mat_writer *writer, const stored_array *array) {
     const size_t each = array->kind == STORED_TEXTS ? 2 * array->width + MAT_ELEMENT_BYTES : array->width;
     const size_t left = writer->most - writer->bytes;
@@ -167,7 +168,7 @@ static void meet_attribute(whirl_status *status, void *context, const char *name
     if (status->code == WHIRL_OK) put_array(status, to->group, name, array);
 }
 
-/// Attributes of an object as a struct; NULL if there are none.
+/// Returns the attributes of an object as a struct; NULL if there are none.
 static matvar_t *attributes_of(whirl_status *status, mat_writer *writer, hid_t object) {
     mat_target to = {writer, new_group()};
     if (!to.group) no_memory(status);
@@ -198,7 +199,7 @@ static void meet_member(whirl_status *status, void *context, const char *name, h
     }
     stored_array array;
     stored_outline(status, object, &array);
-    if (array.single) return; // signals of a data set: a variable of such a file is not large enough
+    if (array.single) return; // signals of a data set are left out: they are larger than a variable may be
     count_bytes(status, to->writer, &array);
     stored_read(status, object, &array);
     if (status->code == WHIRL_OK) put_array(status, to->group, name, &array);
@@ -206,7 +207,8 @@ static void meet_member(whirl_status *status, void *context, const char *name, h
     put_about(status, to, name, object);
 }
 
-/// A group as a struct of its members, its attributes in the member `attributes`. // NOLINTNEXTLINE(misc-no-recursion)
+/// Returns a group as a struct of its members, with its attributes in the member `attributes`. //
+/// NOLINTNEXTLINE(misc-no-recursion)
 static matvar_t *group_variable(whirl_status *status, mat_writer *writer, hid_t group) {
     mat_target to = {writer, new_group()};
     if (!to.group) no_memory(status);

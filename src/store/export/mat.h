@@ -6,8 +6,7 @@
 
 #include <stddef.h>
 
-/// Writes the result like whirl_result_export_mat, whose `most` is the limit of MATLAB and Octave: the largest number
-/// of bytes of a variable.
+/// Writes a result file like whirl_result_export_mat, with `most` as the largest number of bytes of a variable.
 whirl_status mat_export(const char *result, const char *path, size_t most);
 
 #endif

@@ -11,7 +11,7 @@ static whirl_status cannot_write(const char *path, const char *reason) {
     return whirl_fail(WHIRL_IO_ERROR, "cannot write %s: %s", path, reason);
 }
 
-/// Folder of `path`.
+/// Writes the folder of `path` to `folder`.
 static void parent_of(const char *path, char *folder) {
     const char *slash = strrchr(path, '/');
     const size_t length = slash ? (size_t)(slash - path) : 0;
@@ -25,7 +25,7 @@ static void parent_of(const char *path, char *folder) {
     }
 }
 
-/// Checks that `path` can be written to, before anything is tried.
+/// Checks that a file can be written at `path`: it has a name and a folder, and no folder or device has this name.
 static whirl_status check_place(const char *path) {
     struct stat found;
     char folder[ATOMIC_PATH_SIZE];
@@ -41,7 +41,7 @@ static whirl_status check_place(const char *path) {
 
 whirl_status atomic_file_open(atomic_file *out, const char *path) {
     out->stream = NULL;
-    // Room for the suffix of the temporary name.
+    // The temporary name has a suffix.
     if (strlen(path) + 32 > sizeof out->path) return whirl_fail(WHIRL_IO_ERROR, "cannot write: the path is too long");
     const whirl_status place = check_place(path);
     if (place.code != WHIRL_OK) return place;
@@ -55,7 +55,7 @@ whirl_status atomic_file_open(atomic_file *out, const char *path) {
     const int file = open(out->temporary, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode | 0600);
     if (file < 0) return cannot_write(path, strerror(errno));
     out->stream = fdopen(file, "w+b");
-    // From here on errno is the reason of a failed write.
+    // A later failure of a write sets errno, which atomic_file_commit reports.
     errno = out->stream ? 0 : errno;
     if (out->stream) return whirl_ok();
     const int reason = errno;

@@ -10,14 +10,14 @@
 enum { ATOMIC_PATH_SIZE = 4096 };
 
 typedef struct atomic_file {
-    FILE *stream; ///< to write to, or by its descriptor; NULL when not open
+    FILE *stream; ///< stream (or descriptor) to write to; NULL when not open
     char path[ATOMIC_PATH_SIZE], temporary[ATOMIC_PATH_SIZE];
 } atomic_file;
 
 /// Opens the temporary file. WHIRL_IO_ERROR with path and reason: a folder of that name, no such parent folder, ...
 whirl_status atomic_file_open(atomic_file *out, const char *path);
 
-/// Gives the file its name when everything was written, removes it when not. Closes it in any case.
+/// Closes the file; renames it to `path` if everything was written, else removes it and reports the failure.
 whirl_status atomic_file_commit(atomic_file *out);
 
 /// Removes the temporary file.

@@ -11,7 +11,7 @@ int bytes_read_at(int descriptor, uint64_t offset, void *to, size_t size) {
     while (size > 0) {
         const ssize_t got = pread(descriptor, next, size, (off_t)offset);
         if (got < 0 && errno == EINTR) continue;
-        if (got <= 0) return got < 0 ? errno : EIO; // shorter than it was
+        if (got <= 0) return got < 0 ? errno : EIO; // the file has become shorter
         next += got;
         offset += (uint64_t)got;
         size -= (size_t)got;

@@ -1,4 +1,4 @@
-/// Bytes that are read at any place: a file's, or those of a block of memory.
+/// A source of bytes that are read at any offset: a file or a block of memory.
 #ifndef STORE_BYTES_H
 #define STORE_BYTES_H
 
@@ -8,19 +8,18 @@
 #include <stdint.h>
 
 typedef struct byte_source {
-    /// Reads exactly `size` bytes that are there; 0, or an errno.
+    /// Reads exactly `size` bytes, which must lie within the source; returns 0, or an errno.
     int (*read)(void *context, uint64_t offset, void *to, size_t size);
     void *context;
     uint64_t size;
 } byte_source;
 
-/// A block of memory, which is borrowed.
+/// Returns a source that reads a borrowed block of memory.
 byte_source bytes_of_memory(unsigned char *bytes, size_t size);
 
 enum { BYTE_WINDOW = 1 << 16 };
 
-/// An ordinary file opened for reading. WHIRL_IO_ERROR with path and reason. A window of it is buffered, since headers
-/// are read in many small pieces.
+/// An ordinary file opened for reading. A window of it is buffered, since headers are read in many small pieces.
 typedef struct byte_file {
     int descriptor;
     byte_source source; ///< its context is this structure, which must not move
@@ -28,6 +27,7 @@ typedef struct byte_file {
     size_t length;
     unsigned char window[BYTE_WINDOW];
 } byte_file;
+/// Opens a file. WHIRL_IO_ERROR with path and reason.
 whirl_status bytes_open(byte_file *file, const char *path);
 void bytes_close(byte_file *file);
 

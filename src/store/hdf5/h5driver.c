@@ -10,14 +10,14 @@
 #include <H5FDdevelop.h>
 #endif
 
-/// HDF5's view of an open file; begins with HDF5's own part.
+/// The driver's data of an open file; they begin with HDF5's own struct.
 typedef struct h5_file {
     H5FD_t base;
     h5_bytes *bytes;
     haddr_t allocated; ///< end of the space allocated by HDF5
 } h5_file;
 
-/// Property list: the address of the bytes.
+/// The driver's entry in a property list: the bytes of the file.
 typedef struct h5_access {
     h5_bytes *bytes;
 } h5_access;
@@ -69,7 +69,7 @@ static int read_some(h5_bytes *bytes, haddr_t address, void *to, size_t size) {
     return bytes_read_at(bytes->descriptor, address, to, size);
 }
 
-/// Reads bytes; zeros beyond the end.
+/// Reads bytes of the file; those beyond its end are zeros.
 static herr_t read_bytes(H5FD_t *base, H5FD_mem_t kind, hid_t transfer, haddr_t address, size_t size, void *to) {
     (void)kind, (void)transfer;
     h5_bytes *bytes = ((h5_file *)base)->bytes;
@@ -92,7 +92,7 @@ static herr_t write_bytes(H5FD_t *base, H5FD_mem_t kind, hid_t transfer, haddr_t
     return 0;
 }
 
-/// Sets the file's length to HDF5's end, whose last bytes may be unwritten.
+/// Sets the file's length to the end of the space that HDF5 has allocated, whose last bytes may be unwritten.
 static herr_t truncate_bytes(H5FD_t *base, hid_t transfer, hbool_t closing) {
     (void)transfer, (void)closing;
     const h5_file *file = (const h5_file *)base;
@@ -109,7 +109,7 @@ static herr_t truncate_bytes(H5FD_t *base, hid_t transfer, hbool_t closing) {
 static const H5FD_class_t driver = {
 #if H5_VERSION_GE(1, 13, 0)
     .version = H5FD_CLASS_VERSION,
-    .value = 512, // the first of those that are free for private use
+    .value = 512, // first number that HDF5 leaves for private use
 #endif
     .name = "whirl",
     .maxaddr = INT64_MAX,

@@ -6,14 +6,14 @@
 #include <string.h>
 
 enum {
-    /// HDF5 File Format Specification 3.0, III.A, superblock version 3; all addresses are of 8 bytes.
+    /// Offsets in the superblock, version 3 (HDF5 File Format Specification 3.0, III.A); all addresses have 8 bytes.
     SUPERBLOCK_VERSION = 8,
     SUPERBLOCK_OFFSET_SIZE = 9,
     SUPERBLOCK_END_OF_FILE = 28,
     SUPERBLOCK_SIZE = 48
 };
 
-// Name in messages that nobody sees: the driver identifies the file by its bytes.
+// Name that HDF5 requires and no message shows: the driver finds the file by its bytes.
 #define NO_PATH "result"
 
 h5_errors h5_quiet(void) {
@@ -49,7 +49,7 @@ herr_t h5_keep_plain(hid_t creation) {
     return timeless < 0 ? timeless : H5Pset_attr_phase_change(creation, H5_MAX_COMPACT, 0);
 }
 
-/// Access to these bytes, written so that HDF5 1.10 and later read it.
+/// Returns a property list for access to these bytes, in a format that HDF5 1.10 and later read.
 static hid_t access_to(h5_bytes *bytes) {
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
     if (access < 0) return access;
@@ -91,8 +91,8 @@ whirl_status h5_finish(h5_bytes *bytes, hid_t file) {
     return whirl_fail(WHIRL_NO_MEMORY, "cannot finish a result file: %s", text);
 }
 
-/// HDF5 looks for its signature at several places and reads formats without checksums; only the one written here is let
-/// through, and only when all of it is there.
+/// Accepts only the format that whirl writes, and only a file of full length. HDF5 itself looks for its signature at
+/// several places, and reads formats without checksums.
 static whirl_status check_superblock(const byte_source *source) {
     static const unsigned char signature[8] = {0x89, 'H', 'D', 'F', '\r', '\n', 0x1a, '\n'};
     unsigned char bytes[SUPERBLOCK_SIZE];

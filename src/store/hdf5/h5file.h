@@ -1,4 +1,5 @@
-// Files of HDF5 as whirl makes and reads them: in one format, by our own calls (h5file.h), plain (h5file.h).
+// HDF5 files as whirl makes and reads them: by whirl's own driver (h5driver.c), in one format (h5file.c), after a check
+// that they have nothing else (plain.c).
 #ifndef STORE_H5FILE_H
 #define STORE_H5FILE_H
 
@@ -11,12 +12,12 @@
 #include <stdint.h>
 
 // ---------------------------------------------------------------- h5driver
-// HDF5's driver for its file, by whirl's own calls.
+// A driver through which HDF5 reads and writes its file.
 //
 // HDF5 1.10 crashes after a failed write of its default driver (seen on a full disk). This driver hides failures from
 // it: later writes are dropped, and the reason is kept for the code that renames the file.
 
-/// The bytes of one file of HDF5, to be read or to be made.
+/// The bytes of one HDF5 file, to be read or to be made.
 typedef struct h5_bytes {
     const byte_source *source; ///< to be read; NULL: to be made
     int descriptor;            ///< empty file to be made, open for reading and writing
@@ -25,11 +26,10 @@ typedef struct h5_bytes {
     hid_t driver;              ///< registered for this file, 0: none
 } h5_bytes;
 
-/// Makes `access` a list of properties for files of these bytes, which must outlive the file. Negative on failure.
+/// Sets this driver and these bytes, which must outlive the file, in the property list `access`. Negative on failure.
 herr_t h5_driver_set(hid_t access, h5_bytes *bytes);
 
-/// Gives the driver back. Not before the file is closed: HDF5 1.10 lets go of a file's driver and then calls it once
-/// more.
+/// Unregisters the driver, after the file was closed: HDF5 1.10 calls a file's driver once more after releasing it.
 void h5_driver_free(h5_bytes *bytes);
 
 /// State of HDF5's error printing, which h5_quiet turns off and h5_loud restores.
@@ -40,16 +40,17 @@ typedef struct h5_errors {
 h5_errors h5_quiet(void);
 void h5_loud(h5_errors errors);
 
-/// The innermost reason of HDF5's last failure in at most `size` bytes. To be called before any other HDF5 call.
+/// Writes the innermost reason of HDF5's last failure in at most `size` bytes. Must be called before any other HDF5
+/// call.
 void h5_reason(char *text, size_t size);
 
-/// Largest number of attributes or links in an object header. It is high enough for all, since the other storage
-/// (fractal heaps, B-trees) is larger for files like these, and HDF5 1.10 crashes on a damaged heap or tree with a
-/// valid checksum.
+/// Number of attributes or links up to which HDF5 stores them in the object's header. It is high enough for all of
+/// whirl's: the other storage (fractal heaps, B-trees) is larger for these files, and HDF5 1.10 crashes on a damaged
+/// heap or tree with a valid checksum.
 enum { H5_MAX_COMPACT = 65535 };
 
-/// Settings of all objects (file, group, dataset) in the list by which they are created: attributes in the object's
-/// header, and no times, so that equal results are equal files.
+/// Sets in a creation property list what all objects (file, group, dataset) have: attributes in the object's header,
+/// and no times, so that equal results are equal files.
 herr_t h5_keep_plain(hid_t creation);
 
 /// Starts a file in the format of HDF5 1.10, in which all metadata have checksums, in the empty file of `descriptor`
@@ -59,15 +60,15 @@ whirl_status h5_create(h5_bytes *bytes, int descriptor, hid_t *file);
 /// Closes a file that was made. WHIRL_IO_ERROR if a call failed, now or before.
 whirl_status h5_finish(h5_bytes *bytes, hid_t file);
 
-/// Opens bytes as a file for reading; they must live until it is closed by h5_close. WHIRL_BAD_INPUT when they are not
-/// one of h5_create, WHIRL_IO_ERROR when they cannot be read.
+/// Opens bytes as a file for reading; they must live until it is closed by h5_close. WHIRL_BAD_INPUT if they are no
+/// file of h5_create, WHIRL_IO_ERROR if they cannot be read.
 whirl_status h5_open(h5_bytes *bytes, const byte_source *source, hid_t *file);
 
 /// Closes a file that was read, even if it could not be opened.
 void h5_close(h5_bytes *bytes, hid_t file);
 
 // ---------------------------------------------------------------- plain
-// Check that a file has only the few structures of HDF5 that whirl writes.
+// Checks that a file has only the few structures of HDF5 that whirl writes.
 //
 // HDF5 1.10 crashes on many files with damaged metadata and valid checksums, as in a malicious file
 // (tests/fuzz/fuzz_result.c finds such within seconds). So the file is checked before HDF5 opens it: every object
@@ -78,21 +79,21 @@ void h5_close(h5_bytes *bytes, hid_t file);
 
 #define PLAIN_NOWHERE UINT64_MAX ///< address of a missing object
 
-/// A part of a file, read from its beginning on. Reading past the end gives zeros and is noted in `short_of`.
+/// A part of a file that is read from its beginning on. Reading past the end gives zeros and sets `short_of`.
 typedef struct plain_part {
     const unsigned char *at;
     size_t left;
     bool short_of;
 } plain_part;
 
-uint64_t plain_number(plain_part *part, int bytes); ///< little endian, of 1 to 8 bytes
+uint64_t plain_number(plain_part *part, int bytes); ///< reads a little-endian number of 1 to 8 bytes
 void plain_skip(plain_part *part, size_t bytes);
 
 /// Content of the messages of one object.
 typedef struct plain_object {
-    unsigned found;           ///< bits of the message types found, which may occur once
+    unsigned found;           ///< bits of the message types found, of those that may occur once
     size_t type_size, rank;   ///< size of a dataset's elements; number of its dimensions
-    size_t chunk_rank, chunk; ///< dimensions of its chunks, and bytes of an element by these
+    size_t chunk_rank, chunk; ///< number of dimensions of its chunks; bytes of an element according to its chunks
     int reason;               ///< errno of a read that failed
 } plain_object;
 

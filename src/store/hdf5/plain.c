@@ -1,4 +1,4 @@
-// Walking through the object headers of a file: see h5file.h.
+// Walks through the object headers of a file and checks them (h5file.h).
 #include <stdlib.h>
 #include <string.h>
 
@@ -21,7 +21,7 @@ enum {
     MESSAGE_FLAGS = 1 << 0 | 1 << 2
 };
 
-/// Addresses still to be checked; the length is that of a part of a header, 0 for objects.
+/// An address to be checked; length: of a part of a header, 0 for an object.
 typedef struct place {
     uint64_t address, length;
 } place;
@@ -33,12 +33,12 @@ typedef struct places {
 
 typedef struct walk {
     const byte_source *source;
-    uint64_t seen;         ///< header bytes checked; more than the file has mean overlap or a cycle
-    places objects, parts; ///< parts: of the object at hand
+    uint64_t seen;         ///< header bytes checked so far; more than the file has mean an overlap or a cycle
+    places objects, parts; ///< parts: of the present object
     unsigned char *bytes;  ///< current header, or part of it
     size_t capacity;
     uint64_t wrong; ///< address of something that whirl does not write
-    bool memory;    ///< ran out
+    bool memory;    ///< memory ran out
     int reason;     ///< errno of a read that failed
 } walk;
 
@@ -57,7 +57,7 @@ static bool push(walk *through, places *list, place one) {
     return true;
 }
 
-/// Counts bytes as checked. Returns false if they are not in the file, or more were checked than it has.
+/// Counts bytes as checked. Returns false if they are not in the file, or if more bytes would be checked than it has.
 static bool see(walk *through, uint64_t address, uint64_t length) {
     const uint64_t size = through->source->size;
     if (address > size || length > size - address || length > size - through->seen) return false;
@@ -65,7 +65,7 @@ static bool see(walk *through, uint64_t address, uint64_t length) {
     return true;
 }
 
-/// Reads bytes of the file, over those read before.
+/// Reads bytes of the file into `bytes`, in place of those read before.
 static bool load(walk *through, uint64_t address, size_t length) {
     if (length > through->capacity) {
         unsigned char *bytes = realloc(through->bytes, length);
@@ -78,8 +78,8 @@ static bool load(walk *through, uint64_t address, size_t length) {
     return through->reason == 0;
 }
 
-/// Checks the messages of one part of an object's header, which ends at `end` in the file; a remainder is smaller than
-/// a message.
+/// Checks the messages of one part of an object's header, which ends at `end` in the file. Bytes that are fewer than
+/// the head of a message may remain.
 static bool walk_messages(walk *through, plain_part part, uint64_t end, bool ordered, plain_object *object) {
     const size_t head = ordered ? 6 : 4;
     while (part.left >= head) {
@@ -102,7 +102,7 @@ static bool walk_messages(walk *through, plain_part part, uint64_t end, bool ord
     return true;
 }
 
-/// IV.A.1.c: a continuation has a signature, messages and a checksum.
+/// Checks a continuation of a header (IV.A.1.c): a signature, messages and a checksum.
 static bool walk_continuation(walk *through, place one, bool ordered, plain_object *object) {
     through->wrong = one.address;
     if (one.length < 4 + CHECKSUM || !see(through, one.address, one.length)) return false;
@@ -112,7 +112,7 @@ static bool walk_continuation(walk *through, place one, bool ordered, plain_obje
                          object);
 }
 
-/// Reads the head of an object: length and start of its messages.
+/// Reads the head of an object's header: length and start of its messages.
 static bool read_head(walk *through, uint64_t address, bool *ordered, uint64_t *length, size_t *begin) {
     enum { LONGEST = 4 + 2 + 16 + 4 + 8 };
     const uint64_t size = through->source->size;

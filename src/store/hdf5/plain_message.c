@@ -1,4 +1,4 @@
-// The messages of object headers that whirl's files have: see h5file.h.
+// Checks the messages of object headers: only those of whirl's files are valid (h5file.h).
 #include "h5file.h"
 
 #include "bytes.h"
@@ -8,9 +8,10 @@
 
 enum {
     MAX_RANK = SHAPE_MAX_RANK,
-    MIN_CHUNK = 1 << 21, ///< bytes that a chunk may have in any file: a table without points has chunks all the same
-    MAX_PAGE_BITS = 10,  ///< log2 of the chunk addresses in a page, as in HDF5
-    FLETCHER = 4         ///< bytes of the checksum after a chunk
+    MIN_CHUNK =
+        1 << 21, ///< bytes that a chunk may have in a file that is smaller: a table without points has chunks, too
+    MAX_PAGE_BITS = 10, ///< log2 of the chunk addresses in a page, as in HDF5
+    FLETCHER = 4        ///< bytes of the checksum after a chunk
 };
 
 /// Types of messages, IV.A.2.
@@ -33,7 +34,7 @@ static bool in_file(uint64_t size, uint64_t address, uint64_t length) {
     return address <= size && length <= size - address;
 }
 
-/// IV.A.2.b, version 2: a single value or a simple space; its number of values, no more than `most`.
+/// Reads a dataspace (IV.A.2.b, version 2): a single value or a simple space of no more than `most` values.
 static bool read_dataspace(plain_part *part, size_t *rank, uint64_t most, uint64_t *values) {
     const unsigned version = (unsigned)plain_number(part, 1);
     *rank = (size_t)plain_number(part, 1);
@@ -49,13 +50,13 @@ static bool read_dataspace(plain_part *part, size_t *rank, uint64_t most, uint64
     return !part->short_of;
 }
 
-/// Does a type begin like this, its version (the upper half of the first byte) aside?
+/// Returns true if a type begins with these bytes; its version, the upper half of the first byte, does not matter.
 static bool is_type(const plain_part *part, const unsigned char *type, size_t length) {
     return part->left >= length && (part->at[0] & 0x0f) == type[0] && memcmp(part->at + 1, type + 1, length - 1) == 0;
 }
 
-/// Reads IV.A.2.d, versions 1 to 3, which are the same for these types: int64, double, float, and text of fixed length
-/// in any character set.
+/// Reads a datatype (IV.A.2.d): int64, double, float, or text of fixed length in any character set. Versions 1 to 3 are
+/// the same for these.
 static bool read_datatype(plain_part *part, size_t *size) {
     static const unsigned char whole[] = {0x00, 0x08, 0, 0, 8, 0, 0, 0, 0, 0, 64, 0};
     static const unsigned char real[] = {0x01, 0x20, 0x3f, 0,    8,    0,    0,    0,    0, 0,
@@ -73,8 +74,8 @@ static bool read_datatype(plain_part *part, size_t *size) {
     return version >= 1 && version <= 3 && (number || text) && !part->short_of;
 }
 
-/// Checks IV.A.2.c and IV.A.2.v: storage of links and attributes outside of the header, which whirl does not use. A
-/// number of `width` bytes may precede the addresses.
+/// Checks that links or attributes (IV.A.2.c, IV.A.2.v) are not stored outside of the header. A number of `width` bytes
+/// may precede the addresses.
 static bool check_info(plain_part part, size_t width) {
     const unsigned version = (unsigned)plain_number(&part, 1), flags = (unsigned)plain_number(&part, 1);
     bool nowhere = true;
@@ -83,7 +84,7 @@ static bool check_info(plain_part part, size_t width) {
     return version == 0 && flags <= 3 && nowhere && !part.short_of;
 }
 
-/// IV.A.2.g: a hard link.
+/// Reads a link (IV.A.2.g), which must be a hard link.
 static bool read_link(plain_part part, plain_lead *lead) {
     const unsigned version = (unsigned)plain_number(&part, 1), flags = (unsigned)plain_number(&part, 1);
     const unsigned kind = flags & 8 ? (unsigned)plain_number(&part, 1) : 0;
@@ -97,7 +98,7 @@ static bool read_link(plain_part part, plain_lead *lead) {
     return !part.short_of;
 }
 
-/// Checks IV.A.2.m, version 3: name, type, space and values follow one another.
+/// Checks an attribute (IV.A.2.m, version 3): name, type, space and values follow one another.
 static bool check_attribute(plain_part part) {
     const unsigned version = (unsigned)plain_number(&part, 1), flags = (unsigned)plain_number(&part, 1);
     const size_t name = (size_t)plain_number(&part, 2), type = (size_t)plain_number(&part, 2),
@@ -114,7 +115,7 @@ static bool check_attribute(plain_part part) {
            values * size <= part.left;
 }
 
-/// VII.C: the head of the places of the chunks of a large dataset.
+/// Head of a fixed array (VII.C), which lists the addresses of the chunks of a large dataset.
 typedef struct fixed_array {
     size_t entry, page_bits;
     uint64_t entries, block;
@@ -136,8 +137,8 @@ static bool read_fixed_array(const byte_source *source, uint64_t address, fixed_
     return array->entries > 0 && array->entries <= source->size / array->entry;
 }
 
-/// Checks the addresses of chunks, which all have the same size. Too many for one page are in several, each with a
-/// checksum.
+/// Checks the addresses of chunks, which all have the same size. Addresses that do not fit into one page are in
+/// several, each with a checksum.
 static bool check_places(const byte_source *source, uint64_t address, const fixed_array *array, uint64_t stored,
                          int *reason) {
     enum { BLOCK = 14, FILTERED = 1, MOST = BLOCK + 20 * (1 << MAX_PAGE_BITS) };
@@ -166,7 +167,7 @@ static bool check_fixed_array(const byte_source *source, uint64_t address, uint6
     return array.block == PLAIN_NOWHERE || check_places(source, address, &array, stored, reason);
 }
 
-/// Reads IV.A.2.i, version 4: chunks with checksums, a single one or a fixed array.
+/// Reads a layout (IV.A.2.i, version 4): chunks with checksums, either a single one or a fixed array.
 static bool read_layout(const byte_source *source, plain_part part, plain_object *object) {
     enum { CHUNKED = 2, ONE_FILTERED = 2, ONE = 1, FIXED_ARRAY = 3 };
     // Read the version, the kind and the size of a chunk.
@@ -211,13 +212,13 @@ static bool check_filters(plain_part part) {
     return part.left == sizeof checksums && memcmp(part.at, checksums, sizeof checksums) == 0;
 }
 
-/// Checks IV.A.2.f, version 3, without a fill value.
+/// Checks a fill value message (IV.A.2.f, version 3): there must be no fill value.
 static bool check_fill(plain_part part) {
     const unsigned version = (unsigned)plain_number(&part, 1), flags = (unsigned)plain_number(&part, 1);
     return version == 3 && flags < 1 << 4 && !part.short_of;
 }
 
-/// IV.A.2.k, version 0: hints for sizes.
+/// Checks group info (IV.A.2.k, version 0), which has hints for sizes.
 static bool check_group_info(plain_part part) {
     const unsigned version = (unsigned)plain_number(&part, 1), flags = (unsigned)plain_number(&part, 1);
     plain_skip(&part, (flags & 1 ? 4 : 0) + (flags & 2 ? 4 : 0));

@@ -1,4 +1,4 @@
-// Reading a part of a file from its beginning on.
+// Reads a part of a file from its beginning on (h5file.h).
 #include "h5file.h"
 
 uint64_t plain_number(plain_part *part, int bytes) {

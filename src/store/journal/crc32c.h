@@ -5,7 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/// Checksum of bytes that follow others with the checksum `before`; 0 if there are none.
+/// Returns the checksum of all bytes so far: `size` bytes that follow others, whose checksum is `before` (0: there are
+/// none before).
 uint32_t crc32c(uint32_t before, const void *bytes, size_t size);
 
 #endif

@@ -14,7 +14,8 @@ static void copy_point(const whirl_table *whole, size_t from, finished *out) {
     table->branch[at] = whole->branch[from];
 }
 
-/// The first of its arrays owns all: points, slots, values, scales and branches of one block.
+/// Copies the finished points. One block holds all arrays (points, slots, values, scales, branches) and begins with
+/// `points`.
 static whirl_status copy_finished(const whirl_table *whole, size_t count, finished *out) {
     const size_t bytes = 2 * sizeof(size_t) + 2 * sizeof(double) + sizeof(int);
     whirl_table *table = &out->table;

@@ -42,8 +42,8 @@ static void put_parameters(FILE *out, const whirl_result *outline) {
     }
 }
 
-/// Writes facts that change the points: the budget of refinement decides which points are computed again; a user's
-/// equations are known by facts only.
+/// Writes the facts that change points: the budget of refinement, which decides which points are computed, and a user's
+/// equations, which stand only in facts.
 static void put_facts(FILE *out, const whirl_result *outline) {
     for (size_t i = 0; i < outline->fact_count; ++i) {
         const whirl_fact *fact = &outline->facts[i];
@@ -54,9 +54,9 @@ static void put_facts(FILE *out, const whirl_result *outline) {
     }
 }
 
-/// Returns true for points known before the run. A refined map is identified by the corners of its first squares, since
-/// its other points follow from results; starts from neighbours and points of branches, curves and tori follow from
-/// results, too.
+/// Returns true for points that are known before the run. Not known are those that follow from results: points of a
+/// refined map other than the corners of its first squares, starts from neighbours, and points of branches, curves and
+/// tori.
 static bool is_planned(const whirl_table *table, size_t point) {
     if (whirl_analysis_kind(table->analyses)->found || whirl_table_from_neighbour(table, point)) return false;
     if (table->refine == 0) return true;
@@ -73,7 +73,7 @@ static void put_dataset(FILE *out, const whirl_result *outline) {
             fprintf(out, " (%s: %s)", outline->facts[i].name, outline->facts[i].value);
 }
 
-/// Writes the parameters by which numbers are derived, and the numbers that are asked for.
+/// Writes the parameters with respect to which numbers are derived, and the numbers that are derived.
 static void put_derivatives(FILE *out, const whirl_result *outline) {
     fputs(", with derivatives", out);
     for (size_t i = 0; i < outline->fact_count; ++i)
@@ -82,10 +82,12 @@ static void put_derivatives(FILE *out, const whirl_result *outline) {
             fprintf(out, " (%s: %s)", outline->facts[i].name, outline->facts[i].value);
 }
 
+/// Writes a line about the points of a table: their number, range and checksum, and how they are arranged.
 static void put_points(FILE *out, const whirl_result *outline, const whirl_table *table) {
     char first[NUMBER_SIZE], last[NUMBER_SIZE];
     uint32_t sum = 0;
     size_t count = 0, end = 0;
+    // Checksum of the values of all planned points.
     for (size_t i = 0; i < table->count; ++i) {
         mapped_evict_often(table->mapped, i);
         if (!is_planned(table, i)) continue;
@@ -95,6 +97,7 @@ static void put_points(FILE *out, const whirl_result *outline, const whirl_table
         const int length = snprintf(both, sizeof both, "%a %d;", table->values[i], table->branch[i]);
         sum = crc32c(sum, both, (size_t)length);
     }
+    // Number and range.
     fprintf(out, "points of the %s\t", table->name);
     if (whirl_analysis_kind(table->analyses)->found)
         fprintf(out, "those that are found along %s", table->parameter);
@@ -103,6 +106,7 @@ static void put_points(FILE *out, const whirl_result *outline, const whirl_table
     if (table->parameter[0] && count > 0)
         fprintf(out, ", %s from %s to %s (%08x)", table->parameter, exact(table->values[0], first),
                 exact(table->values[end], last), (unsigned)sum);
+    // Arrangement: rows and planes of maps, samples, records, starts, squares.
     if (table->row > 0) fprintf(out, ", in rows of %zu, each with a %s of its own", table->row, table->second);
     if (table->plane > 0) fprintf(out, ", in planes of %zu, each with a %s of its own", table->plane, table->third);
     if (table->tolerances.samples > 0) fputs(", of samples of", out);
@@ -131,13 +135,14 @@ static void put_options(FILE *out, const char *table, const whirl_member *member
 static void put_fields(FILE *out, const whirl_table *table) {
     for (size_t i = 0; i < table->layout.field_count; ++i) {
         const whirl_field *field = &table->layout.fields[i];
-        if (field->singles > 0) continue; // read results have none; options say as much
+        if (field->singles > 0)
+            continue; // signals, which a result in memory does not have; their size follows from the options
         fprintf(out, "numbers of %s in the %s\t%zu x %zu x %zu\n", field->name, table->name, field->repeat, field->rows,
                 field->columns);
     }
 }
 
-/// Checksum of this C library's mathematical functions; other versions round last bits differently.
+/// Returns a checksum of values of the C library's mathematical functions: other versions differ in last bits.
 static uint32_t functions_sum(void) {
     uint32_t sum = 0;
     for (int i = 1; i <= 64; ++i) {
@@ -147,9 +152,10 @@ static uint32_t functions_sum(void) {
     return sum;
 }
 
-/// Writes the build. Points are the same on all processors with fused multiply-adds, and on all without. The sources
-/// count, not the revision: a changed document does not change the program, an uncommitted change does. Film tables
-/// come last, since different sources explain different tables.
+/// Writes the build. Its arithmetic is fused or not: points have the same bits on all processors with fused
+/// multiply-adds, and on all without. Its sources count, not its revision: a changed document does not change the
+/// program, an uncommitted change of sources does. Film tables come last, so that a difference of sources is reported
+/// first.
 static whirl_status put_build(FILE *out, const whirl_result *outline) {
     static const char *const wanted[] = {"version", "sources", "compiler", "flags", "libraries"};
     const isa *chosen;
@@ -169,11 +175,13 @@ whirl_status identity_text(const whirl_result *outline, bool build, char **text,
     *text = NULL;
     FILE *out = open_memstream(text, size);
     if (!out) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the text of a case");
+    // The case: text, parameters, facts, stations.
     put_case(out, outline->case_text ? outline->case_text : "");
     put_parameters(out, outline);
     put_facts(out, outline);
     for (size_t i = 0; i < outline->station_count; ++i)
         fprintf(out, "station %zu\t%s\n", i + 1, outline->stations[i].name);
+    // The tables: points, options, analyses and fields.
     for (size_t i = 0; i < outline->table_count; ++i) {
         const whirl_table *table = &outline->tables[i];
         put_points(out, outline, table);
@@ -183,6 +191,7 @@ whirl_status identity_text(const whirl_result *outline, bool build, char **text,
         fprintf(out, "analyses of the %s\t%x\n", table->name, table->analyses);
         put_fields(out, table);
     }
+    // The build; then hand over the text, or free it after a failure.
     if (build) status = put_build(out, outline);
     const bool well = !ferror(out);
     if (fclose(out) != 0 || !well) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the text of a case");
@@ -194,7 +203,7 @@ whirl_status identity_text(const whirl_result *outline, bool build, char **text,
 
 // ---------------------------------------------------------------- comparing
 
-/// A line: its label and its value, which ends before the line's end.
+/// A line: its label, and its value without the end of the line.
 typedef struct entry {
     const char *label, *value;
     int label_length, value_length;
@@ -221,7 +230,7 @@ static bool has_label(const char *text, entry wanted) {
     return false;
 }
 
-/// Shortens a value for a sentence, not within a letter of UTF-8.
+/// Returns the length of a value to show in a sentence: at most SHOWN bytes, no letter of UTF-8 cut.
 static int shown(entry one) {
     int length = one.value_length < SHOWN ? one.value_length : SHOWN;
     while (length > 0 && length < one.value_length && ((unsigned char)one.value[length] & 0xc0u) == 0x80u) --length;
@@ -230,7 +239,7 @@ static int shown(entry one) {
 
 bool identity_difference(const char *earlier, const char *later, char *difference, size_t size) {
     const char *a = earlier, *b = later;
-    // To the beginning of the first line that differs.
+    // Go to the beginning of the first line that differs.
     for (size_t i = 0; earlier[i] && earlier[i] == later[i]; ++i)
         if (earlier[i] == '\n') a = earlier + i + 1, b = later + i + 1;
     if (strcmp(a, b) == 0) return false;

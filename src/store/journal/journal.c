@@ -19,10 +19,10 @@
 
 enum { MAX_BATCHES = 128 };
 
-/// Most seconds that a finished point waits for the disk, but for the time of a revolution.
+/// Seconds after which finished points are synced to the disk, at the next look between revolutions.
 static const double sync_interval = 5.0;
 
-/// File offsets of the payloads of a batch's points in one pass; 0: none.
+/// File offsets of the payloads of a batch's points in one pass; 0: the journal lacks the point.
 typedef struct batch_index {
     size_t count;
     uint64_t *offset; ///< [count], NULL if the pass has no points yet; in the journal's page cache
@@ -37,13 +37,13 @@ struct whirl_journal {
     uint64_t end;           ///< end of the last valid frame
     unsigned char *pending; ///< frames that could not be written yet
     size_t pending_size, pending_points;
-    bool dirty; ///< written, not synced
-    double synced;
-    size_t batch_count; ///< batches of the study; later passes have further indices (whirl_keeper)
+    bool dirty;         ///< frames were written and not synced
+    double synced;      ///< time of the last sync, clock_seconds()
+    size_t batch_count; ///< batches of the study; those of later passes have the following indices (whirl_keeper)
     size_t points;      ///< points of the first pass
     batch_index batches[MAX_BATCHES];
     whirl_mapped *mapped;
-    size_t looks; ///< at the index
+    size_t looks; ///< number of looks at the index, for mapped_evict_often
     whirl_journal_found found;
     underway *states; ///< states of unfinished points; NULL: none are kept
 };
@@ -131,7 +131,7 @@ static bool is_sure(const whirl_table *table, size_t slot) {
     return w == 0 || (slot % row % w == 0 && slot / row % w == 0);
 }
 
-/// Room for all points that are sure; the state of a rotor has four numbers a station.
+/// Reserves disk space for all points that are sure; the state of a rotor has four numbers a station.
 static whirl_status reserve(const whirl_journal *journal, const whirl_result *outline) {
     uint64_t size = start_of(journal);
     for (size_t i = 0; i < outline->table_count; ++i) {
@@ -203,7 +203,7 @@ static whirl_status begin_again(whirl_journal *journal) {
     return journal_header_write(&journal->file, &journal->identity);
 }
 
-/// Finds the points and makes the file end with the last of them.
+/// Finds the points of the journal, and cuts the file after the last one.
 static whirl_status take_up(whirl_journal *journal) {
     uint64_t size = 0;
     header_state state = HEADER_DAMAGED;
@@ -215,7 +215,7 @@ static whirl_status take_up(whirl_journal *journal) {
     status = find_points(journal, size);
     if (status.code != WHIRL_OK) return status;
     if (state != HEADER_OURS) {
-        // A frame names its study, so that a header is not missed.
+        // Frames have the hash of their study: if there is one, a damaged header can be written again.
         if (journal->points == 0) return journal_header_missing(&journal->file);
         journal->found.damaged++;
         status = journal_header_write(&journal->file, &journal->identity);
@@ -275,7 +275,7 @@ static whirl_status tend(void *context) {
     return clock_seconds() - journal->synced < sync_interval ? whirl_ok() : sync_now(journal);
 }
 
-/// Writes pending frames at the end of the file. The next try overwrites what a failure leaves there.
+/// Writes pending frames at the end of the file. After a failure the next try begins at the same place.
 static whirl_status write_pending(whirl_journal *journal) {
     if (journal->pending_size == 0) return whirl_ok();
     const int reason = journal_file_write(&journal->file, journal->end, journal->pending, journal->pending_size);
@@ -316,7 +316,8 @@ static whirl_status keep(void *context, size_t batch, size_t slot, const double 
 
 // ---------------------------------------------------------------- recalling
 
-/// The frame is checked once more: the file may have changed since it was searched.
+/// Returns true if the frame is that of the point. This is checked again, since the file may have changed after the
+/// search.
 static bool is_frame_of(const whirl_journal *journal, const unsigned char *frame, size_t length, size_t batch,
                         size_t slot) {
     frame_head head;
@@ -349,7 +350,7 @@ const whirl_keeper *whirl_journal_keeper(whirl_journal *journal) {
 
 // ---------------------------------------------------------------- taking from other journals
 
-/// Another journal that is being searched.
+/// Another journal that is searched for points.
 typedef struct other_journal {
     whirl_journal *journal;
     const journal_file *file;
@@ -415,7 +416,7 @@ whirl_status whirl_journal_close(whirl_journal *journal) {
         const size_t lost = journal->pending_points;
         status = whirl_fail(status.code, "%zu finished point%s could not be kept, and must be computed again: %.300s",
                             lost, lost == 1 ? "" : "s", status.message);
-        // Without the part of a frame that is there; the reader would pass over it too.
+        // Cut off the part of a frame that was written; readers would skip it, too.
         journal_file_cut(&journal->file, journal->end);
     }
     const whirl_status synced = sync_now(journal);

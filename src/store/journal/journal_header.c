@@ -20,10 +20,10 @@ whirl_status journal_header_write(const journal_file *file, const journal_identi
     return whirl_ok();
 }
 
-/// Reads the header of `size` bytes of identity and compares.
+/// Reads a header whose identity has `size` bytes, and compares the identity.
 static whirl_status compare(const journal_file *file, const journal_identity *identity, size_t size,
                             header_state *state) {
-    // A zero byte follows, so that the identity is always a text.
+    // A zero byte after the header makes the identity a text.
     unsigned char *header = calloc(1, header_size(size) + 1);
     if (!header) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a journal");
     const int reason = journal_file_read(file, 0, header, header_size(size));

@@ -1,4 +1,4 @@
-/// The beginning of a journal's file: of which study it is.
+/// The header of a journal's file: the identity of its study.
 #ifndef STORE_JOURNAL_HEADER_H
 #define STORE_JOURNAL_HEADER_H
 
@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/// Study of a journal (journal_file.h).
+/// Identity of a journal's study (identity.h).
 typedef struct journal_identity {
     char *text;
     size_t size;
@@ -17,8 +17,8 @@ typedef struct journal_identity {
 /// State of a file's header.
 typedef enum header_state {
     HEADER_OURS,
-    HEADER_CUT,    ///< a run was killed while it made the journal: there is nothing but the beginning of our header
-    HEADER_DAMAGED ///< or no header at all
+    HEADER_CUT,    ///< the file has only a beginning of our header: a run was killed while it made the journal
+    HEADER_DAMAGED ///< the header is damaged, or there is none
 } header_state;
 
 /// Writes the header and syncs. WHIRL_IO_ERROR, WHIRL_NO_MEMORY.
@@ -31,7 +31,7 @@ whirl_status journal_header_look(const journal_file *file, const journal_identit
 /// Returns where the header of a journal of any study ends; 0 if the file is none, or its header is damaged.
 uint64_t journal_header_end(const journal_file *file, uint64_t file_size);
 
-/// "PATH is no journal of this study, or its beginning is damaged".
+/// Returns the failure "PATH is no journal of this study, or its beginning is damaged".
 whirl_status journal_header_missing(const journal_file *file);
 
 #endif

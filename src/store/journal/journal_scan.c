@@ -5,7 +5,7 @@
 
 enum { WINDOW = 1 << 16 };
 
-/// A stretch of the bytes in memory.
+/// A range of the bytes that is in memory.
 typedef struct window {
     const byte_source *bytes;
     uint64_t start;
@@ -14,7 +14,8 @@ typedef struct window {
     unsigned char data[WINDOW];
 } window;
 
-/// The bytes from `offset` on, at least `least` of them (at most WINDOW, and not beyond the end); NULL after an error.
+/// Returns the bytes from `offset` on, at least `least` of them, which are at most WINDOW and within the file; NULL
+/// after an error.
 static const unsigned char *window_at(window *w, uint64_t offset, size_t least) {
     if (w->error) return NULL;
     if (offset < w->start || offset + least > w->start + w->length) {
@@ -27,7 +28,7 @@ static const unsigned char *window_at(window *w, uint64_t offset, size_t least) 
     return w->data + (offset - w->start);
 }
 
-/// Bytes in memory from `offset` on, after window_at.
+/// Returns the number of bytes in memory from `offset` on, after window_at.
 static size_t window_left(const window *w, uint64_t offset) {
     return w->length - (size_t)(offset - w->start);
 }
@@ -66,7 +67,7 @@ static bool payload_is_sound(window *w, uint64_t offset, uint64_t size) {
 int journal_search(const byte_source *bytes, uint64_t from, journal_found found, void *context, journal_scan *scan) {
     window w = {.bytes = bytes};
     uint64_t offset = from;
-    bool astray = false; // between frames
+    bool astray = false; // the offset is not at the beginning of a frame
     *scan = (journal_scan){.end = from};
     while (offset < bytes->size && !w.error) {
         const uint64_t left = bytes->size - offset;

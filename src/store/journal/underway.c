@@ -14,10 +14,10 @@
 
 enum { PATH_SIZE = ATOMIC_PATH_SIZE, REVOLUTIONS = 8 };
 
-/// Place of a saved state.
+/// A saved state: its point and its place in a file.
 typedef struct entry {
-    const char *journal;            ///< path of its journal
-    size_t file, batch, slot, size; ///< bytes of the state
+    const char *journal;            ///< path of the journal next to which it is
+    size_t file, batch, slot, size; ///< file: number of its file; size: bytes of the state
     uint64_t offset;                ///< offset of its payload
     double revolutions;
 } entry;
@@ -38,7 +38,7 @@ static bool name_of(const char *journal, size_t file, char name[PATH_SIZE]) {
 
 // ---------------------------------------------------------------- files of an earlier run
 
-/// A file JOURNAL-NUMBER of states.
+/// A file of states, JOURNAL-NUMBER.
 typedef struct state_file {
     const char *journal, *folder, *name, *number;
 } state_file;
@@ -63,7 +63,7 @@ static void each_file(underway *u, const char *journal, file_fn visit) {
 static void remove_file(underway *u, const state_file *file) {
     char path[2 * PATH_SIZE];
     (void)u;
-    // "3", or a leftover of a killed write: "3.tmp-1234".
+    // The number is "3", or "3.tmp-1234" for a file that a killed write left.
     if (strspn(file->number, "0123456789.tmp-") != strlen(file->number)) return;
     snprintf(path, sizeof path, "%s%s", file->folder, file->name);
     unlink(path);
@@ -80,7 +80,7 @@ static void add_entry(underway *u, const entry *one) {
     u->entries[u->count++] = *one;
 }
 
-/// A file that is being searched.
+/// A file that is searched for states.
 typedef struct search {
     underway *states;
     const byte_source *source;
@@ -128,7 +128,7 @@ static void search_own_file(underway *u, const state_file *file) {
     search_file(u, file);
 }
 
-// ---------------------------------------------------------------- the whole
+// ---------------------------------------------------------------- opening and closing
 
 underway *underway_open(const char *path, uint64_t identity, bool resume) {
     underway *u = calloc(1, sizeof *u);
@@ -194,7 +194,7 @@ static void write_state(FILE *stream, uint64_t identity, const whirl_point_state
 void underway_save(underway *u, size_t worker, const whirl_point_state *kept, size_t count) {
     char name[PATH_SIZE];
     atomic_file out;
-    // After a failure the states saved before remain.
+    // After a failure the states that were saved before remain.
     if (!u || !name_of(u->path, u->first + worker, name) || atomic_file_open(&out, name).code != WHIRL_OK) return;
     for (size_t i = 0; i < count; ++i) write_state(out.stream, u->identity, &kept[i]);
     (void)atomic_file_commit(&out);

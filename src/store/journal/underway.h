@@ -1,8 +1,9 @@
-/// States of unfinished points: files JOURNAL-N next to the journal, one a thread, each replaced as a whole every few
-/// seconds.
+/// States of unfinished points, in files JOURNAL-N next to the journal. Each thread replaces its own file as a whole
+/// every few seconds.
 ///
-/// A state stays valid for its point, so nothing need be removed before the end: of several the furthest one counts.
-/// Frames are those of the journal; their payload begins with the revolutions that were done.
+/// A state stays valid for its point, so that files remain until the end of the run; of several states of a point that
+/// with the most revolutions counts. Files consist of frames as in the journal, whose payload begins with the number of
+/// revolutions done.
 #ifndef STORE_UNDERWAY_H
 #define STORE_UNDERWAY_H
 
@@ -24,11 +25,11 @@ void underway_take(underway *states, const char *path);
 /// Returns true if there are states next to the journal at `path`, of any study.
 bool underway_any(const char *path);
 
-/// Closes; the files stay, or are removed.
+/// Close the states and keep their files, or remove them.
 void underway_close(underway *states);
 void underway_remove(underway *states);
 
-/// See whirl_keeper.
+/// Save the states of a worker's points, and return that of a point, as whirl_keeper describes.
 void underway_save(underway *states, size_t worker, const whirl_point_state *kept, size_t count);
 void *underway_saved(const underway *states, size_t batch, size_t slot, double *revolutions, size_t *size);
 
