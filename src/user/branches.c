@@ -1,4 +1,5 @@
-// Branches of a user's system: their parameter and starts, and the batches of their study.
+// Branches of orbits or equilibria of a user's system: sets their parameter and starts, and makes the batches of their
+// study.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,7 +9,7 @@
 #include "user.h"
 #include "whirl/status.h"
 
-// ---------------------------------------------------------------- which ones
+// ---------------------------------------------------------------- parameters and starts
 
 static bool lies_between(double value, const double bounds[2]) {
     return value >= fmin(bounds[0], bounds[1]) && value <= fmax(bounds[0], bounds[1]);
@@ -153,7 +154,7 @@ whirl_status user_prepare_branches(whirl_user_system *copy, whirl_study *study) 
     return status;
 }
 
-// ---------------------------------------------------------------- what is driven
+// ---------------------------------------------------------------- systems that depend on time
 
 /// Returns true if the slopes at a state [dimension] depend on time; slopes [2][dimension] is workspace.
 static bool changes_with_time(const whirl_system *system, const double *x, double *slopes, size_t *which) {
@@ -171,7 +172,8 @@ static bool changes_with_time(const whirl_system *system, const double *x, doubl
     return false;
 }
 
-/// Checks a machine at its start and near it, since a drive may vanish at one of them.
+/// Checks that a machine's slopes do not depend on time, at its start and at a state near it, since a drive may vanish
+/// at one of the two.
 static whirl_status check_machine(const whirl_batch *batch, double value, const whirl_machine *machine) {
     const size_t n = machine->system->dimension;
     size_t which = 0;

@@ -1,5 +1,5 @@
-// Motions of a user's system over time: at given instants, with events that may set the state anew. They need no
-// period.
+// Motions of a user's system over time: states at given instants, with events that may reset the state. The system
+// needs no period. A motion is followed in legs: the solver carries it over a leg, and events are searched within.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,16 +8,18 @@
 #include "bracket.h"
 #include "user.h"
 
-/// Instants of a leg at which its motion is looked at, and evaluations of the slopes for which these show every step.
+/// SAMPLES: equidistant instants of a leg at which events are looked for. MAX_EVALUATIONS: evaluations of the slopes in
+/// a leg up to which these instants are at least as dense as the solver's steps.
 enum { SAMPLES = 32, MAX_EVALUATIONS = SAMPLES / 2 * 16 };
 
-/// Most events of a motion.
+/// Largest number of events of a motion.
 enum { MAX_HAPPENED = 1000000 };
 
-/// Halvings of the time after an event in which its function has left 0; those in a search.
+/// HALVINGS: tries to find a time after an event at which its function has left 0, each half as long. SEARCHES: steps
+/// in the search of a zero.
 enum { HALVINGS = 60, SEARCHES = 200 };
 
-/// Share of the whole time below which the time between two events of one kind counts as none, once it shrinks.
+/// Part of the whole time: if the time between two events of one kind shrinks and is below it, events accumulate.
 static const double accumulated = 1e-12;
 
 typedef struct happened {
@@ -26,7 +28,7 @@ typedef struct happened {
 } happened;
 
 struct whirl_user_motion {
-    size_t dimension, count; ///< coordinates; instants that were reached
+    size_t dimension, count; ///< count: instants that were reached
     double *states;          ///< [count][dimension]
     size_t event_count, room;
     happened *events; ///< [event_count]
@@ -43,19 +45,20 @@ typedef struct follower {
     whirl_system system;
     whirl_integrator *integrator;
     double *parameters;
-    double begin, end;       ///< begin and end of the whole time
-    double time, leg;        ///< now, and the length of the next leg
+    double begin, end;       ///< first and last instant
+    double time, leg;        ///< present time; length of the next leg
     double origin;           ///< time at which the present integration begins
-    long evaluations;        ///< so far
-    double *x;               ///< [dimension] now, in units of `unit`
-    double *unit;            ///< [dimension]
-    double *samples;         ///< [SAMPLES + 1][dimension]
+    long evaluations;        ///< evaluations of the slopes so far
+    double *x;               ///< [dimension] present state, in units of `unit`
+    double *unit;            ///< [dimension] scales of the coordinates
+    double *samples;         ///< [SAMPLES + 1][dimension] states of the leg
     double *there, *found;   ///< [dimension] workspace
     double *user;            ///< [dimension] a state in the user's units
     size_t sample;           ///< next sample
-    double *before, *offset; ///< [event_count] value of an event's function when a leg begins, and how far from there
-    double *last, *between;  ///< [event_count] time of the last event of a kind, and the time before that
-    size_t stays;            ///< event whose reset holds the motion where it happens; event_count: none
+    double *before, *offset; ///< [event_count] value of an event's function near the beginning of a leg, and how long
+                             ///< after the beginning it was taken
+    double *last, *between;  ///< [event_count] time of the last event of a kind, and the time between the last two
+    size_t stays; ///< event whose function stays 0 after its reset, so that the motion stops; event_count: none
     bool failed;
 } follower;
 
@@ -82,7 +85,7 @@ static void follow_keep(void *context, double t, const double *x) {
     memcpy(f->samples + f->sample++ * f->from->dimension, x, f->from->dimension * sizeof *x);
 }
 
-/// Carries x from a time over a length, with samples if wanted.
+/// Integrates x from the time `from` over `length`; seen: writes the samples.
 static whirl_motion follow_carry(follower *f, double from, double length, double *x, bool seen) {
     if (!(length > 0.0)) return WHIRL_BOUNDED;
     f->origin = from;
@@ -92,7 +95,7 @@ static whirl_motion follow_carry(follower *f, double from, double length, double
     return whirl_integrator_revolve(f->integrator, x, seen ? follow_keep : NULL, f);
 }
 
-/// Returns the function of an event in a state.
+/// Returns the value of an event's function at a state; 0 after a failure.
 static double follow_value(follower *f, size_t event, double time, const double *x) {
     const user_event *own = &f->from->events[event];
     for (size_t k = 0; k < f->from->dimension; k++) f->user[k] = x[k] * f->unit[k];
@@ -104,12 +107,12 @@ static double follow_value(follower *f, size_t event, double time, const double 
     return 0.0;
 }
 
-/// Returns true if a passage from one value to the other is the event.
+/// Returns true if the event happens where its function goes from `before` to `after`.
 static bool follow_passes(const user_event *own, double before, double after) {
     return (own->passing >= 0 && before < 0.0 && after >= 0.0) || (own->passing <= 0 && before > 0.0 && after <= 0.0);
 }
 
-/// Returns true if the function of an event leaves 0 as the square of time: a reset that stops the motion.
+/// Returns true if the function of an event leaves 0 as the square of time, after a reset that stops the motion.
 static bool follow_grazes(follower *f, size_t event, double step) {
     double value[2];
     for (int i = 0; i < 2; i++, step *= 0.5) {
@@ -120,14 +123,15 @@ static bool follow_grazes(follower *f, size_t event, double step) {
     return fabs(value[0]) > 3.0 * fabs(value[1]) || value[0] == 0.0;
 }
 
-/// Finds the side on which an event's function is when a leg begins: its value, and how far from there. Where it is 0
-/// because the event has just happened, that is the side to which the motion leaves.
+/// Sets before and offset of an event: the value of its function when a leg begins. If the event has just happened, the
+/// function is 0 there: then the value is taken a short time later, and its sign tells the side to which the motion
+/// leaves.
 static void follow_begin_side(follower *f, size_t event, double step) {
     const user_event *own = &f->from->events[event];
     f->offset[event] = 0.0;
     f->before[event] = follow_value(f, event, f->time, f->x);
     if (f->last[event] != f->time) return;
-    // A step that is so short that the event has not happened again within.
+    // Halve the time until the event does not happen again within it.
     f->before[event] = 0.0;
     const double longest = step;
     for (int i = 0; i < HALVINGS && f->before[event] == 0.0; i++, step *= 0.5) {
@@ -141,8 +145,8 @@ static void follow_begin_side(follower *f, size_t event, double step) {
     if (f->before[event] == 0.0 && own->reset && follow_grazes(f, event, longest / 1024.0)) f->stays = event;
 }
 
-/// Finds where an event's function passes 0 on the way of `length` from a state: how far that is. The state there
-/// stands in `there`.
+/// Returns the time after `from` at which an event's function passes 0 within a bracket; `state` is the state at
+/// `from`. Writes the state there to f->there.
 static double follow_find(follower *f, size_t event, double from, const double *state, bracket between) {
     const size_t n = f->from->dimension;
     double at = between.b;
@@ -160,13 +164,13 @@ static double follow_find(follower *f, size_t event, double from, const double *
     return at;
 }
 
-/// Finds the first event of a leg; events past the last if there is none. Writes how far it is; the state there stands
-/// in `there`.
+/// Returns the first event of a leg; event_count if there is none. Writes the time from the beginning of the leg to
+/// *at, and the state there to f->there.
 static size_t follow_first(follower *f, double length, double *at) {
     const size_t n = f->from->dimension, events = f->from->event_count;
     const double step = length / SAMPLES;
     size_t first = events;
-    // Look at each event, up to the first one known so far.
+    // Look at each event in the samples up to the earliest event found so far.
     for (size_t e = 0; e < events; e++) {
         double before = f->before[e];
         for (size_t k = 0; k < SAMPLES; k++) {
@@ -191,11 +195,13 @@ static size_t follow_first(follower *f, double length, double *at) {
     return first;
 }
 
-/// Notes an event, which may set the state anew. Returns a sentence where the motion ends, else NULL.
+/// Notes an event and resets the state, if the event has a reset. Returns a sentence if the motion ends here, else
+/// NULL.
 static const char *follow_happen(follower *f, size_t event) {
     whirl_user_motion *m = f->motion;
     const user_event *own = &f->from->events[event];
     const size_t n = f->from->dimension;
+    // Make room for the event and its two states.
     if (m->event_count == m->room) {
         const size_t room = 2 * m->room + 64;
         happened *events = realloc(m->events, room * sizeof *events);
@@ -205,6 +211,7 @@ static const char *follow_happen(follower *f, size_t event) {
         if (!events || !sides) return "no memory for more events";
         m->room = room;
     }
+    // Store the state before, reset it, and store the state after.
     double *before = m->sides + 2 * n * m->event_count, *after = before + n;
     for (size_t k = 0; k < n; k++) before[k] = after[k] = f->x[k] * f->unit[k];
     m->events[m->event_count++] = (happened){event, f->time};
@@ -219,7 +226,7 @@ static const char *follow_happen(follower *f, size_t event) {
                  code != 0 ? "an error" : "a number that is not finite", f->time);
         return m->words;
     }
-    // Events of one kind that come faster and faster end a motion: no time is left between them.
+    // Events of one kind that come faster and faster end a motion. Its end is predicted as that of a geometric series.
     const double passed = f->time - f->last[event], before_that = f->between[event];
     f->last[event] = f->time;
     f->between[event] = passed;
@@ -235,13 +242,14 @@ static const char *follow_happen(follower *f, size_t event) {
         snprintf(m->words, sizeof m->words, "the motion has %d events", MAX_HAPPENED);
         return m->words;
     }
+    // An event may end the motion.
     if (!own->ends) return NULL;
     m->end = WHIRL_USER_EVENT;
     snprintf(m->words, sizeof m->words, "event '%s'", own->name);
     return m->words;
 }
 
-/// Writes the states at the instants up to a leg's end.
+/// Writes the states at the requested instants of a leg, up to its end.
 static whirl_motion follow_show(follower *f, const double *times, size_t count, double length) {
     whirl_user_motion *m = f->motion;
     const size_t n = f->from->dimension;
@@ -260,7 +268,7 @@ static whirl_motion follow_show(follower *f, const double *times, size_t count, 
     return WHIRL_BOUNDED;
 }
 
-/// Carries `next` over the next leg, with samples that show every step. Writes its length.
+/// Integrates `next` over the next leg, with samples at least as dense as the steps, and writes the leg's length.
 static whirl_motion follow_leg(follower *f, double *length, double *next) {
     const double left = f->end - f->time;
     for (int tries = 0;; tries++) {
@@ -284,7 +292,7 @@ static void follow_all(follower *f, const double *times, size_t count, double *n
     while (f->time < f->end && !ended) {
         double length, at = 0.0;
         whirl_motion motion = follow_leg(f, &length, next);
-        // The sides on which the functions of events begin, then the first event.
+        // Find the sides on which the functions of events begin; a motion that stays at an event ends.
         for (size_t e = 0; e < events && motion == WHIRL_BOUNDED; e++) follow_begin_side(f, e, length / SAMPLES);
         if (f->stays < events) {
             m->end = WHIRL_USER_ACCUMULATED;
@@ -292,6 +300,7 @@ static void follow_all(follower *f, const double *times, size_t count, double *n
                      from->events[f->stays].name);
             break;
         }
+        // Find the first event, and end the leg there.
         const size_t event = motion == WHIRL_BOUNDED ? follow_first(f, length, &at) : events;
         if (event < events) {
             length = at;
@@ -299,6 +308,7 @@ static void follow_all(follower *f, const double *times, size_t count, double *n
             memcpy(f->found, f->x, n * sizeof *f->found);
             if (at > 0.0) motion = follow_carry(f, f->time, at, f->found, true);
         }
+        // Write the states at instants of the leg; a motion that diverges or fails ends.
         if (motion == WHIRL_BOUNDED) motion = follow_show(f, times, count, length);
         if (motion != WHIRL_BOUNDED || f->failed) {
             m->end = motion == WHIRL_DIVERGED && !f->failed ? WHIRL_USER_DIVERGED : WHIRL_USER_STUCK;
@@ -307,6 +317,7 @@ static void follow_all(follower *f, const double *times, size_t count, double *n
                          m->end == WHIRL_USER_DIVERGED ? "the motion left its bounds" : "the solver could not go on");
             break;
         }
+        // Go on from the end of the leg; the next one is not much longer than the time to this event.
         memcpy(f->x, next, n * sizeof *next);
         f->time = event == events && length == f->end - f->time ? f->end : f->time + length;
         if (event == events) continue;
@@ -316,7 +327,7 @@ static void follow_all(follower *f, const double *times, size_t count, double *n
     m->time = f->time;
 }
 
-/// Checks what a motion needs.
+/// Checks that the system has slopes, and that the instants are numbers that rise.
 static whirl_status follow_check(const whirl_user_system *system, const double *times, size_t count) {
     if (!system->rates && !system->lanes)
         return whirl_fail(WHIRL_BAD_INPUT, "the system has no slopes, expected a function of them");
@@ -328,7 +339,7 @@ static whirl_status follow_check(const whirl_user_system *system, const double *
     return user_check_form(system);
 }
 
-/// Options of the integrator.
+/// Returns the options of the integrator: those of the system, with an adaptive method.
 static whirl_integrate_options follow_options(const whirl_user_system *system) {
     whirl_integrate_options options = system->integrate;
     const bool fixed = !whirl_method_is_adaptive(options.method);
@@ -354,7 +365,7 @@ whirl_status whirl_user_system_follow(const whirl_user_system *system, const dou
         whirl_user_motion_free(m);
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for a motion");
     }
-    // Workspace; the state in units of the coordinates' scales.
+    // Share out the workspace; the state is in units of the coordinates' scales.
     f.x = numbers, f.unit = f.x + n, f.there = f.unit + n, f.user = f.there + n, f.found = f.user + n;
     double *next = f.found + n;
     f.samples = next + n;

@@ -1,6 +1,6 @@
-// Calls a user's functions once before a run: the arguments that they change show whether they have the form that whirl
-// calls. A function of another form, which reached the library as an address, would write its slopes into the
-// parameters or leave them unwritten.
+// Calls a user's functions once before a run, to check that they have the form that whirl calls. From Python they come
+// as addresses, whose form nothing else checks. A function of another form shows by writing its slopes into the
+// parameters, or by leaving them unwritten.
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -13,7 +13,8 @@ static const uint64_t unwritten = 0x7ff8dead0badbeefu;
 
 /// Arguments of a call, with copies of those that a function must not change.
 typedef struct form_arguments {
-    size_t room; ///< size of each of the following, also for a function that takes one of them for another
+    size_t room; ///< size of each array below: all have the largest size, so that a wrong function that confuses them
+                 ///< stays within
     double *state, *parameters, *perturbation, *slopes, *kept;
 } form_arguments;
 
@@ -21,7 +22,7 @@ static bool form_changed(const form_arguments *a, const double *argument, size_t
     return memcmp(argument, a->kept + which * a->room, a->room * sizeof *argument) != 0;
 }
 
-/// Reports what a function of this name has done wrong to its arguments.
+/// Fails if a function has changed an input or left slopes unwritten. name, form: of the function, for the message.
 static whirl_status form_judge(const whirl_user_system *system, const form_arguments *a, const char *name,
                                const char *form) {
     const double *const arguments[] = {a->state, a->parameters, a->perturbation};
@@ -30,7 +31,8 @@ static whirl_status form_judge(const whirl_user_system *system, const form_argum
         if (form_changed(a, arguments[i], i))
             return whirl_fail(WHIRL_BAD_INPUT, "the %s change the %s that they are given, expected %s", name, names[i],
                               form);
-    // Slopes of displacements are the velocities, whatever a function writes. Compares bits.
+    // Slopes of displacements are not used: they are the velocities. The marks of unwritten numbers are NaN, so that
+    // bits are compared.
     for (size_t k = system->displacements; k < system->dimension; k++)
         // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison,cert-exp42-c,cert-flp37-c)
         if (memcmp(&a->slopes[k], &unwritten, sizeof unwritten) == 0)
@@ -58,8 +60,7 @@ whirl_status user_check_form(const whirl_user_system *system) {
     a.perturbation = a.parameters + a.room;
     a.slopes = a.perturbation + a.room;
     a.kept = a.slopes + a.room;
-
-    // A function that fails at the start is no evidence: the run reports the failure.
+    // Call the slopes. A failure at the start says nothing about the form: the run will report it.
     const double t = 0.0;
     whirl_status status = whirl_ok();
     form_fill(system, &a);
@@ -69,6 +70,7 @@ whirl_status user_check_form(const whirl_user_system *system) {
                             system->lanes ? "the arguments count, row, t, x, p, dxdt, context, and a number for every "
                                             "slope"
                                           : "the arguments t, x, p, dxdt, context, and a number for every slope");
+    // Call the tangent.
     if (status.code == WHIRL_OK && system->tangent) {
         form_fill(system, &a);
         if (system->tangent(t, a.state, a.parameters, a.perturbation, a.slopes, system->tangent_context) == 0)

@@ -27,7 +27,7 @@ static uint64_t identity_checksum(const char *text) {
     return sum;
 }
 
-/// Adds a fact; of a long text its beginning and its checksum.
+/// Adds a fact; a long text is cut, with its checksum behind.
 static whirl_status identity_add(whirl_result *result, const char *name, const char *text) {
     char plain[MAX_SHOWN + 32];
     if (strlen(text) <= MAX_SHOWN)
@@ -39,7 +39,8 @@ static whirl_status identity_add(whirl_result *result, const char *name, const c
     return whirl_result_add_fact(result, name, plain);
 }
 
-/// Writes the parts of `stations` that results do not already have (their names).
+/// Writes the form of the equations: coordinates, angles, period, and the coordinates of stations, whose names results
+/// have anyway.
 static void put_form(const whirl_user_system *system, FILE *out) {
     char number[NUMBER_SIZE];
     fprintf(out, "%zu coordinates, %zu of them displacements", system->dimension, system->displacements);
@@ -79,7 +80,7 @@ whirl_status user_add_equations(const whirl_user_system *system, whirl_result *r
                  {"equations: branches", user_put_branches, false}};
     whirl_status status =
         identity_add(result, "equations", system->identity ? system->identity : "functions of the user's own");
-    // Write each fact that applies to a text of its own.
+    // Add each fact that applies.
     for (size_t i = 0; i < sizeof facts / sizeof *facts && status.code == WHIRL_OK; i++) {
         char *text = NULL;
         size_t size;

@@ -1,8 +1,8 @@
-// A machine of a user's system: alone, and many side by side.
+// The whirl_system of a user's system, for one machine or for many machines in lanes.
 //
-// All machines of a study have the period of the system as it stands, so that they stay in step: for a machine whose
-// own period is T times longer, time runs T times faster, and velocities, if the system names them, are derivatives by
-// the common time.
+// All machines of a study have one period, that of the system's own parameters, so that they stay in step. For a
+// machine whose own period is T times longer, time runs T times faster; velocities, if the system names them, are
+// derivatives by this common time.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,8 +12,8 @@
 #include "vector.h"
 
 enum {
-    BLOCK = 8192,    ///< numbers in lanes that one call takes, for each of state, parameters and slopes
-    MAX_LANES = 512, ///< lanes among these numbers
+    BLOCK = 8192,    ///< numbers that one call in lanes takes, for each of state, parameters and slopes
+    MAX_LANES = 512, ///< largest number of lanes in a call
     MAX_IN_LANES = 256
 };
 
@@ -29,7 +29,7 @@ typedef struct member {
     struct whirl_lanes lanes;
 } member;
 
-// ---------------------------------------------------------------- slopes of some machines
+// ---------------------------------------------------------------- slopes of a block of machines
 
 /// Machines side by side in the user's own units: number k of machine i at [k * row + i].
 typedef struct block {
@@ -60,7 +60,7 @@ static bool slopes_of_each(const whirl_user_system *from, block *b) {
     return true;
 }
 
-/// Multiplies the rows of a block by units, or divides them.
+/// Multiplies the rows of a block by the coordinates' units, or divides by them.
 static void scale_rows(const whirl_user_system *from, const block *b, double *rows, bool divide) {
     for (size_t k = 0; from->units && k < from->dimension; k++)
         for (size_t i = 0; i < b->count; i++) {
@@ -155,7 +155,8 @@ static double length_of(const double *x, size_t count) {
     return sqrt(sum);
 }
 
-/// Step of differences along a perturbation of that length: a third of the digits of the state.
+/// Returns the step of differences along a perturbation: the cube root of the rounding unit, relative to the size of
+/// the state.
 static double difference_step(double size, double length) {
     return length > 0.0 ? 6.06e-6 * fmax(size, 1e-3) / length : 1.0;
 }
@@ -172,20 +173,20 @@ static double largest_change(size_t n, const double *lower, const double *upper,
     return most;
 }
 
-/// Returns true if the slopes jump between x - step d and x + step d, where they are `lower` and `upper`: follows their
-/// change into halves, down to a millionth of the way. The change of continuous slopes shrinks with the way. A
-/// derivative does not describe what a jump does to a perturbation.
+/// Returns true if the slopes jump between x - step d and x + step d; `lower` and `upper` are the slopes at these ends.
+/// Bisection follows the larger change down to a millionth of the distance: that of continuous slopes shrinks with it.
+/// A derivative does not describe what a jump does to a perturbation.
 static bool machine_jumps(const whirl_user_system *from, double t, const double *p, const double *x, const double *d,
                           double step, const double *lower, const double *upper) {
     double ends[2][USER_MAX_STATES], between[USER_MAX_STATES], place[USER_MAX_STATES], low = -step, high = step;
     const size_t n = from->dimension;
     size_t which = 0;
-    // The whole change, if it is large enough to be a jump.
+    // A change that is small throughout is no jump.
     const double all = from->smooth ? largest_change(n, lower, upper, &which) : 0.0;
     if (!(all > 0.01 * length_of(upper, n)) || !isfinite(all)) return false;
     memcpy(ends[0], lower, n * sizeof *lower);
     memcpy(ends[1], upper, n * sizeof *upper);
-    // Halve the way towards the larger change.
+    // Halve the interval, towards the larger change.
     for (int i = 0; i < HALVINGS; i++) {
         const double middle = 0.5 * (low + high);
         size_t first, second;
@@ -238,14 +239,14 @@ static void machine_tangent(const void *model, double s, const double *forcing, 
     }
 }
 
-// ---------------------------------------------------------------- many side by side
+// ---------------------------------------------------------------- machines in lanes
 
 static void time_alone(const void *model, double s, double *forcing) {
     (void)model;
     *forcing = s;
 }
 
-/// Lanes of a view, from `first` on, as many as a block has.
+/// A range of a view's lanes from `first` on, as many as a block has.
 typedef struct part {
     const lanes_view *view;
     const whirl_user_system *from;
@@ -256,7 +257,7 @@ static const double *row_of(const part *p, const void *rows, size_t set, size_t 
     return (const double *)rows + (set * size + k) * p->row + p->first;
 }
 
-/// Returns a coordinate of the state (set 0) or of a perturbation, by the common time.
+/// Returns a coordinate of the state (set 0) or of a perturbation (set above 0), in the common time.
 static const double *machine_coordinate(const part *p, size_t set, size_t k) {
     const size_t d = p->from->displacements, n = p->from->dimension;
     return k < d ? row_of(p, p->view->q, set, d, k) : row_of(p, p->view->v, set, n - d, k - d);
@@ -270,7 +271,8 @@ static void begin_block(const part *p, block *b) {
         memcpy(b->p + k * b->row, row_of(p, p->view->numbers, 0, 0, k + 1), b->count * sizeof *b->p);
 }
 
-/// Fills in the states, with `step` [count] times a perturbation added (set above 0), in the user's own units.
+/// Fills a block with the states, in the user's own units. sign, step [count]: factors of a perturbation (set above 0)
+/// that is added.
 static void fill_states(const part *p, size_t set, double sign, const double *step, block *b) {
     for (size_t k = 0; k < p->from->dimension; k++) {
         const double *x = machine_coordinate(p, 0, k), *d = machine_coordinate(p, set, k);
@@ -282,8 +284,8 @@ static void fill_states(const part *p, size_t set, double sign, const double *st
     }
 }
 
-/// Writes the slopes of velocities and of other first-order states, times `factor` [count] if given; adds them to the
-/// present values if requested.
+/// Writes the slopes of velocities and first-order states to the view, times `sign` and `factor` [count] (NULL: 1);
+/// `add`: adds them to the present values.
 static void put_slopes(const part *p, size_t set, double sign, const double *factor, bool add, const block *b) {
     const size_t d = p->from->displacements, n = p->from->dimension;
     for (size_t k = d; k < n; k++) {
@@ -296,8 +298,8 @@ static void put_slopes(const part *p, size_t set, double sign, const double *fac
     }
 }
 
-/// Checks lane i for a jump of the slopes between the states on both sides of its own, where they are `lower` and the
-/// block's.
+/// Notes a jump of the slopes in lane i between the states on both sides of its own; the slopes there are `lower` and
+/// those of the block.
 static void look_for_jump(const part *p, size_t set, const block *b, size_t i, double step, const double *lower) {
     double x[MAX_IN_LANES], d[MAX_IN_LANES], q[USER_MAX_PARAMETERS], below[MAX_IN_LANES], above[MAX_IN_LANES];
     for (size_t k = 0; k < p->from->dimension; k++) {
@@ -311,12 +313,12 @@ static void look_for_jump(const part *p, size_t set, const block *b, size_t i, d
     machine_jumps(p->from, b->t[i], q, x, d, step, below, above);
 }
 
-/// Computes the derivative along a perturbation by differences, each lane with a step of its own.
+/// Computes the derivative along a perturbation by central differences, with a step for each lane.
 static void flow_beside(const part *p, size_t set, block *b) {
     double step[MAX_LANES], half[MAX_LANES], size[MAX_LANES], length[MAX_LANES];
     memset(size, 0, sizeof size);
     memset(length, 0, sizeof length);
-    // A step for each lane, by the sizes of its state and perturbation.
+    // Choose a step for each lane by the sizes of its state and perturbation.
     for (size_t k = 0; k < p->from->dimension; k++) {
         const double *x = machine_coordinate(p, 0, k), *d = machine_coordinate(p, set, k);
         for (size_t i = 0; i < b->count; i++) {
@@ -338,7 +340,7 @@ static void flow_beside(const part *p, size_t set, block *b) {
     fill_states(p, set, 1.0, step, b);
     take_slopes(p->from, b);
     put_slopes(p, set, 1.0, half, true, b);
-    // Differences across a jump mean nothing.
+    // Note jumps, across which differences mean nothing.
     for (size_t i = 0; p->from->smooth && i < b->count; i++) look_for_jump(p, set, b, i, step[i], lower);
 }
 
@@ -462,7 +464,7 @@ static void machine_release(void *owner) {
     free(own);
 }
 
-/// Makes stations that report in the user's units.
+/// Makes the stations, which show positions in the user's units.
 static whirl_status make_probes(member *own) {
     const whirl_user_system *from = own->from;
     own->probes = malloc((from->station_count + 1) * sizeof *own->probes);

@@ -1,4 +1,5 @@
-// Measured records as results: a table of numbers over the time becomes a run of the study `runup`, turn by turn.
+// Reads measured records as results: signals over time are resampled turn by turn and become a run of the study
+// `runup`.
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
@@ -11,9 +12,9 @@
 #include "whirl/internal/csv.h"
 #include "whirl/signals.h"
 
-/// Most probes of a record.
+/// Largest number of probes of a record.
 enum { MAX_CHANNELS = 2 * WHIRL_MAX_PROBES };
-/// Numbers of the run: rows, spectra, turns of a spectrum, orbits, samples of a turn, order of interpolation.
+/// Sizes of the run.
 enum {
     ROWS = 400,
     SPECTRA = 100,
@@ -28,26 +29,26 @@ enum {
 typedef struct record_column {
     enum { COLUMN_TIME, COLUMN_KEYPHASOR, COLUMN_SPEED, COLUMN_CHANNEL } kind;
     char station[WHIRL_NAME_SIZE];
-    double angle; ///< rad of a channel from the x axis, in the sense of rotation
+    double angle; ///< direction of a channel, rad from the x axis in the sense of rotation
     double size;  ///< SI per unit
-    int place;    ///< column of its heading in its line, from 1
+    int place;    ///< position of its heading in the line, from 1, for messages
 } record_column;
 
-/// A record. Numbers are in SI, channels in metres.
+/// A record. Its numbers are in SI.
 typedef struct record {
     csv_table table;
-    record_column columns[MAX_CHANNELS + 3]; ///< [table.column_count]
+    record_column columns[MAX_CHANNELS + 3]; ///< kinds and units of the columns of `table`
     size_t station_count;
     whirl_probe stations[WHIRL_MAX_PROBES];
-    size_t channels[WHIRL_MAX_PROBES][2]; ///< columns of a station
+    size_t channels[WHIRL_MAX_PROBES][2]; ///< columns of the two probes of a station
 } record;
 
-/// Fails at a column of the headings.
+/// Returns a failure with the position of a heading in the file.
 #define RECORD_FAIL(r, at, ...) csv_fail(&(r)->table, (r)->table.heading, (at), __VA_ARGS__)
 
 // ---------------------------------------------------------------- headings
 
-/// Understands a heading: "time [s]", "keyphasor [V]", "speed [rpm]", "de x [um]", "de 45 [mil]".
+/// Reads the heading of a column: "time [s]", "keyphasor [V]", "speed [rpm]", "de x [um]", "de 45 [mil]".
 static whirl_status record_heading(record *r, size_t column) {
     // Columns of time, mark and speed have fixed names.
     const csv_column *heading = &r->table.columns[column];
@@ -95,9 +96,9 @@ static const record_column *record_find(const record *r, int kind) {
     return NULL;
 }
 
-/// Finds the stations of the channels: two probes each.
+/// Finds the stations of the channels; each must have two probes.
 static whirl_status record_stations(record *r) {
-    // Times are needed, and a mark or the speed.
+    // The time is needed, and a keyphasor or the speed.
     const record_column *time = record_find(r, COLUMN_TIME), *mark = record_find(r, COLUMN_KEYPHASOR);
     if (!time) return RECORD_FAIL(r, 1, "there is no column 'time [s]'");
     if (!mark && !record_find(r, COLUMN_SPEED))
@@ -132,7 +133,7 @@ static whirl_status record_stations(record *r) {
                                 : RECORD_FAIL(r, 1, "there is no probe, expected columns such as 'de x [um]'");
 }
 
-/// Understands all headings, brings numbers to SI and checks the time.
+/// Reads all headings, converts numbers to SI and checks the time.
 static whirl_status record_understand(record *r) {
     csv_table *table = &r->table;
     whirl_status status = whirl_ok();
@@ -161,8 +162,8 @@ static const double *record_numbers(const record *r, const record_column *of) {
 
 // ---------------------------------------------------------------- turns
 
-/// Finds the instants of the mark: pulses of the keyphasor, or full turns of the integral of the speed from the first
-/// sample on.
+/// Finds the instants at which turns begin: pulses of the keyphasor, or without it full turns of the integral of the
+/// speed from the first sample on.
 static whirl_status record_pulses(const record *r, double *instants, size_t *pulses) {
     const double *time = record_numbers(r, record_find(r, COLUMN_TIME));
     const record_column *mark = record_find(r, COLUMN_KEYPHASOR);
@@ -174,12 +175,13 @@ static whirl_status record_pulses(const record *r, double *instants, size_t *pul
             status = whirl_signals_pulses(time, voltage, r->table.count, threshold, hysteresis, true, instants, pulses);
         return status;
     }
+    // Integrate the speed, which is linear between samples.
     const double *speed = record_numbers(r, record_find(r, COLUMN_SPEED));
     *pulses = 0;
     for (size_t i = 0; i + 1 < r->table.count; i++) {
         const double span = time[i + 1] - time[i], turned = 0.5 * (speed[i] + speed[i + 1]) * span;
         for (double next = ceil(angle / two_pi) * two_pi; turned > 0.0 && next < angle + turned; next += two_pi) {
-            // The part of the step at which the parabola of the angle reaches the mark.
+            // Within a step the angle is a parabola: find where it reaches a full turn.
             const double a = 0.5 * (speed[i + 1] - speed[i]) / span, b = speed[i], c = next - angle;
             const double root = sqrt(fmax(b * b + 4.0 * a * c, 0.0));
             if (*pulses < r->table.count / 2 + 1)
@@ -190,8 +192,8 @@ static whirl_status record_pulses(const record *r, double *instants, size_t *pul
     return whirl_ok();
 }
 
-/// Resamples at equal angles: signals [2 stations + 1][turns][samples], the time last. The turn before the second
-/// pulse is left out: its first sample is before the first pulse.
+/// Resamples all channels and the time at equal angles of the shaft: out is [2 stations + 1][turns][samples], the time
+/// last. The turn before the second pulse is left out, since its first sample would be before the first pulse.
 static whirl_status record_turns(const record *r, const double *instants, size_t pulses, size_t samples, double length,
                                  double *out) {
     const size_t turns = pulses - 2, all = 2 * r->station_count + 1, size = (pulses - 1) * samples;
@@ -211,7 +213,7 @@ static whirl_status record_turns(const record *r, const double *instants, size_t
         status = whirl_signals_resample(time, signals + c * r->table.count, r->table.count, 1, instants, pulses,
                                         samples, POLYNOMIAL, turned);
         const double factor = c + 1 < all ? 1.0 / length : 1.0, offset = c + 1 < all ? 0.0 : time[0];
-        // The last sample of a turn is at the pulse: it begins the next one.
+        // The last sample of a turn is at the pulse, and is written as the first one of the next turn.
         for (size_t i = 0; i < turns * samples; i++)
             out[c * turns * samples + i] = factor * (turned[samples - 1 + i] - offset);
     }
@@ -250,13 +252,14 @@ static whirl_status record_table(const record *r, const whirl_measured *measured
         .dimension = 4 * r->station_count, .probe_count = r->station_count, .probes = r->stations};
     const whirl_resting point = {.system = &system, .measured = measured};
     whirl_runup_options *o = &table->record.runup;
+    // Name and options.
     snprintf(table->name, sizeof table->name, "runup");
     table->clock_factor = 1.0;
     table->count = 1;
     table->integrate = whirl_integrate_default();
     table->record = whirl_record_default();
     whirl_members_default(whirl_runup_members(), o);
-    o->rate = 1.0; // no drive
+    o->rate = 1.0; // the speed is measured, not driven
     o->duration = measured->end[measured->turns - 1] * (1.0 + 1e-12);
     o->rows = measured->turns < ROWS ? (int)measured->turns + 1 : ROWS;
     o->samples = (int)measured->samples;
@@ -264,6 +267,7 @@ static whirl_status record_table(const record *r, const whirl_measured *measured
     o->spectra = measured->turns >= SPECTRUM_TURNS ? SPECTRA : 0;
     o->spectrum_turns = SPECTRUM_TURNS;
     o->orbits = ORBITS;
+    // One point, with a block for its fields.
     whirl_analysis_add(&table->analyses, "runup");
     whirl_status status = whirl_layout_new(&system, &table->integrate, &table->record, table->analyses, &table->layout);
     table->values = malloc(sizeof *table->values);
@@ -271,6 +275,7 @@ static whirl_status record_table(const record *r, const whirl_measured *measured
     table->blocks = status.code == WHIRL_OK ? malloc((table->layout.size + 1) * sizeof *table->blocks) : NULL;
     if (status.code == WHIRL_OK && (!table->values || !table->branch || !table->blocks))
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a record");
+    // Analyze the measured turns.
     if (status.code != WHIRL_OK) return status;
     table->values[0] = NAN;
     return whirl_analyze_resting(&point, &table->record, table->analyses, &table->layout, table->blocks);
@@ -279,6 +284,7 @@ static whirl_status record_table(const record *r, const whirl_measured *measured
 static whirl_status record_result(record *r, whirl_result *result) {
     double *instants = malloc((r->table.count / 2 + 1) * sizeof *instants), *turned = NULL;
     const double length = r->columns[r->channels[0][0]].size, *time = record_numbers(r, record_find(r, COLUMN_TIME));
+    // Find the turns and the number of samples of a turn.
     size_t pulses = 0, samples = 0;
     whirl_status status = instants ? record_pulses(r, instants, &pulses)
                                    : whirl_fail(WHIRL_NO_MEMORY, "no memory for the pulses of a record");
@@ -288,6 +294,7 @@ static whirl_status record_result(record *r, whirl_result *result) {
     if (status.code != WHIRL_OK && status.code != WHIRL_NO_MEMORY)
         status = whirl_fail(WHIRL_BAD_INPUT, "%.150s: %.300s", r->table.path, status.message);
     samples = samples < MIN_SAMPLES ? MIN_SAMPLES : samples > MAX_SAMPLES ? MAX_SAMPLES : samples;
+    // Resample the signals.
     const size_t turns = pulses >= 4 ? pulses - 2 : 0, size = turns * samples;
     if (status.code == WHIRL_OK) {
         turned = malloc(((2 * r->station_count + 1) * size + 2 * r->station_count * size + 1) * sizeof *turned);
@@ -296,7 +303,7 @@ static whirl_status record_result(record *r, whirl_result *result) {
     }
     if (status.code == WHIRL_OK) status = record_describe(r, length, result);
     if (status.code == WHIRL_OK) {
-        // x of all stations, then y of all.
+        // Sort the channels: x of all stations, then y of all stations. Instants count from the first sample.
         double *x = turned + (2 * r->station_count + 1) * size, *y = x + r->station_count * size;
         for (size_t s = 0; s < r->station_count; s++) {
             memcpy(x + s * size, turned + 2 * s * size, size * sizeof *x);

@@ -1,4 +1,5 @@
-// Converts results back to the user's own units: machines of a study share one time, and its velocities.
+// Converts results back to the user's own units and time: in a study all machines share one time (machine.c), by which
+// velocities are derivatives.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -6,13 +7,13 @@
 #include "two_pi.h"
 #include "user.h"
 
-/// Fields of a table that depend on the time, NULL for missing ones.
+/// Fields of a table whose numbers depend on the unit of time; NULL for missing ones.
 typedef struct timed_fields {
     const whirl_field *section, *nodes;
     const whirl_field *period, *rates[4]; ///< fields of points of branches
 } timed_fields;
 
-/// Returns the field of motions, orbits or tori, of which a table has one.
+/// Returns the field with this quantity of motions, orbits or tori; a table has one of the three.
 static const whirl_field *field_of_any(const whirl_layout *layout, const char *quantity) {
     static const char *const analyses[] = {"poincare", "trace", "torus"};
     const whirl_field *found = NULL;
@@ -34,14 +35,14 @@ static timed_fields fields_of(const whirl_layout *layout) {
     return f;
 }
 
-/// Converts vx and vy of (x, y, vx, vy).
+/// Converts the velocities of a section (x, y, vx, vy).
 static void restore_section(const whirl_field *section, double scale, double *block) {
     double *numbers = block + section->offset;
     for (size_t n = 0; n < section->repeat * section->rows && section->columns == 4; n++)
         for (size_t k = 2; k < 4; k++) numbers[4 * n + k] /= scale;
 }
 
-/// Converts whole states, one after the other.
+/// Converts the whole states of an orbit, which follow one another.
 static void restore_nodes(const whirl_user_system *system, const whirl_field *nodes, double scale, double *block) {
     const size_t d = system->displacements, n = system->dimension;
     for (size_t i = 0; i < nodes->rows; i++)
@@ -49,8 +50,8 @@ static void restore_nodes(const whirl_user_system *system, const whirl_field *no
     for (size_t i = 0; i < nodes->rows && system->units; i++) block[nodes->offset + i] *= system->units[i % n];
 }
 
-/// Converts the period of a branch's point, and an equilibrium's rates per unit of time: `angle` is the angle of a
-/// unit.
+/// Converts the period of a branch's point, and the rates of an equilibrium per unit of time. angle: by which the
+/// revolution advances in a unit of time.
 static void restore_times(const timed_fields *f, double angle, double *block) {
     const bool rests = block[f->period->offset] == 0.0;
     block[f->period->offset] *= angle;

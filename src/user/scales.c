@@ -1,6 +1,6 @@
-// Scales of a user's coordinates: units in which the library's tolerances, perturbations, returns and bounds mean the
-// same for micrometres, kelvins and pascals. Scales that the user gives are used. Others are 1 if motions have an
-// ordinary size, so that ordinary systems are computed as written; else powers of two, which change no digit.
+// Chooses scales of a user's coordinates: units in which tolerances, perturbations and bounds of the library fit
+// micrometres, kelvins and pascals alike. Scales that the user gives are used. Others are 1 if motions have an ordinary
+// size, so that ordinary systems are computed as written, else powers of two, which change no digit.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,10 +10,11 @@
 #include "user.h"
 #include "whirl/status.h"
 
-/// Sizes between these are ordinary.
+/// Range of ordinary sizes of a coordinate.
 static const double smallest = 1e-2, largest = 1e2;
 
-/// Growth from one half of a motion's record to the other above which it has no definite size.
+/// A coordinate that grows by more than this factor from one half of a motion's record to the other has no definite
+/// size.
 static const double steady = 4.0;
 
 static whirl_status scales_check(const whirl_user_system *system) {
@@ -34,11 +35,11 @@ static whirl_status scales_check(const whirl_user_system *system) {
 /// Most slope evaluations per trial revolution, so that a solver with tiny steps does not delay the study.
 static const long most_calls = 20000;
 
-/// A trial run of a study's points.
+/// A trial run of points of a study, to observe the sizes of coordinates.
 typedef struct look {
     const whirl_user_system *system;
-    int transient, record; ///< revolutions; without a record: the start alone
-    double *sizes;         ///< [dimension] enlarged by what is observed, in the user's units
+    int transient, record; ///< revolutions; record 0: only the start is observed
+    double *sizes;         ///< [dimension] largest sizes observed so far, in the user's units
 } look;
 
 static void raise_size(const look *at, size_t k, double value) {
@@ -46,7 +47,7 @@ static void raise_size(const look *at, size_t k, double value) {
     at->sizes[k] = fmax(at->sizes[k], fabs(value) * unit);
 }
 
-/// Observes the start, and how far its slopes lead in the part of the period in which an oscillation turns by a radian.
+/// Observes the start, and how far its slopes lead within period/(2 pi), a radian of an oscillation.
 static void see_start(const look *at, const whirl_machine *machine, double *slopes) {
     const whirl_system *system = machine->system;
     const double radian = system->period / (2.0 * acos(-1.0)), t = 0.0;
@@ -57,8 +58,8 @@ static void see_start(const look *at, const whirl_machine *machine, double *slop
     }
 }
 
-/// Observes a motion over its last revolutions. A motion that diverges after a transient, or uses all remaining calls,
-/// has no known size; one that diverges at once is ignored.
+/// Observes a motion over its last revolutions. A motion that diverges or uses all remaining calls has no known size if
+/// it had a transient, and is ignored if it had none.
 static whirl_status see_motion(const look *at, const whirl_machine *machine, const whirl_integrate_options *options) {
     whirl_record_options record = whirl_record_default();
     whirl_integrate_options integrate = *options;
@@ -68,7 +69,7 @@ static whirl_status see_motion(const look *at, const whirl_machine *machine, con
     record.waveform_revolutions = 0;
     integrate.limit = 1e300;
     whirl_system alone = *machine->system;
-    alone.lanes = NULL; // a single motion would not fill them
+    alone.lanes = NULL; // a single motion fills no lanes
     const whirl_status status = whirl_record_motion(&alone, &integrate, &record, machine->start, NULL, &seen);
     const bool whole = status.code == WHIRL_OK && seen->motion == WHIRL_BOUNDED && *at->system->calls_left >= 0;
     for (size_t k = 0; whole && k < alone.dimension; k++) {
@@ -119,7 +120,7 @@ static double nearest_power(double size) {
     return exp2(round(log2(size)));
 }
 
-/// Unit of coordinate k by its size.
+/// Returns the unit of coordinate k for its size.
 static double scales_unit_of(const whirl_user_system *system, size_t k, double size) {
     const bool is_angle = system->angles && system->angles[k] > 0.0;
     return is_angle || is_ordinary(size) ? 1.0 : nearest_power(size);
@@ -132,9 +133,9 @@ static void pair_units(whirl_user_system *system) {
         system->units[k] = system->units[d + k] = nearest_power(sqrt(system->units[k] * system->units[d + k]));
 }
 
-/// Takes scales from observed sizes [4][dimension]: at once, over half of a longer time, over all of it, and of the
-/// start with its slopes. A motion that keeps growing has no definite size, and one that was not observed none that is
-/// known: the start's is used or, where that is 0, the one seen at once.
+/// Sets units by observed sizes [4][dimension]: of the first revolutions, of half of a longer time, of all of it, and
+/// of the start with its slopes. A coordinate that keeps growing has no definite size, and one that was not observed no
+/// known size: that of the start is used or, if it is 0, that of the first revolutions.
 static void take_sizes(whirl_user_system *system, const double *sizes) {
     const size_t n = system->dimension;
     for (size_t k = 0; k < n; k++) {
@@ -164,8 +165,8 @@ static void widen_limit(const whirl_user_system *system, whirl_study *study) {
     for (size_t i = 0; i < study->batch_count; i++) study->batches[i].integrate.limit /= least;
 }
 
-/// Observes the sizes [4][dimension] for take_sizes: at once and, if these are not ordinary, over halves of a longer
-/// time. Meanwhile coordinates are scaled by their starts.
+/// Observes the sizes [4][dimension] for take_sizes: in the first revolutions and, if these are not ordinary, in both
+/// halves of a longer time, for which coordinates are scaled by their starts.
 static whirl_status see_sizes(whirl_user_system *system, const whirl_study *study, double *sizes) {
     enum { AT_ONCE = 2, LONGER = 64 };
     const size_t n = system->dimension;
@@ -196,13 +197,14 @@ whirl_status user_choose_units(whirl_user_system *copy, whirl_study *study) {
         free(sizes);
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for scales");
     }
-    // If a motion cannot be observed, the study itself reports why.
+    // Choose units by observed sizes. If a motion cannot be observed, the study itself reports why.
     copy->calls_left = &calls;
     if (see_sizes(copy, study, sizes).code != WHIRL_OK) memset(sizes, 0, 4 * n * sizeof *sizes);
     copy->calls_left = NULL;
     take_sizes(copy, sizes);
     take_given(copy);
     free(sizes);
+    // Keep the units unless all are 1.
     for (size_t k = 0; k < n; k++) counts = counts || copy->units[k] != 1.0;
     if (counts) {
         widen_limit(copy, study);

@@ -1,4 +1,4 @@
-// The study of a user's system, and what a result reports about it.
+// Runs the study of a user's system, and describes the system in its result.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 
 /// A system with the additional data of a run: a station, if it has none, and the values of all points.
 typedef struct prepared {
-    whirl_user_system system; ///< borrows all of the user's
+    whirl_user_system system; ///< a copy that borrows the arrays of the user's system
     whirl_probe station;
     whirl_study study;
     double *values; ///< [axes][count]
@@ -32,7 +32,7 @@ static whirl_status study_check(const whirl_user_system *system) {
         return whirl_fail(WHIRL_BAD_INPUT, "the system has no function for its slopes");
     if (system->event_count > 0)
         return whirl_fail(WHIRL_BAD_INPUT,
-                          "the system has events, which motions over time have alone, expected none in "
+                          "the system has events, which only motions over time can have, expected none in "
                           "a study");
     for (size_t i = 0; i < system->station_count && system->displacements > 0; i++) {
         const whirl_probe *one = &system->stations[i];
@@ -48,7 +48,7 @@ static whirl_status study_check(const whirl_user_system *system) {
     return whirl_ok();
 }
 
-/// Makes a station of the first two coordinates, or displacements.
+/// Makes a station of the first two coordinates, or of the first two displacements.
 static whirl_probe first_station(const whirl_user_system *system) {
     const size_t d = system->displacements, n = d > 0 ? d : system->dimension;
     whirl_probe one = {.name = "state", .x = 0, .y = n > 1 ? 1 : 0};
@@ -89,7 +89,7 @@ static void name_axes(const prepared *p, whirl_batch *batch) {
     batch->plane = axes[0].count * axes[1].count;
 }
 
-/// Returns the direction of carrying: "up" is along rising values, in whatever order they are given.
+/// Returns the direction of carrying. "up" means along rising values, also if values are listed from large to small.
 static whirl_carry carry_of(const whirl_user_system *system) {
     const user_axis *axis = &system->axes[0];
     const bool falls = system->axis_count > 0 && axis->values[axis->count - 1] < axis->values[0];
@@ -97,7 +97,7 @@ static whirl_carry carry_of(const whirl_user_system *system) {
     return system->carry == WHIRL_CARRY_REVERSE && falls ? WHIRL_CARRY_FORWARD : system->carry;
 }
 
-/// Prepares the one batch of motions, at all values.
+/// Prepares the only batch of a study of motions, with a point for all values of the axes.
 static whirl_status prepare_points(prepared *p) {
     static const char *const usual[] = {"poincare", "regime", "lyapunov", "orbit"};
     static const char *const names[] = {"response", "sweep", "map", "map"};
@@ -115,7 +115,7 @@ static whirl_status prepare_points(prepared *p) {
     batch->integrate = system->integrate;
     batch->record = system->record;
     batch->analyses = system->analyses;
-    // The usual analyses, if the user names none.
+    // Use the default analyses if the user names none.
     for (size_t i = 0; system->analyses == 0 && i < sizeof usual / sizeof *usual; i++)
         whirl_analysis_add(&batch->analyses, usual[i]);
     whirl_analysis_needs(batch->analyses, &batch->record);
@@ -151,7 +151,7 @@ static whirl_status study_prepare(const whirl_user_system *system, prepared *p) 
 
 // ---------------------------------------------------------------- a result
 
-/// Names the parameter of a table that sets the period.
+/// Sets clock_of of a table: the number of its parameter that sets the period.
 static void name_clock(const whirl_user_system *system, whirl_table *table) {
     const char *const names[USER_AXES] = {table->parameter, table->second, table->third};
     for (size_t i = 0; i < system->axis_count; i++)
@@ -191,8 +191,8 @@ static whirl_status study_outcome(const whirl_user_system *system, whirl_status 
     if (code == USER_JUMP)
         status = whirl_fail(WHIRL_NUMERICAL_FAILURE,
                             "slope %zu of the system jumps by %.3g at t = %.10g, expected slopes without jumps where "
-                            "the derivative is followed, as kinked systems, exponents and multipliers have it: leave "
-                            "these out (a damped contact is not kinked)",
+                            "the derivative is used, for kinked systems, exponents and multipliers: leave these out "
+                            "(a damped contact is not kinked)",
                             system->failure->slope, system->failure->jump, system->failure->time);
     else if (code != 0)
         status = whirl_fail(WHIRL_NUMERICAL_FAILURE, "a function of the system gave %d at t = %.10g, expected 0", code,

@@ -1,4 +1,4 @@
-// Builds a user's system: every call checks its arguments.
+// Builds a user's system; every call checks its arguments.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -239,7 +239,7 @@ whirl_status user_period(const whirl_user_system *system, const double *paramete
                       system->parameters[system->speed].name, parameters[system->speed]);
 }
 
-// ---------------------------------------------------------------- what is found out
+// ---------------------------------------------------------------- the study
 
 whirl_status whirl_user_system_vary(whirl_user_system *system, const char *parameter, const double *values,
                                     size_t count) {
@@ -285,7 +285,7 @@ whirl_status whirl_user_system_analyze(whirl_user_system *system, const char *an
     return whirl_ok();
 }
 
-/// Sets a member by the text that a case would have.
+/// Sets a member of options by the text that it would have in a case.
 static whirl_status system_set(const whirl_member *member, void *object, const char *value) {
     const bool words = member->type == WHIRL_MEMBER_WORD || member->type == WHIRL_MEMBER_FLAG;
     if (words && member->key.choices && *member->key.choices && whirl_key_choice(&member->key, value) < 0)
