@@ -25,7 +25,7 @@ static error_t balance_parse(int key, char *argument, struct argp_state *state) 
         arguments->json = true;
         return 0;
     case ARGP_KEY_ARG:
-        if (arguments->path) bad_argument(state, "there is one FILE, and '%s' is another", argument);
+        if (arguments->path) bad_argument(state, "takes one FILE, '%s' is one too many", argument);
         arguments->path = argument;
         return 0;
     case ARGP_KEY_END:

@@ -86,9 +86,10 @@ static error_t bearing_parse(int key, char *argument, struct argp_state *state) 
         arguments->threads = take_whole("--threads", argument, MAX_THREADS, state);
         return 0;
     case ARGP_KEY_ARG:
-        if (arguments->path) bad_argument(state, "there is one FILE, and '%s' is another", argument);
+        if (arguments->path) bad_argument(state, "takes one FILE, '%s' is one too many", argument);
         arguments->path = argument;
         return 0;
+    // Options that need others.
     case ARGP_KEY_END:
         require_option(state, arguments->path, "FILE.yaml");
         if (arguments->over_frequency && !arguments->table)
@@ -101,7 +102,7 @@ static error_t bearing_parse(int key, char *argument, struct argp_state *state) 
     }
 }
 
-/// Returns true if the output files may be made, before anything is computed.
+/// Returns true if all output files may be written; otherwise reports an error. Called before anything is computed.
 static bool may_write(const bearing_arguments *arguments) {
     const char *const paths[] = {arguments->csv, arguments->table, arguments->output};
     bool may = true;
@@ -111,7 +112,7 @@ static bool may_write(const bearing_arguments *arguments) {
     return may;
 }
 
-/// Writes one file; `station`: of an element, or NULL for CSV, whose warnings are in `units`.
+/// Writes the table as an element at `station`, or, if that is NULL, as CSV, whose warnings are in `units`.
 static int write_file(const whirl_bearing_table *table, const char *path, const char *station, bool over_frequency,
                       const char *units) {
     FILE *stream = fopen(path, "w");

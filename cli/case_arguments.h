@@ -15,10 +15,10 @@ typedef struct case_arguments {
     int threads;
 } case_arguments;
 
-/// Keys of the options --set and --threads; a command's own begin at KEY_OWN.
+/// Keys of the options --set and --threads. A command's own keys begin at KEY_OWN.
 enum { KEY_SET = 256, KEY_THREADS, KEY_OWN };
 
-/// The row of --set in a command's table of options.
+/// Row of --set in a command's table of options.
 #define SET_OPTION                                                                                                     \
     {                                                                                                                  \
         .name = "set", .key = KEY_SET, .arg = "NAME=VALUE",                                                            \
@@ -26,7 +26,7 @@ enum { KEY_SET = 256, KEY_THREADS, KEY_OWN };
                "--set disc.mass=41; may be repeated"                                                                   \
     }
 
-/// Row of --json in an option table; its key is the command's own.
+/// Row of --json in a command's table of options; each command has its own key for it.
 #define JSON_OPTION(json_key, text)                                                                                    \
     {                                                                                                                  \
         .name = "json", .key = (json_key), .arg = "full", .flags = OPTION_ARG_OPTIONAL,                                \
@@ -36,16 +36,16 @@ enum { KEY_SET = 256, KEY_THREADS, KEY_OWN };
 /// Returns true for `--json=full`; reports an error for any other value.
 bool parse_json(const char *argument, const struct argp_state *state);
 
-/// Parses these arguments in an argp parser; reports an error if the case is missing.
+/// Parses the case, --set and --threads in a command's argp parser; reports an error if the case is missing.
 error_t parse_case_argument(case_arguments *arguments, int key, char *argument, struct argp_state *state);
 
 /// Returns a whole number from 1 to `most`; reports an error for any other value of `option`.
 int take_whole(const char *option, const char *text, int most, const struct argp_state *state);
 
-/// Gives a case the values of --set, after complaining of the first that it does not take; gives the exit status.
+/// Sets the values of --set in a case. Returns the exit status, after reporting the first value that is invalid.
 int apply_settings(const case_arguments *arguments, whirl_case *object);
 
-/// Reads the case with its settings; gives the exit status.
+/// Reads the case and sets the values of --set. Returns the exit status, after reporting errors.
 int load_case(const case_arguments *arguments, whirl_case **object);
 
 #endif

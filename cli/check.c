@@ -23,7 +23,7 @@
 #include "whirl/internal/study_try.h"
 
 typedef struct check_arguments {
-    case_arguments given; ///< its settings; the cases are argv from `first` on
+    case_arguments given; ///< the values of --set; the paths of the cases are argv from `first` on
     int first;
     const char *figure; ///< file for the drawing of the machine, or NULL
     bool force;
@@ -53,11 +53,11 @@ static error_t check_parse(int key, char *argument, struct argp_state *state) {
         arguments->force = true;
         return 0;
     case ARGP_KEY_ARG:
-        return ARGP_ERR_UNKNOWN; // all of them at once, below
+        return ARGP_ERR_UNKNOWN; // taken together by ARGP_KEY_ARGS
     case ARGP_KEY_ARGS:
         arguments->first = state->next;
         if (arguments->figure && state->argc - state->next != 1)
-            bad_argument(state, "--figure is the drawing of one case, %d are given", state->argc - state->next);
+            bad_argument(state, "--figure draws one case, %d are given", state->argc - state->next);
         return 0;
     case ARGP_KEY_NO_ARGS:
         require_option(state, NULL, "CASE.yaml");
@@ -68,11 +68,11 @@ static error_t check_parse(int key, char *argument, struct argp_state *state) {
 }
 
 enum {
-    LOOKED_AT = 3,  ///< values of a batch: the first, the middle and the last
-    MAX_SECONDS = 1 ///< for a look at their motions
+    LOOKED_AT = 3,  ///< number of values of a batch that are tried: the first, the middle and the last
+    MAX_SECONDS = 1 ///< processor time for a trial, s
 };
 
-/// Machines at some values of a batch, and their states.
+/// Machines at some values of a batch, with states [dimension] of their motions.
 typedef struct look {
     size_t count;
     whirl_machine machines[LOOKED_AT];
@@ -104,8 +104,9 @@ static whirl_status begin_look(look *l, const whirl_study *study, const whirl_ba
     return status;
 }
 
-/// Carries the machines of one lane group over a few revolutions by a stable method: films stiffen as a motion grows. A
-/// machine that diverges stays at its start; if it takes too long, all stay where they are.
+/// Integrates all machines with the structure of machine `first` over a few revolutions by a stable method, since films
+/// stiffen as motions grow. The state of a machine that diverges stays at the last bounded one; if the trial takes too
+/// long, all states stay at the last ones reached.
 static whirl_status carry_with(look *l, size_t first, const whirl_batch *batch) {
     enum { REVOLUTIONS = 10 };
     whirl_integrate_options stable = batch->integrate;
@@ -122,7 +123,7 @@ static whirl_status carry_with(look *l, size_t first, const whirl_batch *batch) 
         limit_end();
         return status;
     }
-    // Begin at the machines' starts, as far as they can be loaded.
+    // Load the machines of this structure at their starts.
     for (size_t i = first; i < l->count; i++) {
         if (l->carried[i]) continue;
         l->carried[i] = whirl_ensemble_load(lanes, used, l->machines[i].system, l->x[i]).code == WHIRL_OK;
@@ -139,8 +140,8 @@ static whirl_status carry_with(look *l, size_t first, const whirl_batch *batch) 
     return l->carried[first] ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
 }
 
-/// Finds the number of steps that a batch needs, 0 if its own are short enough. A revolution that takes too long is
-/// judged by the part that was done.
+/// Finds the number of steps per revolution that a batch needs; 0 if its own number suffices. If a revolution takes too
+/// long, the part that was computed counts.
 static whirl_status needed_steps(const whirl_study *study, const whirl_batch *batch, double *needed) {
     look l = {0};
     *needed = 0.0;
@@ -174,13 +175,13 @@ static whirl_status warn_of_steps(const char *path, const whirl_study *study, co
     return status;
 }
 
-/// "omega from 2000 to 12000 rpm"
+/// Prints a range, as in "omega from 2000 to 12000 rpm".
 static void print_range(const whirl_result *outline, const char *name, double from, double to) {
     const whirl_unit unit = whirl_result_unit(outline, name);
     printf("%s from %.6g to %.6g%s%s", name, from / unit.size, to / unit.size, *unit.name ? " " : "", unit.name);
 }
 
-/// "about 12 s on 2 cores"
+/// Prints an estimated time, as in "about 12 s on 2 cores".
 static void print_time(double seconds, bool settle, int cores) {
     char text[32];
     if (isinf(seconds)) {
@@ -191,7 +192,7 @@ static void print_time(double seconds, bool settle, int cores) {
     printf("%sabout %s on %d core%s", settle ? "at most " : "", text, cores, cores == 1 ? "" : "s");
 }
 
-/// "  sweep: omega from 2000 to 12000 rpm; about 12 s on 2 cores"
+/// Prints the range of a batch and its time, as in " sweep: omega from 2000 to 12000 rpm; about 12 s on 2 cores".
 static whirl_status print_extent(const whirl_result *outline, const whirl_study *study, const whirl_batch *batch,
                                  bool timed) {
     const int cores = available_cores();
@@ -225,7 +226,7 @@ static whirl_status print_study(const char *path, const whirl_result *outline, c
     }
     whirl_shown_units units;
     char said[WHIRL_MESSAGE_SIZE];
-    whirl_result_shown_units(outline, NULL, &units); // the case's own units are known to be units
+    whirl_result_shown_units(outline, NULL, &units); // reading the case has checked its units
     for (size_t i = 0; *whirl_result_warning(outline, i); i++) {
         whirl_shown_sentence(&units, whirl_result_warning(outline, i), said, sizeof said);
         fprintf(stderr, "%s: warning: %s\n", path, said);
@@ -233,7 +234,8 @@ static whirl_status print_study(const char *path, const whirl_result *outline, c
     return status;
 }
 
-/// "main: 0.75 m, 11.2 kg, 21 nodes, 20 elements; reduced to its 3 stations and ..."
+/// Prints a line about a shaft, as in "main: 0.75 m, 11.2 kg, 21 nodes, 20 elements; reduced to its 3 stations and
+/// ...".
 static void print_shaft(const whirl_shaft_summary *shaft) {
     const double turn = 6.283185307179586476925;
     printf("  shaft %s: %.4g m, %.4g kg, %zu nodes, %zu element%s", shaft->name, shaft->length, shaft->mass,
@@ -256,14 +258,14 @@ static whirl_status print_shafts(const whirl_case *object) {
     return status;
 }
 
-/// "seal at disc: in the fluid K 3.686e+06 N/m, ..."
+/// Prints the notes of elements, as in "seal at disc: in the fluid K 3.686e+06 N/m, ...".
 static void print_notes(const whirl_rotor *rotor) {
     char text[WHIRL_MESSAGE_SIZE];
     for (size_t i = 0; whirl_rotor_note(rotor, i, text); i++) printf("  %s\n", text);
 }
 
-/// Counts the film tables to make before the machines of a study move (those that depend on forces are unknown then).
-/// Builds outlines for all values, which takes some tenths of a second.
+/// Counts the film tables that a run makes before its first point, except tables that depend on forces of motions. It
+/// builds outlines of machines for all values, which takes some tenths of a second.
 static whirl_status count_tables(const whirl_study *study, size_t *missing) {
     enum { SHORT_TIME = 1 };
     const whirl_stop *over = limit_begin(SHORT_TIME);
@@ -277,7 +279,7 @@ static whirl_status count_tables(const whirl_study *study, size_t *missing) {
             whirl_machine machine;
             status = whirl_study_machine(study, &batch, point, &machine);
             if (status.code == WHIRL_OK && machine.release) machine.release(machine.owner);
-            if (whirl_film_tables_count(&asked) == 0) break; // its machines have no pads
+            if (whirl_film_tables_count(&asked) == 0) break; // machines of this batch have no pads
         }
     }
     limit_end();
@@ -286,7 +288,8 @@ static whirl_status count_tables(const whirl_study *study, size_t *missing) {
     return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
 }
 
-/// Refuses what a run would refuse: all that is known without film tables, then the first points at rest.
+/// Finds errors that a run would report: those of the outline, then, if film tables are ready, those of the first
+/// points at rest.
 static whirl_status try_study(const whirl_case *object, const whirl_study *study, bool ready, whirl_result *outline) {
     whirl_status status = whirl_case_describe_result(object, outline);
     if (status.code != WHIRL_OK || !ready) return status;
@@ -319,7 +322,8 @@ static whirl_status print_case(const char *path, const whirl_case *object, const
     return status;
 }
 
-/// A case that reads well must also give a rotor and a study that a run accepts.
+/// Checks that a case without errors of reading also gives a rotor and a study that a run accepts, and prints its
+/// content.
 static whirl_status describe_case(const char *path, const whirl_case *object) {
     whirl_rotor *rotor = NULL;
     size_t missing = 0;
@@ -340,7 +344,7 @@ static whirl_status describe_case(const char *path, const whirl_case *object) {
     return status;
 }
 
-/// Writes the drawing of the machine.
+/// Writes the drawing of the machine to the file of --figure.
 static int draw_machine(const check_arguments *arguments, const char *path, const whirl_case *object) {
     whirl_result *outline = calloc(1, sizeof *outline);
     whirl_figure *figure = NULL;

@@ -21,7 +21,8 @@ static colours find_colours(void) {
 
 enum { LONGEST_LINE = 8192 }; // a path may have 4096 bytes
 
-/// Writes one line on standard error. Names and contents of files must not control the terminal.
+/// Writes one line to standard error, without control characters: names and contents of files must not control the
+/// terminal.
 static void say(const char *program, const char *format, va_list arguments) {
     char line[LONGEST_LINE];
     const colours c = find_colours();
@@ -73,7 +74,8 @@ static void show_excerpt(const whirl_problem *problem, const colours *c) {
     fprintf(stderr, "%s\n", c->plain);
 }
 
-/// One problem: a line for programs that read it, on a terminal with the place set off and the line of the file below.
+/// Prints a problem in one line, which programs can read. On a terminal its place is in colour, and the line of the
+/// file is shown below.
 static void show_problem(const whirl_problems *problems, size_t index) {
     char text[sizeof problems->file + sizeof(whirl_problem)], place[sizeof problems->file + 32] = "";
     const colours c = find_colours();

@@ -1,8 +1,9 @@
-/// Cores that this process may use.
+/// Number of cores that this process may use.
 #ifndef CLI_CORES_H
 #define CLI_CORES_H
 
-/// Cores that this process may run on, which a scheduler or taskset may have made fewer than the computer has.
+/// Returns the number of cores on which this process may run. A scheduler or taskset may allow fewer than the computer
+/// has.
 int available_cores(void);
 
 #endif

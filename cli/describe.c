@@ -1,4 +1,4 @@
-/// whirl describe: the descriptor tables, which also drive the case reader.
+/// whirl describe: prints the tables of keys by which cases are read, and lists of analyses and methods.
 #include "command.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 
 #include "terminal.h"
 
-// ---------------------------------------------------------------- one name that can be described
+// ---------------------------------------------------------------- subjects: names that can be described
 
 typedef enum subject_kind { SUBJECT_GROUP, SUBJECT_ANALYSIS, SUBJECT_METHOD } subject_kind;
 
@@ -39,7 +39,7 @@ static void add_groups(catalogue *all, const char *part, const whirl_group *cons
     for (; *groups && (*groups)->name; groups++) add_group(all, part, *groups);
 }
 
-/// Everything that has a descriptor, in the order of a case file.
+/// Collects everything that can be described, in the order of a case file.
 static void collect(catalogue *all) {
     add_group(all, "stations", whirl_station_keys());
     add_group(all, "shafts", whirl_shaft_keys());
@@ -59,7 +59,7 @@ static void collect(catalogue *all) {
 
 // ---------------------------------------------------------------- printing
 
-/// Prints text and blanks up to `width` columns, one at least.
+/// Prints a text and blanks up to `width` columns, at least one blank.
 static void print_padded(const char *text, int width) {
     const int columns = text_columns(text);
     printf("%s%*s", text, columns < width ? width - columns : 1, "");
@@ -82,7 +82,7 @@ static void list_all(const catalogue *all, int width) {
     putchar('\n');
 }
 
-/// The range in words: "> 0", "0 to 1", "any".
+/// Writes a range in words: "> 0", "0 to 1", "any".
 static void range_text(const whirl_range *range, char *text, size_t size) {
     const bool low = isfinite(range->low) || range->low > 0, high = isfinite(range->high) || range->high < 0;
     if (low && high)
@@ -96,7 +96,7 @@ static void range_text(const whirl_range *range, char *text, size_t size) {
         snprintf(text, size, "any");
 }
 
-/// Choices that would fill a narrow line have room to be broken between.
+/// Writes the choices of a key. Blanks are added where they are too wide for a narrow line, so that they can be broken.
 static void choices_text(const char *choices, char *text, size_t size) {
     enum { NARROW = 54 };
     const bool wide = strlen(choices) > NARROW;
@@ -128,7 +128,7 @@ static void allowed_text(const whirl_key *key, char *text, size_t size) {
     }
 }
 
-/// Long numbers are rounded: -1.5707963267948966 becomes -1.5708.
+/// Writes a default; long numbers are rounded: -1.5707963267948966 becomes -1.5708.
 static void default_text(const whirl_key *key, char *text, size_t size) {
     const bool number = key->kind == WHIRL_KEY_NUMBER && strlen(key->fallback) > LONGEST_DEFAULT;
     if (number)
@@ -137,7 +137,7 @@ static void default_text(const whirl_key *key, char *text, size_t size) {
         snprintf(text, size, "%s", key->required ? "required" : *key->fallback ? key->fallback : "-");
 }
 
-/// A key as it is shown: its cells side by side, its meaning below.
+/// A printed key: cells side by side, and its meaning in a line below.
 enum { CELLS = 5, RANGE_CELL = CELLS - 1, CELL_SIZE = 128, KEY_INDENT = 2, MEANING_INDENT = 6 };
 typedef char key_cells[CELLS][CELL_SIZE];
 

@@ -7,19 +7,20 @@
 #include "limit.h"
 #include "whirl/engine/ensemble.h"
 
-/// Seconds of processor time.
+/// Returns the processor time of this process in seconds.
 static double now(void) {
     struct timespec time;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time); // whatever else the computer is busy with
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time); // independent of other processes
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-/// Notes that memory ran out, which is no reason to leave an estimate out in silence.
+/// Keeps a status that says that memory ran out; other failures only leave the estimate out.
 static void note_memory(whirl_status *status, whirl_status made) {
     if (made.code == WHIRL_NO_MEMORY) *status = made;
 }
 
-/// Seconds of a revolution of several copies of a machine in lanes; NaN if unknown, infinite above LONGEST seconds.
+/// Measures the seconds that one revolution of `lanes` copies of a machine takes, side by side in lanes; NaN if
+/// unknown, infinite above LONGEST seconds.
 static double time_lanes(const whirl_machine *machine, const whirl_integrate_options *how, size_t lanes,
                          whirl_status *status) {
     enum { MOST = 50, LONGEST = 5 };
@@ -41,7 +42,7 @@ static double time_lanes(const whirl_machine *machine, const whirl_integrate_opt
         note_memory(status, loaded);
         if (loaded.code != WHIRL_OK) lanes = i;
     }
-    // Measure until the time is long enough.
+    // Repeat revolutions until the measured time is long enough.
     const double begun = now();
     double passed = 0.0;
     int done = 0;
@@ -56,8 +57,8 @@ static double time_lanes(const whirl_machine *machine, const whirl_integrate_opt
     return done > 0 ? passed / done : (double)NAN;
 }
 
-/// Seconds of a revolution of each of `motions` motions on so many cores, in the usual number of lanes. Slow machines
-/// are not tried in lanes: large machines gain less from them.
+/// Estimates the seconds in which all of `motions` motions make one revolution on `cores` cores, in the usual number of
+/// lanes. Slow machines are not measured in lanes, from which large machines gain less.
 static double time_motions(const whirl_machine *machine, const whirl_integrate_options *how, double motions, int cores,
                            whirl_status *status) {
     const double usual = 32.0, long_one = 0.01, threads = fmin(motions, cores);
@@ -67,11 +68,11 @@ static double time_motions(const whirl_machine *machine, const whirl_integrate_o
     return all * motions / (lanes * threads);
 }
 
-/// Seconds of the modes of all points on so many cores, extrapolated from the middle point; for a large machine by the
-/// cube of its states. NaN below a second.
+/// Estimates the seconds that the modes of all points take on `cores` cores: from a run of the middle point or, for
+/// large machines, from the cube of the number of states. NaN below a second.
 static whirl_status time_modes(const whirl_study *study, const whirl_batch *batch, int cores, double *seconds) {
     const double most_timed = 150.0, threads = fmin((double)batch->count, cores);
-    // A study of the middle point alone.
+    // Make a study of the middle point alone.
     const size_t middle = batch->count / 2;
     whirl_study one = *study;
     whirl_batch *own = &one.batches[0];
@@ -84,7 +85,7 @@ static whirl_status time_modes(const whirl_study *study, const whirl_batch *batc
     own->count = 1;
     own->row = own->plane = 0;
     own->outline = true;
-    // A large machine is not measured.
+    // Measure it unless the machine is large.
     whirl_status status = whirl_study_machine(&one, own, 0, &machine);
     if (status.code != WHIRL_OK) return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
     const double states = (double)machine.system->dimension;
@@ -107,7 +108,7 @@ whirl_status estimate_seconds(const whirl_study *study, const whirl_batch *batch
     const bool both = batch->carry == WHIRL_CARRY_BOTH, carried = batch->carry != WHIRL_CARRY_NONE;
     const double motions = points * starts * (both ? 2.0 : 1.0), chains = carried ? motions / points : motions;
     const double whole = (double)batch->record.transient + batch->record.record;
-    // The perturbed copy that measures growth runs along while a motion is watched.
+    // A perturbed copy that measures growth is integrated, too, while a motion is watched.
     const bool copied = batch->record.growth == WHIRL_GROWTH_LARGEST;
     const double revolutions = whole + (copied ? (double)whirl_record_watch(&batch->record) : 0.0);
     whirl_machine machine;
@@ -116,13 +117,13 @@ whirl_status estimate_seconds(const whirl_study *study, const whirl_batch *batch
     if (!whirl_analysis_kind(batch->analyses)->moves) return whirl_ok();
     whirl_status status = whirl_study_machine(study, batch, batch->count / 2, &machine);
     if (status.code != WHIRL_OK) return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
-    // A single revolution of a machine this large may take minutes.
+    // Larger machines are not measured: a single revolution may take minutes.
     const size_t most_timed = 300;
     const bool timed = machine.system->dimension <= most_timed;
     if (timed)
         *seconds = time_motions(&machine, &batch->integrate, chains, cores, &status) * motions / chains * revolutions;
     if (timed && batch->confirm) {
-        // Twice the steps, or tolerances 16 times smaller by order 8 or 5.
+        // Confirmation takes twice the steps, or tolerances 16 times smaller with a method of order 8 or 5.
         const double order = strcmp(batch->integrate.method, "rodas5p") == 0 ? 5.0 : 8.0;
         const double weight = whirl_method_is_adaptive(batch->integrate.method) ? pow(16.0, 1.0 / order) : 2.0;
         *seconds += weight * revolutions * time_motions(&machine, &batch->integrate, motions, cores, &status);

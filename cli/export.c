@@ -38,6 +38,7 @@ static error_t export_parse(int key, char *argument, struct argp_state *state) {
         if (arguments->result) bad_argument(state, "takes one result, '%s' is one too many", argument);
         arguments->result = argument;
         return 0;
+    // What is required.
     case ARGP_KEY_END:
         require_option(state, arguments->result, "RESULT.h5");
         if (!arguments->mat) require_option(state, arguments->csv, "--csv DIR or --mat FILE");
@@ -47,7 +48,7 @@ static error_t export_parse(int key, char *argument, struct argp_state *state) {
     }
 }
 
-/// Returns true if a file may be made there; otherwise reports an error. Devices and pipes are written to.
+/// Returns true if `path` may be written; otherwise reports an error. Devices and pipes may always be written.
 static bool may_write(const char *path, const export_arguments *arguments) {
     struct stat there;
     if (!path) return true;
@@ -68,7 +69,7 @@ static int export_csv(const export_arguments *arguments) {
     return kept ? EXIT_FAILED : complain_of(&status);
 }
 
-/// Exports the result file after a check that everything except its numbers is valid.
+/// Writes the MAT file, after a check that everything in the result but its numbers is valid.
 static int export_mat(const export_arguments *arguments) {
     whirl_result *outline = NULL;
     const int outcome = load_outline(arguments->result, &outline);

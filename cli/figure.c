@@ -56,6 +56,7 @@ static error_t figure_parse(int key, char *argument, struct argp_state *state) {
     case 'o':
         arguments->output = argument;
         return 0;
+    // Options with a fixed choice of words.
     case KEY_FORMAT:
         arguments->format = argument;
         if (!is_one_of(argument, formats))
@@ -80,6 +81,7 @@ static error_t figure_parse(int key, char *argument, struct argp_state *state) {
     case KEY_FORCE:
         arguments->force = true;
         return 0;
+    // The result, then the name of the figure.
     case ARGP_KEY_ARG:
         if (arguments->result && arguments->name)
             bad_argument(state, "takes a result and the name of a figure, '%s' is one too many", argument);
@@ -102,7 +104,7 @@ static int print_names(const whirl_result *result, const figure_arguments *argum
     return complain_of(&status);
 }
 
-/// Path of the figure; the format's ending is added if there is none.
+/// Writes the path of the figure; the ending of the format is added if there is none.
 static void name_output(const figure_arguments *arguments, const whirl_figure *figure, char *path, size_t size) {
     const char *output = arguments->output ? arguments->output : figure->name;
     const char *last = strrchr(output, '/') ? strrchr(output, '/') : output;

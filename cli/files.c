@@ -14,7 +14,7 @@
 
 enum { HEAD_SIZE = 4096 };
 
-/// Returns true for the beginning of a file by ROSS's Rotor.save, TOML or JSON.
+/// Returns true if a file begins like one of ROSS's Rotor.save, TOML or JSON.
 static bool is_rotor_of_ross(const char *head) {
     return strstr(head, "ross_version") || strstr(head, "\"ShaftElement");
 }
@@ -25,7 +25,9 @@ bool is_standard_input(const char *path) {
     return strcmp(path, "-") == 0;
 }
 
-enum { LONGEST_CASE = (1 << 20) + 4 }; // more than a case may have with a byte order mark: a longer one is refused
+enum {
+    LONGEST_CASE = (1 << 20) + 4
+}; // one byte more than the largest case with a byte order mark, so that longer ones are refused
 
 whirl_status read_case(const char *path, whirl_problems *problems, whirl_case **object) {
     if (!is_standard_input(path)) return whirl_case_load(path, problems, object);
@@ -54,7 +56,7 @@ bool is_other_than_case(const char *path) {
     return true;
 }
 
-/// The key that every case begins with, at the start of a line.
+/// Returns true if a file has the key `whirl:`, with which every case begins, at the start of a line.
 static bool is_case(const char *path) {
     char head[HEAD_SIZE];
     if (whirl_input_head(path, head, sizeof head) == 0) return false;
@@ -97,12 +99,12 @@ int load_outline(const char *path, whirl_result **outline) {
     return load(path, whirl_result_read_outline, outline);
 }
 
-/// Writes the text to a temporary file next to `path`. Returns an errno, or 0.
+/// Writes a text to `temporary`, a file next to `path`. Returns 0 or an errno.
 static int write_beside(const char *path, const char *temporary, const char *text) {
     struct stat earlier;
-    // The new file is no more public than the one it replaces.
+    // The new file is not more public than the one that it replaces.
     const mode_t mode = stat(path, &earlier) == 0 ? earlier.st_mode & 0666 : 0666;
-    unlink(temporary); // nobody's: a leftover of an earlier process of this number
+    unlink(temporary); // an earlier process with the same number may have left it
     const int descriptor = open(temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode | 0600);
     FILE *const file = descriptor < 0 ? NULL : fdopen(descriptor, "w");
     if (!file) {
@@ -115,14 +117,14 @@ static int write_beside(const char *path, const char *temporary, const char *tex
     return reason;
 }
 
-/// Renames the file; with `force` it replaces an existing one. Returns 0 or an errno.
+/// Renames the temporary file to `path`, replacing an existing one with `force`. Returns 0 or an errno.
 static int give_name(const char *temporary, const char *path, bool force) {
     if (force) return rename(temporary, path) == 0 ? 0 : errno;
     if (link(temporary, path) == 0) {
         unlink(temporary);
         return 0;
     }
-    // Some file systems have no second names.
+    // Some file systems have no hard links.
     if (errno == EEXIST || access(path, F_OK) == 0) return EEXIST;
     return rename(temporary, path) == 0 ? 0 : errno;
 }

@@ -1,4 +1,4 @@
-/// Files given to a command, and messages for files of another kind.
+/// Reads files that are given to a command, with messages for files of another kind, and writes texts.
 #ifndef CLI_FILES_H
 #define CLI_FILES_H
 
@@ -7,7 +7,8 @@
 #include "whirl/engine/case.h"
 #include "whirl/engine/result.h"
 
-/// Returns true if the file is a result (by its first bytes) or a rotor of ROSS; reports what can be done with it then.
+/// Returns true if a file that should be a case is a result or a rotor of ROSS, by its first bytes, after reporting
+/// which command takes it.
 bool is_other_than_case(const char *path);
 
 /// Name of a case from standard input in messages and results.
@@ -16,19 +17,19 @@ extern const char standard_input[];
 /// Returns true if a path means standard input: "-".
 bool is_standard_input(const char *path);
 
-/// Reads a case, from standard input if the path says so. Errors as whirl_case_load.
+/// Reads a case from a file, or from standard input if the path is "-". Errors of whirl_case_load.
 whirl_status read_case(const char *path, whirl_problems *problems, whirl_case **object);
 
-/// Reads a result. Returns the exit status; reports an error for other files, a case by its name.
+/// Reads a result, or a record (NAME.csv). Returns the exit status, after reporting an error for other files.
 int load_result(const char *path, whirl_result **result);
 
-/// Function of a command on a result and its arguments; returns the exit status.
+/// A command's function of a result and its arguments; returns the exit status.
 typedef int result_action(const whirl_result *result, const void *arguments);
 
-/// Does it with the result of a file, and ends the output. Gives the exit status.
+/// Reads a result, calls `act` with it, and flushes standard output. Returns the exit status.
 int with_result(const char *path, result_action *act, const void *arguments);
 
-/// The same without the numbers of points.
+/// Reads a result without the numbers of its points. Returns the exit status, after reporting errors.
 int load_outline(const char *path, whirl_result **outline);
 
 /// Returns true if `path` may be written; otherwise reports an error. An existing file needs `force`. `input`,

@@ -1,4 +1,4 @@
-/// Findings of one subject, a bearing or weights that balance a rotor, as a command prints them.
+/// Options and output of `whirl bearing` and `whirl balance`, which print findings (statements and sheets).
 #ifndef CLI_FOUND_H
 #define CLI_FOUND_H
 
@@ -6,15 +6,16 @@
 
 /// Selection and form of findings to print.
 typedef struct found_arguments {
-    const char *units, *sheet; ///< NULL: the file's units; all of them
-    bool formed;               ///< a form was given
-    whirl_sheet_form form;     ///< default: text
+    const char *units;     ///< NULL: the units of the file
+    const char *sheet;     ///< NULL: all sheets
+    bool formed;           ///< --format was given
+    whirl_sheet_form form; ///< default: text
 } found_arguments;
 
-/// Keys of the options below; a command's own are others.
+/// Keys of the options below; a command must not use them for its own.
 enum { KEY_FOUND_UNITS = 0x200, KEY_FOUND_SHEET, KEY_FOUND_FORMAT };
 
-/// The options of a command that prints findings.
+/// Rows of these options in a command's table of options.
 #define FOUND_OPTIONS                                                                                                  \
     {.name = "units",                                                                                                  \
      .key = KEY_FOUND_UNITS,                                                                                           \
@@ -25,10 +26,10 @@ enum { KEY_FOUND_UNITS = 0x200, KEY_FOUND_SHEET, KEY_FOUND_FORMAT };
         .doc = "Format of that table: text (default), csv, latex, markdown or json"                                    \
     }
 
-/// Takes one of these options. Returns false for other keys.
+/// Reads one of these options. Returns false for other keys.
 bool found_take(int key, char *argument, const struct argp_state *state, found_arguments *arguments);
 
-/// Reports options that exclude each other.
+/// Ends the program with an error for options that exclude each other.
 void found_check(const found_arguments *arguments, const struct argp_state *state);
 
 /// Prints the title, statements and sheets, or the requested sheet. Returns the exit status.

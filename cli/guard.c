@@ -17,7 +17,7 @@ static volatile sig_atomic_t watching;
 static bool exhausted;
 static char half_written[PATH_SIZE];
 
-/// Only calls that are safe in a signal handler.
+/// Ends the program with a sentence, by calls that are safe in a signal handler.
 static _Noreturn void give_up(void) {
     static const char sentence[] =
         "whirl: there is no memory left, and a library could not go on; nothing is half written\n";
@@ -27,15 +27,15 @@ static _Noreturn void give_up(void) {
     _exit(EXIT_FAILED);
 }
 
-/// A library that has just been refused memory runs into the pointer that it did not get, or aborts. Any other fault is
-/// one of the program, and ends it as such.
+/// Handles a fault. After a lack of memory (errno) a library has used a null pointer or aborted: ends the program with
+/// a sentence. Any other fault is an error of the program, and kills it as usual.
 static void on_fault(int number) {
     if (errno == ENOMEM) give_up();
     signal(number, SIG_DFL);
     raise(number);
 }
 
-/// Some libraries end the program themselves: the lexer of UDUNITS-2, HDF5, OpenMP.
+/// Called at exit: prints the sentence if a library has ended the program (the lexer of UDUNITS-2, HDF5, OpenMP do so).
 static void on_exit_of_others(void) {
     if (watching) give_up();
 }
@@ -43,13 +43,13 @@ static void on_exit_of_others(void) {
 static void watch_faults(void) {
     enum { STACK_SIZE = 1 << 16 };
     static const int faults[] = {SIGSEGV, SIGBUS, SIGABRT};
-    // HDF5 1.10 recurses until the stack is full if it cannot start; so the handler has its own stack.
+    // The handler has its own stack: HDF5 1.10 recurses until the stack is full if it cannot start.
     static char stack[STACK_SIZE];
     const stack_t own = {.ss_sp = stack, .ss_size = sizeof stack};
     struct sigaction action = {.sa_handler = on_fault, .sa_flags = SA_ONSTACK}, before;
     if (sigaltstack(&own, NULL) != 0) action.sa_flags = 0;
     sigemptyset(&action.sa_mask);
-    // Sanitizers have handlers of their own.
+    // Keep the handlers of sanitizers.
     for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
         if (sigaction(faults[i], NULL, &before) == 0 && before.sa_handler == SIG_DFL)
             sigaction(faults[i], &action, NULL);

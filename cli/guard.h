@@ -1,20 +1,20 @@
-/// Crashes of libraries for lack of memory become a sentence and exit status 1, instead of a signal.
+/// Handles crashes of libraries that run out of memory: they become a sentence and exit status 1, instead of a signal.
 #ifndef CLI_GUARD_H
 #define CLI_GUARD_H
 
-/// Turns faults for lack of memory, and unexpected ends of the program, into a sentence.
+/// From now on a fault for lack of memory, or an unexpected exit, prints a sentence.
 void guard_begin(void);
 
-/// The program ends of itself, as it may while arguments are read.
+/// From now on the program may exit without a sentence, as argp does while it reads arguments.
 void guard_rest(void);
 
-/// Registers a file that is written under a temporary name, which is removed if the program ends by a fault.
+/// Registers the path of a file to be written, whose temporary file is removed if the program ends by a fault.
 void guard_output(const char *path);
 
-/// Notes that memory ran out: at exit libraries are not called any more, since they might crash.
+/// Notes that memory ran out: at exit the handlers of libraries are skipped, since they might crash.
 void guard_note_exhausted(void);
 
-/// Ends the program.
+/// Ends the program with this exit status.
 _Noreturn void guard_leave(int status);
 
 #endif

@@ -1,4 +1,4 @@
-/// whirl import: a case made of a rotor that another program has saved.
+/// whirl import: makes a case of a rotor that another program has saved.
 #include "command.h"
 
 #include <stdbool.h>

@@ -11,8 +11,8 @@
 static whirl_stop stopped;
 static volatile sig_atomic_t received;
 
-static volatile double first; ///< seconds, when the first one came
-static double last;           ///< seconds, when the time is over; 0: never
+static volatile double first; ///< s, time of the first signal
+static double last;           ///< s, time at which --max-time is over; 0: no limit
 
 static double now(void) {
     struct timespec time;
@@ -20,8 +20,8 @@ static double now(void) {
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-/// One wish to stop may come as several signals: timeout(1) and batch systems signal a process and then its group. Only
-/// a later one ends the program at once.
+/// Sets the flag at the first signal; kills the program at another one half a second later or more. Signals closer
+/// together are one request: timeout(1) and batch systems signal a process and then its group.
 static void on_signal(int number) {
     const double seconds = now();
     if (first == 0.0) first = seconds;
@@ -33,7 +33,7 @@ static void on_signal(int number) {
     }
 }
 
-/// Ignores further signals of this kind while the end is near; other signals still end the program at once.
+/// Sets the flag, and never kills: for signals that only announce an end.
 static void on_announcement(int number) {
     if (!received) received = number;
     stopped = true;
@@ -42,7 +42,7 @@ static void on_announcement(int number) {
 static void handle(int number, void (*handler)(int)) {
     struct sigaction action = {.sa_handler = handler, .sa_flags = SA_RESTART}, before;
     sigemptyset(&action.sa_mask);
-    // A signal ignored by the parent (nohup) stays ignored.
+    // A signal that the parent ignores (nohup) stays ignored.
     if (sigaction(number, NULL, &before) == 0 && before.sa_handler != SIG_IGN) sigaction(number, &action, NULL);
 }
 
@@ -50,7 +50,7 @@ const whirl_stop *interrupt_watch(void) {
     static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
     for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) handle(signals[i], on_signal);
     handle(SIGUSR1, on_announcement);
-    // A file that may grow no further is an error of its write, not the end of the program.
+    // If a file reaches its size limit, its write fails; the signal would kill the program.
     sigaction(SIGXFSZ, &(struct sigaction){.sa_handler = SIG_IGN}, NULL);
     return &stopped;
 }

@@ -16,14 +16,15 @@ static bool is_there(const char *path) {
     return access(path, F_OK) == 0 || errno != ENOENT;
 }
 
-// ---------------------------------------------------------------- a result that is there
+// ---------------------------------------------------------------- an existing result
 
 static int read_finished(const char *output, whirl_result **finished) {
     const whirl_status status = whirl_result_read(output, finished);
     return complain_of(&status);
 }
 
-/// Without a journal: the result may be there already.
+/// Called if there is no journal: reads the complete result of the study, or reports why there is none. Returns the
+/// exit status.
 static int find_finished(const journal_wish *wish, const char *path, const whirl_result *outline,
                          whirl_result **finished) {
     const char *output = wish->output, *what = wish->merge ? "merge" : "resume";
@@ -54,8 +55,9 @@ static int find_finished(const journal_wish *wish, const char *path, const whirl
 
 // ---------------------------------------------------------------- points of a rank
 
-/// Returns true for the points of a rank's journal. At first it reserves space for the rank's share, whichever points
-/// it gets; from other journals it takes carried points, since it may have to continue them. The first rank takes all.
+/// Returns true for points that a rank's journal has room for or takes from other journals. When it begins it reserves
+/// space for an equal share of the points, whichever they will be. Later it takes carried points, which the rank may
+/// have to continue. The journal of the first rank is for all points.
 static bool is_for_rank(const run_journal *journal, size_t batch, size_t slot) {
     const whirl_share *rank = &journal->wish->owner.share, share = {rank->number + 1, rank->count};
     if (!journal->journal) return whirl_share_has(&journal->study, &share, batch, slot);
@@ -68,8 +70,8 @@ static bool is_of_share(const void *context, size_t batch, size_t slot) {
                                         : whirl_share_has(&journal->study, &journal->wish->owner.share, batch, slot);
 }
 
-/// Writes "7 of 12 points" of the journal; the total of refined maps, and with starts from neighbours, is unknown
-/// beforehand.
+/// Writes the number of points of the journal, as in "7 of 12 points". For refined maps and starts from neighbours the
+/// total is not known before the end, and is left out.
 static void points_text(const run_journal *journal, const whirl_result *outline, char *text, size_t size) {
     const size_t found = whirl_journal_look(journal->journal).points;
     size_t count = 0;
@@ -95,8 +97,8 @@ static void report_found(const run_journal *journal, const whirl_result *outline
     if (!journal->wish->quiet) complain("going on from '%s'%s: %s are there", journal->path, beside, points);
 }
 
-/// Removes RESULT.h5.tmp-PROCESS, incomplete results of killed runs: only the owner of the journal's lock writes this
-/// result.
+/// Removes RESULT.h5.tmp-PROCESS, incomplete results of killed runs. This is safe: only the process that has locked the
+/// journal writes the result.
 static void remove_leftovers(const char *output) {
     char folder[PATH_SIZE], pattern[PATH_SIZE], path[2 * PATH_SIZE];
     const char *slash = strrchr(output, '/');
@@ -114,21 +116,23 @@ static void remove_leftovers(const char *output) {
     if (list) closedir(list);
 }
 
-// ---------------------------------------------------------------- journals that are there
+// ---------------------------------------------------------------- existing journals
 
-/// Returns true if a journal has points that a run without --resume would ignore; journals of other shards do not.
+/// Returns true for a journal of this run or shard, whose points a run without --resume would ignore; false for
+/// journals of other shards.
 static bool is_in_the_way(const journal_wish *wish, const journal_name *name) {
     const whirl_share *own = &wish->owner.share, *other = &name->owner.share;
     return name->owner.is_rank || other->count != own->count || other->number == own->number;
 }
 
-/// Reports a journal that blocks a new run, or that another run is writing.
+/// Returns true if no journal blocks the run; otherwise reports the one that has points, or that another run is
+/// writing.
 static bool is_free(const journal_wish *wish, const journal_names *there) {
     const bool alone = wish->resume && !wish->merge && wish->owner.share.count == 0;
     for (size_t i = 0; i < there->count; i++) {
         const char *path = there->items[i].path;
         if (!wish->resume && is_in_the_way(wish, &there->items[i])) {
-            // One without points is in nobody's way.
+            // A journal without points is removed.
             if (whirl_journal_vacant(path) && whirl_journal_discard(path).code == WHIRL_OK) continue;
             complain("'%s' has the points of a run that did not finish: add --resume to go on with it, or remove it to "
                      "begin anew",
@@ -179,8 +183,8 @@ static int take(const run_journal *journal, const char *path) {
     return complain_of(&status);
 }
 
-/// Takes the points of other journals of the same study, next to the result and elsewhere; *count is the number of
-/// these journals.
+/// Takes the points of all other journals of the study, next to the result and elsewhere. Writes their number to
+/// *count.
 static int take_others(run_journal *journal, journal_names *there, size_t *count) {
     const journal_wish *wish = journal->wish;
     int outcome = EXIT_DONE;
@@ -201,7 +205,7 @@ static int open_with(run_journal *journal, const whirl_result *outline, journal_
     const bool empty = there->count + wish->other_count == 0;
     size_t others = 0;
     if (!is_free(wish, there)) return EXIT_BAD_INPUT;
-    // A shard of an array goes on in the same way whether it was begun or not.
+    // A shard with --resume begins if it has no journal, so that all jobs of an array have the same command.
     if (wish->resume && empty && (wish->owner.share.count == 0 || is_there(wish->output))) {
         const int outcome = find_finished(wish, journal->path, outline, finished);
         if (outcome == EXIT_DONE && !wish->quiet)
@@ -238,7 +242,8 @@ int open_journal(const journal_wish *wish, const whirl_case *object, run_journal
 
 // ---------------------------------------------------------------- ranks
 
-/// Taking points from the first rank's journal also proves that both have the same study and folder.
+/// Opens the journal of a rank. Taking points from the first rank's journal also checks that both have the same study
+/// and folder.
 int open_rank_journal(const journal_wish *wish, const whirl_case *object, const journal_names *there,
                       run_journal *journal) {
     whirl_result *outline = NULL;
@@ -269,7 +274,7 @@ whirl_status take_rank_journals(run_journal *journal, int ranks) {
 
 // ---------------------------------------------------------------- ending
 
-/// Closes the journal; gives how many points it has.
+/// Closes the journal, reports a failure, and returns the number of its points.
 static size_t close_journal(run_journal *journal, whirl_status *status) {
     const size_t points = whirl_journal_points(journal->journal);
     *status = whirl_journal_close(journal->journal);

@@ -1,4 +1,4 @@
-/// Journal of a run, next to the result, and other journals from which it takes points.
+/// The journal of a run, next to its result, and other journals from which the run takes points.
 #ifndef CLI_JOURNAL_H
 #define CLI_JOURNAL_H
 
@@ -9,12 +9,12 @@
 #include <stddef.h>
 
 // ---------------------------------------------------------------- journal_names
-// Names of the journals of a result: RESULT.h5.journal of a whole run, RESULT.h5.journal.shard-2-of-7 of a share of
-// it, RESULT.h5.journal.rank-2-of-7 of one of several processes that compute it together, but for the first.
+// Names of the journals of a result: RESULT.h5.journal for a whole run, RESULT.h5.journal.shard-2-of-7 for a shard,
+// RESULT.h5.journal.rank-2-of-7 for a rank of whirl-mpi other than the first, whose journal is that of the whole run.
 
 enum { JOURNAL_NAME_SIZE = 4096 };
 
-/// Reads a share, "2/7" or "2-of-7" depending on `between`. Returns false if the text is none.
+/// Reads a share such as "2/7" or "2-of-7"; between: "/" or "-of-". Returns false for other texts.
 bool read_share(const char *text, const char *between, whirl_share *share);
 
 /// Owner of a journal: a whole run (all zero), a share, or a rank, 1 to count - 1.
@@ -26,13 +26,13 @@ typedef struct journal_owner {
 /// Writes the name of a journal. Returns false, after reporting it, if it is too long.
 bool name_journal(const char *output, journal_owner owner, char path[JOURNAL_NAME_SIZE]);
 
-/// A journal that is there.
+/// An existing journal.
 typedef struct journal_name {
     char *path;
     journal_owner owner;
 } journal_name;
 
-/// Journals of a result that are there, in the order of their names; freed by free_journal_names.
+/// Existing journals of a result, in the order of their names; freed by free_journal_names.
 typedef struct journal_names {
     journal_name *items;
     size_t count;
@@ -40,7 +40,7 @@ typedef struct journal_names {
 
 journal_names find_journals(const char *output);
 
-/// add_journal_name: adds a name unless it is there; without memory it is left out.
+/// add_journal_name: adds a name that is not yet in the list; without memory it is left out.
 void add_journal_name(journal_names *names, const char *path, journal_owner owner);
 void free_journal_names(journal_names *names);
 
@@ -49,16 +49,16 @@ typedef struct journal_wish {
     const char *output;
     journal_owner owner;
     bool resume; ///< continue from existing journals
-    bool merge;  ///< ... from journals only, of shards that may still be at work
-    bool force;  ///< there may be a result already
-    bool quiet;  ///< no messages about success
+    bool merge;  ///< use only the points of journals, of shards that may still be running
+    bool force;  ///< an existing result may be replaced
+    bool quiet;  ///< report errors only
     size_t other_count;
     const char *const *others; ///< [other_count] journals elsewhere than next to the result
 } journal_wish;
 
 typedef struct run_journal {
     char path[JOURNAL_NAME_SIZE];
-    whirl_journal *journal; ///< NULL: none
+    whirl_journal *journal; ///< NULL: the run has no journal
     whirl_study study;      ///< study of the journal
     const journal_wish *wish;
     journal_names taken; ///< journals of the same result whose points were all taken
@@ -78,7 +78,7 @@ int open_rank_journal(const journal_wish *wish, const whirl_case *object, const 
 /// Closes the journal of a rank whose study did not begin because another rank failed; removes new files.
 void abandon_journal(run_journal *journal);
 
-/// Closes a rank's journal; gives the exit status.
+/// Closes a rank's journal. Returns the exit status, after reporting a failure.
 int close_rank_journal(run_journal *journal);
 
 /// Takes the points of the other ranks' journals, which must be closed.
@@ -87,7 +87,7 @@ whirl_status take_rank_journals(run_journal *journal, int ranks);
 /// Closes the journal of a run that ended early, and reports which points are kept.
 void leave_journal(run_journal *journal);
 
-/// The same for a shard that is done.
+/// Closes the journal of a complete shard, and reports how many points it has. Returns the exit status.
 int close_shard(run_journal *journal);
 
 /// Removes the journal, and those from which it took points, after the result is safe.

@@ -7,7 +7,7 @@
 
 #include "command.h"
 
-/// Text between "RESULT.h5.journal" and the numbers: of a share, of a rank.
+/// Text between "RESULT.h5.journal" and the numbers, of a shard and of a rank.
 static const char *const endings[] = {".shard-", ".rank-"};
 
 bool name_journal(const char *output, journal_owner owner, char path[JOURNAL_NAME_SIZE]) {
@@ -19,7 +19,7 @@ bool name_journal(const char *output, journal_owner owner, char path[JOURNAL_NAM
     return false;
 }
 
-/// Reads a whole number of few digits and moves past it. Returns 0 if there is none.
+/// Reads a whole number of at most MAX_DIGITS digits and moves past its digits. Returns 0 if there is none.
 static size_t read_number(const char **text) {
     enum { MAX_DIGITS = 9 };
     const size_t digits = strspn(*text, "0123456789");
@@ -36,7 +36,7 @@ bool read_share(const char *text, const char *between, whirl_share *share) {
     return *text == '\0' && share->number >= 1 && share->number <= share->count;
 }
 
-/// Reads the rest after "RESULT.h5.journal". Returns false if it is no journal's name.
+/// Reads the end of a name, after "RESULT.h5.journal". Returns false if it is not that of a journal.
 static bool read_ending(const char *ending, journal_owner *owner) {
     *owner = (journal_owner){.is_rank = false};
     if (*ending == '\0') return true;

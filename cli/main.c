@@ -1,4 +1,4 @@
-/// whirl COMMAND ...: finds the command and hands over.
+/// whirl COMMAND ...: finds the command and calls its function.
 #include "command.h"
 #include "guard.h"
 #include "ranks.h"
@@ -15,7 +15,7 @@ static const command *const commands[] = {&new_command,     &import_command,  &r
                                           &balance_command, &bearing_command, &help_command};
 enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 
-/// Command chosen by the first argument, and index of its own arguments.
+/// The chosen command (the first argument), and the index of its own arguments.
 typedef struct choice {
     const char *name;
     int index;
@@ -45,7 +45,7 @@ static error_t main_parse(int key, char *argument, struct argp_state *state) {
     case ARGP_KEY_ARG:
         chosen->name = argument;
         chosen->index = state->next - 1;
-        state->next = state->argc; // the rest belongs to the command
+        state->next = state->argc; // the command reads the other arguments
         return 0;
     case ARGP_KEY_NO_ARGS:
         bad_argument(state, "a command is missing; 'whirl --help' lists them");
@@ -55,7 +55,7 @@ static error_t main_parse(int key, char *argument, struct argp_state *state) {
     }
 }
 
-/// Returns whirl's command for a common name in other programs, or NULL.
+/// Returns whirl's command for a name that is common in other programs, or NULL.
 static const char *usual_name(const char *name) {
     static const char *const names[][2] = {
         {"plot", "report"}, {"draw", "report"}, {"graph", "report"},   {"solve", "run"},      {"simulate", "run"},
@@ -81,7 +81,7 @@ static const command *find_command(const char *name) {
     return NULL;
 }
 
-/// Arguments of `whirl` without a command; the caller owns the options.
+/// Returns the argp parser of `whirl` without a command; the caller owns the options.
 static struct argp whirl_argp(struct argp_option options[COMMAND_COUNT + 2]) {
     list_commands(options);
     return (struct argp){

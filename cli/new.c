@@ -1,4 +1,4 @@
-/// whirl new: a case to start from.
+/// whirl new: writes a case to start from.
 #include "command.h"
 
 #include <stdbool.h>

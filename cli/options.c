@@ -1,4 +1,4 @@
-/// Parsing the arguments of a command: argp, preceded by suggestions for unknown options, which argp lacks.
+/// Parses the arguments of a command by argp, after suggesting options for unknown ones, which argp does not do.
 #include "command.h"
 #include "guard.h"
 
@@ -10,7 +10,7 @@ enum { MAX_OPTIONS = 32 };
 /// Long options of a command, including those that argp adds.
 typedef struct option_names {
     const char *names[MAX_OPTIONS];
-    bool takes_argument[MAX_OPTIONS]; ///< as the next word, without '='
+    bool takes_argument[MAX_OPTIONS]; ///< the option takes its argument from the next word
     size_t count;
 } option_names;
 
@@ -30,7 +30,8 @@ static void collect(const struct argp *argp, option_names *all) {
     add_option(all, "version", false);
 }
 
-/// Index of the option that a word without its dashes names, whole or by its beginning, or the count of all.
+/// Returns the index of the option that a word without its dashes names, by its whole name or its beginning; `count` if
+/// there is none.
 static size_t find_option(const option_names *all, const char *word, size_t length) {
     for (size_t i = 0; i < all->count; i++)
         if (strncmp(all->names[i], word, length) == 0) return i;
@@ -44,14 +45,14 @@ static bool takes_next(const struct argp *argp, const char *word) {
     return false;
 }
 
-/// Suggests an option for an unknown one. Returns false if it did, or nothing is similar.
+/// Suggests the nearest option for an unknown one and returns false; returns true if none is similar.
 static bool know_option(const option_names *all, const char *program, const char *word, size_t length) {
     char name[64];
     if (length >= sizeof name) return true;
     memcpy(name, word, length);
     name[length] = '\0';
     const char *nearest = whirl_nearest_name(name, all->names, all->count);
-    if (!nearest) return true; // argp says that there is none
+    if (!nearest) return true; // argp reports it
     complain_as(program, "there is no option '--%s', did you mean '--%s'?", name, nearest);
     return false;
 }
@@ -60,7 +61,7 @@ static bool know_options(const struct argp *argp, int argc, char **argv, unsigne
     option_names all;
     collect(argp, &all);
     for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
-        if (argv[i][0] != '-' && (flags & ARGP_IN_ORDER)) return true; // the rest is a command's
+        if (argv[i][0] != '-' && (flags & ARGP_IN_ORDER)) return true; // the command reads the other arguments
         if (strncmp(argv[i], "--", 2) != 0) {
             i += argv[i][0] == '-' && takes_next(argp, argv[i]);
             continue;
@@ -74,7 +75,7 @@ static bool know_options(const struct argp *argp, int argc, char **argv, unsigne
 }
 
 int read_arguments(const struct argp *argp, int argc, char **argv, unsigned flags, void *input) {
-    guard_rest(); // argp ends the program by itself
+    guard_rest(); // argp may end the program itself
     if (!know_options(argp, argc, argv, flags)) return EXIT_BAD_INPUT;
     const error_t failed = argp_parse(argp, argc, argv, flags, NULL, input);
     guard_begin();

@@ -12,8 +12,8 @@
 
 enum { PATH_SIZE = 4096 };
 
-/// Opens an anonymous file in `folder`, if the system has such; else one with a temporary result's name, which a later
-/// run removes.
+/// Opens an anonymous file in `folder`. On systems without anonymous files it opens one with a temporary name of the
+/// result, which a later run removes if it is left.
 static int trial_file(const char *folder, const char *path) {
 #ifdef O_TMPFILE
     const int nameless = open(folder, O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
@@ -31,7 +31,7 @@ static int trial_file(const char *folder, const char *path) {
     return file;
 }
 
-/// Folder of `path`: "." or the part up to the last '/'.
+/// Writes the folder of `path`: the part up to the last '/', or ".". Returns false if it is too long.
 static bool folder_of(const char *path, char folder[PATH_SIZE]) {
     const char *slash = strrchr(path, '/');
     const int length = slash ? (int)(slash - path) + 1 : 0;
@@ -46,7 +46,7 @@ static bool folder_takes_files(const char *folder, const char *path) {
     return file >= 0;
 }
 
-/// Length of the longest suffix of a result's name: RESULT.h5.journal-NUMBER.tmp-PROCESS.
+/// Length of the longest suffix that is added to a result's name: RESULT.h5.journal-NUMBER.tmp-PROCESS.
 enum { LONGEST_ENDING = 40 };
 
 static bool name_is_short(const char *folder, const char *path) {
@@ -59,7 +59,7 @@ static bool name_is_short(const char *folder, const char *path) {
     return false;
 }
 
-/// Returns true if `path` is free or a file that a result may replace.
+/// Returns true if nothing is at `path`, or a file that a result may replace; otherwise reports an error.
 static bool is_no_other_thing(const char *path, const char *input) {
     struct stat there, source;
     if (stat(path, &there) != 0) return true;
@@ -77,7 +77,7 @@ static bool is_no_other_thing(const char *path, const char *input) {
 bool output_is_writable(const char *path, const char *input) {
     char folder[PATH_SIZE];
     struct stat found;
-    // A result has a name of its own, and the ending of one.
+    // Check the name: not empty, not that of the case or of a folder, no ending of another kind of file.
     if (path[0] == '\0') {
         complain("the name of the result is empty");
         return false;
@@ -87,7 +87,7 @@ bool output_is_writable(const char *path, const char *input) {
         complain("'%s' has the ending of another kind of file, expected the name of a result, such as result.h5", path);
         return false;
     }
-    // Its folder exists and takes files.
+    // Check the folder: it exists, and files can be made in it.
     if (strlen(path) + LONGEST_ENDING > PATH_SIZE || !folder_of(path, folder)) {
         complain("the path of the result is too long");
         return false;

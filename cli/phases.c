@@ -6,10 +6,10 @@
 
 #include "whirl/engine/report.h"
 
-/// Periods of the forces of a batch's machines.
+/// Periods of the forces of a batch's machines, in revolutions.
 typedef struct phases {
-    size_t fitting;     ///< machines whose forces repeat
-    size_t least, most; ///< periods in revolutions
+    size_t fitting;     ///< number of machines whose forces repeat
+    size_t least, most; ///< shortest and longest period
 } phases;
 
 static void phases_note(phases *seen, const whirl_system *system) {
@@ -24,7 +24,7 @@ static const char *plural(size_t count) {
     return count == 1 ? "" : "s";
 }
 
-/// Prints that the forces do not repeat, for all machines or some.
+/// Prints that forces do not repeat; who: "forces", or those of some machines.
 static void print_never(const char *who) {
     printf(
         "%s fit no period up to %d revolutions: stable motions that follow them are called quasi-periodic (forced)\n",
@@ -60,7 +60,7 @@ whirl_status print_phases(const whirl_study *study, const whirl_batch *batch, co
     phases seen = {0};
     whirl_batch own = *batch;
     own.outline = true;
-    // Note the phases of all machines, or of a thousand of them.
+    // Note the periods of all machines, or of a thousand of them.
     for (size_t i = 0; i < count; i++) {
         whirl_machine machine;
         const size_t at = batch->count * i / count;
@@ -69,7 +69,7 @@ whirl_status print_phases(const whirl_study *study, const whirl_batch *batch, co
         const bool turning = machine.system->turns != NULL;
         phases_note(&seen, machine.system);
         if (machine.release) machine.release(machine.owner);
-        if (!turning) return whirl_ok(); // machines of a batch differ in numbers, not in structure
+        if (!turning) return whirl_ok(); // nor in the other machines: machines of a batch differ only in numbers
     }
     // Print the phase that defines sections, then the others.
     if (*whirl_rotor_keyphasor(rotor))

@@ -1,4 +1,4 @@
-/// Report of `whirl check` on forces that do not rotate with the shaft.
+/// Prints, for `whirl check`, how forces repeat that do not turn with the shaft.
 #ifndef CLI_PHASES_H
 #define CLI_PHASES_H
 

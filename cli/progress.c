@@ -28,13 +28,13 @@ static double done_share(const whirl_progress *progress) {
     return progress->revolutions_total > 0 ? fmin(progress->revolutions_done / progress->revolutions_total, 1) : 0;
 }
 
-/// Writes "37 %, 190 of 521 points, 5310 revolutions/s, 1:04 min left"; "refining, round 2: ..." or "from neighbours,
-/// round 2: ..." in these stages.
+/// Writes the state of a run: "37 %, 190 of 521 points, 5310 revolutions/s, 1:04 min left", with "refining, round 2: "
+/// or "from neighbours, round 2: " before it in these stages.
 static void state_text(const whirl_progress *progress, char *text, size_t size) {
     const double computed = progress->revolutions_done - progress->revolutions_recalled;
     const double rate = progress->seconds > 0 ? computed / progress->seconds : 0;
     char left[32] = "?", round[48] = "";
-    // The first revolutions of all lanes are reported late.
+    // No rate is known in the first second: the first revolutions of all lanes are reported late.
     const bool known =
         rate > 0 && (progress->seconds >= 1.0 || progress->revolutions_done >= progress->revolutions_total);
     const double needed = known ? (progress->revolutions_total - progress->revolutions_done) / rate : (double)INFINITY;
@@ -49,7 +49,7 @@ static void state_text(const whirl_progress *progress, char *text, size_t size) 
                  progress->points_done, progress->points_total);
         return;
     }
-    // Points at rest, which no revolutions are counted of, count one each.
+    // Points at rest have no revolutions, and count as one each.
     const bool resting = progress->revolutions_total == (double)progress->points_total;
     snprintf(text, size, "%s%3.0f %%, %zu of %zu points%s, %.0f %s/s, %s left", round,
              floor(100 * done_share(progress)), progress->points_done, progress->points_total,
@@ -81,7 +81,7 @@ void progress_show(void *view_pointer, const whirl_progress *progress) {
         return;
     }
     const int tenth = (int)(10 * done_share(progress));
-    // A run may begin anew: a round of refinement, another method; and a map may turn out to need more points.
+    // Shares start from 0 again in a round of refinement or with another method, and fall if a map needs more points.
     const bool more = progress->stage == view->stage && view->points > 0 && progress->points_total > view->points;
     const bool goes_on = progress->round == view->round && progress->seconds >= view->seconds && !more;
     view->seconds = progress->seconds;

@@ -8,7 +8,7 @@
 #include "whirl/engine/report.h"
 #include "whirl/handles.h"
 
-/// Writes one of the two.
+/// Writes one file, STEM with `ending`. Returns the exit status.
 static int write_record_file(const whirl_result *result, const char *stem, const char *what, const char *ending,
                              bool force) {
     char path[4096], *text = NULL;

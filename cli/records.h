@@ -1,4 +1,4 @@
-/// Files that lie beside the result of a data set.
+/// Files of a data set that are written next to its result.
 #ifndef CLI_RECORDS_H
 #define CLI_RECORDS_H
 
@@ -6,9 +6,9 @@
 
 #include "whirl/engine/result.h"
 
-/// Writes the table and the data sheet of a result's records beside its file `output`: "-records.csv" and
-/// "-datasheet.md" in place of ".h5". Results of other studies have none. Existing files need `force`. Returns the exit
-/// status, after reporting errors.
+/// Writes the table and the data sheet of a result's records next to its file `output`, with "-records.csv" and
+/// "-datasheet.md" in place of ".h5". Results of other studies have no records, and nothing is written. Existing files
+/// need `force`. Returns the exit status, after reporting errors.
 int write_record_files(const whirl_result *result, const char *output, bool force);
 
 #endif

@@ -1,4 +1,4 @@
-/// whirl report: figures and a page from results.
+/// whirl report: draws the figures of results and writes pages.
 #include "command.h"
 
 #include <stdbool.h>
@@ -17,7 +17,7 @@ typedef struct report_arguments {
     bool lateral, torsional, quiet, force;
 } report_arguments;
 
-/// One result with the folder name that it gets in the report.
+/// A result, and the name of its folder in the report.
 typedef struct entry {
     whirl_result *result;
     char name[WHIRL_NAME_SIZE];
@@ -104,7 +104,8 @@ static error_t report_parse(int key, char *argument, struct argp_state *state) {
         arguments->explorer = argument;
         return 0;
     case ARGP_KEY_ARG:
-        return ARGP_ERR_UNKNOWN; // all of them at once, below
+        return ARGP_ERR_UNKNOWN; // taken together by ARGP_KEY_ARGS
+    // The results, and the folder of the report.
     case ARGP_KEY_ARGS:
         arguments->results = state->argv + state->next;
         arguments->count = (size_t)(state->argc - state->next);
@@ -120,7 +121,7 @@ static error_t report_parse(int key, char *argument, struct argp_state *state) {
     }
 }
 
-/// Reads one result; its file's name becomes its folder in the report, and must be unique.
+/// Reads a result. The name of its file becomes that of its folder in the report, and must be unique.
 static int read_entry(const char *path, entry *entries, size_t index) {
     entry *const mine = &entries[index];
     base_name(path, ".h5", mine->name, sizeof mine->name);
@@ -157,7 +158,7 @@ static const char *find_template(char path[PATH_SIZE]) {
     return NULL;
 }
 
-/// Reports whether the explorer was written.
+/// Prints the path of the explorer, or reports that it was not built.
 static void print_explorer(const report_arguments *arguments, bool built) {
     if (!built)
         complain("explorer.html is left out: its template is not built; `make explorer` builds it");
@@ -172,7 +173,7 @@ static int write_report(const report_arguments *arguments, const entry *entries,
     const char *explorer = arguments->explorer ? arguments->explorer : find_template(template);
     bool kept = false;
     whirl_status status = whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
-    // Write the report, unless that would replace something.
+    // Write the report; without --force no existing file may be replaced.
     if (results && names) {
         for (size_t i = 0; i < arguments->count; i++) {
             results[i] = entries[i].result;
@@ -193,7 +194,7 @@ static int write_report(const report_arguments *arguments, const entry *entries,
     free(results);
     free(names);
     if (kept) return EXIT_FAILED;
-    // Print the names of what was written.
+    // Print the paths of the pages.
     if (status.code == WHIRL_OK && !arguments->quiet) {
         printf("%s/report.html\n", arguments->directory);
         print_explorer(arguments, explorer != NULL);

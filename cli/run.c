@@ -40,9 +40,9 @@ static void check_arguments(study_arguments *arguments, const struct argp_state 
     if (!arguments->output && arguments->json && arguments->resume)
         bad_argument(state, "--resume needs the name of the result, -o RESULT.h5");
     if (arguments->json && arguments->share.count > 0)
-        bad_argument(state, "--json cannot be with --shard: what a shard computes is printed by 'whirl merge'");
+        bad_argument(state, "--json and --shard exclude each other: 'whirl merge' prints the points of shards");
     if (ranks_count() > 1 && arguments->share.count > 0)
-        bad_argument(state, "--shard cannot be with several ranks: points are dealt out to them");
+        bad_argument(state, "--shard excludes several ranks, which share the points of a study already");
     if (ranks_count() > 1 && is_standard_input(arguments->given.path))
         bad_argument(state, "several ranks cannot read a case from standard input, expected CASE.yaml");
     if (ranks_count() > 1 && arguments->json && !arguments->output)

@@ -1,4 +1,4 @@
-/// whirl show: the summary of results that are there, once more.
+/// whirl show: prints the summary of existing results.
 #include "command.h"
 
 #include <stdbool.h>
@@ -28,7 +28,7 @@ static error_t show_parse(int key, char *argument, struct argp_state *state) {
         arguments->full = parse_json(argument, state);
         return 0;
     case ARGP_KEY_ARG:
-        return ARGP_ERR_UNKNOWN; // all of them at once, below
+        return ARGP_ERR_UNKNOWN; // taken together by ARGP_KEY_ARGS
     case ARGP_KEY_ARGS:
         arguments->first = state->next;
         if (arguments->json && state->argc - state->next > 1)

@@ -41,7 +41,8 @@ static void report_stop(const whirl_status *status) {
         complain("%s", status->message);
 }
 
-/// Returns the exit status of a run. A rank that ended because of another one leaves the message to that one.
+/// Returns the exit status of a run, after reporting why it ended early. A rank that ended because another one failed
+/// reports nothing.
 static int outcome_of(const whirl_status *status, const together *all) {
     if (all->failed) return EXIT_UNFINISHED;
     if (status->code != WHIRL_STOPPED) return complain_of(status);
@@ -62,7 +63,7 @@ static int compute(const study_arguments *arguments, const whirl_case *object, r
         .context = &view,
         .stop = interrupt_watch(),
         .keeper = journal->journal ? whirl_journal_keeper(journal->journal) : NULL,
-        // Points in a journal are not kept in memory as well.
+        // Points that are in a journal need not be in memory, too.
         .memory = whole ? 0 : LITTLE,
         .share = arguments->share,
         .gather = arguments->merge,
@@ -78,7 +79,7 @@ static int compute(const study_arguments *arguments, const whirl_case *object, r
     return outcome;
 }
 
-/// Makes the tables of films that the study needs, before a journal is begun.
+/// Makes the film tables that the study needs, before the journal begins.
 static int prepare(const study_arguments *arguments, const whirl_case *object) {
     progress_view view = progress_begin();
     const whirl_run_options how = {.threads = arguments->given.threads,
@@ -109,7 +110,7 @@ static whirl_status add_facts(whirl_result *result, const char *const facts[][2]
 
 // ---------------------------------------------------------------- output
 
-/// Writes the result and makes sure of it.
+/// Writes the result, then compares the file with it. Returns the exit status.
 static int save(const study_arguments *arguments, const whirl_result *result) {
     guard_output(arguments->output);
     whirl_status status = whirl_result_write(result, arguments->output);
@@ -143,27 +144,30 @@ static bool would_cover(const char *path, const whirl_result *result) {
     return complete;
 }
 
-/// Saves and shows a result; a partial one does not replace a complete one. Large tables are in the journal, which
-/// stays open until everything is printed, and is removed only when a complete result is safe.
+/// Saves and shows a result. A partial result does not replace a complete one. The journal, which has the large tables,
+/// stays open until everything is printed, and is removed only when a complete result is written. Returns the exit
+/// status.
 static int deliver(const study_arguments *arguments, const whirl_result *result, run_journal *journal) {
     size_t done, total;
     if (would_cover(arguments->output, result)) {
-        complain("'%s' holds the complete result of an earlier run and is left as it is", arguments->output);
+        complain("'%s' holds the complete result of an earlier run and is kept", arguments->output);
         leave_journal(journal);
         return EXIT_DONE;
     }
+    // Save the result.
     int saved = arguments->output ? save(arguments, result) : EXIT_DONE;
     const bool partial = whirl_result_partial(result, &done, &total);
-    // Records are told from the file, which leaves their signals out.
-    whirl_result *told = NULL;
+    // Records of a data set are shown from the file: reading it leaves their signals out.
+    whirl_result *from_file = NULL;
     if (saved == EXIT_DONE && arguments->output && whirl_result_records(result)) {
-        saved = load_result(arguments->output, &told);
-        if (told) saved = write_record_files(told, arguments->output, arguments->force || arguments->resume);
+        saved = load_result(arguments->output, &from_file);
+        if (from_file) saved = write_record_files(from_file, arguments->output, arguments->force || arguments->resume);
     }
-    const int shown = saved == EXIT_DONE ? show(arguments, told ? told : result) : saved;
-    whirl_result_free(told);
+    const int shown = saved == EXIT_DONE ? show(arguments, from_file ? from_file : result) : saved;
+    whirl_result_free(from_file);
+    // Report a partial result, and end the journal.
     if (saved == EXIT_DONE && partial && arguments->output)
-        complain("'%s' %s and says so", arguments->output, done > 0 ? "is partial" : "has no points yet");
+        complain("'%s' %s, and is marked so", arguments->output, done > 0 ? "is partial" : "has no points yet");
     if (saved == EXIT_DONE && !partial)
         remove_journal(journal);
     else
@@ -189,7 +193,7 @@ static int deliver_with_facts(const study_arguments *arguments, whirl_result *re
     return complain_of(&status);
 }
 
-/// The part of a rank that is not the first: its journal is all there is.
+/// Computes the part of a rank other than the first, whose only output is its journal.
 static int contribute(const study_arguments *arguments, const whirl_case *object, run_journal *journal) {
     whirl_result *part = NULL;
     int outcome = compute(arguments, object, journal, &part);
@@ -200,7 +204,8 @@ static int contribute(const study_arguments *arguments, const whirl_case *object
     return outcome;
 }
 
-/// Computes or takes points from journals, and delivers the result; the output of a shard is its journal.
+/// Computes points or takes them from journals, then saves and shows the result. The only output of a shard is its
+/// journal.
 static int compute_and_deliver(const study_arguments *arguments, const whirl_case *object, run_journal *journal) {
     char started[32];
     whirl_result *result = NULL;
@@ -218,10 +223,10 @@ static int compute_and_deliver(const study_arguments *arguments, const whirl_cas
     return delivered != EXIT_DONE ? delivered : outcome;
 }
 
-// ---------------------------------------------------------------- the whole
+// ---------------------------------------------------------------- the whole command
 
-/// Explains a refusal if tasks were started in parallel unaware of each other and get into each other's way. The number
-/// of tasks alone is no reason to refuse, since each may run something else.
+/// Explains a refusal if several copies of `whirl` were started in parallel, which do not know of each other and want
+/// the same result. Several tasks alone are no error, since each may compute something else.
 static void report_tasks(const study_arguments *arguments) {
     static const char *const names[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}; // of Open MPI, of MPICH and Slurm
     for (size_t i = 0; i < sizeof names / sizeof *names && arguments->share.count == 0; i++) {

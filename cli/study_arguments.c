@@ -17,7 +17,7 @@ void note_command_line(study_arguments *arguments, int argc, char **argv) {
         used += (size_t)snprintf(text + used, size - used, "%s%s", i ? " " : "", argv[i]);
 }
 
-/// Reads a number above 0 of revolutions or time; all zero for other texts.
+/// Reads a budget, a number above 0 of revolutions or a time; returns all zero for other texts.
 static whirl_budget read_budget(const char *text) {
     static const struct {
         const char *name;
@@ -55,7 +55,7 @@ whirl_share parse_share(const char *text, const struct argp_state *state) {
     return share;
 }
 
-/// The case's name with .h5, in the current folder.
+/// Sets the default name of the result: the case's name with .h5, in the current folder.
 void name_output(study_arguments *arguments, const struct argp_state *state) {
     const size_t length = strlen(arguments->given.path);
     if (arguments->output) return;

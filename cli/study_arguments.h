@@ -1,4 +1,4 @@
-/// Arguments of commands that make a result.
+/// Arguments of commands that make a result, `whirl run` and `whirl merge`.
 #ifndef CLI_STUDY_ARGUMENTS_H
 #define CLI_STUDY_ARGUMENTS_H
 
@@ -21,10 +21,10 @@ typedef struct study_arguments {
     char command_line[COMMAND_LINE_SIZE];
 } study_arguments;
 
-/// Keys of their options; a command's own begin at KEY_STUDY_OWN.
+/// Keys of the shared options. A command's own keys begin at KEY_STUDY_OWN.
 enum { KEY_FORCE = KEY_OWN, KEY_JSON, KEY_REFINE, KEY_MAX_TIME, KEY_STUDY_OWN };
 
-/// Rows of their tables of options that read alike.
+/// Rows of options that both commands have in their tables.
 #define OUTPUT_OPTION                                                                                                  \
     {                                                                                                                  \
         .name = "output", .key = 'o', .arg = "RESULT.h5",                                                              \
@@ -38,7 +38,7 @@ enum { KEY_FORCE = KEY_OWN, KEY_JSON, KEY_REFINE, KEY_MAX_TIME, KEY_STUDY_OWN };
                "--refine='10 min' (default: as many revolutions as the study has)"                                     \
     }
 
-/// The command line as it was typed, before argp reorders it.
+/// Keeps the command line as it was typed, before argp reorders it.
 void note_command_line(study_arguments *arguments, int argc, char **argv);
 
 /// Parses -o, -q, --force, --json, --refine, --max-time and the arguments of parse_case_argument in an argp parser.
@@ -47,7 +47,7 @@ error_t parse_study_argument(study_arguments *arguments, int key, char *argument
 /// Sets the default name of the result: the case's name with .h5, in the current folder.
 void name_output(study_arguments *arguments, const struct argp_state *state);
 
-/// A share as it is written, "2/7"; complains of anything else.
+/// Reads a share, "2/7"; reports an error for other texts.
 whirl_share parse_share(const char *text, const struct argp_state *state);
 
 #endif

@@ -4,7 +4,7 @@
 
 #include "whirl/engine/study.h"
 
-/// One line a batch: points, revolutions, steps.
+/// Prints a line for each batch: points, revolutions, steps.
 void summarize_study(const whirl_study *study);
 
 #endif

@@ -7,7 +7,7 @@ static const char *plural(double count) {
     return count == 1 ? "" : "s";
 }
 
-/// Prints the limits of a batch along branches.
+/// Prints the limits of a batch that follows branches.
 static void print_room(const whirl_batch *batch) {
     const double points = (double)batch->count;
     printf("%s%s: at most %d points, from ", *batch->second ? " and " : "", batch->second, batch->record.trace.points);
@@ -18,7 +18,8 @@ static void print_room(const whirl_batch *batch) {
         printf("%.0f value%s on\n", points, plural(points));
 }
 
-/// ": 25 points from 48 starts each, and from neighbours in up to 20 rounds, 8100 revolutions a start".
+/// Prints the points and starts of a batch: ": 25 points from 48 starts each, and from neighbours in up to 20 rounds,
+/// 8100 revolutions a start".
 static void print_starts(const whirl_batch *batch, double revolutions) {
     printf(": %zu point%s from %zu starts each, ", batch->count, plural((double)batch->count), batch->starts);
     if (batch->neighbours > 0)
@@ -63,7 +64,7 @@ void summarize_study(const whirl_study *study) {
             printf(": %s%.0f point%s, %.0f revolution%s each", batch->refine > 0 ? "at most " : "", points,
                    plural(points), revolutions, plural(revolutions));
         // The method.
-        if (strcmp(name, "auto") == 0) { // not chosen yet
+        if (strcmp(name, "auto") == 0) { // the method is not chosen yet
             printf(" by auto%s\n", batch->confirm ? ", confirmed" : "");
             continue;
         }

@@ -1,4 +1,4 @@
-/// whirl table: statements and sheets of a result, printed or as files.
+/// whirl table: prints statements and sheets of a result, or writes them to files.
 #include "command.h"
 
 #include <stdio.h>
@@ -32,7 +32,7 @@ static const struct argp_option options[] = {
     {0},
 };
 
-/// The formats, and how files of them end.
+/// The formats, and the endings of their files.
 static const char *const formats[][2] = {
     {"text", ".txt"}, {"csv", ".csv"}, {"latex", ".tex"}, {"markdown", ".md"}, {"json", ".json"}};
 enum { FORMATS = sizeof formats / sizeof *formats };
@@ -58,6 +58,7 @@ static error_t table_parse(int key, char *argument, struct argp_state *state) {
     case KEY_FORCE:
         arguments->force = true;
         return 0;
+    // The result, then the name of the sheet.
     case ARGP_KEY_ARG:
         if (arguments->result && arguments->sheet)
             bad_argument(state, "takes a result and the name of a sheet, '%s' is one too many", argument);

@@ -10,10 +10,11 @@ bool is_terminal(int descriptor);
 /// Returns true if colours may be written: to a terminal that is not dumb, without NO_COLOR (no-color.org).
 bool has_colours(int descriptor);
 
-/// Columns of the terminal of a file descriptor, at least 40; without a terminal COLUMNS, else 80.
+/// Returns the columns of the terminal of a file descriptor, at least 40. Without a terminal it is the variable
+/// COLUMNS, else 80.
 int terminal_columns(int descriptor);
 
-/// Columns of a text, in which continuation bytes of UTF-8 do not count.
+/// Returns the columns of a text in UTF-8: the number of its characters.
 int text_columns(const char *text);
 
 /// Prints words to standard output, in lines of at most `width` columns where possible. The first line continues at

@@ -9,10 +9,11 @@
 #include "progress.h"
 #include "ranks.h"
 
-/// The numbers that all ranks see; before these, how many pieces of each pass are dealt out.
+/// Indices of the numbers that all ranks see (ranks_add). Those before WORD_LEFT count, for each batch and pass, the
+/// points that were dealt out.
 enum {
-    WORD_LEFT = 2 * WHIRL_MAX_BATCHES, ///< ranks that are done
-    WORD_THREADS,                      ///< threads of all ranks
+    WORD_LEFT = 2 * WHIRL_MAX_BATCHES, ///< number of ranks that are done
+    WORD_THREADS,                      ///< number of threads of all ranks
     WORD_SHARED                        ///< first of the numbers that ranks exchange
 };
 
@@ -33,7 +34,7 @@ int open_together(const journal_wish *wish, const whirl_case *object, run_journa
     if (count == 1 || outcome != EXIT_DONE) return outcome;
     ranks_share(all_done, sizeof *all_done);
     if (number > 0) there = find_journals(wish->output);
-    // No rank begins a journal before all have looked for existing ones.
+    // All ranks must have looked for existing journals before any rank begins its own.
     ranks_agree(EXIT_DONE);
     if (number > 0 && !*all_done) outcome = open_rank_journal(wish, object, &there, journal);
     free_journal_names(&there);
@@ -59,7 +60,7 @@ static int make_known(together *t, const whirl_case *object) {
     return complain_of(&made);
 }
 
-/// Shares the points known to the first rank's journal.
+/// Sends to all ranks which points the first rank's journal has.
 static void share_known(together *t) {
     size_t size = 0, points = 0, known = 0;
     for (size_t i = 0; i < 2 * t->batch_count; size += t->slots[i++])
@@ -92,7 +93,8 @@ static bool open_point(void *context, size_t batch, size_t slot) {
     return !t->known[batch][slot];
 }
 
-/// Claims an eighth of this rank's part of the remaining points; single points at the end.
+/// Claims points for this rank: an eighth of its part of the remaining points, at the end single points. Returns their
+/// number.
 static size_t claim(void *context, size_t batch, size_t count, size_t *first) {
     together *t = context;
     const int64_t all = (int64_t)count, left = all - t->dealt[batch];
@@ -104,15 +106,15 @@ static size_t claim(void *context, size_t batch, size_t count, size_t *first) {
     return before < all ? (size_t)(t->dealt[batch] - before) : 0;
 }
 
-// ---------------------------------------------------------------- while they compute
+// ---------------------------------------------------------------- while ranks compute
 
 void together_look(void) {
     const int number = interrupt_signal();
     if (number) ranks_raise(WORD_SHARED + SHARED_STOP, number);
 }
 
-/// Reports this rank's work since the last time to the others, and receives that of all. A signal to one rank reaches
-/// all, and a failure ends all.
+/// Adds this rank's work since the last exchange to the shared numbers, and reads those of all ranks. So a signal to
+/// one rank reaches all, and a failure of one ends all.
 static void exchange(together *t) {
     const whirl_progress *own = &t->own;
     int64_t now[SHARED_NUMBERS], all[SHARED_NUMBERS];
@@ -133,7 +135,7 @@ static void exchange(together *t) {
     if (all[SHARED_STOP] > 0 && !interrupt_signal()) interrupt_pass_on((int)all[SHARED_STOP]);
 }
 
-/// Shows the progress of gathering; only points that were unknown before count.
+/// Prepares the progress that is shown while points are gathered; only points that were unknown before count.
 static void show_gathered(together *t) {
     t->shown = t->own;
     if (t->own.stage <= WHIRL_STAGE_CONFIRM) t->shown.revolutions_recalled = t->known_share * t->own.revolutions_done;
@@ -146,9 +148,9 @@ static void show(together *t) {
 }
 
 static void on_progress(void *context, const whirl_progress *own) {
-    const double seldom = 0.5; // seconds: other ranks than the first wait for an answer
+    const double interval = 0.5; // s: an exchange makes other ranks than the first wait for an answer
     together *t = context;
-    if (ranks_number() > 0 && own->seconds < t->own.seconds + seldom) return;
+    if (ranks_number() > 0 && own->seconds < t->own.seconds + interval) return;
     t->own = *own;
     show(t);
 }
@@ -156,10 +158,10 @@ static void on_progress(void *context, const whirl_progress *own) {
 // ---------------------------------------------------------------- gathering
 
 static whirl_status gather(void *context) {
-    enum { SELDOM = 100 }; // rests of some milliseconds
+    enum { ROUNDS = 100 }; // rests of some milliseconds between two exchanges
     together *t = context;
     for (int rests = 0; ranks_add(WORD_LEFT, 0) < ranks_count() - 1 && !t->failed; rests++) {
-        if (rests % SELDOM == 0) show(t);
+        if (rests % ROUNDS == 0) show(t);
         ranks_rest();
     }
     exchange(t);

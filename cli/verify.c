@@ -1,4 +1,4 @@
-/// whirl verify: how far the verdicts of a case depend on numerics.
+/// whirl verify: finds out how far the verdicts of a case depend on numerics.
 #include "command.h"
 
 #include <math.h>
@@ -18,7 +18,8 @@ enum { SAMPLE = 9, MAX_POINTS = 10000, MAX_REVOLUTIONS = 1000000, NAME_SIZE = 64
 typedef struct verify_arguments {
     case_arguments given;
     whirl_verify_options options;
-    int points; ///< points of the sweep; 0: those of the detail or of the response, or a few of the sweep
+    int points; ///< number of points of the sweep; 0: all points of the detail or of the response, or a few of the
+                ///< sweep
     bool json, quiet;
 } verify_arguments;
 
@@ -78,7 +79,8 @@ static const whirl_batch *find_batch(const whirl_study *study, whirl_role role) 
     return NULL;
 }
 
-/// `count` of the batch's points, the first and the last among them; `values` [3 count].
+/// Reduces a batch to `count` of its points, the first and the last among them. values [3 count]: memory for their
+/// values.
 static void sample(whirl_batch *batch, size_t count, double *values) {
     for (size_t i = 0; i < count; i++) {
         const size_t at = count > 1 ? i * (batch->count - 1) / (count - 1) : 0;
@@ -91,7 +93,7 @@ static void sample(whirl_batch *batch, size_t count, double *values) {
     if (batch->third_values) batch->third_values = values + 2 * count;
     if (batch->row > 0) batch->row = count;
     if (batch->plane > 0) batch->plane = count;
-    batch->refine = 0; // these points, and no others
+    batch->refine = 0; // no points are added
     batch->count = count;
 }
 
@@ -126,7 +128,7 @@ static int choose_points(const verify_arguments *arguments, whirl_study *study, 
 
 // ---------------------------------------------------------------- the table
 
-/// "1024 steps", "rtol 1e-09".
+/// Writes the tolerance of a run: "1024 steps", "rtol 1e-09".
 static void tolerance_text(const whirl_integrate_options *how, char text[NAME_SIZE]) {
     if (whirl_method_is_adaptive(how->method))
         snprintf(text, NAME_SIZE, "rtol %.3g", how->rtol);
@@ -141,7 +143,7 @@ static void print_number(const char *format, int width, double value) {
     printf(" %*s", width, text);
 }
 
-/// Prints the observed order next to the last of its three levels.
+/// Prints the observed order in the line of the last level.
 static void print_order(const whirl_verification *v, const whirl_verify_point *point, int m, int level) {
     char text[NAME_SIZE] = "";
     if (level == WHIRL_VERIFY_LEVELS - 1)
@@ -176,12 +178,12 @@ static void print_run(const whirl_verification *v, const whirl_verify_point *poi
     printf("  %s\n", verdict);
 }
 
-/// Verdicts with the number of runs that give them: "P-1 (4), P-2 (2)".
+/// Prints the verdicts of a point, with the number of runs that give them: "P-1 (4), P-2 (2)".
 static void print_verdicts(const whirl_verify_point *point) {
     const whirl_verify_run *const runs = point->runs[0];
     enum { RUNS = WHIRL_VERIFY_METHODS * WHIRL_VERIFY_LEVELS };
     char names[RUNS][NAME_SIZE];
-    // Names of all verdicts.
+    // Write the names of all verdicts.
     for (int i = 0; i < RUNS; i++) {
         const whirl_verdict short_verdict = {.regime = runs[i].verdict.regime, .period = runs[i].verdict.period};
         if (short_verdict.regime == WHIRL_PERIODIC)
@@ -253,7 +255,7 @@ static int verify(const verify_arguments *arguments, const whirl_study *study, w
     return EXIT_FAILED;
 }
 
-/// Unit in which the case writes the swept parameter.
+/// Returns the unit in which the case writes a parameter.
 static whirl_unit unit_of(const whirl_case *object, const char *parameter) {
     whirl_result *outline = NULL;
     whirl_unit unit = {.name = "", .size = 1.0};

@@ -1,9 +1,9 @@
-// One process is all there is.
+// The functions of ranks.h for `whirl`, which has one process.
 #include "ranks.h"
 
 #include "cores.h"
 
-/// Numbers that only this process sees; the interface knows them by their place.
+/// The numbers of ranks_add and its like, by their index.
 static int64_t words[RANKS_WORDS];
 
 void ranks_begin(int *argc, char ***argv) {

@@ -1,4 +1,4 @@
-// The processes that mpirun or srun have started.
+// The functions of ranks.h for `whirl-mpi`, by MPI: processes that mpirun or srun have started.
 #define _GNU_SOURCE // sched_getaffinity, on_exit; NOLINT(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
 #include "ranks.h"
 
@@ -13,14 +13,14 @@
 #include "command.h"
 #include "cores.h"
 
-/// Outcome of all ranks.
+/// Outcome of all ranks together.
 typedef struct outcome {
     int failure;  ///< largest exit status of a failed rank, 0 if none failed
     int reporter; ///< the first rank that has it
     int first;    ///< exit status of the first rank
 } outcome;
 
-/// There is one MPI in a process.
+/// State of this rank: a process has one MPI.
 static struct {
     int count, number;
     int64_t words[RANKS_WORDS]; ///< used on the first rank
@@ -31,11 +31,11 @@ static struct {
     char *text;
     size_t text_size;
     bool dismissed; ///< the first rank works alone
-    bool over;      ///< all ranks know how they came out
+    bool over;      ///< all ranks have exchanged their outcomes, in `end`
     outcome end;
 } ranks = {.count = 1, .lock = PTHREAD_MUTEX_INITIALIZER, .asking = PTHREAD_MUTEX_INITIALIZER};
 
-/// Calls of MPI are made by one thread at a time (MPI_THREAD_SERIALIZED).
+/// Locks MPI: only one thread may call it at a time (MPI_THREAD_SERIALIZED).
 static void lock(void) {
     pthread_mutex_lock(&ranks.lock);
 }
@@ -64,7 +64,7 @@ void ranks_rest(void) {
     rest(2000);
 }
 
-/// Waits without keeping a core busy, as MPI_Wait does: others on the same computer may be computing.
+/// Waits for a request without keeping a core busy, as MPI_Wait would: other ranks may be computing on it.
 static void await(MPI_Request *request, ranks_meanwhile meanwhile) {
     for (;;) {
         int done;
@@ -77,11 +77,11 @@ static void await(MPI_Request *request, ranks_meanwhile meanwhile) {
     }
 }
 
-// ---------------------------------------------------------------- numbers that all see
+// ---------------------------------------------------------------- numbers that all ranks see
 
-// They lie with the first rank, and the others ask for them by messages. One-sided communication would do without an
-// answerer where the network reaches into memory by itself; elsewhere MPI emulates it by such messages, too, and that
-// of Open MPI 4.1 does not survive all of it.
+// The first rank stores them, and a thread of it answers requests of the others. One-sided communication needs no such
+// thread if the network can access memory by itself. Elsewhere MPI emulates it by messages, too, and the emulation of
+// Open MPI 4.1 fails at times.
 
 enum { TAG_QUESTION = 1, TAG_ANSWER };
 
@@ -117,8 +117,8 @@ static bool answer_one(void) {
     return true;
 }
 
-/// Thread of the first rank that answers questions while its other threads compute. It polls less often without
-/// questions.
+/// Thread of the first rank that answers questions while its other threads compute. Without questions it polls less
+/// often.
 static void *answer(void *unused) {
     const long shortest = 100, longest = 2000; // microseconds
     for (long pause = shortest; !ranks.leaving; rest(pause)) {
@@ -130,7 +130,7 @@ static void *answer(void *unused) {
     return unused;
 }
 
-/// One question of a rank at a time.
+/// Asks the first rank and waits for the answer; a rank asks one question at a time.
 static void ask(const question *asked, int64_t before[RANKS_MAX]) {
     MPI_Request requests[2];
     pthread_mutex_lock(&ranks.asking);
@@ -178,14 +178,14 @@ void ranks_raise(size_t word, int64_t value) {
     change_for_all(&asked, before);
 }
 
-// ---------------------------------------------------------------- all together
+// ---------------------------------------------------------------- outcomes and data of all ranks
 
 static bool is_failure(int status) {
     return status != EXIT_DONE && status != EXIT_UNFINISHED;
 }
 
 static int agree(int status, ranks_meanwhile meanwhile) {
-    // With the rank in the second place, of which MPI_MAXLOC gives the lowest that has the largest number.
+    // MPI_MAXLOC takes pairs of a number and a rank, and gives the largest number with the lowest rank that has it.
     const int own[2][2] = {{is_failure(status) ? status : 0, ranks.number},
                            {ranks.number == 0 ? status : 0, ranks.number}};
     int worst[2][2];
@@ -207,7 +207,7 @@ int ranks_agree(int status) {
 }
 
 void ranks_share(void *bytes, size_t size) {
-    enum { PIECE = 1 << 30 }; // counts of MPI are whole numbers of 32 bits
+    enum { PIECE = 1 << 30 }; // MPI counts with whole numbers of 32 bits
     for (size_t at = 0; at < size && ranks.count > 1; at += PIECE) {
         MPI_Request request;
         const size_t left = size - at;
@@ -218,7 +218,8 @@ void ranks_share(void *bytes, size_t size) {
     }
 }
 
-/// Cores are shared by the ranks that may use them; 16 cores for 4 ranks are 4 each, whether they are bound or not.
+/// Returns the number of threads of this rank: its part of the cores that it may use. 4 ranks that share 16 cores have
+/// 4 each, whether ranks are bound to cores or not.
 static int part_of_cores(void) {
     cpu_set_t own, *all = NULL;
     MPI_Comm neighbours;
@@ -273,7 +274,7 @@ static void ranks_print(void) {
         dprintf(2, "%.*s", (int)ranks.text_size, ranks.text);
 }
 
-/// Ends the answering thread after the last question.
+/// Ends the answering thread once no rank asks any more.
 static void end_answers(void) {
     MPI_Request request;
     lock();
@@ -296,7 +297,7 @@ int ranks_end(int status, ranks_meanwhile meanwhile) {
     return common;
 }
 
-/// argp ends the program by itself.
+/// Called at exit, since argp ends the program itself.
 static void end_by_exit(int status, void *unused) {
     (void)unused;
     (void)ranks_end(status, NULL);
