@@ -1,4 +1,4 @@
-// // Findings of a balancing job: influence coefficients, weights, trial weights, vibration before and after, limits.
+// Findings of a balancing job: influence coefficients, weights, trial weights, vibration before and after, limits.
 #include "balance_parts.h"
 #include "findings_render.h"
 
@@ -55,20 +55,20 @@ void balance_name(const whirl_balance *of, size_t n, char *text, size_t size) {
 
 // ---------------------------------------------------------------- the view of a job
 
-/// /// A balancing job, its result, and the units in which it is shown.
+/// A balancing job, its result, and the units in which it is shown.
 typedef struct balance_view {
     finder to;
     whirl_shown_units units;
     const whirl_balance *of;
     const whirl_balance_model *model;
     const whirl_correction *found;
-    whirl_unit amplitude, influence; ///< units of vibrations as in the file, and of vibration per kg m
+    whirl_unit amplitude, influence; ///< units of vibrations, and of influence coefficients
 } balance_view;
 
 static const whirl_table balance_alone = {.name = "balance"};
 
-/// Returns the unit of vibrations: the unit of length that was asked for, counted (peak, peak to peak, rms) as asked
-/// for, else as in the file.
+/// Returns the unit of vibrations: a length in the requested unit, counted (peak, peak to peak, rms) as requested, or
+/// else as in the file.
 static whirl_unit amplitude_unit(const balance_view *v, const char *asked) {
     const whirl_unit *length = &v->units.of[WHIRL_QUANTITY_LENGTH];
     unit_choice choice;
@@ -85,7 +85,7 @@ static whirl_unit amplitude_unit(const balance_view *v, const char *asked) {
     return unit;
 }
 
-/// Returns the unit of influence coefficients: vibrations over weights, kg mm by default.
+/// Returns the unit of influence coefficients: vibration over unbalance, by default in kg mm.
 static whirl_unit influence_unit(const balance_view *v) {
     const whirl_unit *weight = &v->units.of[WHIRL_QUANTITY_UNBALANCE];
     whirl_unit unit = {.size = v->amplitude.size / weight->size};
@@ -105,7 +105,7 @@ static whirl_status view_begin(balance_view *v, const whirl_balance *of, const w
     return v->to.findings ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for what was found");
 }
 
-/// Returns the residual vibration of a row; 0 below the rounding of the largest vibration.
+/// Returns the residual vibration of a row; 0 if it is a rounding error of the largest vibration.
 static double left_of(const whirl_correction *found, const whirl_balance_row *row) {
     const double after = balance_size(row->after);
     double largest = 0.0;
@@ -117,7 +117,7 @@ static void phrase_amplitude(const balance_view *v, whirl_phrase *phrase, double
     phrase_unit(&v->to, phrase, &v->amplitude, 4, value);
 }
 
-/// "p2 at 3000 rpm"
+/// Writes a probe and a speed: "p2 at 3000 rpm".
 static void phrase_row(const balance_view *v, whirl_phrase *phrase, const char *probe, double speed) {
     phrase_text(&v->to, phrase, "%s at ", probe);
     phrase_number(&v->to, phrase, WHIRL_QUANTITY_SPEED, 6, speed);
@@ -128,7 +128,7 @@ static void phrase_moment(const balance_view *v, whirl_phrase *phrase, const dou
     phrase_text(&v->to, phrase, " at %.4g deg", balance_degrees(moment, balance_way_of_angles(v->of)));
 }
 
-/// "2.028 um in the mean square in place of 1.067 um"
+/// Writes the vibration that remains without a plane or set: "2.028 um in the mean square in place of 1.067 um".
 static void phrase_left(const balance_view *v, whirl_phrase *phrase) {
     phrase_amplitude(v, phrase, v->found->reduced.left);
     phrase_text(&v->to, phrase, " %s in place of ", v->of->least_max ? "at most" : "in the mean square");
@@ -137,7 +137,7 @@ static void phrase_left(const balance_view *v, whirl_phrase *phrase) {
 
 // ---------------------------------------------------------------- sentences
 
-/// Writes the force of a trial weight, a tenth of the load on a bearing.
+/// Writes the limit of a trial weight's force: a tenth of the load on a bearing.
 static void phrase_load(const balance_view *v, const whirl_balance_proposal *own, whirl_phrase *phrase) {
     const char *at = v->model && *v->model->bearing[own->bearing] ? v->model->bearing[own->bearing] : "";
     if (!(own->load > 0.0)) {
@@ -157,7 +157,7 @@ static void phrase_reason(const balance_view *v, size_t n, whirl_phrase *phrase)
         phrase_text(to, phrase, "no vibration was read near its speed");
         return;
     }
-    // Say what set the size: a force, the least clear change, the largest change, or a limit.
+    // State what limits the size: a force, the least clear change, the largest change, or a limit of vibration.
     const whirl_balance_row *row = &v->found->rows[own->row];
     if (own->reason == WHIRL_TRIAL_BY_FORCE) {
         phrase_text(to, phrase, "its force at ");
@@ -293,7 +293,7 @@ static void find_correction_statements(const balance_view *v) {
         phrase_moment(v, phrase, half);
         phrase_text(&v->to, phrase, " in %s, against it in %s", of->planes[0].name, of->planes[1].name);
     }
-    // Say how far the vibration may be off, and what a simpler correction would leave.
+    // State how far off the vibration may be, and what a simpler correction would leave.
     if (v->found->row_count > 0 && isfinite(v->found->rows[0].worst))
         phrase_text(&v->to, &find_statement(&v->to, "vibration after, at most")->found,
                     "where critical speeds are %.3g %% off the model's", 100.0 * of->model_error);

@@ -1,4 +1,4 @@
-// Balancing as a text, for programs in other languages.
+// Balances a rotor from a text to a text (JSON), for programs in other languages.
 #include "text_written.h"
 #include "whirl/engine/balance.h"
 #include "whirl/engine/case.h"

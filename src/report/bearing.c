@@ -22,7 +22,7 @@ static double degrees_of(double angle) {
 
 // ---------------------------------------------------------------- warnings
 
-/// "pads 2, 3" that carry nothing at a point; returns how many.
+/// Lists the pads that carry no load at a point, "2, 3"; returns their number.
 static size_t name_idle_pads(const whirl_bearing *of, const whirl_bearing_point *point, char *text, size_t size) {
     size_t idle = 0;
     *text = '\0';
@@ -86,7 +86,7 @@ static void phrase_idle(const finder *of, const whirl_bearing *bearing, const wh
         phrase_text(of, phrase, "pad%s %s carr%s nothing", several ? "s" : "", names, several ? "y" : "ies");
 }
 
-/// Words a warning of a point, or of the bearing as a whole (point NULL).
+/// Writes a warning about a point, or about the bearing as a whole (point NULL).
 static void phrase_remark(const finder *of, const whirl_bearing *bearing, const whirl_bearing_point *point,
                           whirl_bearing_remark remark, whirl_phrase *phrase) {
     // Remarks on one point: film, oil, mesh, pads.

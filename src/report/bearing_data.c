@@ -1,4 +1,4 @@
-// Result of a bearing as JSON, as CSV, and as an element of a case.
+// Writes the result of a bearing as JSON, as CSV, and as an element of a case.
 #include <math.h>
 #include <stdio.h>
 
@@ -27,7 +27,7 @@ static json_t *matrix(bool *well, size_t size, size_t row_size, const double *of
     return made;
 }
 
-/// Warnings of a point, or of the table (point NULL).
+/// Returns the warnings about a point, or about the table (point NULL).
 static json_t *warnings_of(bool *well, const whirl_bearing *of, const char *units, const whirl_bearing_point *point,
                            const whirl_bearing_remark *remarks, size_t count) {
     char text[STATEMENT_SIZE];
@@ -94,9 +94,9 @@ static json_t *both(bool *well, const double (*of)[2][2]) {
     return made;
 }
 
-/// Fills in the full matrix in x, y (m), tilts (rad), and pivot displacements (m) where pivots are elastic. The film of
-/// a pad sees (x, y) - R tilt t - displacement n, with t along the pad and n outwards; `pivot` goes to the diagonal of
-/// the displacements.
+/// Writes the full stiffness (which 0) or damping (1) matrix for x, y (m), tilts (rad) and, if pivots are elastic,
+/// pivot displacements (m). The film of a pad depends on (x, y) - R tilt t - displacement n, with t along the pad and n
+/// outwards. unit: of the films' coefficients; pivot: coefficient of pivots, on the diagonal of their displacements.
 static void fill_full(const whirl_bearing *of, const whirl_bearing_point *point, int which, double unit, double pivot,
                       double *out) {
     const size_t pads = of->pads.count, moves = of->pivot_stiffness > 0.0 ? 2 : 1;
@@ -285,8 +285,8 @@ static whirl_status check_table(const whirl_bearing_table *table) {
     return whirl_ok();
 }
 
-/// Fills in whirl frequencies from 0 to the highest speed, rising, in out [WHIRL_MAX_LIST]. All computed speeds are
-/// among them, so synchronous coefficients are exact.
+/// Writes rising whirl frequencies from 0 to the highest speed to out [WHIRL_MAX_LIST], and returns their number. All
+/// computed speeds are among them, so that synchronous coefficients are exact.
 static size_t frequencies_of(const whirl_bearing_table *table, double *out) {
     enum { EVEN = 12 };
     const double top = table->points[table->count - 1].speed;
@@ -307,7 +307,7 @@ static void put_list(FILE *out, const char *name, const double *numbers, size_t 
     for (size_t i = 0; i < count; i++) put_number(out, numbers[i], i + 1 < count ? ", " : "]\n");
 }
 
-/// Writes coefficient k: for each speed a list over the frequencies.
+/// Writes the table of coefficient k: for each speed a list over the frequencies.
 static void put_sheet(FILE *out, const whirl_bearing_table *table, const double *frequencies, size_t count, int k) {
     for (size_t i = 0; i < table->count; i++) {
         const whirl_bearing_point *point = &table->points[i];

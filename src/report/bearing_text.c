@@ -1,4 +1,4 @@
-// A bearing as a text, for programs in other languages.
+// Computes a bearing from a text to a text (JSON), for programs in other languages.
 #include <stdlib.h>
 
 #include "text_written.h"
@@ -14,7 +14,7 @@ typedef struct answer {
     const char *units;
 } answer;
 
-/// All figures of the table, as a list.
+/// Writes all figures of the table as a JSON list.
 static whirl_status write_figures(const void *of, FILE *stream) {
     const answer *const own = of;
     static const char *const names[] = {"curves", "sommerfeld", "locus"};

@@ -1,4 +1,4 @@
-// Files next to the signals of a data set: the table of its records, and its data sheet.
+// Writes the files that accompany the signals of a data set: the table of its records, and its data sheet.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -17,7 +17,7 @@ const whirl_table *whirl_result_records(const whirl_result *result) {
     return NULL;
 }
 
-/// Writes the name in a fact of a data set.
+/// Writes the name of label or parameter `number`, which is in a fact of the result.
 static void put_name(FILE *stream, const whirl_result *result, const char *what, size_t number) {
     char name[WHIRL_NAME_SIZE];
     records_fact(result, what, number, name);
@@ -35,9 +35,11 @@ void whirl_dataset_write_index(const whirl_result *result, FILE *stream) {
     const whirl_table *table = whirl_result_records(result);
     if (!table) return;
     const size_t parameters = (size_t)table->record.dataset.parameters;
+    // Headings.
     fputs("row,record,machine,split,label,severity,verdict,confidence,contact,speed,begin,seed", stream);
     for (size_t i = 0; i < parameters; i++) fputc(',', stream), put_name(stream, result, "parameter", i + 1);
     fputs("\r\n", stream);
+    // A row for each record.
     for (size_t p = 0, row = 0; p < table->count; p++) {
         if (!whirl_table_done(table, p)) continue;
         const double split = whirl_table_number(table, p, WHIRL_FIELD_DATASET_SPLIT, 0);
@@ -70,17 +72,19 @@ whirl_status whirl_dataset_write_sheet(const whirl_result *result, const char *n
     const whirl_status status = whirl_findings_new(result, NULL, &findings);
     if (status.code != WHIRL_OK) return status;
     const whirl_dataset_options *options = &table->record.dataset;
+    // The title and the files.
     fprintf(
         stream,
         "# %s\n\nComputed by whirl %s from the case %s, which is in the file with all its numbers. Files:\n\n"
         "- `%s.h5`: the result. Its dataset `records/dataset/signals` holds [record][channel][sample] as float32; a "
         "row of it is a row of all other datasets of `records`, and of the table.\n"
-        "- `%s-records.csv`: what each record is of: machine, set, label, severity, verdict on the computed motion "
-        "with its "
+        "- `%s-records.csv`: for each record its machine, set, label, severity, verdict on the computed motion with "
+        "its "
         "confidence, largest share of the time in contact, speed (rad/s), angle of the shaft at the first sample "
         "(revolutions), seed, and the parameters that differ (SI).\n\n",
         result->title[0] ? result->title : result->case_name, whirl_result_fact(result, "version"), result->case_name,
         name, name);
+    // Statements and sheets.
     for (size_t i = 0; i < findings->statement_count; i++) {
         char text[2 * WHIRL_MESSAGE_SIZE];
         if (strcmp(findings->statements[i].table, table->name) != 0) continue;
@@ -93,6 +97,7 @@ whirl_status whirl_dataset_write_sheet(const whirl_result *result, const char *n
         fprintf(stream, "\n## %s\n\n%s%s", sheet->title, sheet->about, *sheet->about ? "\n\n" : "");
         sheet_write_markdown(stream, sheet);
     }
+    // What the signals are worth.
     fprintf(
         stream,
         "\n## What to know before use\n\n"

@@ -1,11 +1,13 @@
 #include "document.h"
 
+#include <errno.h>
 #include <math.h>
 #include <string.h>
 
 #include "number_text.h"
 #include "utf8.h"
 #include "whirl/engine/descriptor.h"
+#include "whirl/status.h"
 
 enum { TEXT_SIZE = 1024 };
 
@@ -13,7 +15,7 @@ json_t *document_number(double value) {
     return isfinite(value) ? json_real(value) : json_null();
 }
 
-/// Bytes from a file need not be UTF-8.
+/// Copies a text that need not be valid UTF-8, with question marks for invalid bytes and control characters.
 static const char *make_valid(const char *from, char valid[TEXT_SIZE]) {
     size_t length = 0;
     while (*from && length + 4 < TEXT_SIZE) {
@@ -54,7 +56,7 @@ void document_put_members(bool *well, json_t *object, const whirl_member *member
         if (member->name) document_put(well, object, member->name, member_value(member, from));
 }
 
-/// A real number is written as one: 2.0, not 2.
+/// Writes a real number with a point or exponent: 2.0, not 2.
 static bool write_real(double value, FILE *stream) {
     char text[NUMBER_SIZE];
     number_text(value, text);
@@ -82,8 +84,8 @@ static bool write_object(json_t *object, FILE *stream) {
     return done && fputc('}', stream) != EOF;
 }
 
-/// Writes a value as Jansson does, except that real numbers have as many digits as they need. Documents are made here,
-/// so recursion depth is bounded.
+/// Writes a value as Jansson does, but real numbers with only as many digits as they need. All documents are made in
+/// this program, so that the depth of recursion is bounded.
 static bool write_value(json_t *value, FILE *stream) {
     switch (json_typeof(value)) {
     case JSON_OBJECT:
@@ -101,4 +103,13 @@ bool document_write(bool well, json_t *value, FILE *stream) {
     const bool done = well && value && write_value(value, stream);
     json_decref(value);
     return done;
+}
+
+whirl_status document_finish(bool well, json_t *object, FILE *stream) {
+    errno = 0;
+    well = document_write(well, object, stream);
+    fputc('\n', stream);
+    if (fflush(stream) != 0 || ferror(stream))
+        return whirl_fail(WHIRL_IO_ERROR, "cannot write JSON: %s", strerror(errno ? errno : EIO));
+    return well ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to write JSON");
 }

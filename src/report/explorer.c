@@ -21,7 +21,7 @@
 #include "whirl/engine/descriptor.h"
 #include "whirl/status.h"
 
-/// Placeholder for the results in the page's template.
+/// Placeholder in the page's template that the results replace.
 static const char mark[] = "@WHIRL-RUNS@";
 
 enum { MAX_TEMPLATE = 1 << 26 };
@@ -99,7 +99,8 @@ static bool is_sure(const whirl_table *table, size_t point) {
     return verdict.regime != WHIRL_UNDETERMINED && verdict.confidence != WHIRL_LOW;
 }
 
-/// Returns the point nearest to a value, with `sure` the nearest with a trusted verdict; table->count if there is none.
+/// Returns the finished point nearest to a value; sure: only points with a trusted verdict count. table->count if there
+/// is none.
 static size_t nearest_point(const whirl_table *table, double wanted, bool sure) {
     size_t best = table->count;
     for (size_t p = 0; p < table->count; p++) {
@@ -109,15 +110,15 @@ static size_t nearest_point(const whirl_table *table, double wanted, bool sure) 
     return best;
 }
 
-/// Returns the first table of motions that the page may compute; NULL if there is none.
+/// Returns the first table of motions that the page can compute itself; NULL if there is none.
 static const whirl_table *diagram_of(const whirl_result *result) {
     for (const whirl_table *table = result->tables; table < result->tables + result->table_count; table++)
         if (whirl_analysis_kind(table->analyses)->moves && !motions_beside(table)) return table;
     return NULL;
 }
 
-/// Chooses the point to show first: the case's detail point, else the middle of the sweep, moved to the nearest point
-/// with a trusted verdict if there is one. Returns NULL if no point is done.
+/// Chooses the point with which the page opens: the case's detail point, else the middle of the sweep, then the point
+/// with a trusted verdict nearest to that, if any. Returns its table; NULL if no point is done.
 static const whirl_table *find_opening(const whirl_result *result, size_t *point) {
     const whirl_table *diagram = diagram_of(result), *table = diagram;
     *point = 0;
@@ -177,7 +178,8 @@ static void write_unit(FILE *stream, char before, const char *name, const whirl_
     fputc('}', stream);
 }
 
-/// Returns true if lengths are to be over the length scale: the word "scale" of the report, or of its case.
+/// Returns true if lengths are shown over the length scale, because the units of the report or of the case have the
+/// word "scale".
 static bool scale_chosen(const whirl_result *result, const char *asked) {
     const char *const texts[] = {asked ? asked : "", whirl_result_fact(result, "units")};
     unit_choice choice;
@@ -189,16 +191,19 @@ static bool scale_chosen(const whirl_result *result, const char *asked) {
     return false;
 }
 
-/// Writes the units that the report or the case chose: of lengths, places along shafts, speeds (absent: none chosen),
-/// frequencies (in Hz; absent: orders), amplitudes, and of parameters, by their SI unit.
+/// Writes the units that the report or the case chose: how amplitudes are counted, and units of lengths, places along
+/// shafts, speeds, frequencies (size in Hz; absent: orders) and parameters (by SI unit). A unit that was not chosen is
+/// absent.
 static void write_units(FILE *stream, const whirl_result *result, const char *asked) {
     whirl_shown_units units;
-    if (whirl_result_shown_units(result, asked, &units).code != WHIRL_OK) return; // the report has refused such words
+    if (whirl_result_shown_units(result, asked, &units).code != WHIRL_OK)
+        return; // the report has rejected invalid units
     script_key(stream, ',', "shown");
     script_text_member(stream, '{', "amplitude", units.amplitude_name);
     if (units.size.size > 0.0) write_unit(stream, ',', "length", &units.size);
     script_key(stream, ',', "scale");
     fputs(scale_chosen(result, asked) ? "true" : "false", stream);
+    // Places, speeds and frequencies.
     const whirl_unit *position = &units.of[WHIRL_QUANTITY_POSITION];
     if (units.chosen[WHIRL_QUANTITY_POSITION]) write_unit(stream, ',', "position", position);
     if (units.speed.size > 0.0) write_unit(stream, ',', "speed", &units.speed);
@@ -207,6 +212,7 @@ static void write_units(FILE *stream, const whirl_result *result, const char *as
         snprintf(frequency.name, sizeof frequency.name, "%s", units.frequency_name);
         write_unit(stream, ',', "frequency", &frequency);
     }
+    // Parameters.
     script_key(stream, ',', "parameters");
     fputc('{', stream);
     whirl_unit unit;
@@ -237,7 +243,7 @@ static bool write_run(FILE *stream, const whirl_result *result, const whirl_case
     script_key(stream, ',', "tables");
     fputc('[', stream);
     const whirl_table *diagram = diagram_of(result);
-    // The page shows only figures and sheets of tables of samples.
+    // Tables of sampled machines are left out: the page shows only their figures and sheets.
     for (size_t t = 0, shown = 0; t < result->table_count; t++) {
         if (result->tables[t].tolerances.samples > 0) continue;
         if (shown++ > 0) fputc(',', stream);
@@ -250,8 +256,7 @@ static bool write_run(FILE *stream, const whirl_result *result, const whirl_case
     return well;
 }
 
-/// Writes the template up to `place`, the runs, and the rest of the template after the mark. Returns false without
-/// memory.
+/// Writes the template, with the runs in place of the mark at `place`. Returns false without memory.
 static bool write_page(FILE *stream, const char *page, const char *place, const whirl_result *const *results,
                        const whirl_case *const *machines, const char *const *names, size_t count, const char *units) {
     bool well = true;

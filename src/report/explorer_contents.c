@@ -1,4 +1,4 @@
-// Contents of a result in the explorer's page: statements, sheets and figures of every table.
+// Writes the findings of a result for the explorer's page: statements, sheets and figures of every table.
 #include "explorer_contents.h"
 #include "document.h"
 #include "findings_render.h"
@@ -20,22 +20,22 @@
 #include "shown_kinds.h"
 #include "whirl/engine/figure.h"
 
-/// Largest figure, and largest sum of the figures of a result, in bytes. A browser cannot take more; larger ones are
-/// left out.
+/// Largest size of a figure, and of all figures of a result, in bytes. Figures beyond these limits are left out, since
+/// they would be too much for a browser.
 enum { MAX_FIGURE = 4 << 20, MAX_FIGURES = 24 << 20 };
 
-/// A result whose contents are written.
+/// A result whose findings are written.
 typedef struct contents {
     FILE *stream;
-    whirl_result *view; ///< the result with every attractor once
+    whirl_result *view; ///< the result, with each attractor as a table of its own
     whirl_shown_units units;
     const whirl_case *machine;
     whirl_findings *findings;
     figure_list figures;
 } contents;
 
-/// Returns true if the page lists findings: for studies at rest, and for motions that it cannot compute. Other results
-/// appear in its live views.
+/// Returns true if the page shows findings of a result: for studies of machines at rest, and of motions that the page
+/// cannot compute. Other results are shown in the page's live views.
 static bool has_contents(const whirl_result *result) {
     for (size_t t = 0; t < result->table_count; t++) {
         const whirl_kind *kind = whirl_analysis_kind(result->tables[t].analyses);
@@ -66,7 +66,7 @@ static bool put_value(FILE *stream, const char *key, bool well, json_t *value) {
 
 // ---------------------------------------------------------------- tables
 
-/// Notes of a report on a table: motions in words, parameter ranges outside validity limits, contacts at rest.
+/// Returns notes on a table: its motions in words, parameter ranges outside validity limits, contacts at rest.
 static json_t *notes_of(bool *well, const contents *of, const whirl_table *table) {
     char motions[MOTIONS_TEXT_SIZE], text[RANGE_TEXT_SIZE];
     json_t *notes = json_array();
@@ -83,8 +83,8 @@ static json_t *notes_of(bool *well, const contents *of, const whirl_table *table
     return notes;
 }
 
-/// Returns the page's live view of a table; "" if there is none. Live views compute motions of the machine as it is in
-/// the case.
+/// Returns the name of the live view in which the page shows a table; "" if it has none. Live views compute motions of
+/// the case's machine.
 static const char *view_of(const whirl_table *table) {
     const shown_kind *kind = shown_kind_of(table);
     const whirl_kind *points = whirl_analysis_kind(table->analyses);
@@ -135,7 +135,8 @@ static char *figure_json(const contents *of, const figure_place *place, size_t *
     return NULL;
 }
 
-/// Writes all figures, each with its table ("" for the machine), and the titles of those that are too large.
+/// Writes all figures, each with the name of its table ("" for the machine), and the titles of figures that are left
+/// out.
 static bool put_figures(const contents *of) {
     size_t all = 0, put = 0;
     bool well = true;
@@ -158,18 +159,18 @@ static bool put_figures(const contents *of) {
             document_append(&well, left, document_text(place->name.title));
         free(json);
     }
-    // Write the titles of those that are left out.
+    // Write the titles of figures that are left out.
     fputc(']', of->stream);
     return put_value(of->stream, "left_out", well, left);
 }
 
 // ---------------------------------------------------------------- shaft lines
 
-/// Most points of a table with shaft lines, since each makes its machine again, and most numbers of them.
+/// Limits of shaft lines: points of a table, since each of them makes its machine again, and numbers.
 enum { MAX_BENT = 256, MAX_BENT_NUMBERS = 1 << 21 };
 
-/// Shaft lines of the points of a table at rest: places along the shafts, which are those of the first point, and
-/// shapes [points][modes, or 1][places][4] as x_cos, x_sin, y_cos, y_sin; NaN where the library has none.
+/// Shaft lines of a table at rest: places along the shafts (those of the first point), and shapes [points][modes, or
+/// 1][places][4] as x_cos, x_sin, y_cos, y_sin; NaN for points without a line.
 typedef struct bent_table {
     const whirl_table *table;
     size_t modes, places, *shaft;
@@ -183,7 +184,7 @@ static bool bent_has_places(const bent_table *b, const whirl_shaft_line *line) {
     return same;
 }
 
-/// Takes the places of the first line, and memory for all shapes. Returns false if these are too many.
+/// Copies the places of the first line, and allocates all shapes. Returns false if there are too many.
 static bool bent_begin(bent_table *b, const whirl_shaft_line *line) {
     const size_t numbers = b->table->count * b->modes * line->count * 4;
     if (numbers > MAX_BENT_NUMBERS) return false;
@@ -198,7 +199,7 @@ static bool bent_begin(bent_table *b, const whirl_shaft_line *line) {
     return true;
 }
 
-/// Fills in the shapes of a point, as figures draw them. Returns false if there is no room for any.
+/// Computes the shapes of a point, as figures draw them. Returns false if there are too many numbers.
 static bool bent_fill(const contents *of, bent_table *b, size_t point) {
     const drawing drawn = {of->view, &of->units, of->machine};
     shaft_bends *bends = whirl_table_done(b->table, point) ? bends_new(&drawn, b->table, point) : NULL;
@@ -232,7 +233,7 @@ static void bent_write(FILE *stream, const bent_table *b, const char *before) {
     fputs("\"}", stream);
 }
 
-/// Writes the shaft lines of modes and responses that are few enough.
+/// Writes the shaft lines of modes and responses, for tables within the limits.
 static void put_lines(const contents *of) {
     bool first = true;
     fputs(",\"lines\":[", of->stream);

@@ -1,4 +1,4 @@
-/// Findings of a result in the explorer: statements, sheets and figures of every table.
+/// Writes the findings of a result for the explorer: statements, sheets and figures of every table.
 #ifndef REPORT_EXPLORER_CONTENTS_H
 #define REPORT_EXPLORER_CONTENTS_H
 

@@ -8,15 +8,15 @@
 #include "mode_lines.h"
 #include "regimes.h"
 
-/// Limits of what a browser can load: points of a table, cells of a map, rows of its section, numbers of studies at
-/// rest, nodes of orbits. Beyond them data is thinned evenly. Maps with more cells than MAX_CELLS_IN_FULL have only the
-/// fields that are most used.
+/// Limits of what a browser can load: points of a table, cells of a map, numbers of a section, numbers of studies at
+/// rest, numbers of orbits' nodes. Beyond them data are thinned evenly. Maps with more cells than MAX_CELLS_IN_FULL
+/// have only the fields that are most used.
 enum {
     MAX_POINTS = 1 << 16,
     MAX_CELLS = 1 << 20,
     MAX_CELLS_IN_FULL = 1 << 14,
     MAX_SECTION = 1 << 20,
-    MIN_ROWS = 8,    ///< least rows of a section in such a map; with fewer it has no section
+    MIN_ROWS = 8,    ///< least number of rows of a section in such a map; with fewer it has no section
     MAX_ROWS = 4096, ///< largest number of rows of a field of a motion
     MAX_AT_REST = 1 << 22,
     MAX_NUMBERED = 127, ///< largest number of attractors with colours of their own
@@ -24,15 +24,15 @@ enum {
 };
 
 /// Points of a table that go into the page: every `stride`-th one; in maps every `stride`-th column and row of all
-/// planes. Sections are included for the first table, the diagram; the page computes the motions of other points.
-/// Studies at rest have all fields, branches all points.
+/// planes. Only the first table, the diagram, has sections: the page computes the motions of other points. Studies at
+/// rest have all fields, branches have all points.
 typedef struct selection {
     const whirl_table *table;
     size_t stride, count;
-    size_t first; ///< below `stride`
+    size_t first; ///< first selected point, below `stride`
     bool sections, moves;
-    bool lean;  ///< a large map, with its most used fields alone
-    bool whole; ///< all fields, with all of their rows
+    bool lean;  ///< a large map, which has only its most used fields
+    bool whole; ///< all fields have all of their rows
 } selection;
 
 /// Returns the first selected point from `point` on; table->count if there is none.
@@ -56,7 +56,7 @@ static size_t next_chosen(const selection *chosen, size_t point) {
     return chosen_from(chosen, point + 1);
 }
 
-/// Returns what closes a JSON list of points whose first item opens it: "[]" for an empty list.
+/// Returns the end of a JSON list of points whose first item writes the opening bracket: "[]" for an empty list.
 static const char *end_of_list(const selection *chosen) {
     return chosen->count == 0 ? "[]" : "]";
 }
@@ -69,8 +69,8 @@ static size_t thinned(size_t count, size_t stride) {
     return count ? (count - 1) / stride + 1 : 0;
 }
 
-/// Selects as many points of a map as allowed. Columns and rows are thinned by the same factor, so that squares that
-/// were not refined remain.
+/// Selects as many points of a map as allowed. Columns and rows are thinned by the same factor, so that squares which
+/// were not refined stay squares.
 static selection select_cells(const whirl_table *table, bool sections) {
     const size_t rows = whirl_table_rows(table), planes = whirl_table_planes(table);
     selection chosen = {.table = table, .stride = 1, .sections = sections};
@@ -96,7 +96,7 @@ static selection select_points(const whirl_table *table, bool sections) {
                        .moves = kind->moves};
 }
 
-/// Returns the columns and rows of a map in the page, in each of its planes.
+/// Number of a map's columns, rows and planes in the page.
 typedef struct page_grid {
     size_t columns, rows, planes;
 } page_grid;
@@ -157,8 +157,8 @@ static void write_widths(FILE *stream, const selection *chosen) {
     fputs(end_of_list(chosen), stream);
 }
 
-/// Writes the second (and third) parameter of a map, its columns and rows in the page, and the cell of every point (row
-/// by row, plane by plane) unless that is its number.
+/// Writes the second and third parameter of a map, its columns, rows and planes in the page, and the cell of every
+/// point, counted row by row and plane by plane, unless point n is in cell n.
 static bool write_cells(FILE *stream, const selection *chosen) {
     const page_grid grid = grid_of(chosen);
     script_key(stream, ',', "map");
@@ -191,13 +191,13 @@ static void write_attractor(FILE *stream, const whirl_table *table, const whirl_
     fputc('}', stream);
 }
 
-/// Writes the attractors of a basin, and the attractor's number of every point, from 1; 0: unknown.
+/// Writes the attractors of a basin, and for every point the number of its attractor, from 1; 0: unknown.
 static void write_attractors(FILE *stream, const selection *chosen) {
     const whirl_table *table = chosen->table;
     if (table->role != WHIRL_ROLE_BASIN) return;
     whirl_attractor found[MAX_ATTRACTORS];
     size_t *labels = calloc(table->count + 1, sizeof *labels), count = 0;
-    // Without memory the page shows regimes.
+    // Without memory they are left out, and the page shows regimes.
     if (labels && whirl_table_attractors(table, labels, found, MAX_ATTRACTORS, &count).code == WHIRL_OK) {
         script_key(stream, ',', "attractors");
         fputc('[', stream);
@@ -215,7 +215,7 @@ static void write_attractors(FILE *stream, const selection *chosen) {
     free(labels);
 }
 
-/// Writes a number of every chosen point.
+/// Writes numbers of all chosen points under a key, as float64 in base64.
 static void write_chosen(FILE *stream, const char *key, const selection *chosen, const double *values) {
     script_key(stream, ',', key);
     fputc('"', stream);
@@ -242,8 +242,9 @@ static void write_values(FILE *stream, const selection *chosen) {
     fputs(end_of_list(chosen), stream);
 }
 
-/// "...; attractor 2, 4.2 % +- 2.9 % of 48 starts", "...; attractor 3, found from a neighbour: 0 of 48 starts".
-static void tell_attractor(const whirl_table *table, size_t point, char *text, size_t size) {
+/// Appends the attractor of a point to a text: "...; attractor 2, 4.2 % +- 2.9 % of 48 starts", or "...; attractor 3,
+/// found from a neighbour: 0 of 48 starts".
+static void append_attractor(const whirl_table *table, size_t point, char *text, size_t size) {
     const size_t used = strlen(text);
     if (!table->attractors) return;
     const whirl_coexisting *one = &table->attractors[point];
@@ -266,7 +267,7 @@ static void write_verdicts(FILE *stream, const selection *chosen) {
         char name[WHIRL_NAME_SIZE], reason[WHIRL_MESSAGE_SIZE];
         whirl_verdict_name(&verdict, name, sizeof name);
         whirl_verdict_reason(&verdict, reason, sizeof reason);
-        tell_attractor(table, p, reason, sizeof reason);
+        append_attractor(table, p, reason, sizeof reason);
         fputc(before, stream);
         fputc('[', stream);
         script_text(stream, name);
@@ -277,13 +278,13 @@ static void write_verdicts(FILE *stream, const selection *chosen) {
     fputs(end_of_list(chosen), stream);
 }
 
-/// The part of a field that the page draws: one row with all columns; for machines at rest all rows; for the section
+/// The part of a field that goes into the page: one row with all columns; for machines at rest all rows; for a section
 /// the displacements x and y of its last rows.
 typedef struct kept_part {
     size_t first_row, rows, columns;
 } kept_part;
 
-/// Returns true for the fields that large maps have.
+/// Returns true for the most used fields, which large maps have.
 static bool is_looked_at_most(const whirl_field *field) {
     static const char *const names[] = {WHIRL_FIELD_REGIME_CODE,       WHIRL_FIELD_REGIME_PERIOD,
                                         WHIRL_FIELD_REGIME_CONFIDENCE, WHIRL_FIELD_LYAPUNOV_LARGEST,
@@ -294,7 +295,8 @@ static bool is_looked_at_most(const whirl_field *field) {
     return false;
 }
 
-/// Returns the rows of a field to write: the last ones of a section, the lowest orders of a spectrum.
+/// Returns the whole field, or the MAX_ROWS rows of it to write: the last ones of a section, the first ones (lowest
+/// orders) of a spectrum.
 static kept_part whole_part_of(const whirl_field *field) {
     const size_t rows = field->rows < MAX_ROWS ? field->rows : MAX_ROWS;
     const bool section = strcmp(field->name, WHIRL_FIELD_POINCARE_SECTION) == 0;
@@ -336,7 +338,7 @@ static void write_fields(FILE *stream, const selection *chosen) {
     // Names by extent, in the data of the page.
     static const char *const extents[] = {
         [WHIRL_PER_POINT] = "point", [WHIRL_PER_STATION] = "station", [WHIRL_PER_CONTACT] = "contact"};
-    // A table of starts has its blocks in the table that it was made from.
+    // A table of one attractor has its blocks in the table from which it was made.
     const whirl_table *source = chosen->table->source ? chosen->table->source : chosen->table;
     const whirl_layout *layout = &chosen->table->layout;
     script_key(stream, ',', "fields");
@@ -362,7 +364,7 @@ static void write_fields(FILE *stream, const selection *chosen) {
     fputc(']', stream);
 }
 
-/// Writes the crossings located between points, for all points, with all digits.
+/// Writes the critical speeds and thresholds located between points, for all points, with all digits.
 static void write_critical(FILE *stream, const whirl_table *table) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
     bool first = true;
@@ -414,7 +416,7 @@ static bool take_trace(const whirl_table *table, size_t point, whirl_trace *trac
     return whirl_table_done(table, point) && whirl_table_trace(table, point, trace).code == WHIRL_OK;
 }
 
-/// Returns the count of numbers of an orbit's nodes, the states at the beginnings of its segments.
+/// Returns the number of numbers in an orbit's nodes, the states at the beginnings of its segments.
 static size_t count_nodes(const whirl_orbit *orbit) {
     return orbit->segment_count * orbit->dimension;
 }
@@ -430,7 +432,7 @@ static size_t count_all_nodes(const whirl_table *table) {
     return all;
 }
 
-/// Writes the orbits of branches for comparison with motions: period and nodes, with all digits, of every
+/// Writes orbits of branches, which the page compares with motions: period and nodes, with all digits, of every
 /// "orbit_stride"-th point.
 static void write_orbits(FILE *stream, const whirl_table *table) {
     if (table->role != WHIRL_ROLE_BRANCHES || !whirl_layout_field(&table->layout, WHIRL_FIELD_TRACE_NODES) ||

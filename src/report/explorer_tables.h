@@ -1,4 +1,4 @@
-/// Tables in the explorer's page, thinned to what a browser takes in.
+/// Writes tables for the explorer's page, thinned to what a browser can load.
 #ifndef REPORT_EXPLORER_TABLES_H
 #define REPORT_EXPLORER_TABLES_H
 
@@ -8,7 +8,7 @@
 
 #include "whirl/engine/result.h"
 
-/// Writes one table, with sections on request. Returns false without memory.
+/// Writes a table; sections: with the Poincare sections of its motions. Returns false without memory.
 bool explorer_write_table(FILE *stream, const whirl_table *table, bool sections);
 
 /// Writes `,"fields": ...`: all fields of one point.

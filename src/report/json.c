@@ -1,4 +1,4 @@
-// Results as one JSON document, written point by point.
+// Writes a result as one JSON document, point by point.
 #include <errno.h>
 #include <math.h>
 #include <stdbool.h>
@@ -50,7 +50,8 @@ static bool dump_points(const char *key, const whirl_result *result, const whirl
 
 enum { MAX_JUMPS = 1000 };
 
-// Returns the jumps within a regime: the values on both sides, the station, the size and the usual size.
+// Returns the jumps of motions within a regime: parameter values on both sides, station, size of the jump and usual
+// size of a step.
 static json_t *jumps_of(bool *well, const whirl_result *result, const whirl_table *table) {
     json_t *array = json_array();
     size_t count = 0;
@@ -95,7 +96,7 @@ static whirl_status dump_findings(const whirl_result *result, FILE *stream) {
 
 enum { MAX_ATTRACTORS = 64 };
 
-// Writes the attractors of a basin, the one with most starts first, each with its first point (from 1 in "points").
+// Returns the attractors of a basin, the one with most starts first, each with its first point (from 1 in "points").
 static json_t *attractors_of(bool *well, const whirl_table *table) {
     json_t *array = json_array();
     whirl_attractor found[MAX_ATTRACTORS];
@@ -151,8 +152,8 @@ static bool dump_attractors(const whirl_result *result, FILE *stream) {
     return well && (!array || dump_member(",\n", "attractors", array, stream));
 }
 
-// Writes the refinement of a map: points of the grid and of a row, computed points, first stride, their mean
-// revolutions, and the estimated revolutions of the whole grid.
+// Writes the refinement of a map: points of the grid and of a row, computed points and their mean revolutions, width of
+// the first squares, and the estimated revolutions of the whole grid.
 static bool dump_refined(const whirl_result *result, FILE *stream) {
     bool well = true;
     const whirl_table *table = result->table_count ? &result->tables[0] : NULL;
@@ -206,14 +207,14 @@ static bool dump_film_tables(const whirl_result *result, FILE *stream) {
     return !*tables || dump_member(",\n", "film_tables", document_text(tables), stream);
 }
 
-/// Writes texts by their number, up to the first empty one.
+/// Writes texts by their index, up to the first empty one, in shown units.
 static bool dump_texts(const char *key, const char *(*text_of)(const whirl_result *, size_t),
                        const whirl_result *result, FILE *stream) {
     bool well = true;
     whirl_shown_units units;
     char said[SENTENCE_SIZE];
     json_t *texts = json_array();
-    whirl_result_shown_units(result, NULL, &units); // what a file says that is no unit chooses nothing
+    whirl_result_shown_units(result, NULL, &units); // invalid units in a file choose nothing
     for (size_t i = 0; *text_of(result, i); ++i) {
         whirl_shown_sentence(&units, text_of(result, i), said, sizeof said);
         document_append(&well, texts, document_text(said));
@@ -227,13 +228,13 @@ static bool dump_warnings(const whirl_result *result, FILE *stream) {
            (!*whirl_result_fit(result, 0) || dump_texts("fits", whirl_result_fit, result, stream));
 }
 
-/// Writes the number of points, and the first of them, from 1.
+/// Puts the number of points, and the first of them, counted from 1.
 static void put_points(bool *well, json_t *object, const whirl_left *left) {
     document_put(well, object, "points", document_number((double)left->points));
     document_put(well, object, "first", document_number((double)left->first + 1.0));
 }
 
-/// Writes validity ranges that points have left.
+/// Writes the validity ranges of laws that points have left.
 static bool dump_beyond(const whirl_result *result, FILE *stream) {
     bool well = true;
     json_t *all = json_array();
@@ -287,7 +288,6 @@ static bool dump_unfound(const whirl_result *result, FILE *stream) {
     return dump_member(",\n", "unfound", all, stream) && well;
 }
 
-/// Version of the document, raised when a key is removed or changes its meaning; the schema is
 /// Writes the tables of machines at rest with points that have another equilibrium.
 static bool dump_elsewhere(const whirl_result *result, FILE *stream) {
     bool well = true;
@@ -305,6 +305,7 @@ static bool dump_elsewhere(const whirl_result *result, FILE *stream) {
     return dump_member(",\n", "elsewhere", all, stream) && well;
 }
 
+/// Version of the document, raised when a key is removed or changes its meaning; the schema is
 /// docs/reference/result.schema.json.
 enum { DOCUMENT_FORMAT = 1 };
 

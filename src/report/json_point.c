@@ -1,4 +1,4 @@
-// One point of a result as JSON.
+// Makes the JSON object of one point of a result.
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -29,8 +29,8 @@ json_t *point_parameters(bool *well, const whirl_result *result, const whirl_tab
     return object;
 }
 
-// Writes the verdict. "confirmed" is the verdict at the second tolerance, null without one; "advice" is a change that
-// would settle the verdict.
+// Puts the confidence of a verdict. "confirmed" is the verdict at the second tolerance, null without one; "advice" is a
+// change of settings that would make the verdict definite.
 static void put_confidence(bool *well, json_t *object, const whirl_verdict *verdict) {
     char advice[WHIRL_MESSAGE_SIZE];
     whirl_verdict_advice(verdict, advice, sizeof advice);
@@ -61,7 +61,7 @@ static void put_refinement(bool *well, json_t *object, const whirl_table *table,
 
 static void put_verdict(bool *well, json_t *object, const whirl_table *table, size_t point) {
     if (!whirl_layout_has_verdict(&table->layout)) return;
-    // Put the regime, and where a motion that left its bounds did so.
+    // Put the regime, and where a diverging motion left its bounds.
     const whirl_verdict verdict = whirl_table_verdict(table, point);
     char name[WHIRL_NAME_SIZE], reason[WHIRL_MESSAGE_SIZE];
     whirl_verdict_name(&verdict, name, sizeof name);
@@ -138,8 +138,8 @@ static void put_exponents(bool *well, json_t *object, const whirl_table *table, 
     document_put(well, object, "exponents", exponents);
 }
 
-// Writes all single numbers and rows of an analysis ("orbit/") at a station or contact: orbit/max_radius, orbit/mean,
-// ...; forces in newtons.
+// Returns an object with all numbers and rows of an analysis ("orbit/") at a point, station or contact: max_radius,
+// mean, ... newtons: factor of forces.
 static json_t *numbers_of(const char *analysis, whirl_extent extent, double newtons, bool *well,
                           const whirl_table *table, size_t point, size_t which) {
     const size_t length = strlen(analysis);
@@ -169,7 +169,7 @@ static void put_floquet(bool *well, json_t *object, const whirl_table *table, si
     document_put(well, object, "floquet", floquet);
 }
 
-// "fraction" is another name of "share".
+// Returns the numbers of a contact; "fraction" is an older name of "share".
 static json_t *contact_numbers(bool *well, const whirl_result *result, const whirl_table *table, size_t point,
                                size_t contact) {
     json_t *object = numbers_of("rub/", WHIRL_PER_CONTACT, result->force_scale, well, table, point, contact);
@@ -185,7 +185,7 @@ static void put_rub(bool *well, json_t *object, const whirl_result *result, cons
     json_t *rub = json_object();
     json_t *contacts = json_object();
     document_put(well, rub, "contact", isnan(*contact) ? json_null() : json_boolean(*contact != 0.0));
-    // Without contacts the share is 0; a diverged motion has no statistics.
+    // Without contacts the share is 0; a diverged motion has none.
     const double none = isnan(*contact) ? (double)NAN : 0.0;
     document_put(well, rub, "fraction",
                  document_number(result->contact_count ? rub_share(table, point, result->contact_count) : none));
@@ -247,7 +247,7 @@ static json_t *station_synchronous(bool *well, const whirl_table *table, size_t 
     return object;
 }
 
-// Returns the share of the motion in these lines.
+// Returns the share of the motion that is in the lines of the spectrum.
 static json_t *station_share(bool *well, const whirl_table *table, size_t point, size_t station) {
     (void)well;
     return document_number(whirl_table_number(table, point, WHIRL_FIELD_SPECTRUM_SHARE, station));
@@ -326,7 +326,7 @@ static void put_trace(bool *well, json_t *object, const whirl_table *table, size
     whirl_orbit_free(at.point.orbit);
 }
 
-// Returns the existing rows of a field: all of their columns, or the first two.
+// Returns the rows of a field that have numbers.
 static json_t *rows_of(bool *well, const whirl_table *table, size_t point, const char *field, size_t which) {
     const whirl_field *found = whirl_layout_field(&table->layout, field);
     const double *row = whirl_table_field(table, point, field, which);
@@ -359,7 +359,7 @@ static void put_torus(bool *well, json_t *object, const whirl_table *table, size
     document_put(well, object, "torus", torus);
 }
 
-/// Returns the object of that name within another one; creates it if necessary.
+/// Returns the member `name` of an object, itself an object; creates it if necessary.
 static json_t *member(bool *well, json_t *object, const char *name) {
     if (!json_object_get(object, name)) document_put(well, object, name, json_object());
     return json_object_get(object, name);
@@ -380,8 +380,8 @@ static json_t *whole_field(bool *well, const whirl_table *table, size_t point, c
     return array;
 }
 
-/// Writes the values that the point reached in validity ranges ("law" names them), and the forces, N, of closed
-/// contacts: "ranges": {"left": 1, "reached": [[0.97, 0.95], ...], "held": {"rub at disc": 120}}.
+/// Puts the values that a point reached in the validity ranges of laws, and the forces (N) of contacts closed at rest:
+/// "ranges": {"left": 1, "reached": [[0.97, 0.95], ...], "held": {"rub at disc": 120}}.
 static void put_ranges(bool *well, json_t *object, const whirl_result *result, const whirl_table *table, size_t point) {
     const whirl_field *const field = whirl_layout_field(&table->layout, WHIRL_FIELD_RANGES_REACHED);
     if (field) {
@@ -426,7 +426,7 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
     document_put(well, object, "parameters", point_parameters(well, result, table, point));
     if (table->length_scales) document_put(well, object, "length_scale", document_number(table->length_scales[point]));
     if (table->branch[point] != 0) document_put(well, object, "branch", json_integer(table->branch[point]));
-    // Points of tori, of branches and of machines at rest have data of their own.
+    // Points of tori, of branches and of machines at rest have other data than motions.
     if (whirl_layout_field(&table->layout, WHIRL_FIELD_TORUS_NUMBER)) {
         put_torus(well, object, table, point);
         put_stations(well, object, "stations", station_torus, result, table, point);
@@ -442,7 +442,7 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
         put_ranges(well, object, result, table, point);
         return object;
     }
-    // Put what is known of a motion: its verdict, its stability, its contacts.
+    // Put the verdict of a motion, its stability and its contacts.
     if (table->refine > 0)
         document_put(well, object, "width",
                      document_number(whirl_table_number(table, point, WHIRL_FIELD_MAP_WIDTH, 0)));

@@ -1,4 +1,4 @@
-/// One point of a result as JSON.
+/// Makes the JSON object of one point of a result.
 #ifndef REPORT_JSON_POINT_H
 #define REPORT_JSON_POINT_H
 
@@ -7,13 +7,13 @@
 #include "mode_lines.h"
 #include "whirl/engine/result.h"
 
-/// Returns the values of given parameters; a varied one has the point's own value. Parameters given by expressions
-/// belong to the case as written, not to the point, and are left out.
+/// Returns the parameters of a point: those that the case gives as numbers, a varied one with the value at the point.
+/// Parameters given by expressions are left out, since their stored value is that of the case, not of the point.
 json_t *point_parameters(bool *well, const whirl_result *result, const whirl_table *table, size_t point);
 
-/// Returns all data of a point. With several starts at a place, `found` identifies the start (labels NULL: one start).
-/// `lines` has the names of its modes, NULL: modes were not followed. Without `full`, arrays with a row for every
-/// revolution or node are left out. `well` becomes false without memory.
+/// Returns all data of a point. found: attractors of places with several starts (labels NULL: one start). lines: names
+/// of modes; NULL: modes were not followed. full: with arrays that have a row for every revolution or node. `well`
+/// becomes false without memory.
 json_t *point_json(bool *well, const whirl_result *result, const whirl_table *table, size_t point,
                    const whirl_coexistence *found, const mode_lines *lines, bool full);
 

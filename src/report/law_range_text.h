@@ -1,4 +1,4 @@
-/// Points outside the validity range of an element's law.
+/// Describes points outside the validity range of an element's law, and points at rest with a peculiarity.
 #ifndef REPORT_LAW_RANGE_TEXT_H
 #define REPORT_LAW_RANGE_TEXT_H
 
@@ -14,8 +14,8 @@ enum { RANGE_TEXT_SIZE = 1024 };
 /// coefficients were found; reached 0.97 (37 of 256 points, first at 6400 rpm)". Returns false if no point has left it.
 bool law_range_text(const whirl_shown_units *units, const whirl_table *table, size_t index, char text[RANGE_TEXT_SIZE]);
 
-/// Describes points without an answer in studies at rest: "3 of 53 points, first at 1000 rpm: it could be followed up
-/// to 74.3 % of the static load, ...". Returns false if all points have one.
+/// Describes points of studies at rest without an equilibrium: "3 of 53 points, first at 1000 rpm: it could be followed
+/// up to 74.3 % of the static load, ...". Returns false if all points have an equilibrium.
 bool no_equilibrium_text(const whirl_shown_units *units, const whirl_table *table, char text[RANGE_TEXT_SIZE]);
 
 /// Describes points at rest with another equilibrium: "there is another one, up to 0.12 mm away, to which that of the

@@ -1,4 +1,5 @@
-/// The machine at a point of a result, which its parameter may change, from the case that the result holds.
+/// Makes the machine of a point of a result, from the case that the result holds and the values of its parameters
+/// there.
 #ifndef REPORT_MACHINE_AT_H
 #define REPORT_MACHINE_AT_H
 
@@ -11,16 +12,17 @@
 #include "whirl/engine/system.h"
 #include "whirl/status.h"
 
-/// Makes the case of a result, with the parameters of the run; free it with whirl_case_free. NULL if the result has no
-/// case, or one that cannot be read. WHIRL_NO_MEMORY.
+/// Makes the case of a result, with the parameters of the run; free it with whirl_case_free. *machine is NULL if the
+/// result has no case, or one that cannot be read. Fails with WHIRL_NO_MEMORY.
 whirl_status machine_of(const whirl_result *result, whirl_case **machine);
 
-/// Makes the cases of several results [count], freed by machines_free, also after a failure. WHIRL_NO_MEMORY.
+/// Makes the cases of several results [count]; free them with machines_free, also after a failure. Fails with
+/// WHIRL_NO_MEMORY.
 whirl_status machines_of(const whirl_result *const *results, size_t count, whirl_case ***machines);
 void machines_free(whirl_case **machines, size_t count);
 
-/// Returns the batch of a table in the study of a case, with the second and third parameter of a point; NULL if there
-/// is none. A part of *study.
+/// Makes *study the study of a case with the second and third parameter of a point, and returns the batch of the table
+/// in it; NULL if there is none.
 whirl_batch *machine_batch(const whirl_case *machine, const whirl_table *table, size_t point, whirl_study *study);
 
 /// Makes the machine of a point with the values of its batch, but with the case's own unbalances instead of unbalances
@@ -36,12 +38,12 @@ typedef struct machine_walls {
     double gap;       ///< gap to the stator
 } machine_walls;
 
-/// Returns the walls at a point, or those of the result's own case if the point's machine is unknown.
+/// Returns the walls around a station at a point, or those of the result's stations if the point's machine is unknown.
 machine_walls machine_walls_at(const whirl_case *machine, const whirl_result *result, const whirl_table *table,
                                size_t point, size_t station);
 
 /// Wall of the bearing or seal around a station: largest eccentricity in WALL_ANGLES directions from the x axis on, in
-/// length scales of the point; all the same if it is round.
+/// length scales of the point. All radii of a round wall are equal.
 enum { WALL_ANGLES = 720 };
 typedef struct machine_wall {
     bool round;
@@ -53,7 +55,7 @@ typedef struct machine_wall {
 void machine_wall_at(const whirl_case *machine, const whirl_table *table, size_t point, size_t station,
                      double clearance, machine_wall *out);
 
-/// Returns the radius in a direction (rad), interpolated linearly.
+/// Returns the radius of a wall in a direction (rad from the x axis), interpolated linearly.
 double machine_wall_radius(const machine_wall *wall, double angle);
 
 #endif

@@ -20,7 +20,7 @@ bool motions_beside(const whirl_table *table) {
     return table->role == WHIRL_ROLE_MOTIONS;
 }
 
-/// The paragraph being written.
+/// A paragraph that is being written, and what it describes.
 typedef struct paragraph {
     const whirl_case *machine;
     const whirl_shown_units *units;
@@ -44,7 +44,7 @@ static void paragraph_add(const paragraph *p, const char *format, ...) {
     va_end(arguments);
 }
 
-/// Adds " at 5700 rpm"; nothing without a parameter.
+/// Adds `before` and the parameter's value at a point, "5700 rpm"; adds nothing without a parameter.
 static void add_place(const paragraph *p, const char *before, size_t point) {
     if (!*p->table->parameter) return;
     paragraph_add(p, "%s%.6g%s%s", before, p->table->values[point] / p->unit.size, *p->unit.name ? " " : "",
@@ -64,7 +64,7 @@ static void add_unbalances(const paragraph *p) {
     if (record->placed_factor != 1.0) paragraph_add(p, ", %.4g times as large", record->placed_factor);
 }
 
-/// Reports motions without a verdict: their number, and their length.
+/// Adds the number of motions without a verdict, and their length.
 static void add_count(const paragraph *p) {
     size_t done = 0;
     for (size_t i = 0; i < p->table->count; i++) done += whirl_table_done(p->table, i);
@@ -162,10 +162,11 @@ static void add_clearance(const paragraph *p) {
 static void add_contact(const paragraph *p, size_t contact) {
     size_t touching = 0, done = 0, first = 0, last = 0, hardest = 0;
     double share = 0.0, force = 0.0;
+    // Count the motions that touch, and find the longest and the hardest contact.
     for (size_t i = 0; i < p->table->count; i++) {
         const double own = whirl_table_number(p->table, i, WHIRL_FIELD_RUB_SHARE, contact);
         const double strength = whirl_table_number(p->table, i, WHIRL_FIELD_RUB_MAX_FORCE, contact);
-        if (!whirl_table_done(p->table, i) || isnan(own)) continue; // of a motion that diverges it is not known
+        if (!whirl_table_done(p->table, i) || isnan(own)) continue; // unknown for a motion that diverges
         done++;
         if (!(own > 0.0)) continue;
         if (touching++ == 0) first = i;
@@ -173,6 +174,7 @@ static void add_contact(const paragraph *p, size_t contact) {
         share = fmax(share, own);
         if (strength > force) force = strength, hardest = i;
     }
+    // State how many touch, and where.
     if (done == 0) return;
     paragraph_add(p, "; %s ", p->view->contacts[contact]);
     if (touching == 0) {
@@ -182,6 +184,7 @@ static void add_contact(const paragraph *p, size_t contact) {
     paragraph_add(p, "touches in %zu of %zu motions", touching, done);
     add_place(p, touching > 1 ? ", from " : ", at ", first);
     if (touching > 1) add_place(p, " to ", last);
+    // State the longest contact and the largest force.
     const whirl_unit *const unit = &p->units->of[WHIRL_QUANTITY_FORCE];
     paragraph_add(p, ", at most %.3g %% of the time and with %.4g %s", 100.0 * share,
                   force * p->view->force_scale / unit->size, unit->name);
@@ -192,7 +195,7 @@ static void add_contact(const paragraph *p, size_t contact) {
 // ---------------------------------------------------------------- coexisting motions
 
 static void add_beside(const paragraph *p) {
-    // Without starts nothing is known of other motions.
+    // Without starts, other motions were not searched for.
     const whirl_table *table = p->table;
     double several = 0.0;
     size_t first = table->count;
@@ -200,13 +203,13 @@ static void add_beside(const paragraph *p) {
         paragraph_add(p, ". Coexisting motions were not searched for (starts).");
         return;
     }
-    // Count the places with several attractors, and find the first of them.
+    // Count the places with several attractors, and find the first such place.
     for (size_t i = 0; i < table->count; i++) {
         if (table->attractors[i].beside < 2) continue;
         several += 1.0 / (double)table->attractors[i].beside;
         if (first == table->count || table->attractors[i].place < table->attractors[first].place) first = i;
     }
-    // Say how many there are, and name the attractors of the first.
+    // State the number of places, and name the attractors of the first.
     if (first == table->count) {
         paragraph_add(p, ". From %zu starts a place no other motion was found", table->source->starts);
     } else {
@@ -224,7 +227,7 @@ static void add_beside(const paragraph *p) {
             before = " and ";
         }
     }
-    // Say what the search can miss.
+    // State what the search can miss.
     paragraph_add(p, "; one that fewer than %.2g %% of starts lead to may be missed.",
                   100.0 * whirl_missed_share(table->source->starts));
 }
@@ -248,9 +251,9 @@ void motions_text(const whirl_shown_units *units, const whirl_result *view, cons
 }
 
 // ---------------------------------------------------------------- law_range_text
-// Points beyond the range of a law, in words.
+// Points beyond the range of a law, as sentences.
 
-/// Adds the number and the first of the points, if there are several.
+/// Adds the number of points and the first of them, if there is a parameter.
 static void add_points(const whirl_shown_units *units, const whirl_table *table, const whirl_left *left,
                        char text[RANGE_TEXT_SIZE]) {
     const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
@@ -267,7 +270,7 @@ bool law_range_text(const whirl_shown_units *units, const whirl_table *table, si
     char said[RANGE_TEXT_SIZE];
     if (whirl_table_left(table, index, &left) == 0) return false;
     const char *const law = whirl_result_law_range(units->result, index), *unit = strstr(law, most);
-    // The reached value has the unit of "up to 4e9 Pa, ...".
+    // Find the unit of the limit ("Pa" in "up to 4e9 Pa, ..."), which is that of the reached value.
     unit = unit ? unit + strlen(most) + strcspn(unit + strlen(most), " ,") : "";
     snprintf(said, sizeof said, "%s; reached %.4g%.*s", law, left.reached, (int)strcspn(unit, ","), unit);
     whirl_shown_sentence(units, said, text, RANGE_TEXT_SIZE);

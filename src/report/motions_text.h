@@ -1,5 +1,5 @@
-/// Nonlinear motions of a lateral analysis in one paragraph: their kinds, their share of clearances, contacts and
-/// forces, and coexisting motions.
+/// Describes nonlinear motions in one paragraph: their kinds, their share of clearances, contacts and forces, and
+/// coexisting motions.
 #ifndef REPORT_MOTIONS_TEXT_H
 #define REPORT_MOTIONS_TEXT_H
 

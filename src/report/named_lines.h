@@ -1,4 +1,4 @@
-/// Lines of spectra by the names that the machine has for their orders.
+/// Names lines of spectra by the orders that parts of the machine have.
 #ifndef REPORT_NAMED_LINES_H
 #define REPORT_NAMED_LINES_H
 

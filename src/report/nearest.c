@@ -1,4 +1,4 @@
-// The parameter value nearest to a value that a user writes: one rule for command, Python and Octave.
+// Finds the parameter value nearest to a value that a user writes: one rule for the command, Python and Octave.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,11 +8,11 @@
 #include "whirl/engine/shown.h"
 #include "whirl/handles.h"
 
-/// Relative distance that is accepted if the values have no extent, and so no step.
+/// Accepted relative distance if all values are equal, so that there is no step.
 static const double share_of_a_lone_value = 0.01;
 
-/// Returns the end of the values [count] towards larger (sign 1) or smaller (-1) numbers, and the distance beyond it
-/// that is still accepted: the step to the nearest other value. NaN without values.
+/// Returns the largest (sign 1) or smallest (-1) of the values [count], or NaN without values; *step: the accepted
+/// distance beyond it, which is the step to the nearest other value.
 static double nearest_end(const double *values, size_t count, double sign, double *step) {
     double end = NAN;
     *step = INFINITY;

@@ -1,4 +1,4 @@
-/// A number as readers see it.
+/// Writes a number as readers see it.
 #ifndef REPORT_NUMBER_SHOWN_H
 #define REPORT_NUMBER_SHOWN_H
 

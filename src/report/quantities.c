@@ -54,8 +54,8 @@ shown_estimate estimate_shown(whirl_estimate estimate) {
     shown_estimate shown = {estimate.value, estimate.error, 4};
     if (!isfinite(estimate.value) || !isfinite(estimate.error)) return shown;
     const double error = fmax(estimate.error, least);
-    // Rounds to two digits of the error. 0.0123 has them at one decimal more than its power of ten; 0.00996 rounds to
-    // 0.010.
+    // Keep two digits of the error: one decimal more than its power of ten (0.0123: 0.012). The factor 0.995 is for
+    // 0.00996, which rounds to 0.010.
     const int power = (int)floor(log10(error / 0.995));
     shown.decimals = power < -3 ? 4 : power > 1 ? 0 : 1 - power;
     const double unit = pow(10.0, -shown.decimals);

@@ -1,4 +1,4 @@
-// Numbers of a result for reports, and their labels.
+// Get numbers of a result for reports.
 #ifndef REPORT_QUANTITIES_H
 #define REPORT_QUANTITIES_H
 
@@ -27,7 +27,7 @@ numbers point_section(const whirl_table *table, size_t point, size_t station);  
 numbers point_waveform(const whirl_table *table, size_t point, size_t station); ///< x, y
 numbers point_spectrum(const whirl_table *table, size_t point, size_t station); ///< order, x, y, forward, backward
 numbers point_lines(const whirl_table *table, size_t point,
-                    size_t station); ///< the same columns for the peaks, largest first
+                    size_t station); ///< peaks of the spectrum, in the same columns, largest first
 
 /// Returns the share of a station's motion in its stored spectral lines (spectrum/share); NaN if unknown. Summary and
 /// report show it below FEW_LINES.
@@ -49,7 +49,7 @@ typedef struct shown_estimate {
 } shown_estimate;
 shown_estimate estimate_shown(whirl_estimate estimate);
 
-/// Converts a sentence for terminals (ASCII) to one for pages: "+-" becomes one sign.
+/// Replaces "+-" in a sentence, which is for terminals (ASCII), by the sign for pages.
 void plus_minus(char *text);
 
 /// Writes the verdict's reason, with its exponent rounded for display.

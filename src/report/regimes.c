@@ -19,7 +19,7 @@ static const struct {
     [CLASS_CHAOTIC] = {"chaotic", "#000000"},
     [CLASS_UNDETERMINED] = {"undetermined", "#9A9F95"},
     [CLASS_DIVERGED] = {"diverged", "#FB8D41"},
-    [CLASS_NOT_JUDGED] = {"not judged", "#9A9F95"},
+    [CLASS_NOT_JUDGED] = {"not judged", "#9A9F95"}, // that of undetermined: no figure shows both
 };
 
 regime_class regime_class_of(const whirl_verdict *verdict) {
@@ -51,7 +51,7 @@ const char *regime_class_colour(regime_class kind) {
 }
 
 const char *attractor_colour(size_t number) {
-    // Okabe and Ito's colours, in an order in which neighbours differ in lightness, too.
+    // The colours of Okabe and Ito, in an order in which neighbours also differ in lightness.
     static const char *const colours[ATTRACTOR_COLOURS] = {"#0072B2", "#E69F00", "#56B4E9", "#009E73",
                                                            "#CC79A7", "#D55E00", "#F0E442", "#000000"};
     return colours[(number - 1) % ATTRACTOR_COLOURS];

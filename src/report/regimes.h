@@ -1,4 +1,4 @@
-/// Regimes as figures and pages show them: classes with colours, and intervals along a sweep.
+/// Divides regimes for figures and pages: classes with colours, and intervals along a sweep.
 #ifndef REPORT_REGIMES_H
 #define REPORT_REGIMES_H
 
@@ -21,11 +21,11 @@ typedef enum regime_class {
 
 regime_class regime_class_of(const whirl_verdict *verdict);
 
-/// "P-1", "other P-k", "chaotic", ... Static text.
+/// Returns "P-1", "other P-k", "chaotic", ...; static text.
 const char *regime_class_name(regime_class kind);
 
-/// Returns the colour, "#366EFB", distinguishable with any colour vision; the explorer's are the same
-/// (explorer/tests/colours.test.mjs). Static text.
+/// Returns the colour of a class, "#366EFB"; static text. Readers with any colour vision can tell the colours apart.
+/// The explorer has the same (explorer/tests/colours.test.mjs).
 const char *regime_class_colour(regime_class kind);
 
 enum { ATTRACTOR_COLOURS = 8 };
@@ -46,14 +46,15 @@ typedef struct regime_interval {
     int branch;
 } regime_interval;
 
-/// Merges the points of the table that are done into intervals, in their order. Returns their number; at most `most`
-/// are written.
+/// Merges consecutive computed points of one regime into intervals. Returns the number of intervals; at most `most` are
+/// written.
 size_t regime_intervals(const whirl_table *table, size_t contact_count, regime_interval *intervals, size_t most);
 
-/// Returns the number of intervals at the beginning that are shown as one: several short ones in a row, else 1.
+/// Returns the number of intervals at the beginning of a list that are shown as one: several short intervals in a row,
+/// else 1.
 size_t regime_group(const regime_interval *intervals, size_t count);
 
-/// "P-1"; "changing: P-3, chaotic" of several.
+/// Writes the name of intervals that are shown as one: "P-1", or "changing: P-3, chaotic" of several.
 void regime_group_name(const regime_interval *group, size_t count, char *text, size_t size);
 
 #endif

@@ -1,4 +1,4 @@
-// The report as a whole: data and scripts, then the figures, then the page.
+// Writes a report: data and scripts, then the figures, then the pages.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,16 +18,16 @@
 #include "whirl/engine/shown.h"
 #include "whirl/status.h"
 
-/// State of making a report, freed by report_free.
+/// Data of a report that is being made; report_free frees them.
 typedef struct report {
     char (*folders)[FOLDER_NAME_SIZE];
     char (*paths)[FILE_PATH_SIZE];
     claim_outcome *outcomes;
     drawn_figures figures;
     whirl_shown_units *units;
-    whirl_result **views;      ///< [count] results with every attractor once
-    whirl_findings **findings; ///< [count] of these
-    whirl_case **machines;     ///< [count] of the results (machine_of)
+    whirl_result **views;      ///< [count] results with a row for every attractor (whirl_result_by_attractor)
+    whirl_findings **findings; ///< [count] findings of the views
+    whirl_case **machines;     ///< [count] cases of the results (machine_of)
     size_t count;
 } report;
 
@@ -74,7 +74,7 @@ bool whirl_report_find(const char *const *names, size_t count, const char *direc
         snprintf(found, size, "%s/%s", directory, pages[i].name);
         is_there = pages[i].written && report_file_there(found);
     }
-    // Without memory whirl_report_write fails before anything is written.
+    // Ignore missing memory: whirl_report_write will then fail before it writes anything.
     char(*folders)[FOLDER_NAME_SIZE] = calloc(count + 1, sizeof *folders);
     if (folders) name_folders(folders, names, count);
     for (size_t r = 0; folders && r < count && !is_there; r++) {
@@ -103,7 +103,7 @@ static whirl_status write_figure(const char *folder, const whirl_figure *figure)
     return report_file_close(&file);
 }
 
-/// Writes a figure and notes it for the page.
+/// Writes a figure and adds it to the list of the page.
 static whirl_status draw_figure(report *made, const drawing *of, const figure_place *place, size_t result) {
     whirl_figure *figure;
     whirl_status status = figure_make(of, place, NULL, &figure);
@@ -181,7 +181,7 @@ static whirl_status write_page(const report *made, const whirl_result *const *re
     const whirl_status status = report_file_open(&file, directory, name);
     if (status.code != WHIRL_OK) return status;
     bool failed = false;
-    // Gather everything that the pages read.
+    // Collect the content of the page.
     const page to = {
         .stream = file.stream,
         .results = results,
@@ -198,7 +198,7 @@ static whirl_status write_page(const report *made, const whirl_result *const *re
         .explorer = options->explorer != NULL,
         .printed = kind != ANALYSES,
     };
-    // Write it, and keep it unless memory ran out.
+    // Write the page, and drop it if memory was missing.
     if (kind != ANALYSES)
         analysis_write(&to, kind);
     else
@@ -208,7 +208,7 @@ static whirl_status write_page(const report *made, const whirl_result *const *re
     return whirl_fail(WHIRL_NO_MEMORY, "no memory for the page of a report");
 }
 
-/// Writes the page of an analysis, and the same page as a PDF. WHIRL_MISSING_PROGRAM without weasyprint.
+/// Writes the page of an analysis, and the same page as a PDF. Fails with WHIRL_MISSING_PROGRAM without weasyprint.
 static whirl_status write_analysis(const report *made, const whirl_result *const *results, const char *const *names,
                                    size_t count, const char *directory, const whirl_report_options *options,
                                    analysis_kind kind) {
@@ -238,7 +238,7 @@ static whirl_status report_make(report *made, const whirl_result *const *results
     return status.code == WHIRL_OK ? drawn : status;
 }
 
-/// Makes the views of results, and their findings.
+/// Makes the views of results.
 static whirl_status view_results(report *made, const whirl_result *const *results) {
     whirl_status status = whirl_ok();
     for (size_t r = 0; r < made->count && status.code == WHIRL_OK; r++)
@@ -261,7 +261,7 @@ whirl_status whirl_report_write(const whirl_result *const *results, const char *
         .count = count,
     };
     whirl_status status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a report of %zu results", count);
-    // Views, cases, units and findings of all results, then the files.
+    // Make views, cases, units and findings of all results, then the files.
     if (made.folders && made.paths && made.outcomes && made.units && made.views && made.findings)
         status = view_results(&made, results);
     if (status.code == WHIRL_OK) status = machines_of(results, count, &made.machines);

@@ -1,4 +1,4 @@
-/// Files of a report: written to a temporary name and renamed, so that none is ever half there.
+/// Writes files of a report, to a temporary name that is renamed at the end, so that no file is ever incomplete.
 #ifndef REPORT_REPORT_FILE_H
 #define REPORT_REPORT_FILE_H
 
@@ -16,7 +16,7 @@ typedef struct report_file {
     char temporary[FILE_PATH_SIZE + 8];
 } report_file;
 
-/// Opens `folder`/`name` for writing. WHIRL_IO_ERROR with a sentence.
+/// Opens `folder`/`name` for writing. Fails with WHIRL_IO_ERROR.
 whirl_status report_file_open(report_file *file, const char *folder, const char *name);
 
 /// Closes the file, checks for errors (a full disk) and renames it to its final name. A failed file is removed.
@@ -34,13 +34,13 @@ bool report_file_there(const char *path);
 /// Returns true if a folder exists and is not empty.
 bool folder_holds_files(const char *path);
 
-/// Creates a folder that only the report writes to; a link in its place is refused.
+/// Creates a folder for a report's own files, unless it exists; refuses a link in its place.
 whirl_status folder_make_own(const char *path);
 
-/// Creates a new folder in another one; path [FILE_PATH_SIZE]. WHIRL_IO_ERROR with a sentence.
+/// Creates a new folder in the folder `in` and writes its path [FILE_PATH_SIZE]. Fails with WHIRL_IO_ERROR.
 whirl_status folder_make_temporary(const char *in, char *path);
 
-/// Removes such a folder and the files in it that have these names, ended by NULL.
+/// Removes a temporary folder and the files in it with the names (a list that ends with NULL).
 void folder_remove(const char *path, const char *const *names);
 
 /// Turns a text into a file name: letters, digits, '.', '_', '+' and '-' stay, other bytes become '-'. The name is

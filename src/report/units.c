@@ -52,7 +52,7 @@ void units_parameter_label(const whirl_shown_units *units, const char *name, cha
     snprintf(label, size, *unit.name ? "%s (%s)" : "%s", name, unit.name);
 }
 
-/// "omega = 6000 rpm"
+/// Writes "omega = 6000 rpm".
 static void put_value(const whirl_shown_units *units, const char *parameter, double value, char *text, size_t size) {
     const whirl_unit unit = whirl_shown_parameter(units, parameter);
     snprintf(text, size, "%s = %.6g%s%s", parameter, value / unit.size, *unit.name ? " " : "", unit.name);

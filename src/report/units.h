@@ -1,4 +1,4 @@
-/// Labels of quantities in figures and pages, in shown units.
+/// Makes labels of quantities in figures and pages, in shown units.
 #ifndef REPORT_UNITS_H
 #define REPORT_UNITS_H
 
@@ -15,7 +15,8 @@ enum { UNIT_LABEL_SIZE = 160 };
 /// unknown.
 double units_order(const whirl_shown_units *units, double speed);
 
-/// Writes the label of an axis of orders of the running speed, or of frequencies; `full`: with backward whirl too.
+/// Writes the label of an axis of orders of the running speed, or of frequencies; full: of a full spectrum, with
+/// backward whirl.
 void units_order_label(const whirl_shown_units *units, bool orders, bool full, char *label, size_t size);
 
 /// Returns true if the parameter of a table is the speed of the shaft, by the field `speeds` at every point.
@@ -33,8 +34,8 @@ void units_length_label(const whirl_shown_units *units, whirl_counting counting,
                         size_t size);
 void units_parameter_label(const whirl_shown_units *units, const char *name, char *label, size_t size);
 
-/// "r_k = 0.46", "omega = 6000 rpm, kappa = 10" or "omega = 6000 rpm from the last value", which a motion was carried
-/// from; for a table without a parameter its name.
+/// Writes "r_k = 0.46", "omega = 6000 rpm, kappa = 10" or, for a motion on the way back, "omega = 6000 rpm from the
+/// last value"; for a table without a parameter its name.
 void units_point_label(const whirl_shown_units *units, const whirl_table *table, size_t point, char *label,
                        size_t size);
 

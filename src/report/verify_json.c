@@ -1,8 +1,4 @@
-// A verification as one JSON document.
-#include <errno.h>
-#include <math.h>
-#include <string.h>
-
+// Writes a verification as one JSON document.
 #include "document.h"
 #include "whirl/internal/verify.h"
 #include "whirl/status.h"
@@ -48,10 +44,5 @@ whirl_status whirl_verification_write_json(const whirl_verification *v, FILE *st
     if (*v->film_tables) document_put(&well, document, "film_tables", document_text(v->film_tables));
     for (size_t i = 0; i < v->count; ++i) document_append(&well, points, point_object(&well, v, i));
     document_put(&well, document, "points", points);
-    errno = 0;
-    well = document_write(well, document, stream);
-    fputc('\n', stream);
-    if (fflush(stream) != 0 || ferror(stream))
-        return whirl_fail(WHIRL_IO_ERROR, "cannot write JSON: %s", strerror(errno ? errno : EIO));
-    return well ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to write JSON");
+    return document_finish(well, document, stream);
 }

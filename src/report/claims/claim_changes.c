@@ -1,5 +1,5 @@
-// Comparison of claims with branches: special points in a range or outside it, their sense, the order of the whirl that
-// begins, and the number of parts of the curve of Hopf points.
+// Compares claims with branches: special points in a range, their sense (super- or subcritical), the order of the whirl
+// that begins, and the number of parts of the curve of Hopf points.
 #include <math.h>
 #include <stdarg.h>
 #include <stdint.h>
@@ -41,7 +41,7 @@ static claim_range changes_range(const whirl_claims *claims, const whirl_claim *
                          claim->to + aside};
 }
 
-/// Returns true if a row is a special point of that kind in the range.
+/// Returns true if a row of the branches is a special point of this kind within the range.
 static bool is_change(const claim_range *of, size_t row, whirl_special kind) {
     const double value = of->branches->values[row];
     return number_at(of->branches, row, WHIRL_FIELD_TRACE_SPECIAL) == (double)kind && value >= of->from &&
@@ -54,7 +54,7 @@ static size_t count_changes(const claim_range *of, whirl_special kind) {
     return count;
 }
 
-/// Returns the row with the least value; SIZE_MAX if there is none.
+/// Returns the row of the special point with the least parameter value; SIZE_MAX if there is none.
 static size_t first_change(const claim_range *of, whirl_special kind) {
     size_t first = SIZE_MAX;
     for (size_t i = 0; i < of->branches->count; i++)
@@ -63,7 +63,7 @@ static size_t first_change(const claim_range *of, whirl_special kind) {
     return first;
 }
 
-/// "fold at 1.5, 1.7", or "no fold".
+/// Appends the special points of a kind: "fold at 1.5, 1.7", or "no fold".
 static void put_kind(const claim_range *of, whirl_special kind, char *text, size_t size) {
     size_t shown = 0;
     const size_t count = count_changes(of, kind);
@@ -133,8 +133,9 @@ static void compare_orders(const claim_range *of, const whirl_claim *claim, clai
 
 // ---------------------------------------------------------------- parts of a curve
 
-/// Rows of one curve in order: the second leg backwards, then the first one. It has `count` rows from `first`; the
-/// first `other` of them belong to the first leg.
+/// A curve of `count` rows of a table from `first` on. It has two legs from the same start: rows of the first leg
+/// (`other` of them), then rows of the second. In order along the curve they are the second leg backwards, then the
+/// first.
 typedef struct claim_curve {
     const whirl_table *table;
     size_t first, other, count;
@@ -167,7 +168,8 @@ static claim_curve hopf_curve(const whirl_result *result) {
     return curve;
 }
 
-/// "supercritical to s = 3, subcritical to 2".
+/// Writes the parts of the curve of Hopf points: "supercritical from s = 3, subcritical from s = 2", and compares their
+/// number.
 static void compare_regions(const whirl_claims *claims, const whirl_claim *claim, const whirl_result *result,
                             claim_finding *found) {
     const claim_curve curve = hopf_curve(result);
@@ -187,7 +189,7 @@ static void compare_regions(const whirl_claims *claims, const whirl_claim *claim
     if (regions > 0) found->agreement = regions == claim->regions ? WHIRL_AGREES : WHIRL_DISAGREES;
 }
 
-// ---------------------------------------------------------------- all of them
+// ---------------------------------------------------------------- the whole claim
 
 bool claim_of_branches(const whirl_claim *claim) {
     return claim->changes.count > 0 || claim->unchanged.count > 0 || claim->order_count > 0 || claim->regions > 0;

@@ -30,7 +30,7 @@ static bool states_contact(const whirl_claim *claim) {
 }
 
 static double score_contact(const claim_view *view, size_t point) {
-    // A rotor without contacts does not rub.
+    // A rotor without contacts has a share of 0.
     const double share = view->result->contact_count ? rub_share(view->table, point, view->result->contact_count) : 0.0;
     if (isnan(share)) return NAN;
     switch (view->claim->contact) {
@@ -67,8 +67,8 @@ static bool claims_line(const whirl_claim *claim, double order) {
     return false;
 }
 
-/// Scores 1 if all claimed lines are found and, if the claim says so, no others. Both are one part: nearly every rotor
-/// has a line at the running speed, so that finding it alone means little.
+/// Scores 1 if all claimed lines are found and, if the claim says "only", no others. Both conditions are one part,
+/// since nearly every rotor has a line at the running speed.
 static double score_lines(const claim_view *view, size_t point) {
     const numbers lines = claim_lines(view, point);
     if (!lines.at) return NAN;
@@ -89,8 +89,8 @@ static bool states_band(const whirl_claim *claim) {
     return claim->has_band;
 }
 
-/// Scores half for a band with three quarters of the power of the lines below the running speed, and half for three
-/// lines or more in it ("a band of lines").
+/// Scores 0.5 if the band has three quarters of the power of all lines below the running speed, and 1 if it also has
+/// three lines or more.
 static double score_band(const claim_view *view, size_t point) {
     const claim_band found = claim_band_of(view, point);
     if (isnan(found.share)) return NAN;
@@ -117,7 +117,8 @@ static bool states_whirl(const whirl_claim *claim) {
     return claim->has_whirl;
 }
 
-/// A bounded motion that whirls backward most of the time scores half of "diverging-backward".
+/// Scores the sense of whirl. For "diverging-backward" a bounded motion that whirls backward most of the time scores
+/// 0.5.
 static double score_whirl(const claim_view *view, size_t point) {
     const bool diverged = whirl_table_verdict(view->table, point).regime == WHIRL_DIVERGING;
     const bool diverging = strcmp(view->claim->whirl, "diverging-backward") == 0;

@@ -1,4 +1,5 @@
-// The parts that a claim may state, each compared on its own.
+// Comparison of claims with results. A claim states some of several parts (regime, contact, lines, ...), each of which
+// is compared by itself.
 #ifndef REPORT_CLAIM_PARTS_H
 #define REPORT_CLAIM_PARTS_H
 
@@ -11,7 +12,7 @@
 #include "whirl/engine/claims.h"
 #include "whirl/engine/result.h"
 
-/// A claim and the table it is compared with.
+/// A claim, and the table with which it is compared.
 typedef struct claim_view {
     const whirl_claim *claim;
     const whirl_result *result;
@@ -34,11 +35,12 @@ void claim_census_add(claim_census *census, const claim_view *view, size_t point
 typedef struct claim_part {
     const char *name;
     bool (*stated)(const whirl_claim *claim);
-    /// Agreement at a point: 1 yes, 0 no, between if half of the part agrees; NaN if the result has no data.
+    /// Returns the agreement at a point: 1 if it agrees, 0 if not, 0.5 if half of the part does; NaN if the result has
+    /// no data.
     double (*score)(const claim_view *view, size_t point);
-    /// Writes the finding at a point as a short line of at most `size` bytes.
+    /// Writes what was found at a point as a short line of at most `size` bytes.
     void (*at_point)(const claim_view *view, size_t point, char *text, size_t size);
-    /// Writes the finding over a range; NULL: only the number of points that agree is written.
+    /// Writes what was found over a range; NULL: the number of points that agree is written.
     void (*over_range)(const claim_view *view, const claim_census *census, char *text, size_t size);
 } claim_part;
 
@@ -48,20 +50,20 @@ const claim_part *claim_parts(void);
 /// Tolerance of a line's position, in orders.
 static const double LINE_TOLERANCE = 0.02;
 
-/// Lines of a spectrum that count in a comparison: at least a twentieth of the largest.
+/// Returns the lines of a spectrum that count in a comparison: those of at least a twentieth of the largest.
 numbers claim_lines(const claim_view *view, size_t point);
 
-/// Content of the claimed band.
+/// What the claimed band contains.
 typedef struct claim_band {
     double share; ///< part of the power of all lines below the running speed; NaN without lines
     size_t lines;
 } claim_band;
 claim_band claim_band_of(const claim_view *view, size_t point);
 
-/// Least share of the time in contact that counts as permanent contact.
+/// Share of the time in contact from which on contact counts as permanent.
 static const double ALWAYS = 1.0 - 1e-9;
 
-/// Functions that write the finding of a part as a line (claim_text.c).
+/// Functions that write what was found about a part as a line (claim_text.c).
 void claim_regime_at(const claim_view *view, size_t point, char *text, size_t size);
 void claim_regime_over(const claim_view *view, const claim_census *census, char *text, size_t size);
 void claim_curves_at(const claim_view *view, size_t point, char *text, size_t size);
@@ -78,7 +80,7 @@ void claim_whirl_over(const claim_view *view, const claim_census *census, char *
 
 enum { MAX_FINDINGS = 12, FINDING_SIZE = 240 };
 
-/// A part of a claim and the finding about it.
+/// What was found about a part of a claim.
 typedef struct claim_finding {
     whirl_agreement agreement;
     char text[FINDING_SIZE];

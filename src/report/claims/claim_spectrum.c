@@ -1,4 +1,4 @@
-// Spectral lines and bands that claims are compared with.
+// Spectral lines and bands with which claims are compared.
 #include "claim_parts.h"
 
 #include <math.h>

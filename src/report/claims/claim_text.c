@@ -1,4 +1,4 @@
-// Findings at the points of a claim, as a short line for each part.
+// Writes what was found about a claim, as a short line for each part.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -18,7 +18,7 @@ void claim_census_add(claim_census *census, const claim_view *view, size_t point
     // Count the point by its regime.
     census->points++;
     census->in_class[regime_class_of(&verdict)]++;
-    // Note the range of parameter values at which it rubs, and how often all the time.
+    // Note the range of parameter values with contact, and count points with permanent contact.
     const double share = rub_at(view, point);
     census->rub_known += !isnan(share);
     if (share > 0.0) {
@@ -53,14 +53,14 @@ void claim_regime_at(const claim_view *view, size_t point, char *text, size_t si
     if (verdict.regime == WHIRL_DIVERGING || view->claim->curves == 0)
         whirl_verdict_name(&verdict, text, size);
     else
-        regime_name(&verdict, text, size); // without curves: they have a line of their own
+        regime_name(&verdict, text, size); // without the number of curves, which is another part
     const size_t used = strlen(text);
     const bool known = point_numbers(view->table, point, WHIRL_FIELD_REGIME_CONFIDENCE, 0).at != NULL;
     if (known && verdict.confidence == WHIRL_LOW && verdict.regime != WHIRL_UNDETERMINED)
         snprintf(text + used, size - used, ", of low confidence");
 }
 
-/// "P-1 at 96.6 %, quasi-periodic at 3.4 % of 297 points".
+/// Writes the regimes of a range: "P-1 at 96.6 %, quasi-periodic at 3.4 % of 297 points".
 void claim_regime_over(const claim_view *view, const claim_census *census, char *text, size_t size) {
     size_t used = 0;
     (void)view;

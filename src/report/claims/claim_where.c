@@ -1,4 +1,4 @@
-// Ranges of the sweep in which a claim holds. The table of claims only counts points.
+// Writes where in the sweep a claim holds or fails; the table of claims only counts points.
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -14,7 +14,7 @@ static bool speaks_of_points(const whirl_claim *claim) {
     return false;
 }
 
-/// Score of a point for the whole claim: the least score of its parts; NaN if one part cannot be scored.
+/// Returns the score of a point for the whole claim: the least score of its parts; NaN if a part cannot be scored.
 static double score_all(const claim_view *view, size_t point) {
     double least = 1.0;
     for (const claim_part *part = claim_parts(); part->name; part++) {
@@ -41,13 +41,14 @@ static void append_range(char *text, size_t size, const whirl_table *table, size
     append(text, size, range);
 }
 
-/// "does not hold at r_k = 0.49824 to 0.5, 0.48 (9 of 296 points)".
+/// Writes where a claim fails: "does not hold at r_k = 0.49824 to 0.5, 0.48 (9 of 296 points)".
 static void where_missed(const claim_view *view, const claim_selection *of, const char *parameter, char *text,
                          size_t size) {
     size_t ranges = 0, missed = 0, compared = 0, first = SIZE_MAX;
     const size_t count = of->table->count;
     snprintf(text, size, "does not hold at %s = ", parameter);
-    // Collect ranges of neighbouring points that miss; one past the last closes the last range.
+    // Collect ranges of neighbouring points at which the claim fails; the round after the last point closes the last
+    // range.
     for (size_t i = 0; i <= count; i++) {
         const bool here = i < count && claim_selected(of, i) && whirl_table_done(of->table, i);
         const double score = here ? score_all(view, i) : (double)NAN;
@@ -59,7 +60,7 @@ static void where_missed(const claim_view *view, const claim_selection *of, cons
         if (ranges++ < MAX_RANGES) append_range(text, size, of->table, first, i - 1, ranges > 1);
         first = SIZE_MAX;
     }
-    // Add the number of points, or replace the text if the ranges say less than a sentence.
+    // Add the number of points; one sentence replaces the ranges if all points fail or none can be compared.
     char rest[96];
     if (ranges > MAX_RANGES)
         snprintf(rest, sizeof rest, " and in %zu more ranges (%zu of %zu points)", ranges - MAX_RANGES, missed,

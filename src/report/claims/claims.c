@@ -1,5 +1,5 @@
-// Comparison of claims with a result. A claim is split into parts (regime, curves, contact, lines, ...). Each part is
-// compared at every point of the claim's range; its score is the share of points that agree.
+// Compares claims with a result. A claim has parts (regime, curves, contact, lines, ...). Each part is compared at
+// every point of the claim's range; its score is the share of points that agree.
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -19,7 +19,7 @@ static size_t nearest_point(const whirl_table *table, double value) {
     return best;
 }
 
-/// Largest distance of neighbouring points of a sweep.
+/// Returns the largest distance of neighbouring points of a sweep.
 static double spacing(const whirl_table *table) {
     double most = 0.0;
     for (size_t i = 1; i < table->count; i++)
@@ -27,7 +27,8 @@ static double spacing(const whirl_table *table) {
     return most;
 }
 
-/// One value: the detail point at it, else a single point computed there, else the sweep's nearest within one spacing.
+/// Selects the point for a claim of one value: the detail point with this value, else a single point computed there,
+/// else the nearest point of the sweep, if it is within one spacing.
 static claim_selection select_point(const whirl_result *result, const char *parameter, double value) {
     const whirl_table *detail = claim_table_over(result, WHIRL_ROLE_DETAIL, parameter);
     if (detail) {

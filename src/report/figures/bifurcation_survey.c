@@ -1,4 +1,4 @@
-// Axes of a bifurcation diagram: their ranges, and the part of the parameter's axis that belongs to a point.
+// Finds the ranges of a bifurcation diagram's axes, and the part of the parameter's axis that belongs to a point.
 #include <math.h>
 #include <stdlib.h>
 
@@ -36,7 +36,7 @@ static span exponent_span(const whirl_table *table) {
     return span_with_margin(range, 0.08, 0.01);
 }
 
-/// Number of grid places between two points of a table; 0 across branches.
+/// Returns the number of grid steps between two points of a table; 0 for points of different branches.
 static double places_between(const whirl_table *table, size_t a, size_t b) {
     if (b >= table->count || table->branch[a] != table->branch[b]) return 0.0;
     return (double)whirl_table_slot(table, b) - (double)whirl_table_slot(table, a);
@@ -66,7 +66,7 @@ static double mirrored(const bifurcation *of, double a, double b) {
     return of->ratios ? a * (a / b) : a + (a - b);
 }
 
-/// Value of the neighbouring point, next (1) or previous (-1); NaN if the table does not have it.
+/// Returns the value of the next (side 1) or previous (-1) point; NaN if the table does not have it.
 static double value_beside(const bifurcation *of, size_t i, int side) {
     const whirl_table *const table = of->table;
     if (side < 0 && i == 0) return NAN;
@@ -77,7 +77,7 @@ static double value_beside(const bifurcation *of, size_t i, int side) {
     return of->ratios ? at * pow(there / at, 1.0 / apart) : at + (there - at) / apart;
 }
 
-/// Value at a place of the study's grid; NaN if there is none.
+/// Returns the value at a place of the study's grid; NaN if the table has no point there.
 static double place_value(const whirl_table *all, size_t place) {
     if (!all->slots && place < whirl_table_places(all)) return all->values[place];
     for (size_t i = 0; all->slots && i < all->count; i++)
@@ -85,7 +85,7 @@ static double place_value(const whirl_table *all, size_t place) {
     return NAN;
 }
 
-/// Value of the neighbouring place of the study's grid, for an attractor that ends at this point.
+/// Returns the value of the next or previous place of the study's grid, for an attractor that ends at this point.
 static double value_of_study(const bifurcation *of, size_t i, int side) {
     const whirl_table *const table = of->table;
     if (!table->source || (side < 0 && table->slots[i] == 0)) return NAN;
@@ -103,7 +103,8 @@ void bifurcation_edges(const bifurcation *of, size_t i, double *low, double *hig
     *high = fmax(middle(of, at, before), middle(of, at, after));
 }
 
-/// Walls around the station if they are the same at all points (up to 33 are compared); 0 where they change.
+/// Returns the walls around the station if they are the same at all points (up to 33 are compared); 0 for a wall that
+/// changes.
 static machine_walls lasting_walls(const bifurcation *of) {
     const size_t count = of->table->count, step = 1 + count / 32;
     machine_walls walls = machine_walls_at(of->machine, of->result, of->table, count - 1, of->station);
@@ -136,7 +137,7 @@ void bifurcation_kind_name(const bifurcation *of, size_t kind, char text[WHIRL_N
         snprintf(text, WHIRL_NAME_SIZE, "attractor %zu", kind + 1);
 }
 
-/// Attractors with colours of their own.
+/// Returns the number of attractors, at most that of their colours.
 static size_t count_attractors(const whirl_table *table) {
     size_t most = 0;
     for (size_t i = 0; table->attractors && i < table->count; i++)
@@ -185,7 +186,8 @@ void bifurcation_survey(bifurcation *of) {
         whirl_shown_one_length(of->units, table) ? lasting_walls(of) : (machine_walls){0.0, 0.0};
     of->gap = of->length * walls.gap;
     of->clearance = of->length * walls.clearance;
-    if (of->gap > 2.0 * radius.high) of->gap = 0.0; // so far away that the curve of the radius would be flat
+    if (of->gap > 2.0 * radius.high)
+        of->gap = 0.0; // if the gap were on the axis, the curve of the radius would be flat
     if (of->gap > 0.0) span_widen(&radius, of->gap);
     of->radius = span_with_margin(radius, 0.08, 1e-6 * of->length);
     of->exponent = exponent_span(table);

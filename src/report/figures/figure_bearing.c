@@ -13,13 +13,13 @@ static const double degree = 3.14159265358979323846 / 180.0;
 /// Quantity on the horizontal axis.
 typedef enum along { ALONG_SPEED, ALONG_LOAD, ALONG_SOMMERFELD } along;
 
-/// A number of a point, with its panel and axis.
+/// A curve: a number of each point, with its panel and the label of the axis.
 typedef struct quantity {
     const char *panel, *label, *name;
     int index; ///< 0 to 7: coefficients; -1 to -5: eccentricity, attitude, film, power, flow
 } quantity;
 
-/// Curves of a table, and the units in which they are drawn.
+/// Curves of a table over one axis, and the units in which they are drawn.
 typedef struct curves {
     const whirl_bearing_table *table;
     const whirl_shown_units *units;
@@ -69,7 +69,7 @@ static int by_sommerfeld(const void *a, const void *b) {
     return (one > other) - (one < other);
 }
 
-/// Returns the points in the order of the lines; NULL without memory.
+/// Returns the points in the order in which lines connect them; NULL without memory.
 static const whirl_bearing_point **order(const whirl_bearing_table *table, along axis) {
     const whirl_bearing_point **points = malloc((table->count + 1) * sizeof *points);
     for (size_t i = 0; i < table->count && points; i++) points[i] = &table->points[i];
@@ -77,7 +77,7 @@ static const whirl_bearing_point **order(const whirl_bearing_table *table, along
     return points;
 }
 
-/// Adds one quantity. Points of one load form a line over the speed.
+/// Adds one quantity as lines and dots. Over the speed, points with the same load form a line.
 static void add_values(whirl_figure *figure, whirl_panel *panel, const curves *drawn, const quantity *what,
                        const char *colour) {
     const whirl_bearing_table *table = drawn->table;
@@ -98,8 +98,8 @@ static void add_values(whirl_figure *figure, whirl_panel *panel, const curves *d
     free(points);
 }
 
-/// Range of `count` quantities from `index` on, over all points. A constant quantity gets a margin above its rounding;
-/// panels of coefficients get a row for their legend.
+/// Returns the range of the `count` quantities from `index` on, over all points. A constant quantity gets a margin
+/// above its rounding, and panels of several quantities get space for their legend.
 static span figure_bearing_range(const curves *drawn, int index, int count) {
     const double legend = count > 1 ? 0.16 : 0.0;
     span range = span_empty();
@@ -133,7 +133,7 @@ static void label_of(const curves *drawn, const quantity *what, char *label, siz
 }
 
 static void draw_curves(whirl_figure *figure, const curves *drawn) {
-    // Quantities with their panels; a quantity with a label begins a panel.
+    // The quantities; one with a label begins a new panel.
     const whirl_bearing_table *table = drawn->table;
     const along axis = drawn->axis;
     static const quantity with_units[] = {
@@ -157,7 +157,7 @@ static void draw_curves(whirl_figure *figure, const curves *drawn) {
         snprintf(along_label, sizeof along_label, "speed (%.60s)", drawn->units->of[WHIRL_QUANTITY_SPEED].name);
     if (axis == ALONG_LOAD)
         snprintf(along_label, sizeof along_label, "load (%.60s)", drawn->units->of[WHIRL_QUANTITY_FORCE].name);
-    // Add the quantities; without dimensions there is no power.
+    // Add the quantities; over the Sommerfeld number they have no dimension, and power is left out.
     for (size_t i = 0; i < sizeof with_units / sizeof *with_units; i++) {
         const quantity *what = &with_units[i];
         const bool bare = axis == ALONG_SOMMERFELD;
@@ -182,7 +182,8 @@ static void draw_curves(whirl_figure *figure, const curves *drawn) {
              : axis == ALONG_LOAD ? "the load"
                                   : "the Sommerfeld number",
              axis == ALONG_SOMMERFELD ? "" : ", power loss", axis == ALONG_SOMMERFELD ? " without dimensions" : "",
-             axis == ALONG_SPEED && table->bearing->load_count > 1 && !table->bearing->pairs ? " A line a load." : "");
+             axis == ALONG_SPEED && table->bearing->load_count > 1 && !table->bearing->pairs ? " A line for each load."
+                                                                                             : "");
 }
 
 /// Returns the distance from the centre at which the journal touches a pad in a direction, in pad clearances.
@@ -204,6 +205,7 @@ static void draw_locus(whirl_figure *figure, const whirl_bearing_table *table) {
     const whirl_bearing *of = table->bearing;
     whirl_panel *panel = figure_panel(figure, "locus", 0.7, 6.9);
     if (!panel) return;
+    // The wall: where the journal touches a pad.
     panel->equal = true;
     snprintf(panel->x.label, sizeof panel->x.label, "$x/c$");
     snprintf(panel->y.label, sizeof panel->y.label, "$y/c$");
@@ -214,7 +216,7 @@ static void draw_locus(whirl_figure *figure, const whirl_bearing_table *table) {
     }
     whirl_series *line = panel_series(figure, panel, WHIRL_LINE, "#0072B2", 0.7);
     whirl_series *dots = panel_series(figure, panel, WHIRL_DOTS, "#0072B2", 2.5);
-    // With one viscosity all positions lie on one curve.
+    // The positions, in the order of the Sommerfeld number: with one viscosity they lie on one curve.
     const whirl_bearing_point **points = order(table, ALONG_SOMMERFELD);
     figure->failed = figure->failed || !points;
     for (size_t i = 0; i < table->count && points; i++) {

@@ -12,7 +12,7 @@
 #include "regimes.h"
 
 enum {
-    MANY_POINTS = 150, ///< points in a sweep above which small dots suffice
+    MANY_POINTS = 150, ///< number of points of a sweep above which small dots suffice
     GRID = 2000,       ///< dots nearer to each other than 1/GRID of the axis are drawn once
     MAX_DOTS = 100000, ///< largest number of dots in a figure, which limits the size of its PDF
     MIN_DOTS = 64      ///< least number of dots of a point
@@ -38,7 +38,7 @@ static void band_limits(const bifurcation *of, size_t first, size_t last, span *
     *band = own;
 }
 
-/// Returns true if point `i` + 1 is the neighbour of point i in its branch.
+/// Returns true if point i + 1 is the next place of the grid in the same branch as point i.
 static bool goes_on(const whirl_table *table, size_t i) {
     return i + 1 < table->count && table->branch[i + 1] == table->branch[i] &&
            whirl_table_slot(table, i + 1) == whirl_table_slot(table, i) + 1;
@@ -75,7 +75,7 @@ static whirl_panel *bifurcation_add_panel(whirl_figure *figure, const bifurcatio
 
 // ---------------------------------------------------------------- the section
 
-/// A dot on the pixel grid of the figure, and its row in the section.
+/// A dot in a cell of the panel's grid (GRID), and its row in the section.
 typedef struct dot {
     int x, y;
     size_t row;
@@ -108,7 +108,7 @@ static void add_dots(whirl_figure *figure, whirl_series *to, const bifurcation *
             series_add(figure, to, shown_value(of, point), length * section.at[4 * dots[k].row + column]);
 }
 
-/// Returns true for kinds with few or doubtful dots, which are drawn larger.
+/// Returns true for kinds whose dots are few or doubtful, and are drawn larger.
 static bool has_large_dots(const bifurcation *of, size_t kind) {
     return of->attractors > 0 || kind == CLASS_UNDETERMINED || kind == CLASS_P1 || kind == CLASS_P2 ||
            kind == CLASS_P4 || kind == CLASS_OTHER_PERIOD;
@@ -156,7 +156,8 @@ static void add_section(whirl_figure *figure, const bifurcation *of, size_t colu
 
 // ---------------------------------------------------------------- verdicts
 
-/// Vertical position of an interval's strip in its panel: strips of both branches, or of attractors, are stacked.
+/// Returns the vertical range of an interval's strip in its panel: strips of both branches, or of attractors, are
+/// stacked.
 static span strip_of(const bifurcation *of, const regime_interval *interval) {
     const double count = of->attractors > 0 ? (double)of->attractors : of->both ? 2.0 : 1.0;
     const bool lower = of->both && interval->branch < 0;
@@ -192,8 +193,8 @@ static void add_regimes(whirl_figure *figure, const bifurcation *of) {
     free(intervals);
 }
 
-/// Adds a bar for each confidence: pale and long for trusted verdicts, short and coloured for doubtful ones. The branch
-/// from the last value on is drawn as lines.
+/// Adds the confidence of each verdict as a bar: long and pale for trusted verdicts, short and coloured for doubtful
+/// ones. Bars are for the branch from the first value on; that from the last value on is drawn as lines.
 static void add_confidence(whirl_figure *figure, const bifurcation *of) {
     static const char *const colours[] = {"#D55E00", "#A8A8A8", "#DCDCDC"};
     static const char *const names[] = {"low", "", "high"};
@@ -263,7 +264,7 @@ static void add_exponents(whirl_figure *figure, const bifurcation *of) {
 
 // ---------------------------------------------------------------- lines
 
-/// Adds a number of the points as a line, blue from the first value on, orange from the last.
+/// Adds a number of all points as a line for each branch: blue from the first value on, orange from the last.
 static void add_lines(whirl_figure *figure, whirl_panel *panel, const bifurcation *of,
                       double (*number)(const bifurcation *of, size_t point)) {
     for (int branch = 1; branch >= (of->both ? -1 : 1); branch -= 2) {
@@ -285,8 +286,8 @@ static double contact_of(const bifurcation *of, size_t point) {
     return 100.0 * rub_share(of->table, point, of->result->contact_count);
 }
 
-/// Returns the least distance of the largest radius from the gap, within a tenth of the axis around a place (0: left,
-/// 1: right).
+/// Returns the least distance between the curve of the radius and the line of the gap, within a tenth of the axis
+/// around a place (0: left, 1: right).
 static double room_for_label(const bifurcation *of, double place) {
     const double width = of->parameter.high - of->parameter.low;
     double nearest = (double)INFINITY;
@@ -301,7 +302,7 @@ static double room_for_label(const bifurcation *of, double place) {
     return nearest;
 }
 
-/// Adds the gap as a line, with its name where the curve is far away.
+/// Adds the gap as a line, with its name where the curve of the radius is far away.
 static void add_gap(whirl_figure *figure, whirl_panel *panel, const bifurcation *of, double height) {
     static const double places[] = {0.93, 0.07, 0.5};
     int best = 0;
@@ -363,13 +364,14 @@ static void add_shares(whirl_figure *figure, const bifurcation *of) {
 
 // ---------------------------------------------------------------- the figure
 
-/// Caption of the strips, and of the panel below them that diagrams of attractors have.
+/// Returns the words of the caption on the strips, and on the panel of shares that diagrams of attractors have.
 static const char *strips_of(const bifurcation *of) {
     if (of->attractors == 0)
         return of->both ? " (upper strip: followed from the first value on; lower strip: from the last)" : "";
     if (of->table->source->neighbours == 0)
-        return " (a strip an attractor, the first at the top) and the share of the starts";
-    return " (a strip an attractor, the first at the top) and the share of the starts (circles: found from neighbours "
+        return " (a strip for each attractor, the first at the top) and the share of the starts";
+    return " (a strip for each attractor, the first at the top) and the share of the starts (circles: found from "
+           "neighbours "
            "alone)";
 }
 

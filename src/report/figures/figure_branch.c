@@ -1,5 +1,5 @@
-// Branches of orbits over a parameter, drawn over the section of a sweep if there is one, and the Floquet multipliers
-// that show why they change; curves of special points over two parameters.
+// Figures of branches: their orbits over a parameter, with the section of a sweep behind them if there is one, and the
+// largest Floquet multiplier; and curves of special points over two parameters.
 #include <math.h>
 #include <stdio.h>
 
@@ -29,18 +29,19 @@ static int branch_kind(const whirl_table *table, size_t point) {
     return kind > 0.0 && kind < KINDS ? (int)kind : 0;
 }
 
-static bool are_one(const whirl_table *table, size_t a, size_t b) {
+/// Returns true if two points belong to the same branch or curve.
+static bool branch_same(const whirl_table *table, size_t a, size_t b) {
     return point_number(table, a, WHIRL_FIELD_TRACE_NUMBER) == point_number(table, b, WHIRL_FIELD_TRACE_NUMBER);
 }
 
-/// Returns true if orbits between two neighbouring points are stable. A special point is marginal, so the other one
-/// decides.
+/// Returns true if the orbits between two neighbouring points are stable. At a special point stability changes: then
+/// the other point decides.
 static bool is_stable(const whirl_table *table, size_t a, size_t b) {
     const size_t solid = branch_kind(table, a) ? b : a;
     return point_number(table, solid, WHIRL_FIELD_TRACE_UNSTABLE) == 0.0;
 }
 
-/// Returns the largest modulus of a multiplier; for an equilibrium, over one revolution.
+/// Returns the largest modulus of an orbit's Floquet multipliers; for an equilibrium, of growth over one revolution.
 static double multiplier_of(const whirl_table *table, size_t point) {
     const double largest = point_number(table, point, WHIRL_FIELD_TRACE_LARGEST);
     return point_number(table, point, WHIRL_FIELD_TRACE_PERIOD) > 0.0 ? largest : exp(two_pi * largest);
@@ -54,11 +55,11 @@ static bool has_kind(const whirl_table *table, int kind) {
 
 // ---------------------------------------------------------------- a panel of branches
 
-/// Quantity shown of every point: a coordinate of a station's section, or the multiplier.
+/// What a panel shows of every point: a coordinate of a station's section, or the multiplier.
 typedef struct view {
     const drawing *of;
     const whirl_table *table;
-    size_t station, column; ///< column 2: the multiplier
+    size_t station, column; ///< column: 0 for x, 1 for y, 2 for the multiplier
     double size;            ///< one unit of the parameter, in SI
     span range;             ///< range of the parameter in the figure
 } view;
@@ -73,7 +74,8 @@ static size_t lines_of(const view *v, size_t point) {
                                                                            : 1;
 }
 
-static double number_of(const view *v, size_t point, size_t line) {
+/// Returns what the panel shows of a point, on one of its lines_of(), in shown units.
+static double branch_shown(const view *v, size_t point, size_t line) {
     if (v->column == 2) return multiplier_of(v->table, point);
     const bool forced = point_number(v->table, point, WHIRL_FIELD_TRACE_REVOLUTIONS) > 0.0;
     const double *at = forced
@@ -83,11 +85,12 @@ static double number_of(const view *v, size_t point, size_t line) {
     return whirl_shown_length(v->of->units, v->table, point) * at[v->column];
 }
 
-static double branch_value(const view *v, size_t point) {
+/// Returns the value of the parameter at a point, in its shown unit.
+static double branch_parameter(const view *v, size_t point) {
     return v->table->values[point] / v->size;
 }
 
-/// Adds the stable pieces of branches, or the unstable ones.
+/// Adds lines for the stable pieces of branches, or for the unstable ones.
 static void add_pieces(whirl_figure *figure, whirl_panel *panel, const view *v, bool stable) {
     const whirl_table *table = v->table;
     whirl_series *lines = panel_named(figure, panel, WHIRL_LINE, stable ? "stable" : "unstable",
@@ -95,12 +98,13 @@ static void add_pieces(whirl_figure *figure, whirl_panel *panel, const view *v, 
     if (lines) lines->dashed = !stable;
     for (size_t first = 0; first + 1 < table->count; first++) {
         size_t last = first;
-        while (last + 1 < table->count && are_one(table, last, last + 1) && is_stable(table, last, last + 1) == stable)
+        while (last + 1 < table->count && branch_same(table, last, last + 1) &&
+               is_stable(table, last, last + 1) == stable)
             last++;
         if (last == first) continue;
         for (size_t line = 0; line < lines_of(v, first); line++) {
             for (size_t point = first; point <= last; point++)
-                series_add(figure, lines, branch_value(v, point), number_of(v, point, line));
+                series_add(figure, lines, branch_parameter(v, point), branch_shown(v, point, line));
             series_break(figure, lines);
         }
         first = last - 1;
@@ -114,19 +118,19 @@ static void add_marks(whirl_figure *figure, whirl_panel *panel, const view *v) {
         if (marks) marks->mark = kinds[kind].mark;
         for (size_t point = 0; point < v->table->count; point++)
             for (size_t line = 0; branch_kind(v->table, point) == kind && line < lines_of(v, point); line++)
-                series_add(figure, marks, branch_value(v, point), number_of(v, point, line));
+                series_add(figure, marks, branch_parameter(v, point), branch_shown(v, point, line));
     }
 }
 
-/// Adds the values of special points.
+/// Adds the parameter values of special points as texts.
 static void add_labels(whirl_figure *figure, whirl_panel *panel, const view *v) {
     whirl_series *texts = panel_series(figure, panel, WHIRL_TEXTS, "#000000", 1.0);
     if (texts) texts->movable = true;
     for (size_t point = 0; point < v->table->count; point++) {
         char text[32];
         if (branch_kind(v->table, point) == 0) continue;
-        snprintf(text, sizeof text, "%.5g", branch_value(v, point));
-        series_add_text(figure, texts, branch_value(v, point), number_of(v, point, 0), text);
+        snprintf(text, sizeof text, "%.5g", branch_parameter(v, point));
+        series_add_text(figure, texts, branch_parameter(v, point), branch_shown(v, point, 0), text);
     }
 }
 
@@ -144,7 +148,7 @@ static void add_sweep(whirl_figure *figure, whirl_panel *panel, const view *v) {
         double before = NAN;
         for (size_t k = first; k < section.rows; k++) {
             const double at = length * section.at[4 * k + v->column];
-            // Periodic points repeat: one dot is enough.
+            // Points of a periodic motion repeat: one dot is enough.
             if (!(fabs(at - before) <= 1e-6 * v->of->units->length))
                 series_add(figure, dots, sweep->values[i] / v->size, at);
             before = at;
@@ -207,7 +211,7 @@ static void branch_describe(const drawing *of, const figure_place *place, whirl_
     for (size_t i = 0; i < table->count; i++) span_widen(&v.range, table->values[i] / v.size);
     for (size_t i = 0; sweep && i < sweep->count; i++) span_widen(&v.range, sweep->values[i] / v.size);
     snprintf(figure->caption, sizeof figure->caption,
-             "Periodic orbits of %s over %s, once a revolution (of motions with a time of their own: largest and "
+             "Periodic orbits of %s over %s, once a revolution (if they have a period of their own: largest and "
              "smallest values): solid where they are stable, dashed where not.%s%s Marks: special points, which the "
              "table lists. Below: the largest modulus of a Floquet multiplier.",
              of->result->stations[place->station].name, table->parameter,
@@ -236,7 +240,8 @@ static bool is_subcritical(const whirl_table *table, size_t point) {
 }
 
 /// Adds the curves of a kind: all of them, or their subcritical parts.
-static void add_curves(whirl_figure *figure, whirl_panel *panel, const view *v, int kind, double up, bool subcritical) {
+static void add_curves(whirl_figure *figure, whirl_panel *panel, const view *v, int kind, double second_size,
+                       bool subcritical) {
     const whirl_table *table = v->table;
     whirl_series *lines = NULL;
     char title[64];
@@ -246,12 +251,12 @@ static void add_curves(whirl_figure *figure, whirl_panel *panel, const view *v, 
         if (!lines) lines = panel_named(figure, panel, WHIRL_LINE, title, kinds[kind].colour, 0.9);
         if (!lines) return;
         lines->dashed = subcritical;
-        const bool first = i == 0 || !are_one(table, i - 1, i),
-                   last = i + 1 == table->count || !are_one(table, i, i + 1);
+        const bool first = i == 0 || !branch_same(table, i - 1, i),
+                   last = i + 1 == table->count || !branch_same(table, i, i + 1);
         // Neighbouring pieces share the point at which the sense changes, so that there is no gap.
         for (size_t k = first || is_subcritical(table, i - 1) == subcritical ? i : i - 1; k <= i; k++)
             series_add(figure, lines, table->values[k] / v->size,
-                       point_number(table, k, WHIRL_FIELD_TRACE_SECOND) / up);
+                       point_number(table, k, WHIRL_FIELD_TRACE_SECOND) / second_size);
         if (last || is_subcritical(table, i + 1) != subcritical) series_break(figure, lines);
     }
 }
@@ -259,16 +264,16 @@ static void add_curves(whirl_figure *figure, whirl_panel *panel, const view *v, 
 static void describe_curves(const drawing *of, const figure_place *place, whirl_figure *figure) {
     const whirl_table *table = place->table;
     const char *second = whirl_result_fact(of->result, "second parameter");
-    const double across = whirl_shown_parameter(of->units, table->parameter).size;
-    const double up = whirl_shown_parameter(of->units, second).size;
+    const double size = whirl_shown_parameter(of->units, table->parameter).size;
+    const double second_size = whirl_shown_parameter(of->units, second).size;
     whirl_panel *panel = figure_panel(figure, "curves", 1.0, 7.5);
     if (!panel) return;
     symbol_parameter(of->units, table->parameter, panel->x.label, sizeof panel->x.label);
     symbol_parameter(of->units, second, panel->y.label, sizeof panel->y.label);
-    const view v = {.of = of, .table = table, .size = across};
+    const view v = {.of = of, .table = table, .size = size};
     for (int kind = 1; kind < KINDS; kind++) {
-        add_curves(figure, panel, &v, kind, up, false);
-        add_curves(figure, panel, &v, kind, up, true);
+        add_curves(figure, panel, &v, kind, second_size, false);
+        add_curves(figure, panel, &v, kind, second_size, true);
     }
     snprintf(
         figure->caption, sizeof figure->caption,

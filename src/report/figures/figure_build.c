@@ -29,7 +29,7 @@ span span_with_margin(span range, double margin, double least) {
 
 // ---------------------------------------------------------------- parts
 
-/// Makes room for one more of `count` things in an array, which doubles when full (at 0 and powers of two).
+/// Makes room for one more item in an array of `count` items, whose size doubles at 0 and powers of two.
 static bool figure_make_room(whirl_figure *figure, void *array, size_t count, size_t size) {
     void **at = array;
     if (figure->failed) return false;
@@ -223,7 +223,7 @@ static bool is_named(const char *names, const char *name) {
 whirl_status figure_choose(whirl_figure *figure, const char *names) {
     size_t kept = 0;
     char all[WHIRL_MESSAGE_SIZE / 2] = "";
-    // Refuse names that no panel has, with those that there are.
+    // Reject names that no panel has, and list the names of panels.
     for (const char *at = names; *at;) {
         const size_t length = strcspn(at, ",");
         bool found = false;
@@ -237,7 +237,7 @@ whirl_status figure_choose(whirl_figure *figure, const char *names) {
                               (int)(length < 64 ? length : 64), at, all);
         at += length + (at[length] == ',');
     }
-    // Keep the named panels; the last one shows the axis that panels share.
+    // Keep the named panels; the last of them shows the axis that panels share.
     for (size_t i = 0; i < figure->count; i++) {
         whirl_panel *panel = figure->panels[i];
         if (is_named(names, panel->name))

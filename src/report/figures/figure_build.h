@@ -1,4 +1,4 @@
-/// Making figures: panels and series that grow. Without memory the figure is marked as failed.
+/// Functions that build a figure of panels and series. Without memory they mark the figure as failed.
 #ifndef REPORT_FIGURE_BUILD_H
 #define REPORT_FIGURE_BUILD_H
 
@@ -24,7 +24,7 @@ void span_widen(span *range, double value);
 /// Returns a span widened by a margin (a share of its width) on both sides, and at least `least` wide.
 span span_with_margin(span range, double margin, double least);
 
-/// Prepares a span for drawing; returns true if it has any value.
+/// Returns true if a span has any value.
 bool span_has_any(span range);
 
 /// Adds a panel of `width` (share of the figure's width) and `height` cm, next to the previous one or below it. NULL
@@ -39,7 +39,7 @@ whirl_series *panel_series(whirl_figure *figure, whirl_panel *panel, whirl_shape
 whirl_series *panel_named(whirl_figure *figure, whirl_panel *panel, whirl_shape shape, const char *name,
                           const char *colour, double size);
 
-/// Add a point to a series, which may be NULL. A break ends a line.
+/// Add an item to a series, which may be NULL. A break ends a line.
 void series_add(whirl_figure *figure, whirl_series *series, double x, double y);
 void series_break(whirl_figure *figure, whirl_series *series);
 void series_add_to(whirl_figure *figure, whirl_series *series, double x, double y, double y_to); ///< areas and bars
@@ -47,41 +47,43 @@ void series_add_box(whirl_figure *figure, whirl_series *series, span x, span y);
 void series_add_text(whirl_figure *figure, whirl_series *series, double x, double y, const char *text);
 void series_value(whirl_figure *figure, whirl_series *series, double value); ///< value of the last box
 
-/// Adds a hot spot: a part of a panel that shows a station.
+/// Adds a hot spot, the part of a panel that shows a station.
 void panel_spot(whirl_figure *figure, whirl_panel *panel, const char *station, span x, span y);
 
 /// Adds a tick with a given text.
 void axis_tick(whirl_figure *figure, whirl_axis *axis, double at, const char *text);
 
-/// Sets the range of an axis; a logarithmic axis needs a positive one. For a range that is not finite figure_finish
-/// shows the finite numbers.
+/// Sets the range of an axis; a logarithmic axis needs a positive one. If the range is not finite, figure_finish sets
+/// that of the finite numbers of the series.
 void axis_show(whirl_axis *axis, span range);
 
-/// Adds a line from edge to edge of a panel, at a height or at a horizontal place; the axes must have their ranges.
+/// Add a line from edge to edge of a panel: horizontal at y, or upright at x. The axes must have their ranges.
 whirl_series *panel_level(whirl_figure *figure, whirl_panel *panel, double y, const char *colour, double width);
 whirl_series *panel_upright(whirl_figure *figure, whirl_panel *panel, double x, const char *colour, double width);
 
-/// Adds the series of another figure of the same panels, dashed, before figure_finish; `own` and `its` are words for
-/// both in the legend. WHIRL_BAD_INPUT if axes have other units, or colours have a meaning; WHIRL_NO_MEMORY.
+/// Adds the series of another figure with the same panels, dashed; must be called before figure_finish. `own` and `its`
+/// name both figures in the legend. WHIRL_BAD_INPUT if axes have other units, or if colours have a meaning;
+/// WHIRL_NO_MEMORY.
 whirl_status figure_overlay(whirl_figure *figure, const whirl_figure *other, const char *own, const char *its);
 
 /// Keeps only the named panels ("x,exponent"). WHIRL_BAD_INPUT for an unknown name.
 whirl_status figure_choose(whirl_figure *figure, const char *names);
 
-/// Gives axes without a range the range of their series, makes the axes named by `log` logarithmic (NULL: none), and
-/// places the panels from the top, as many in a row as fit.
+/// Finishes a figure: gives axes without a range that of their series, makes the axes named by `log` ("x", "y", "xy",
+/// NULL) logarithmic, and places the panels from the top, as many in a row as fit.
 void figure_finish(whirl_figure *figure, const char *log);
 
 /// Returns the number of rows of the legend above the figure.
 size_t figure_legend_rows(const whirl_figure *figure);
 
-/// Returns a distance of ticks (1, 2 or 5 times a power of ten) with at most `most` ticks in a range.
+/// Returns a distance of ticks, 1, 2 or 5 times a power of ten, with at most `most` ticks in a range of this width.
 double tick_step(double width, int most);
 
-/// Fills in at most `most` ticks if an axis has none.
+/// Adds at most `most` ticks to an axis without ticks.
 void axis_fill_ticks(whirl_figure *figure, whirl_axis *axis, int most);
 
-/// Returns the width of the numbers at vertical axes in cm; the same for all panels, so that labels line up.
+/// Returns the width in cm that the numbers at vertical axes take; it is the same for all panels, so that labels line
+/// up.
 double figure_number_width(const whirl_figure *figure);
 
 /// Least height of a panel with a vertical label (cm).
@@ -93,11 +95,12 @@ double figure_text_width(const whirl_figure *figure, size_t letters);
 /// Returns the number of letters of a text in UTF-8.
 size_t figure_letters(const char *text);
 
-/// Places the movable texts of a panel, after its axes and box, so that they overlap no other text, legend or edge.
+/// Places the movable texts of a panel so that they overlap no other text, legend or edge. Its axes and box must be
+/// final.
 void figure_place_texts(whirl_figure *figure, whirl_panel *panel);
 
 // ---------------------------------------------------------------- script_data
-// Data inside an HTML page: JSON whose text can end no script element, and arrays of numbers as base64.
+// Writes data into an HTML page: JSON whose texts cannot end a script element, and arrays of numbers as base64.
 
 /// Writes a JSON string, quotes included. '<', '>' and '&' are escaped, so that no text is ever markup; bytes that are
 /// not UTF-8 become U+FFFD.
@@ -115,7 +118,7 @@ void script_number_member(FILE *stream, char before, const char *key, double val
 /// Writes ',"NAME":VALUE' for every member of a struct that has a name.
 void script_members(FILE *stream, const whirl_member *member, const void *from);
 
-/// A stream of bytes written as base64 (RFC 4648); starts as {stream}.
+/// A stream of bytes that is written as base64 (RFC 4648); initial value: {stream}.
 typedef struct base64 {
     FILE *stream;
     uint32_t bits;
@@ -133,7 +136,7 @@ void base64_end(base64 *to);                   ///< writes the remaining bytes, 
 
 enum { SYMBOL_SIZE = 256 };
 
-/// Writes a name as a symbol: "r_k" becomes "$r_{k}$", "k1" likewise; "omega" and "r_delta" get Greek letters; words
+/// Writes a name as a symbol: "r_k" becomes "$r_{k}$", "k1" "$k_{1}$"; "omega" and "r_delta" get Greek letters; words
 /// are unchanged.
 void symbol_of(const char *name, char *text, size_t size);
 

@@ -17,7 +17,7 @@
 
 enum { MAX_CRITICAL = 256 };
 
-/// Directions of whirl: forward, backward, to and fro; torsion.
+/// Names, colours and marks of modes: forward, backward, to and fro; torsional.
 static const struct {
     const char *name, *colour;
     whirl_mark mark;
@@ -31,7 +31,7 @@ typedef struct view {
     const whirl_table *table;
     speed_unit unit;  ///< unit of frequencies
     double top;       ///< largest frequency shown, in its unit
-    double size;      ///< one unit of the parameter, in SI
+    double size;      ///< size of the parameter's unit, in SI
     mode_lines lines; ///< empty if modes were not followed
 } view;
 
@@ -72,8 +72,8 @@ static double top_of(const view *v) {
     return top > 0.0 ? top / v->unit.size : 1.0;
 }
 
-/// Range of a damping field over modes with frequencies up to `most`. Damping above 0.25 is cut off, since it has no
-/// peak in the unbalance response (amplification below 2.5, API 617), unless all modes have more.
+/// Returns the range of a damping field to show. Damping above `most` is cut off, unless even the least damping is near
+/// or above it.
 static span damping_of(const view *v, const char *field, double most) {
     span shown = {0.0, 0.0};
     double least = (double)INFINITY;
@@ -87,7 +87,7 @@ static span damping_of(const view *v, const char *field, double most) {
                 if (pass == 1 && damping[i] <= fmax(most, 1.5 * least)) span_widen(&shown, damping[i]);
             }
         }
-    // A range of rounding size is widened.
+    // Widen a range that is as small as rounding.
     return span_with_margin(shown, 0.08, shown.high - shown.low > 1e-10 ? 0.0 : 0.02);
 }
 
@@ -116,11 +116,12 @@ static void add_modes(whirl_figure *figure, whirl_panel *panel, const view *v, c
     }
 }
 
-/// End of a line at the largest parameter, for its name.
+/// The end of a line at its largest parameter value, where its name is written.
 typedef struct line_end {
-    size_t line, points; ///< number of its shown points
+    size_t line, points; ///< index of the line; number of its shown points
     double at, number, height;
-    double step; ///< the number rounded to invisible steps, so that rounding does not change the order of names
+    double step; ///< number in steps too small to see: names are ordered by it, so that rounding does not change their
+                 ///< order
     const char *name, *colour;
 } line_end;
 
@@ -147,7 +148,7 @@ static void spread_names(const whirl_panel *panel, line_end *ends, size_t count,
         ends[i].height = fmin(ends[i].height, i + 1 < count ? ends[i + 1].height - apart : high);
 }
 
-/// Adds the names of lines that end at the right edge, as many as there is room for, each with a stroke from its line.
+/// Adds the names of lines that end at the right edge, as many as fit, each with a stroke from its line.
 static void add_names(whirl_figure *figure, whirl_panel *panel, line_end *ends, size_t count) {
     const double apart = 0.29 / panel->height * (panel->y.high - panel->y.low); // 0.29 cm
     const double stroke = 0.02 * (panel->x.high - panel->x.low);
@@ -166,7 +167,7 @@ static void add_names(whirl_figure *figure, whirl_panel *panel, line_end *ends, 
     }
 }
 
-/// Adds one line where its frequencies are shown. Returns its end; NaN if no part of it is visible.
+/// Adds one line as far as its frequencies are shown. Returns its end, whose number is NaN if no part is visible.
 static line_end add_line(whirl_figure *figure, whirl_series *series, const view *v, size_t line, const char *field) {
     const mode_lines *lines = &v->lines;
     line_end end = {.line = line, .at = -INFINITY, .number = NAN, .name = lines->names[line]};
@@ -186,8 +187,8 @@ static line_end add_line(whirl_figure *figure, whirl_series *series, const view 
     return end;
 }
 
-/// Adds all lines in colours of their own with their names, dashed for modes that do not whirl forward; or thin lines
-/// with names at the right edge only.
+/// Adds all lines. coloured: each in its own colour with its name where it ends, dashed for modes that do not whirl
+/// forward; else thin and grey, with names only at the right edge. named: false leaves out all names.
 static void add_lines(whirl_figure *figure, whirl_panel *panel, const view *v, const char *field, bool coloured,
                       bool named) {
     const double edge = fmax(v->table->values[0], v->table->values[v->table->count - 1]) / v->size;
@@ -221,7 +222,7 @@ static void add_synchronous(whirl_figure *figure, whirl_panel *panel, const view
                        whirl_table_number(v->table, point, WHIRL_FIELD_MODES_SPEED, 0) / v->unit.size);
 }
 
-/// Adds what excites torsion, but for 1X, each excitation with its name where it ends.
+/// Adds the excitations of torsion except 1X, each with its name at its end.
 static void add_excitations(whirl_figure *figure, whirl_panel *panel, const view *v) {
     for (int k = 0; k < torsion_excitation_count(v->table); k++) {
         // Leave out 1X of the shaft, which has its own line.
@@ -253,7 +254,7 @@ static void add_excitations(whirl_figure *figure, whirl_panel *panel, const view
     }
 }
 
-/// Adds the bounds of the running speeds, where the parameter is a speed.
+/// Adds the bounds of the running speeds, if the parameter is a speed.
 static void add_running(whirl_figure *figure, whirl_panel *panel, const view *v) {
     double ends[2];
     if (!v->unit.of_speed || !margin_running(v->table, &ends[0], &ends[1])) return;
@@ -289,7 +290,7 @@ static whirl_side side_of(const whirl_table *table, const double *const *rows, s
 static void add_critical(whirl_figure *figure, whirl_panel *panel, const view *v, bool damping) {
     const double *rows[MAX_CRITICAL];
     const size_t count = gather_critical(v->table, MAX_CRITICAL, rows);
-    // Critical speeds are marked in the diagram of frequencies alone, thresholds of stability in both.
+    // Critical speeds are marked only in the panel of frequencies, thresholds of stability in both.
     whirl_series *rings = damping ? NULL : panel_named(figure, panel, WHIRL_DOTS, "critical speed", "#000000", 3.6);
     whirl_series *crosses = panel_named(figure, panel, WHIRL_DOTS, "threshold", "#CC0000", 3.6);
     whirl_series *right = damping ? NULL : panel_series(figure, panel, WHIRL_TEXTS, "#000000", 1.0);
@@ -351,6 +352,7 @@ static void campbell_describe(const drawing *of, const figure_place *place, whir
     axis_show(&frequency->x, campbell_range(&v));
     axis_show(&damping->x, campbell_range(&v));
     axis_show(&frequency->y, (span){0.0, v.top});
+    // A mode with damping above 0.25 has no peak in the unbalance response (amplification below 2.5, API 617).
     axis_show(&damping->y, damping_of(&v, WHIRL_FIELD_MODES_DAMPING_RATIO, 0.25));
     snprintf(frequency->y.label, sizeof frequency->y.label, "damped frequency (%.40s)", v.unit.name);
     snprintf(damping->y.label, sizeof damping->y.label, "damping ratio");

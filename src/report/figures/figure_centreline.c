@@ -1,4 +1,4 @@
-// Centrelines: positions of journals in their bearings over the speed, within the walls around them.
+// Centrelines: positions of rest of journals in their bearings over the parameter, within the walls around them.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -21,7 +21,8 @@ static bool centreline_place(const drawing *of, const whirl_table *table, size_t
     return true;
 }
 
-/// Finds the first and the last point at which a journal rests in a film that carries it; returns how many: 0, 1 or 2.
+/// Finds the first and the last point at which a film carries a journal; returns 0 if there is none, 1 if they are one
+/// point, else 2.
 static size_t centreline_ends(const drawing *of, const whirl_table *table, size_t station, size_t ends[2]) {
     size_t count = 0;
     double place[2];
@@ -62,7 +63,7 @@ static void add_end(whirl_figure *figure, whirl_panel *panel, const drawing *of,
 
 static void add_bearing(whirl_figure *figure, const drawing *of, const whirl_table *table, size_t station) {
     const char *const name = of->result->stations[station].name;
-    // Find the points at which the speed turns, and the clearance.
+    // Find the first and the last point, and the walls at the first.
     size_t ends[2] = {0, 0};
     const size_t count = centreline_ends(of, table, station, ends);
     const machine_walls walls = machine_walls_at(of->machine, of->result, table, ends[0], station);
@@ -101,7 +102,7 @@ static void centreline_describe(const drawing *of, const figure_place *place, wh
     for (size_t i = 0; i < used; i++) add_bearing(figure, of, place->table, stations[i]);
     snprintf(figure->caption, sizeof figure->caption,
              "Where journals rest in their films%s%s: grey lines are the walls at the first point, as far as the "
-             "middle of the journal can go; a dot a point, the first and the last with their value.",
+             "middle of the journal can go; a dot for each point, the first and the last with their value.",
              *place->table->parameter ? " over " : "", place->table->parameter);
 }
 

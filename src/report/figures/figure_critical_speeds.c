@@ -16,8 +16,8 @@ static void critical_speeds_list(figure_list *to, const drawing *of, const whirl
         list_figure(to, &place, "critical-speeds", "Critical speeds over %s", table->parameter);
 }
 
-/// Returns critical speed number `which` of a direction (1 forward, -1 backward, 0 plane) at a point; NaN if there is
-/// none.
+/// Returns critical speed number `which` of a direction (1 forward, -1 backward, 0 to and fro) at a point; NaN if there
+/// is none.
 static double speed_of(const whirl_table *table, size_t point, int direction, size_t which) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED);
     const double *speeds = whirl_table_field(table, point, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, 0);
@@ -28,7 +28,8 @@ static double speed_of(const whirl_table *table, size_t point, int direction, si
     return NAN;
 }
 
-/// Adds a line for each critical speed of a direction, in their order; the first line gets the name.
+/// Adds a line for each critical speed of a direction, in their order; the first line has the direction's name in the
+/// legend.
 static void add_direction(whirl_figure *figure, whirl_panel *panel, const drawing *of, const whirl_table *table,
                           int direction, double unit) {
     static const char *const names[] = {"backward", "to and fro", "forward"};
@@ -104,7 +105,7 @@ static bool running_of(const whirl_result *result, double *low, double *high) {
     return false;
 }
 
-/// Adds a band over the whole map, drawn before all lines.
+/// Adds a band for the running speeds, behind all lines.
 static void add_running(whirl_figure *figure, whirl_panel *panel, const drawing *of, const whirl_table *table,
                         double unit) {
     const double size = whirl_shown_parameter(of->units, table->parameter).size;

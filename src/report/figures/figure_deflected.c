@@ -1,4 +1,4 @@
-// Deflection of shafts by their weight and by unbalance.
+// Figures of the deflection of shafts by their weight and by unbalance.
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -88,7 +88,7 @@ static void add_point(const whirl_table *table, double speed, size_t points[DEFL
     if (own < table->count && *count < DEFLECTED) points[(*count)++] = own;
 }
 
-/// Returns the largest peak at a probe below an amplitude; one of amplitude 0 if there is none.
+/// Returns the largest peak at a probe that is smaller than `below`; amplitude 0 if there is none.
 static margin_row next_peak(const drawing *of, const whirl_table *table, double below) {
     margin_row rows[2 * MARGIN_PEAKS], largest = {.amplitude = 0.0};
     for (size_t s = 0; s < of->result->station_count; s++) {
@@ -104,8 +104,8 @@ static int by_number(const void *a, const void *b) {
     return (one > other) - (one < other);
 }
 
-/// Chooses the points at which shapes are drawn, in their order: the largest peaks at probes, and both ends of the
-/// running speeds; without these, the point with the largest orbit. Returns how many.
+/// Chooses the points at which shapes are drawn, in their order, and returns their number: both ends of the running
+/// speeds and the largest peaks at probes; if there are none of these, the point with the largest orbit.
 static size_t choose_points(const drawing *of, const whirl_table *table, size_t points[DEFLECTED]) {
     double low, high, below = HUGE_VAL, most = -1.0;
     size_t count = 0, largest = table->count;
@@ -164,7 +164,7 @@ static void add_deflected(whirl_figure *figure, const drawing *of, const whirl_t
     for (size_t i = 0; bent && i < 4 * places; i++) most = fmax(most, fabs(moved[i] *= length));
     for (size_t i = 0; i < 4 * of->result->station_count; i++)
         most = fmax(most, fabs(values[i % 4][i / 4] = station_number(table, point, i / 4, i % 4, length)));
-    // Draw real and imaginary parts along x and y, behind them the machine.
+    // Draw the machine, then real and imaginary parts along x and y.
     if (panel) {
         const double high = most > 0.0 ? 1.1 * most : 1.0;
         snprintf(panel->title, sizeof panel->title, "%.5g %.40s",

@@ -1,5 +1,6 @@
-// Figures of any field over one parameter, or over two as a map. They are made on request, by "FIELD[:OF][:COLUMN]":
-// "orbit/max_radius:disc", "orbit/mean:disc:y", "lyapunov/largest".
+// Figures of any field over one parameter, or over two as a map. They are made on request by a name
+// FIELD[:OF][:COLUMN], where OF is a station or contact: "orbit/max_radius:disc", "orbit/mean:disc:y",
+// "lyapunov/largest".
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -16,7 +17,7 @@
 
 // ---------------------------------------------------------------- the name
 
-/// Finds a word among names; the error suggests the nearest name.
+/// Finds the index of a word among names. WHIRL_BAD_INPUT for another word, with the nearest name.
 static whirl_status choose(const char *word, const char *const *names, size_t count, const char *what, size_t *chosen) {
     for (*chosen = 0; *chosen < count; ++*chosen)
         if (strcmp(names[*chosen], word) == 0) return whirl_ok();
@@ -79,7 +80,7 @@ static whirl_status field_find(figure_list *list, const drawing *of, const char 
         if (owner) status = choose_owner(of, &place, owner, &place.which);
     }
     if (status.code == WHIRL_OK && column) status = choose_column(&place, column, &place.column);
-    // A map has one number a point.
+    // A map needs a field with one number for each point.
     if (status.code == WHIRL_OK && place.table->row > 0 && place.field->rows != 1)
         status = whirl_fail(WHIRL_BAD_INPUT, "%.60s has %zu rows at every point, expected a field with one for a map",
                             place.field->name, place.field->rows);

@@ -1,4 +1,4 @@
-// Fits: measured numbers of a file and the fitted machine, and their differences.
+// Figures of fits: measured numbers of a file, those of the fitted machine, and their differences.
 #include <math.h>
 #include <stdio.h>
 
@@ -8,7 +8,7 @@
 #include "two_pi.h"
 #include "whirl/engine/fit.h"
 
-/// Columns of the field fit/number that are drawn.
+/// Columns of the field fit/number.
 enum { FIT_SET, FIT_MOTION, FIT_STATION, FIT_ANGLE, FIT_QUANTITY, FIT_AT, FIT_MEASURED, FIT_MODEL, FIT_NUMBERS = 9 };
 
 /// Kinds of panels.
@@ -32,14 +32,14 @@ static void fit_list(figure_list *to, const drawing *of, const whirl_table *tabl
     }
 }
 
-/// Returns true for rows of one probe and order: a line of a panel.
+/// Returns true if two rows belong to one line of a panel: same probe and, except for samples, same order.
 static bool fit_is_line(const double *a, const double *b) {
     const bool both = a[FIT_STATION] == b[FIT_STATION] && a[FIT_ANGLE] == b[FIT_ANGLE];
     return both && (a[FIT_QUANTITY] == WHIRL_FIT_SAMPLE || a[FIT_AT] == b[FIT_AT]);
 }
 
-/// Finds the numbers of one row in a panel, measured and of the model, in SI. Cosine and sine parts follow one another.
-/// Returns false for a row that the panel does not show.
+/// Writes what a panel shows of a row, measured and of the model, in SI. A row with a cosine part is followed by that
+/// with the sine part. Returns false for rows that the panel does not show.
 static bool fit_seen(const double *row, int panel, double seen[2]) {
     const bool parts = row[FIT_QUANTITY] == WHIRL_FIT_COS;
     const double *sine = row + FIT_NUMBERS;
@@ -52,7 +52,8 @@ static bool fit_seen(const double *row, int panel, double seen[2]) {
     return true;
 }
 
-/// Moves lags by whole turns: that of the model next to that of the row before, the measured one next to the model's.
+/// Moves lags by whole turns: the model's next to `before`, that of the previous row, and the measured one next to the
+/// model's.
 static void fit_unwind(double seen[2], double before) {
     seen[1] -= two_pi * round((seen[1] - before) / two_pi);
     seen[0] -= two_pi * round((seen[0] - seen[1]) / two_pi);
@@ -71,7 +72,7 @@ static const double *fit_row(const fit_panel *p, size_t i) {
     return whirl_table_field(p->table, p->point, WHIRL_FIELD_FIT_NUMBER, 0) + FIT_NUMBERS * (p->first + i);
 }
 
-/// Place of a row along the axis: degrees, or the speed of its motion.
+/// Returns the place of a row along the axis: degrees for samples, else the speed of its motion.
 static double fit_along(const fit_panel *p, const double *row) {
     if (p->samples) return 360.0 * row[FIT_AT];
     const double *motions = whirl_table_field(p->table, p->point, WHIRL_FIELD_FIT_MOTION, 0);
@@ -91,7 +92,7 @@ static void fit_draw(const fit_panel *p, int kind, double y_unit, whirl_figure *
         char name[2 * WHIRL_NAME_SIZE], both[2 * WHIRL_NAME_SIZE + 16];
         fit_name_probe(p->of->result, first, name, sizeof name);
         const char *shown = line_colour(colour++);
-        // Draw what was measured as dots, what was fitted as a line.
+        // Draw measured numbers as dots, those of the fitted machine as a line.
         for (int which = 0; which < (kind == FIT_RESIDUAL ? 1 : 2); which++) {
             snprintf(both, sizeof both, "%.100s, %s", name, which ? "fitted" : "measured");
             whirl_series *series = panel_named(figure, panel, which ? WHIRL_LINE : WHIRL_DOTS,
@@ -143,7 +144,7 @@ static void fit_describe(const drawing *of, const figure_place *place, whirl_fig
         fit_draw(&p, kind, kind == FIT_LAG ? two_pi / 360.0 : length->size, figure, panel);
     }
     snprintf(figure->caption, sizeof figure->caption,
-             "Measured numbers (dots) and what the machine does with the fitted parameters (lines). Residuals are "
+             "Measured numbers (dots) and those of the machine with the fitted parameters (lines). Residuals are "
              "measured less fitted%s.",
              p.samples ? "" : ", of amplitudes");
 }

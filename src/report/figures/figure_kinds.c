@@ -1,4 +1,4 @@
-// Registry of figures, and the steps that all kinds share.
+// Registry of the kinds of figures, and the functions that list and make figures of all kinds.
 #include "figure_kinds.h"
 
 #include <stdlib.h>
@@ -33,7 +33,7 @@ whirl_status figures_list(const drawing *of, figure_list *list) {
     return whirl_fail(WHIRL_NO_MEMORY, "no memory for the list of figures");
 }
 
-/// Describes a figure of the list: its panels and series, without ranges and places.
+/// Makes a figure of the list with its panels and series, still without ranges and places.
 static whirl_status figure_described(const drawing *of, const figure_place *place, whirl_figure **out) {
     whirl_figure *figure = calloc(1, sizeof *figure);
     *out = figure;
@@ -47,7 +47,7 @@ static whirl_status figure_described(const drawing *of, const figure_place *plac
     return whirl_fail(WHIRL_NO_MEMORY, "no memory for the figure %.100s", place->name.name);
 }
 
-/// Chooses panels and places them; frees the figure after a failure.
+/// Keeps the requested panels and places them; frees the figure after a failure.
 static whirl_status figure_completed(whirl_status status, const whirl_figure_options *options, whirl_figure **figure) {
     if (status.code == WHIRL_OK && options && options->panels) status = figure_choose(*figure, options->panels);
     if (status.code == WHIRL_OK) {
@@ -64,9 +64,9 @@ whirl_status figure_make(const drawing *of, const figure_place *place, const whi
     return figure_completed(figure_described(of, place, out), options, out);
 }
 
-// ---------------------------------------------------------------- for others
+// ---------------------------------------------------------------- figures by name
 
-/// A result for figures, with every attractor once.
+/// A result for figures, with each attractor as a table of its own, and the list of its figures.
 typedef struct shown_result {
     whirl_result *view;
     whirl_shown_units units;
@@ -107,7 +107,7 @@ whirl_status whirl_figure_names(const whirl_result *result, const char *units, w
     return status;
 }
 
-/// Returns the kind with this name's stem if the result has no figure of that kind; else NULL.
+/// Returns the kind to which a name belongs by its stem, if the result has no figure of that kind; else NULL.
 static const figure_kind *kind_lacking(const figure_list *list, const char *name) {
     const figure_kind *lacking = NULL;
     for (size_t k = 0; k < KINDS; k++)
@@ -139,8 +139,8 @@ static whirl_status no_figure(const shown_result *shown, const whirl_table *with
     return status;
 }
 
-/// Finds the list index of a figure by name, or makes a figure on request; index list->count if there is none. If
-/// `within` is not NULL, only figures of that table count.
+/// Finds the index of a figure in the list by its name, or adds a figure that is made on request; index list->count if
+/// there is none. within: only figures of this table count; NULL: of all tables.
 static whirl_status find_named(shown_result *shown, const whirl_table *within, const char *name, size_t *at) {
     figure_list *list = &shown->list;
     whirl_result alone = *shown->of.result;
@@ -161,7 +161,7 @@ static whirl_status find_named(shown_result *shown, const whirl_table *within, c
     return list->failed ? whirl_fail(WHIRL_NO_MEMORY, "no memory for the figure %.100s", name) : status;
 }
 
-/// Returns true if some field's name begins with the word before `rest` and a slash, like "modes/frequency".
+/// Returns true if the part of `name` before `rest` is the group of a field, like "modes" of "modes/frequency".
 static bool is_group(const whirl_result *result, const char *name, const char *rest) {
     for (size_t t = 0; t < result->table_count; t++)
         for (size_t f = 0; f < result->tables[t].layout.field_count; f++)
@@ -169,8 +169,8 @@ static bool is_group(const whirl_result *result, const char *name, const char *r
     return false;
 }
 
-/// "detail/@#3:disc" is the figure "@#3:disc" of the table "detail". Names of fields, and units of values ("@2.5
-/// rad/s"), have a slash, too.
+/// Finds a figure by its name, which may begin with a table: "detail/@#3:disc" is the figure "@#3:disc" of the table
+/// "detail". Names of fields and units ("@2.5 rad/s") have a slash, too.
 static whirl_status find_figure(shown_result *shown, const char *name, size_t *at) {
     const char *slash = *name == '@' ? NULL : strchr(name, '/');
     whirl_status status = whirl_ok();
@@ -189,7 +189,7 @@ static whirl_status find_figure(shown_result *shown, const char *name, size_t *a
     return status.code == WHIRL_OK && *at == shown->list.count ? no_figure(shown, NULL, name) : status;
 }
 
-/// Describes the figure of a name (NULL: the first) of a result.
+/// Makes the figure of a result with this name (NULL: the first figure of a table).
 static whirl_status figure_of_result(shown_result *shown, const char *name, whirl_figure **figure) {
     size_t at = 0;
     whirl_status status = name ? find_figure(shown, name, &at) : whirl_ok();
@@ -199,7 +199,7 @@ static whirl_status figure_of_result(shown_result *shown, const char *name, whir
     return status.code == WHIRL_OK ? figure_described(&shown->of, &shown->list.items[at], figure) : status;
 }
 
-/// Shows a result in the units of another one, lengths in the same unit or over the same scale.
+/// Shows a result in the units of another one; lengths over the scale of a case are shown over that of the other.
 static void shown_like(shown_result *shown, const shown_result *first) {
     const double length = first->units.length * shown->view->length_scale / first->view->length_scale;
     shown->units = first->units;
@@ -207,7 +207,7 @@ static void shown_like(shown_result *shown, const shown_result *first) {
     shown->units.length = length;
 }
 
-/// Word for what a result is next to another one.
+/// Returns the word for the origin of a result in a legend.
 static const char *figure_origin(const whirl_result *result) {
     return *whirl_result_fact(result, "measured") ? "measured" : "computed";
 }

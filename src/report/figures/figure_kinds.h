@@ -1,4 +1,4 @@
-/// Kinds of figures of results: one file for each kind in this folder, and a word in FIGURE_KINDS.
+/// Kinds of figures of results. Each kind has a file in this folder and a word in FIGURE_KINDS below.
 #ifndef REPORT_FIGURE_KINDS_H
 #define REPORT_FIGURE_KINDS_H
 
@@ -28,7 +28,7 @@ typedef struct figure_place {
     const figure_kind *kind;
     const whirl_table *table; ///< its table
     long point;               ///< point of the table; or NO_POINT
-    size_t station, which;    ///< index among several alike
+    size_t station, which;    ///< which: index among several figures of a kind, as the kind defines it
     const whirl_field *field; ///< field shown by a figure of fields
     size_t column;            ///< column of the field; `which` is the station or contact
     whirl_figure_name name;
@@ -38,30 +38,30 @@ typedef struct figure_place {
 typedef struct figure_list {
     size_t count, room;
     figure_place *items;
-    bool failed; ///< memory was lacking
+    bool failed; ///< memory ran out
 } figure_list;
 
 struct figure_kind {
     /// Adds the figures of a table, if it has any of this kind.
     void (*list)(figure_list *list, const drawing *of, const whirl_table *table);
-    /// Makes one of these figures, whose name and title are already set.
+    /// Makes a figure, whose name and title are already set.
     void (*describe)(const drawing *of, const figure_place *place, whirl_figure *figure);
     /// Optional: adds a figure that is not on the list but can be made on request. WHIRL_BAD_INPUT if the name is of
     /// this kind but no such figure can be made.
     whirl_status (*find)(figure_list *list, const drawing *of, const char *name);
-    const char *stem;  ///< beginning of all names of this kind, or NULL
+    const char *stem;  ///< beginning of all names of this kind; NULL: none
     const char *study; ///< the study in a case that makes these figures
-    bool samples;      ///< figures of studies of tolerances, which have no others
+    bool samples;      ///< the kind is for studies of tolerances, which have figures of no other kind
     bool whole;        ///< figures of the whole result: `list` is called once, with its first table or NULL
 };
 
-/// shown_number: a number of a point in its shown unit, for figures of fields, from a row of the field. shown_label:
-/// its label.
+/// For figures of fields. shown_number: returns a number of a point, from a row of the field, in its shown unit.
+/// shown_label: writes its label.
 double shown_number(const drawing *of, const figure_place *place, size_t point, size_t row);
 void shown_label(const drawing *of, const figure_place *place, char *label, size_t size);
 
-/// shown_quantity: name of the number without unit, either its column or the meaning of the field up to the remark.
-/// shown_owner: the station or contact, "" for numbers of a point.
+/// shown_quantity: writes the name of the number without unit: its column, or the meaning of the field without remarks.
+/// shown_owner: returns the station or contact, "" for numbers of a point.
 void shown_quantity(const figure_place *place, char *text, size_t size);
 const char *shown_owner(const drawing *of, const figure_place *place);
 
@@ -99,8 +99,8 @@ bool table_is_sweep(const drawing *of, const whirl_table *table);
 #define FIGURE_KIND(name) extern const figure_kind name##_figure;
 FIGURE_KINDS(FIGURE_KIND)
 
-/// Colours of amplitudes in waterfalls and spectrograms: viridis from its bright end, so that on white the largest are
-/// the darkest.
+/// Colours of amplitudes in waterfalls and spectrograms: viridis from its bright end, so that on white the largest
+/// amplitudes are the darkest.
 enum { WATERFALL_COLOURS = 8 };
 extern const char *const waterfall_colours[WATERFALL_COLOURS];
 

@@ -1,11 +1,11 @@
-// Positions of a figure's panels, and ranges of their axes.
+// Places the panels of a figure, and chooses the ranges of their axes.
 #include <math.h>
 #include <string.h>
 
 #include "figure_build.h"
 
-// Margins around a panel in cm: left of the numbers, for a label, right, below with numbers and label, below without,
-// for titles.
+// Margins around a panel in cm: BARE left of its numbers, LABEL for the vertical label, RIGHT, BELOW with numbers and
+// label, APART below without these, TITLE above.
 static const double BARE = 0.45, LABEL = 0.62, RIGHT = 0.3, BELOW = 0.95, APART = 0.16, TITLE = 0.45;
 /// Width in cm of the colour scale on the right.
 static const double SCALE = 2.0;
@@ -47,7 +47,7 @@ static double least_of(const whirl_panel *panel, bool upright, double most) {
     return least;
 }
 
-/// Adds a margin to the range of a logarithmic axis, as a ratio.
+/// Returns the range of a logarithmic axis with a margin on both sides, as a share of its width.
 static span around(span range, double margin) {
     const double ratio = pow(range.high / range.low, margin);
     return (span){range.low / ratio, range.high * ratio};
@@ -72,12 +72,12 @@ static void fit_axis(const whirl_panel *panel, whirl_axis *axis, bool upright, b
     else if (open)
         axis_show(axis, span_with_margin(all, 0.05, most > 0.0 ? 1e-9 * most : 1.0));
     if (!(axis->low > 0.0)) axis->logarithmic = false;
-    const double wide = fmax(1.0, 1e-6 * fabs(axis->low)); // a span of one number
+    const double wide = fmax(1.0, 1e-6 * fabs(axis->low)); // width of a range of one number
     if (!(axis->low < axis->high)) axis_show(axis, span_with_margin((span){axis->low, axis->low}, 0.0, wide));
 }
 
-/// Gives an axis without a valid range (only infinite numbers, say) the range from 0 to 1, and makes a logarithmic axis
-/// linear unless its range is positive.
+/// Gives an axis without a valid range (for example with infinite numbers only) the range from 0 to 1, and makes a
+/// logarithmic axis linear unless its range is positive.
 static void bound_axis(whirl_axis *axis) {
     if (!(axis->low > 0.0)) axis->logarithmic = false;
     if (isfinite(axis->low) && isfinite(axis->high) && axis->low < axis->high) return;
@@ -140,14 +140,14 @@ static double row_height(const whirl_figure *figure, size_t first, size_t end) {
     return height;
 }
 
-/// Left margin of a panel, cm.
+/// Returns the left margin of a panel, cm.
 static double left_of(const whirl_figure *figure, const whirl_panel *panel) {
     const double label = *panel->y.label ? LABEL : 0.0;
     return panel->y.shown ? BARE + figure_number_width(figure) + label : BARE;
 }
 
-/// Left margin of a panel in its row, cm. It is the same in all rows with the same number and widths of panels, so that
-/// their axes line up.
+/// Returns the left margin of a panel, cm, the largest of its column: rows with the same number and widths of panels
+/// have the same margins, so that their axes line up.
 static double left_in_column(const whirl_figure *figure, size_t first, size_t end, size_t panel) {
     double left = 0.0;
     for (size_t other = 0, next; other < figure->count; other = next) {
@@ -160,7 +160,7 @@ static double left_in_column(const whirl_figure *figure, size_t first, size_t en
     return left;
 }
 
-/// Places the panels of a row, and shares the width that numbers and labels leave.
+/// Places the panels of a row; they share the width that numbers and labels leave.
 static void place_row(whirl_figure *figure, size_t first, size_t end, double top) {
     const double wide = figure->width - (*figure->scale.label ? SCALE : 0.0);
     double shares = 0.0, inner = 0.0, left = 0.0;
@@ -184,7 +184,7 @@ static void break_label(const whirl_figure *figure, whirl_panel *panel) {
     if (panel->height >= FIGURE_LOW_PANEL && gap && figure_text_width(figure, letters) > panel->height) *gap = '\n';
 }
 
-/// Fills in ticks, whose number depends on an axis' length. Horizontal axes get theirs after the panels are placed.
+/// Adds ticks to the vertical (upright) or horizontal axes; their number depends on the length of the axis.
 static void fill_ticks(whirl_figure *figure, bool upright) {
     for (size_t i = 0; i < figure->count; i++) {
         whirl_panel *panel = figure->panels[i];
@@ -196,7 +196,7 @@ static void fill_ticks(whirl_figure *figure, bool upright) {
     }
 }
 
-/// Widens one axis of a panel so that both have one scale.
+/// Widens one axis of a panel so that both axes have the same scale.
 static void match_scales(const whirl_figure *figure, whirl_panel *panel) {
     const double across = (panel->right - panel->left) * figure->width, up = panel->height;
     const double x = (panel->x.high - panel->x.low) / across, y = (panel->y.high - panel->y.low) / up;
@@ -205,7 +205,7 @@ static void match_scales(const whirl_figure *figure, whirl_panel *panel) {
     axis_show(narrow, (span){middle - half, middle + half});
 }
 
-/// Shrinks the figure to its panels if each stands alone in a row and is narrower.
+/// Narrows the figure to its panels if each is alone in its row and narrower than the figure.
 static void fit_width(whirl_figure *figure) {
     const double beside = *figure->scale.label ? SCALE : 0.0;
     double widest = 0.0;

@@ -1,4 +1,4 @@
-// Parts shared by the kinds of figures: their list, colours of lines, fields of tables.
+// Functions that the kinds of figures share: their list, colours of lines, fields of tables.
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,7 +28,8 @@ static bool is_taken(const figure_list *list, const char *name) {
     return false;
 }
 
-/// The own name of a table of a study at rest: "first_minimum" for "unbalance_first_minimum"; "" without one.
+/// Returns the part of a table's name that distinguishes it from other tables of its study at rest: "first_minimum" for
+/// "unbalance_first_minimum"; "" without one.
 static const char *name_beside(const whirl_table *table) {
     if (whirl_analysis_kind(table->analyses)->moves || whirl_analysis_kind(table->analyses)->found) return "";
     for (const whirl_analysis *one = whirl_analyses(); one->name; one++) {
@@ -53,7 +54,7 @@ void list_figure(figure_list *list, const figure_place *place, const char *name,
     whirl_figure_name *const own = &added->name;
     *added = *place;
     *own = (whirl_figure_name){.point = place->point, .station = place->station};
-    // Make a name for files from the given one and, of several tables, that of the table.
+    // Make a name for files from the given one and the table's own part.
     char safe[sizeof added->within], whole[sizeof safe];
     const char *const beside = place->kind->whole ? "" : name_beside(place->table);
     safe_name(name, added->within, sizeof added->within);

@@ -18,7 +18,7 @@
 
 enum { MAX_PLANES = 12, LEVELS = WHIRL_HIGH + 1 };
 
-/// Strength of a verdict's colour over white, by confidence.
+/// Share of a verdict's colour that is mixed with white, by confidence.
 static const double strength[LEVELS] = {[WHIRL_LOW] = 0.4, [WHIRL_FAIR] = 0.8, [WHIRL_HIGH] = 1.0};
 
 // Viridis and a blue-white-vermilion scale: both are suitable for all kinds of colour vision.
@@ -47,7 +47,7 @@ typedef struct map_quantity {
 
 // ---------------------------------------------------------------- numbers
 
-/// Returns class and confidence as one number.
+/// Returns class and confidence of the verdict as one number.
 static double regime_of(const map_drawing *map, size_t point, size_t station) {
     const whirl_verdict verdict = whirl_table_verdict(map->table, point);
     (void)station;
@@ -147,12 +147,12 @@ static const map_quantity quantities[] = {
 };
 enum { BASINS, REGIMES, QUANTITIES = sizeof quantities / sizeof *quantities };
 
-/// Returns the numbers of any field.
+/// The quantity of a figure of any field.
 static const map_quantity of_field = {"", "", "", field_of, scale_as_found, false};
 
 // ---------------------------------------------------------------- cells
 
-/// Returns the number of an undivided square: the mean of its corners.
+/// Returns the number of a square that was not refined: the mean of its corners.
 static double square_number(const map_drawing *map, const map_cells *cells, const double *of, size_t point,
                             size_t width) {
     const size_t slot = whirl_table_slot(map->table, point), x = slot % cells->columns, y = slot / cells->columns;
@@ -167,7 +167,8 @@ static double square_number(const map_drawing *map, const map_cells *cells, cons
     return 0.25 * sum;
 }
 
-/// Fills in the numbers of all cells of a plane from those of all points; NaN for cells without one.
+/// Writes the numbers of all cells of a plane; NaN for cells without a point. mixes: squares have the mean of their
+/// corners, else the number of their point.
 static void fill_cells(const map_drawing *map, const map_cells *cells, bool mixes, const double *of, double *values) {
     const size_t count = map->table->count;
     for (size_t slot = 0; slot < cells->columns * cells->rows; slot++) {
@@ -200,7 +201,7 @@ static void add_borders(const map_drawing *map, whirl_panel *panel, const map_ce
     free(kinds);
 }
 
-/// Colour of a class or attractor, mixed with white for low confidence.
+/// Writes the colour of a class or attractor, mixed with white for low confidence.
 static void kind_colour(const map_quantity *what, size_t code, char colour[8]) {
     const bool judged = what == &quantities[REGIMES];
     const char *full = judged ? regime_class_colour((regime_class)(code / LEVELS)) : attractor_colour(code + 1);
@@ -213,7 +214,7 @@ static void kind_colour(const map_quantity *what, size_t code, char colour[8]) {
     snprintf(colour, 8, "#%06X", mixed & 0xffffffu);
 }
 
-/// Legend of a class or an attractor, "P-5 (31 %)".
+/// Writes the name of a class or an attractor for the legend: "P-5 (31 %)" for an attractor with 31 % of the starts.
 static void kind_name(const map_drawing *map, const map_quantity *what, size_t code, char *name, size_t size) {
     if (what == &quantities[REGIMES]) {
         snprintf(name, size, "%s", regime_class_name((regime_class)(code / LEVELS)));
@@ -320,7 +321,7 @@ static size_t plane_count(const whirl_table *table) {
 }
 
 static void write_caption(const map_drawing *map, const map_quantity *what, size_t station) {
-    // Say how many planes are shown.
+    // State how many planes are shown.
     const whirl_table *table = map->table;
     const size_t planes = whirl_table_planes(table), shown = plane_count(table);
     char text[500], note[160] = "";
@@ -330,10 +331,11 @@ static void write_caption(const map_drawing *map, const map_quantity *what, size
         snprintf(note, sizeof note, " A panel for every %.63s.", table->third);
     // Describe the quantity: regimes, basins, a field, or another number.
     if (what == &quantities[REGIMES]) {
-        snprintf(text, sizeof text,
-                 "Regimes over %s and %s, a cell a point (%zu by %zu). The paler a cell, the less its verdict can be "
-                 "trusted: fair and low confidence are mixed with white.",
-                 table->parameter, table->second, table->row, whirl_table_rows(table));
+        snprintf(
+            text, sizeof text,
+            "Regimes over %s and %s, a cell for each point (%zu by %zu). The paler a cell, the less its verdict can be "
+            "trusted: fair and low confidence are mixed with white.",
+            table->parameter, table->second, table->row, whirl_table_rows(table));
         if (table->refine > 0)
             snprintf(text + strlen(text), sizeof text - strlen(text),
                      " %zu points were computed, where regimes meet; a square whose corners agree is of their regime.",
@@ -382,7 +384,7 @@ static void map_list(figure_list *to, const drawing *of, const whirl_table *tabl
     if (table->row == 0) return;
     if (is_basin(table)) add_to_list(to, &map, BASINS, 0);
     if (whirl_layout_has_verdict(&table->layout)) add_to_list(to, &map, REGIMES, 0);
-    // Other numbers of a basin are those of its attractors, and are not drawn as maps.
+    // Other numbers of a basin belong to its attractors, and have no maps.
     for (size_t which = REGIMES + 1; which < QUANTITIES && !is_basin(table); which++)
         for (size_t s = 0; s < (quantities[which].per_station ? of->result->station_count : 1); s++)
             if (is_known(&map, &quantities[which], s)) add_to_list(to, &map, which, s);

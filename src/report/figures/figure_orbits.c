@@ -1,5 +1,5 @@
-// Orbits in the nonlinear films of a lateral analysis: every station with a clearance, all motions of the table, within
-// the walls around them.
+// Orbits of motions in a lateral analysis: for every station with a clearance, the motions of the table within the
+// walls around it.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -18,7 +18,7 @@
 
 enum { MAX_STATIONS = 12, MAX_MOTIONS = 6, STEPS = 180 };
 
-/// Motions that are drawn: the first ones with a waveform.
+/// Finds the motions to draw, the first ones with a waveform; returns their number.
 static size_t motions_of(const whirl_table *table, size_t motions[MAX_MOTIONS]) {
     size_t count = 0;
     for (size_t i = 0; i < table->count && count < MAX_MOTIONS; i++)
@@ -26,7 +26,8 @@ static size_t motions_of(const whirl_table *table, size_t motions[MAX_MOTIONS]) 
     return count;
 }
 
-/// Selects the stations with walls; if there are too many, those that motions come nearest to. Keeps their order.
+/// Selects the stations with walls, in their order, and returns their number. Of too many it selects those whose
+/// motions come nearest to a wall.
 static size_t stations_of(const drawing *of, const whirl_table *table, const size_t *motions, size_t count,
                           size_t stations[MAX_STATIONS]) {
     double shares[MAX_STATIONS];
@@ -41,7 +42,7 @@ static size_t stations_of(const drawing *of, const whirl_table *table, const siz
                 if (all[i] > 0.0) share = fmax(share, radius / all[i]);
         }
         if (!(share > 0.0)) continue;
-        // Keep the station if there is room, or if a kept one comes less near; the least is then dropped.
+        // Keep the station if there is room, or in place of the kept one with the least share, if that is less.
         size_t least = 0;
         for (size_t i = 1; i < used; i++)
             if (shares[i] < shares[least]) least = i;
@@ -117,7 +118,7 @@ static double add_walls(whirl_figure *figure, whirl_panel *panel, const drawing 
     return widest;
 }
 
-/// Adds the motions at a station; the legend names them once.
+/// Adds a panel with the motions at a station; only the first panel's motions are in the legend.
 static void add_station(whirl_figure *figure, const drawing *of, const whirl_table *table, size_t station,
                         const size_t *motions, size_t count) {
     const char *name = of->result->stations[station].name;

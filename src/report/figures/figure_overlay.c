@@ -1,4 +1,4 @@
-// Two results in one picture: the series of one figure drawn into another.
+// Draws the series of one figure into another one, to compare two results.
 #include "figure_build.h"
 
 #include <math.h>
@@ -19,7 +19,7 @@ static const whirl_panel *overlay_panel(const whirl_figure *figure, const char *
     return NULL;
 }
 
-/// The line without a name that stands for the panel: the thickest of those; NULL if other lines have names.
+/// Returns the main line of a panel, the thickest of its lines; NULL if a series has a name.
 static const whirl_series *overlay_main_line(const whirl_panel *panel) {
     const whirl_series *found = NULL;
     for (size_t k = 0; k < panel->count; k++) {
@@ -30,13 +30,14 @@ static const whirl_series *overlay_main_line(const whirl_panel *panel) {
     return found;
 }
 
-/// Adds the word for its result to the name of a series in the legend.
+/// Adds the word for its result to the name of a series in the legend; only the main line of a panel may have no name
+/// before.
 static void overlay_name(whirl_series *series, bool main, const char *word) {
     const size_t used = strlen(series->name);
     if (used > 0 || main) snprintf(series->name + used, sizeof series->name - used, used > 0 ? ", %s" : "%s", word);
 }
 
-/// Widens an axis that has its range.
+/// Widens an axis with a range by that of another axis.
 static void overlay_widen(whirl_axis *axis, const whirl_axis *by) {
     if (!isfinite(axis->low) || !isfinite(by->low) || !(axis->high > axis->low)) return;
     axis->low = fmin(axis->low, by->low);
@@ -62,10 +63,10 @@ static void overlay_series(whirl_figure *figure, whirl_panel *panel, const whirl
 }
 
 whirl_status figure_overlay(whirl_figure *figure, const whirl_figure *other, const char *own, const char *its) {
-    // Refuse maps: colours of one would hide the other.
+    // Reject maps: the colours of one would hide the other.
     if (overlay_is_coloured(figure) || overlay_is_coloured(other))
         return whirl_fail(WHIRL_BAD_INPUT,
-                          "the figure %.80s has areas of colours, two of them cannot lie in one picture", figure->name);
+                          "the figure %.80s has areas of colours, two of which cannot share one picture", figure->name);
     // Join panels of the same name.
     for (size_t i = 0; i < figure->count; i++) {
         whirl_panel *panel = figure->panels[i];

@@ -18,7 +18,7 @@
 #include "whirl/handles.h"
 #include "whirl/status.h"
 
-/// An orbit counts as near a circle if it misses or passes it by at most this share of its size.
+/// An orbit counts as near a circle if its distance from the circle is at most this share of its size.
 static const double NEAR = 0.35;
 
 enum { SHOWN_TURNS = 10 }; ///< revolutions of the waveform panel
@@ -26,7 +26,7 @@ enum { SHOWN_TURNS = 10 }; ///< revolutions of the waveform panel
 static const char dark[] = "#303030";
 
 static subject subject_of(const drawing *to, const whirl_table *table, size_t point, size_t station) {
-    // Note what is drawn, and its units.
+    // Note the point, and its units.
     const whirl_shown_units *units = to->units;
     subject of = {.result = to->result,
                   .machine = to->machine,
@@ -69,14 +69,14 @@ static window window_around(span x, span y, double side) {
     return (window){0.5 * (x.low + x.high), 0.5 * (y.low + y.high), side};
 }
 
-/// Returns true if a circle around (0, 0) passes through a window; never for radius 0.
+/// Returns true if a circle around (0, 0) passes through a window; false for radius 0.
 static bool circle_shows(const window *in, double radius) {
     const double half = 0.5 * in->side, x = fabs(in->x), y = fabs(in->y);
     return radius > 0.0 && radius >= hypot(fmax(x - half, 0.0), fmax(y - half, 0.0)) &&
            radius <= hypot(x + half, y + half);
 }
 
-/// Window of the orbit, and of the nearest part of a circle if the orbit comes near it.
+/// Returns the window of the orbit; it includes the nearest part of a circle that the orbit comes near to.
 static window orbit_window(const subject *of) {
     span x = of->x, y = of->y;
     size_t far = 0;
@@ -92,13 +92,13 @@ static window orbit_window(const subject *of) {
         if (r <= 0.0 || fabs(r - most) > NEAR * of->size) continue;
         span_widen(&x, of->length * of->waveform.at[2 * far] * r / most);
         span_widen(&y, of->length * of->waveform.at[2 * far + 1] * r / most);
-        if (of->size < r) continue; // a small orbit: an arc is enough
+        if (of->size < r) continue; // for a small orbit an arc is enough
         for (int side = -1; side <= 1; side += 2) span_widen(&x, side * r), span_widen(&y, side * r);
     }
     return window_around(x, y, 1.16 * fmax(x.high - x.low, y.high - y.low));
 }
 
-/// Circles in the orbit's window: bit 0 the bearing, bit 1 the stator.
+/// Returns which circles the orbit's window shows: bit 0 the bearing, bit 1 the stator.
 static unsigned shown_circles(const subject *of) {
     const window in = orbit_window(of);
     return (unsigned)circle_shows(&in, of->length * machine_wall_radius(&of->wall, atan2(in.y, in.x))) |
@@ -107,7 +107,7 @@ static unsigned shown_circles(const subject *of) {
 
 // ---------------------------------------------------------------- panels
 
-/// Writes the symbols of x and y for a label.
+/// Writes the symbols of x and y for the label of an axis.
 static void name_both(const subject *of, char *text, size_t size) {
     char x[SYMBOL_SIZE], y[SYMBOL_SIZE];
     symbol_length(of->units, WHIRL_FROM_CENTRE, "$x$", x, sizeof x);
@@ -129,6 +129,7 @@ static void add_waveform(whirl_figure *figure, whirl_panel *panel, const subject
     snprintf(panel->x.label, sizeof panel->x.label, "revolution");
     name_both(of, panel->y.label, sizeof panel->y.label);
     panel->keyed = true;
+    // Draw x and y over the last revolutions.
     for (size_t column = 0; column < 2; column++) {
         whirl_series *line = panel_named(figure, panel, WHIRL_LINE, column ? "$y$" : "$x$", line_colour(column), 0.53);
         for (size_t k = 0; k < rows; k++) {
@@ -137,7 +138,7 @@ static void add_waveform(whirl_figure *figure, whirl_panel *panel, const subject
                 series_add(figure, line, at, of->length * of->waveform.at[2 * k + column]);
         }
     }
-    // Adds the points of the section.
+    // Mark the points of the section, once a revolution.
     whirl_series *marks = panel_series(figure, panel, WHIRL_DOTS, dark, 0.9);
     for (size_t k = 0; k < rows; k++) {
         const double at = (double)(k + 1) / (double)of->turn;
@@ -155,10 +156,10 @@ static void show_window(whirl_panel *panel, const subject *of, const window *in)
     panel->equal = true;
 }
 
-/// Adds the part of a circle around (0, 0) that falls into a window, and slightly more.
+/// Adds the part of a circle around (0, 0) within a window, and slightly more.
 static void add_circle(whirl_figure *figure, whirl_series *line, const window *in, double radius) {
-    // Only the arc that may cross the window is drawn. Seen from the centre, it lies within the angle of the window's
-    // circumscribed circle.
+    // Draw only the arc that may cross the window: seen from (0, 0), that within the angle of a circle around the
+    // window.
     enum { STEPS = 500 };
     const double distance = hypot(in->x, in->y), reach = 0.85 * in->side, pi = acos(-1.0);
     const double half = distance > reach ? asin(reach / distance) : pi, middle = atan2(in->y, in->x);
@@ -172,7 +173,7 @@ static bool is_periodic(const subject *of) {
     return whirl_table_verdict(of->table, of->point).regime == WHIRL_PERIODIC;
 }
 
-/// Size of marks in the section: larger for periodic motions, which have few.
+/// Returns the size of dots in the section: larger for periodic motions, which have few.
 static double mark_size(const subject *of) {
     return is_periodic(of) ? 2.2 : 1.1;
 }
@@ -212,7 +213,7 @@ void orbit_marks(whirl_figure *figure, whirl_panel *panel, const numbers *sample
     add_arrow(figure, panel, at + 2 * (k - 1), at + 2 * k, at + 2 * (k + 1), length, fmin(size, own), colour);
 }
 
-/// Adds the part of the bearing's wall that falls into a window, and slightly more.
+/// Adds the part of the bearing's wall within a window, and slightly more.
 static void add_wall(whirl_figure *figure, whirl_series *line, const window *in, const subject *of) {
     if (of->wall.round) {
         add_circle(figure, line, in, of->length * of->walls.clearance);
@@ -239,8 +240,8 @@ static void add_orbit(whirl_figure *figure, whirl_panel *panel, const subject *o
     orbit_marks(figure, panel, &of->waveform, of->turn, of->length, 0.05 * in.side, line_colour(1), mark_size(of));
 }
 
-/// The window fits the section, but has at least a fifth of the motion's size, so that rounding noise of a fixed point
-/// is not magnified.
+/// Adds the Poincare section. The window fits the section, but has at least a fifth of the motion's size, so that
+/// rounding errors of a fixed point are not magnified.
 static void add_section(whirl_figure *figure, whirl_panel *panel, const subject *of) {
     span x = span_empty(), y = span_empty();
     for (size_t k = 0; k < of->section.rows; k++) {
@@ -262,7 +263,7 @@ static void add_section(whirl_figure *figure, whirl_panel *panel, const subject 
 
 enum { WAVEFORM_PANEL, ORBIT_PANEL, SPECTRUM_PANEL, SECTION_PANEL, FULL_PANEL, LINES_PANEL, PANEL_COUNT };
 
-/// Finds out which panels have data, in the order of their letters.
+/// Finds which panels have data, in the order of their letters.
 static void panels_there(const subject *of, bool there[PANEL_COUNT]) {
     there[WAVEFORM_PANEL] = there[ORBIT_PANEL] = of->waveform.at != NULL;
     there[SPECTRUM_PANEL] = there[FULL_PANEL] = of->spectrum.at != NULL;
@@ -273,7 +274,7 @@ static void panels_there(const subject *of, bool there[PANEL_COUNT]) {
 static void (*const adders[])(whirl_figure *, whirl_panel *, const subject *) = {
     add_waveform, add_orbit, add_half_spectrum, add_section, add_full_spectrum, add_lines};
 
-/// Caption of the letters: " (a) Waveform, (b) orbit (grey: bearing), ...".
+/// Writes the caption of the letters: " (a) Waveform, (b) orbit (grey: bearing), ...".
 static void name_panels(const subject *of, char *text, size_t size) {
     // Name what each panel shows; circles of the orbit are explained.
     const unsigned circles = of->waveform.at ? shown_circles(of) : 0;
@@ -287,7 +288,7 @@ static void name_panels(const subject *of, char *text, size_t size) {
                                  "Poincar\u00e9 map (once a revolution)",
                                  "full spectrum of x + iy",
                                  "lines of the full spectrum"};
-    // Join the names of the panels that are there.
+    // Join the names of the panels with data.
     bool there[PANEL_COUNT];
     size_t used = 0;
     char letter = 'a';
@@ -307,7 +308,7 @@ static bool is_there(const whirl_table *table, size_t point, size_t station) {
             point_spectrum(table, point, station).at || point_lines(table, point, station).at);
 }
 
-/// Appends ": P-1"; nothing for a motion that was not judged.
+/// Writes the verdict of a point, ": P-1"; "" for a motion that was not judged.
 static void name_verdict(const whirl_table *table, size_t point, char text[LABEL_SIZE + 2]) {
     const whirl_verdict verdict = whirl_table_verdict(table, point);
     char name[LABEL_SIZE];
@@ -344,8 +345,9 @@ static bool is_along(const whirl_table *table, const char *parameter) {
     return *parameter && table->row == 0 && strcmp(table->parameter, parameter) == 0;
 }
 
-/// Finds the point with something to show whose value is nearest to the given one, in all tables along a parameter:
-/// a detail has a few of the points of its sweep. Later tables win, since a detail has more to show.
+/// Finds the point whose value is nearest to the given one, in all tables along a parameter, among points with
+/// something to show. Of equally near points that of the last table is taken: a detail, which follows its sweep, has
+/// more to show.
 static whirl_status nearest_point(const drawing *of, const char *parameter, const char *text, size_t station,
                                   const whirl_table **table, size_t *point) {
     const whirl_result *result = of->result;
@@ -369,7 +371,7 @@ static whirl_status nearest_point(const drawing *of, const char *parameter, cons
     return status;
 }
 
-/// Adds the nearest point along the first parameter that has one.
+/// Adds the figure of the point nearest to a value, along the first parameter that accepts the value.
 static whirl_status add_nearest(figure_list *to, const drawing *of, const char *text, size_t station) {
     whirl_status first = whirl_ok();
     for (size_t t = 0; t < of->result->table_count; t++) {

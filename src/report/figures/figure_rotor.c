@@ -11,15 +11,15 @@
 
 // ---------------------------------------------------------------- drawing
 
-/// State of the drawing: the figure, its panel, and the size of a metre in the shown unit. Places are those of a
-/// horizontal machine, x along and y across its shafts; a vertical machine is drawn upright, with x up or down.
+/// State of the drawing. Functions take places in m, with x along and y across the shafts; a vertical machine is drawn
+/// upright, with x up or down.
 typedef struct pen {
     whirl_figure *figure;
     whirl_panel *panel;
     machine_layout *l;
-    double unit;
+    double unit;    ///< m of one shown unit
     double upright; ///< 0 for a horizontal machine; 1 or -1 if x points up or down
-    double cm;      ///< approximate m for each cm of the drawing
+    double cm;      ///< m of the machine for each cm of the drawing, approximately
 } pen;
 
 static void reach(machine_layout *l, double x, double low, double high) {
@@ -28,7 +28,7 @@ static void reach(machine_layout *l, double x, double low, double high) {
     l->bottom = fmin(l->bottom, low);
 }
 
-/// Returns the panel coordinates of a place, in units; for a vertical machine x is the height.
+/// Return the coordinates of a place in the panel, in shown units.
 static double pen_x(const pen *p, double x, double y) {
     return (p->upright != 0.0 ? y : x) / p->unit;
 }
@@ -60,8 +60,9 @@ static void pen_line(const pen *p, whirl_series *to, double x, double y, double 
     series_break(p->figure, to);
 }
 
-/// Fills a wall along `x`, with radii at its ends, above (side 1) or below the axis. Areas are filled upwards, so the
-/// wall of a vertical machine is filled across, from the inner end to the outer one.
+/// Fills a wall of a shaft along `x` above (side 1) or below the axis; inner and outer: distances from the axis at both
+/// ends. Areas are filled between two heights, so that for a vertical machine the wall is filled along the shaft, at
+/// all distances from the axis at which it has a corner.
 static void pen_fill(const pen *p, whirl_series *area, span x, const double inner[2], const double outer[2], int side) {
     if (p->upright == 0.0) {
         for (int end = 0; end < 2; end++)
@@ -70,6 +71,7 @@ static void pen_fill(const pen *p, whirl_series *area, span x, const double inne
         series_break(p->figure, area);
         return;
     }
+    // Sort the distances of the corners of the upright wall.
     const double corners[] = {inner[0], inner[1], outer[0], outer[1]};
     double at[4];
     size_t count = 0;
@@ -80,10 +82,11 @@ static void pen_fill(const pen *p, whirl_series *area, span x, const double inne
         if (next == HUGE_VAL) break;
         at[count++] = after = next;
     }
+    // Fill along the shaft at each of them.
     for (size_t i = 0; i < count; i++) {
         span along = x;
         const double c = at[i];
-        // A slanted edge cuts off the end that the wall does not reach at this radius.
+        // A slanted edge cuts off the part that the wall does not have at this distance.
         for (int edge = 0; edge < 2; edge++) {
             const double *r = edge ? outer : inner;
             if (r[0] == r[1] || c < fmin(r[0], r[1]) || c > fmax(r[0], r[1])) continue;
@@ -96,7 +99,7 @@ static void pen_fill(const pen *p, whirl_series *area, span x, const double inne
     series_break(p->figure, area);
 }
 
-/// Draws one wall of a section, between the radii of its ends, above (side 1) or below the axis.
+/// Draws the wall of a section above (side 1) or below the axis.
 static void pen_wall(const pen *p, whirl_series *area, whirl_series *edge, const whirl_model_section *s, int side) {
     const machine_layout *l = p->l;
     const double axis = l->axis[s->shaft], from = l->offset[s->shaft] + s->from, to = l->offset[s->shaft] + s->to;
@@ -149,18 +152,18 @@ static void draw_masses(const pen *p) {
     }
 }
 
-/// Draws the ground below a place: a line with hatches.
+/// Draws the ground at a place: a line with hatches below.
 static void draw_ground(const pen *p, whirl_series *to, double x, double y) {
     const double u = p->l->symbol;
     pen_line(p, to, x - 0.8 * u, y, x + 0.8 * u, y);
     for (int k = -1; k <= 1; k++) pen_line(p, to, x + 0.5 * k * u + 0.2 * u, y, x + 0.5 * k * u - 0.2 * u, y - 0.4 * u);
 }
 
-/// Symbol of a bearing, seal, stator or support: blocks above and below its station, and its link to the ground.
+/// Symbol of a bearing, seal, stator or support: a block above and one below its station, and its link to the ground.
 typedef struct symbol {
     whirl_model_role role;
     const char *name, *colour;
-    double half, from, to; ///< width, and inner and outer edge beyond the station's radius, in symbol sizes
+    double half, from, to; ///< half of its width, and inner and outer edge beyond the station's radius, in symbol sizes
 } symbol;
 
 static const symbol symbols[] = {
@@ -216,7 +219,7 @@ static void draw_supports(const pen *p) {
     }
 }
 
-/// Draws elements between two stations: a bar along the axis, or a spring between places below one another.
+/// Draws elements between two stations: as a bar along the axis, or as a spring if one station is below the other.
 static void draw_links(const pen *p) {
     machine_layout *l = p->l;
     whirl_series *bars = NULL;
@@ -240,7 +243,7 @@ static void draw_links(const pen *p) {
     }
 }
 
-/// Returns true if a table names the station among those with probes.
+/// Returns true if a table of the result names the station among those with probes.
 static bool has_probe(const whirl_result *result, size_t station) {
     for (size_t t = 0; t < result->table_count; t++)
         if (*result->tables[t].record.probes_at && margin_probed(result, &result->tables[t], station)) return true;
@@ -276,11 +279,12 @@ static int by_place(const void *a, const void *b) {
     return (one > other) - (one < other);
 }
 
-/// Moves labels apart to at least `step`, as little as possible: labels that are too close form a group, centred on
-/// their places.
+/// Moves labels apart, by as little as possible, so that their distance is at least `step`. Labels that are too close
+/// form a group, centred on their places.
 static void spread_labels(label *labels, size_t count, double step) {
     size_t sizes[WHIRL_MAX_PROBES], groups = 0;
-    double middles[WHIRL_MAX_PROBES]; // position of a group's first label if all labels were at one place
+    double middles[WHIRL_MAX_PROBES]; // of each group: mean place of its labels, each moved back by `step` for each
+                                      // label before it
     for (size_t i = 0; i < count; i++) {
         middles[groups] = labels[i].x - (double)i * step;
         sizes[groups++] = 1;
@@ -294,8 +298,8 @@ static void spread_labels(label *labels, size_t count, double step) {
         for (size_t k = 0; k < sizes[g]; k++, i++) labels[i].x = middles[g] + (double)i * step;
 }
 
-/// Writes the names of an axis' stations above its parts, apart from each other, with strokes to their places; `step`
-/// is the least distance, `high` the top of the parts.
+/// Writes the names of an axis' stations above its parts, with strokes to their places. step: least distance of names;
+/// high: top of the parts.
 static void name_axis(const pen *p, double axis, double high, double step) {
     machine_layout *l = p->l;
     label labels[WHIRL_MAX_PROBES];
@@ -315,7 +319,7 @@ static void name_axis(const pen *p, double axis, double high, double step) {
     }
 }
 
-/// Returns the height at which names begin above an axis, over all of its parts.
+/// Returns the top of all parts on an axis, above which its names begin.
 static double axis_top(const machine_layout *l, double axis) {
     double high = axis;
     for (size_t k = 0; k < l->model.station_count && k < WHIRL_MAX_PROBES; k++)
@@ -325,7 +329,7 @@ static double axis_top(const machine_layout *l, double axis) {
     return high + 2.9 * l->symbol;
 }
 
-/// Writes the names at stations of housings, which are below the shafts.
+/// Writes the names of housings next to their stations, below the shafts.
 static void name_housings(const pen *p) {
     machine_layout *l = p->l;
     whirl_series *names = panel_series(p->figure, p->panel, WHIRL_TEXTS, "#303030", 1.0);
@@ -347,7 +351,7 @@ static void name_housings(const pen *p) {
     }
 }
 
-/// Returns half of the width of a station's hot spot: its parts, up to half-way to its neighbours.
+/// Returns half of the width of a station's hot spot, which covers its parts, at most half-way to its neighbours.
 static double spot_half(const machine_layout *l, size_t station) {
     double half = 1.5 * l->symbol;
     if (layout_mass(&l->model.stations[station]) > 0.0 && l->to_scale)
@@ -384,7 +388,7 @@ static double names_height(const pen *p) {
     return 0.87 * figure_text_width(p->figure, layout_longest_name(p->l->result)) + 0.25;
 }
 
-/// Sets the ranges of the panel, with one scale on both axes, and its height in cm.
+/// Sets the ranges of the panel of a horizontal machine, with the same scale on both axes, and its height.
 static void fit_lying(const pen *p) {
     const machine_layout *l = p->l;
     const double across = p->figure->width - 1.2, margin = 0.03 * (l->along.high - l->along.low);
@@ -398,7 +402,8 @@ static void fit_lying(const pen *p) {
     p->panel->x.shown = l->to_scale;
 }
 
-/// Sizes the figure of a vertical machine, with names to the right of it; the figure is as wide as needed.
+/// Sets the ranges of the panel of a vertical machine, with names to the right, its height, and the width of the
+/// figure.
 static void fit_standing(const pen *p) {
     enum { HEIGHT = 14, WIDTH = 15 }; // cm, at most
     const machine_layout *l = p->l;
@@ -429,7 +434,7 @@ static void draw(const pen *p) {
     for (size_t i = 0; i < sizeof symbols / sizeof *symbols; i++) draw_symbol(p, &symbols[i]);
     draw_supports(p);
     draw_marks(p);
-    // The names of an axis are above its own parts.
+    // Write names, for each axis above its own parts.
     const double step = 0.42 * p->cm;
     double done = HUGE_VAL;
     for (size_t s = 0; s < (l->to_scale ? l->model.shaft_count : 1); s++) {
@@ -449,13 +454,14 @@ static void rotor_describe(const drawing *of, const figure_place *place, whirl_f
         layout_free(l);
         return;
     }
-    // Lumped stations have unit spacing; their symbols are sized when drawn.
+    // Set up the drawing; stations of a machine without shafts to scale are one unit apart.
     const double length = l->to_scale ? l->along.high - l->along.low : (double)l->model.station_count;
     pen p = {.figure = figure, .panel = panel, .l = l, .unit = l->to_scale ? layout_unit(of->units) : 1.0};
     figure->font = 6.5;
     figure->width = 16.0;
     if (l->model.stands) p.upright = l->model.rises ? 1.0 : -1.0;
     p.cm = p.upright != 0.0 ? length / 12.0 : length / (figure->width - 1.2);
+    // Draw the machine, and size the panel.
     draw(&p);
     if (p.upright != 0.0)
         fit_standing(&p);

@@ -1,4 +1,4 @@
-// Run-ups: motions, speed and torques over the time, and motions over the speed.
+// Figures of run-ups: motions, speed and torques over the time, and motions over the speed.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 #include "shown_kinds.h"
 #include "units.h"
 
-/// Figures of a run, and the meaning of `which` in their places.
+/// Figures of a run, which `which` of a figure_place numbers.
 enum { OVER_SPEED, OVER_TIME, ORDERS, SHAFT, CONTACTS, TORQUES };
 
 enum { MAX_ORDERS = 4, MAX_TORQUE_PANELS = 6 };
@@ -35,7 +35,7 @@ static void runup_list(figure_list *to, const drawing *of, const whirl_table *ta
             snprintf(name, sizeof name, "%s-%.63s", alike[i].name, of->result->stations[s].name);
             list_figure(to, &place, name, alike[i].title, of->result->stations[s].name);
         }
-    // List those of contacts and torques.
+    // List the figures of contacts and torques.
     place.which = CONTACTS;
     if (of->result->contact_count > 0) list_figure(to, &place, "runup-contacts", "Contacts over the time");
     place.which = TORQUES;
@@ -43,7 +43,7 @@ static void runup_list(figure_list *to, const drawing *of, const whirl_table *ta
         list_figure(to, &place, "runup-torques", "Torques over the time");
 }
 
-/// Data of a line: a column of a field with rows, in units, over another field.
+/// The run of a line, and the field over which it is drawn.
 typedef struct course {
     const drawing *of;
     const whirl_table *table;
@@ -52,7 +52,7 @@ typedef struct course {
     double over_size;
 } course;
 
-/// Adds a line through all rows; the line of a lag breaks where it wraps.
+/// Adds a line through all rows of a column, times `factor`. The line of a lag breaks where the lag wraps.
 static void runup_add_line(whirl_figure *figure, whirl_series *line, const course *c, const char *field, size_t which,
                            size_t column, double factor) {
     const whirl_field *shape = whirl_layout_field(&c->table->layout, field);
@@ -84,8 +84,8 @@ static whirl_panel *runup_length_panel(const drawing *of, whirl_figure *figure, 
     return panel;
 }
 
-/// Draws the motion: for one run the largest radius, amplitudes and lags of x and y; for several runs the largest
-/// radius of each.
+/// Draws the motion of a station: for one run the largest radius, and amplitudes and lags of x and y; for several runs
+/// the largest radius and the lag of x of each.
 static void runup_describe_motion(const drawing *of, const figure_place *place, whirl_figure *figure, bool by_speed) {
     static const char *const names[] = {"$x$ at 1X", "$y$ at 1X"};
     // Find the runs of the table.
@@ -156,7 +156,7 @@ static void runup_describe_orders(const drawing *of, const figure_place *place, 
              of->result->stations[place->station].name);
 }
 
-/// Returns whether films or seals brake the shaft of a run.
+/// Returns true if films or seals brake the shaft of a run.
 static bool runup_is_dragged(const whirl_table *table, size_t run) {
     const whirl_field *torques = whirl_layout_field(&table->layout, WHIRL_FIELD_RUNUP_TORQUE);
     const double *rows = whirl_table_field(table, run, WHIRL_FIELD_RUNUP_TORQUE, 0);
@@ -176,6 +176,7 @@ static void runup_describe_shaft(const drawing *of, const figure_place *place, w
     if (!panel) return;
     runup_label_over(of, &panel->x, false);
     snprintf(panel->y.label, sizeof panel->y.label, "speed (%s)", speed->name);
+    // Draw the speed of each run.
     for (size_t i = 0; i < count; i++) {
         const course c = runup_course_of(of, table, runs[i], false);
         char label[UNIT_LABEL_SIZE] = "";
@@ -185,7 +186,8 @@ static void runup_describe_shaft(const drawing *of, const figure_place *place, w
                                  : panel_series(figure, panel, WHIRL_LINE, line_colour(0), 1.0),
                        &c, WHIRL_FIELD_RUNUP_SPEED, 0, 0, 1.0 / speed->size);
     }
-    // Torques that change within a turn have a figure of their own.
+    // For a single driven run, draw the torques, unless they change within a turn: then they have a figure of their
+    // own.
     const bool driven = whirl_runup_driven(&table->record.runup) && !table_has(table, WHIRL_FIELD_RUNUP_TORQUE_OF);
     whirl_panel *torques = count == 1 && driven ? figure_panel(figure, "torque", 1.0, 4.0) : NULL;
     if (torques) {
@@ -230,7 +232,7 @@ static void runup_describe_contacts(const drawing *of, const figure_place *place
              "were closed.");
 }
 
-/// Draws a torque: its least and largest value in every row.
+/// Draws a torque as a band from its least to its largest value in every row.
 static void runup_draw_torque(const drawing *of, const figure_place *place, size_t run, size_t torque, double height,
                               whirl_figure *figure) {
     const whirl_table *table = place->table;
@@ -246,7 +248,7 @@ static void runup_draw_torque(const drawing *of, const figure_place *place, size
     snprintf(panel->title, sizeof panel->title, "%.80s", name);
     runup_label_over(of, &panel->x, false);
     snprintf(panel->y.label, sizeof panel->y.label, "torque (%s)", unit->name);
-    // A closed band: least values on the way there, largest on the way back.
+    // The outline of the band: least values forwards, then largest values backwards.
     const size_t count = (size_t)table->record.runup.rows;
     const double duration = table->record.runup.duration > 0.0 ? table->record.runup.duration : end;
     whirl_series *line = panel_series(figure, panel, WHIRL_LINE, line_colour(torque), 0.7);

@@ -1,4 +1,4 @@
-// Motions of run-ups in time: orbits at some moments, and waveforms of stations and contacts.
+// Figures of the motions in run-ups: orbits at some moments, and waveforms of stations and contacts.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -8,7 +8,8 @@
 #include "point_panels.h"
 #include "runup_panels.h"
 
-/// Figures of motions, and the meaning of `which` in their places; the station of a contact's is the contact.
+/// Figures of motions, which `which` of a figure_place numbers. In the place of a contact's figure `station` is the
+/// contact.
 enum { ORBITS, WAVEFORMS, CONTACT_WAVEFORMS, KINDS };
 
 static const struct {
@@ -19,7 +20,7 @@ static const struct {
     {"runup-contact", "Force and gap of %.60s", WHIRL_FIELD_RUNUP_CONTACT_FORCE, "waveform"},
 };
 
-/// Most orbits of a figure, with that of the largest motion.
+/// Largest number of orbits in a figure, that of the largest motion included.
 enum { MAX_ORBITS = 9 };
 
 // ---------------------------------------------------------------- orbits
@@ -36,7 +37,7 @@ static void orbit_add(const drawing *of, const figure_place *place, size_t run, 
     double *closed = malloc(2 * (count + 1) * sizeof *closed), size = 0.0;
     figure->failed = figure->failed || !panel || !closed;
     if (panel && closed) {
-        // The mark of the beginning is that of the end of the turn before.
+        // Close the orbit by its first sample, at the beginning of the turn.
         memcpy(closed, orbit, 2 * count * sizeof *closed);
         memcpy(closed + 2 * count, orbit, 2 * sizeof *closed);
         panel->equal = true;
@@ -77,7 +78,7 @@ static void orbits_describe(const drawing *of, const figure_place *place, whirl_
     const size_t step = (all + MAX_ORBITS - 2) / (MAX_ORBITS - 1);
     if (!times || !speeds || !orbits || !peak) return;
     figure->width = 17.5;
-    // The last of every few, so that the last of the run is one.
+    // Draw every `step`-th orbit, counted from the last of the run.
     for (size_t left = (all - 1) / step + 1; left > 0; left--) {
         const size_t k = all - 1 - (left - 1) * step;
         char name[32];
@@ -85,6 +86,7 @@ static void orbits_describe(const drawing *of, const figure_place *place, whirl_
         if (isfinite(times[k]))
             orbit_add(of, place, runs[0], orbits + 2 * k * samples, times[k], speeds[k], name, figure);
     }
+    // Draw the orbit of the largest motion.
     if (isfinite(peak[0])) {
         orbit_add(of, place, runs[0], peak,
                   whirl_table_number(table, runs[0], WHIRL_FIELD_RUNUP_PEAK_TIME, place->station),
@@ -99,7 +101,7 @@ static void orbits_describe(const drawing *of, const figure_place *place, whirl_
 
 // ---------------------------------------------------------------- waveforms
 
-/// A column of a waveform field in its shown unit over the time.
+/// A waveform to draw: a column of a field over the time, and their units.
 typedef struct waveform {
     const double *times, *values; ///< [count], [count][columns]
     size_t count, columns, column;
@@ -115,7 +117,7 @@ static void waveform_add_line(whirl_figure *figure, whirl_series *line, const wa
         series_add(figure, line, of->times[k] / of->time_unit, of->factor * of->values[k * of->columns + of->column]);
 }
 
-/// Adds a panel for a waveform; `window` as in the fields.
+/// Adds a panel for a waveform. window: 0 around the largest value, else around event `window`.
 static whirl_panel *waveform_panel(const drawing *of, const char *quantity, const char *largest, size_t window,
                                    double height, whirl_figure *figure) {
     char name[2 * WHIRL_NAME_SIZE];

@@ -1,4 +1,5 @@
-// Run-ups as paths over the speed: the synchronous motion as a vector, and the mean position within its walls.
+// Figures of run-ups as paths over the speed: the synchronous motion as a vector, and the mean position within its
+// walls.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,7 +10,7 @@
 #include "runup_panels.h"
 #include "units.h"
 
-/// Figures of paths, and the meaning of `which` in their places.
+/// Figures of paths, which `which` of a figure_place numbers.
 enum { POLAR, CENTRELINE, KINDS };
 
 static const struct {
@@ -21,7 +22,7 @@ static const struct {
 typedef struct path {
     size_t rows;
     const double *speeds; ///< [rows]
-    double *kept;         ///< [rows] of the points that are drawn
+    double *kept;         ///< [rows] speeds of the points that are drawn; `count` of them are set
     size_t count;
     double reach; ///< largest distance of a point from the centre
 } path;
@@ -50,7 +51,7 @@ static void path_frame(whirl_figure *figure, whirl_panel *panel, double reach) {
 
 // ---------------------------------------------------------------- vectors
 
-/// Adds the vector of x (axis 0) or y over the speed of a run; a lag turns it clockwise, from the axis on.
+/// Adds the path of the vector of x (axis 0) or y of a run; the lag turns the vector clockwise from the axis.
 static void polar_add_line(whirl_figure *figure, whirl_series *line, path *to, const drawing *of,
                            const whirl_table *table, size_t run, const figure_place *place, size_t axis,
                            bool compensated) {
@@ -68,7 +69,7 @@ static void polar_add_line(whirl_figure *figure, whirl_series *line, path *to, c
     }
 }
 
-/// Returns true if the slow roll of a station was taken from its motion.
+/// Returns true if the slow roll was subtracted from the motion of a station.
 static bool polar_is_compensated(const whirl_table *table, size_t run, size_t station) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_RUNUP_COMPENSATED);
     const double *sizes = whirl_table_field(table, run, WHIRL_FIELD_RUNUP_COMPENSATED, station);
@@ -77,15 +78,15 @@ static bool polar_is_compensated(const whirl_table *table, size_t run, size_t st
     return false;
 }
 
-/// Adds the vectors of all runs along an axis; without slow roll where there is any, then dashed as they are. Returns
-/// their largest size.
+/// Adds the paths of all runs along an axis, less the slow roll if it was subtracted; for a single run also the path
+/// with slow roll, dashed. Returns the largest size of a vector.
 static double polar_add_lines(const drawing *of, const figure_place *place, size_t axis, whirl_panel *panel,
                               whirl_figure *figure) {
     const whirl_table *table = place->table;
     size_t runs[MAX_RUNS];
     const size_t count = runup_list_runs(table, runs);
     double reach = 0.0;
-    // Draw each run; for a single run with slow roll, the vector as measured as well.
+    // Draw each run; for a single run with slow roll both paths.
     for (size_t i = 0; i < count; i++) {
         const bool compensated = polar_is_compensated(table, runs[i], place->station);
         for (int raw = compensated && count == 1; raw >= 0; raw--) {

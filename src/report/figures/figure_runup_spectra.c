@@ -1,4 +1,4 @@
-// Spectra of run-ups: waterfalls over the time, cascades over the speed, and spectrograms.
+// Figures of spectra in run-ups: waterfalls over the time, cascades over the speed, and spectrograms.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,14 +10,15 @@
 #include "two_pi.h"
 #include "units.h"
 
-/// Figures of spectra, and the meaning of `which` in their places.
+/// Figures of spectra, which `which` of a figure_place numbers.
 enum { WATERFALL, CASCADE, SPECTROGRAM, KINDS };
 
-/// Most spectra drawn as lines; most of them, and of bins in a direction, drawn as boxes, where more are joined by the
-/// largest.
+/// Largest numbers of spectra that are drawn as lines (MAX_LINES) and as boxes (MAX_TIMES), and of boxes in a direction
+/// of whirl (MAX_BOXES). A box joins several spectra or bins, and has their largest amplitude.
 enum { MAX_LINES = 60, MAX_TIMES = 240, MAX_BOXES = 200 };
 
-/// Height of the largest peak of a line, as a part of the axis; least amplitude of a box, relative to the largest.
+/// TALL: height of the largest peak of a line, as a part of the axis. LEAST: least amplitude of a box, relative to the
+/// largest.
 static const double TALL = 0.12, LEAST = 1e-3;
 
 /// The spectra of a run at a station.
@@ -44,13 +45,13 @@ static bool spectra_of(const drawing *of, const whirl_table *table, size_t stati
     return out->largest > 0.0;
 }
 
-/// Shown amplitude of a bin; negative ones are backward.
+/// Returns the shown amplitude of a bin; negative bins are backward.
 static double spectra_at(const run_spectra *of, size_t spectrum, long bin) {
     const size_t place = spectrum * of->bins + (size_t)labs(bin);
     return of->length * of->amplitudes[2 * place + (bin < 0)];
 }
 
-/// Shown frequency of an order at a speed: Hz if frequencies are shown as orders elsewhere.
+/// Returns the shown frequency of an order at a speed; in Hz if the units show frequencies as orders.
 static double spectra_frequency(const drawing *of, double order, double speed) {
     return order * speed / two_pi / (of->units->frequency > 0.0 ? of->units->frequency : 1.0);
 }
@@ -60,7 +61,7 @@ static void spectra_label_frequency(const drawing *of, whirl_axis *axis) {
              of->units->frequency > 0.0 ? of->units->frequency_name : "Hz");
 }
 
-/// Adds the spectra from `first` to before `end` as lines that are raised to their time or speed.
+/// Adds the spectra from `first` to `end` - 1 as lines, each raised to its time or speed.
 static void spectra_add_lines(const drawing *of, const run_spectra *s, bool by_speed, size_t first, size_t end,
                               const char *name, double width, whirl_figure *figure) {
     whirl_panel *panel = figure_panel(figure, name, width, 9.5);
@@ -98,7 +99,8 @@ static void spectra_add_lines(const drawing *of, const run_spectra *s, bool by_s
     }
 }
 
-/// Returns the number of spectra up to the highest speed, if the speed falls clearly after it; else all.
+/// Returns the number of spectra up to that of the highest speed, if the speed falls clearly after it; else that of all
+/// spectra.
 static size_t spectra_turning(const run_spectra *s) {
     size_t top = 0, last = 0;
     for (size_t k = 0; k < s->count; k++) {
@@ -110,7 +112,7 @@ static size_t spectra_turning(const run_spectra *s) {
     return rises ? top + 1 : s->count;
 }
 
-/// Draws amplitudes as colours over time and frequency.
+/// Draws amplitudes as coloured boxes over time and frequency.
 static void spectra_add_boxes(const drawing *of, const run_spectra *s, whirl_figure *figure) {
     whirl_panel *panel = figure_panel(figure, "spectrogram", 1.0, 8.4);
     if (!panel) return;
@@ -122,7 +124,7 @@ static void spectra_add_boxes(const drawing *of, const run_spectra *s, whirl_fig
     whirl_series *boxes = panel_series(figure, panel, WHIRL_BOXES, "#000000", 1.0);
     for (size_t k = 0; k < s->count; k += step) {
         const size_t next = k + step < s->count ? k + step : s->count;
-        // From the time half-way to the spectrum before to that half-way to the one after.
+        // A box lasts from half-way after the spectrum before it to half-way before the spectrum after it.
         const double before = k > 0 && isfinite(s->times[k - 1]) ? s->times[k - 1] : s->times[k];
         const double after = next < s->count && isfinite(s->times[next]) ? s->times[next] : s->times[next - 1];
         const span x = {0.5 * (before + s->times[k]) / unit, 0.5 * (s->times[next - 1] + after) / unit};
@@ -139,6 +141,7 @@ static void spectra_add_boxes(const drawing *of, const run_spectra *s, whirl_fig
             series_value(figure, boxes, most);
         }
     }
+    // Set the scale of colours.
     figure->scale = (whirl_colour_scale){.low = LEAST * s->largest,
                                          .high = s->largest,
                                          .logarithmic = true,
@@ -179,7 +182,7 @@ static whirl_status spectra_find(figure_list *list, const drawing *of, const cha
 static void spectra_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     const whirl_table *table = place->table;
     run_spectra s;
-    // Draw areas of colour, or lines; a run that turns back gets a panel for each direction.
+    // Draw coloured boxes, or lines; a cascade of a run whose speed falls again has a panel for each direction.
     if (!spectra_of(of, table, place->station, &s)) return;
     const size_t turning = place->which == CASCADE ? spectra_turning(&s) : s.count;
     if (place->which == SPECTROGRAM) {

@@ -6,7 +6,7 @@
 #include "figure_kinds.h"
 #include "whirl/engine/response_peaks.h"
 
-/// Returns true if a point is in the diagram.
+/// Returns true if a point has a place in the diagram.
 static bool stands(const whirl_table *table, size_t point) {
     return whirl_table_done(table, point) &&
            isfinite(whirl_table_number(table, point, WHIRL_FIELD_STABILITY_REGION, 0));
@@ -24,7 +24,7 @@ static void screening_list(figure_list *to, const drawing *of, const whirl_table
 }
 
 static void screening_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
-    static const double dense = 60.0, corner = 16.53; // kg/m3: whirl_screening_ratio
+    static const double dense = 60.0, corner = 16.53; // kg/m3, corners of the line of whirl_screening_ratio
     const whirl_table *table = place->table;
     whirl_panel *panel = figure_panel(figure, "ratio", 1.0, 7.5);
     double end = 1.25 * dense;
@@ -32,10 +32,12 @@ static void screening_describe(const drawing *of, const figure_place *place, whi
     snprintf(panel->x.label, sizeof panel->x.label, "average density of the gas (kg/m3)");
     snprintf(panel->y.label, sizeof panel->y.label, "critical speed ratio");
     whirl_series *line = panel_named(figure, panel, WHIRL_LINE, "between A (below) and B", line_colour(5), 1.0);
+    // Draw the line between the regions.
     const double bounds[] = {0.0, corner, dense};
     for (size_t i = 0; i < sizeof bounds / sizeof *bounds; i++)
         series_add(figure, line, bounds[i], whirl_screening_ratio(bounds[i]));
     series_add(figure, line, dense, 0.0);
+    // Draw the machine at each point, with the value of the parameter.
     whirl_series *dots[2];
     for (int region = 0; region < 2; region++)
         dots[region] = panel_named(figure, panel, WHIRL_DOTS, region ? "machine, in B" : "machine, in A",

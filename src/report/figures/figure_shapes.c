@@ -13,7 +13,8 @@
 
 enum { SHAPES = 6 };
 
-/// Adds a mode along the shaft lines if these are known (`moved` is their buffer), else from station to station.
+/// Adds a panel with a mode: along the shaft lines if these are known (`moved` is a buffer for them), else from station
+/// to station.
 static void add_mode(whirl_figure *figure, const drawing *of, const whirl_table *table, size_t mode, bool lowest,
                      const machine_along *places, shaft_bends *bends, double *moved) {
     const size_t point = table->count - 1;
@@ -37,7 +38,7 @@ static void add_mode(whirl_figure *figure, const drawing *of, const whirl_table 
     along_machine(figure, panel, places, most);
     along_axis(figure, panel, of, places);
     if (!lowest) *panel->x.label = '\0';
-    // Draw real and imaginary parts along x and y; of a torsional mode those of the twist.
+    // Draw real and imaginary parts along x and y; for a torsional mode those of the twist.
     for (size_t column = 0; column < (torsional ? 2 : 4); column++) {
         double values[WHIRL_MAX_PROBES];
         for (size_t s = 0; s < of->result->station_count; s++)

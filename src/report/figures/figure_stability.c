@@ -6,7 +6,7 @@
 #include "figure_build.h"
 #include "figure_kinds.h"
 
-/// Lists a figure for each point, unless there are too many.
+/// Lists a figure for each point or, if there are many, for every few points.
 static void stability_list(figure_list *to, const drawing *of, const whirl_table *table) {
     enum { MOST = 6 };
     const size_t step = 1 + (table->count - 1) / MOST;
@@ -54,6 +54,7 @@ static void stability_describe(const drawing *of, const figure_place *place, whi
         low = fmin(low, curve[i]);
         high = fmax(high, curve[i]);
     }
+    // Draw the required decrement, 0, and marks of both cross couplings.
     char asked[16];
     snprintf(asked, sizeof asked, "%g", least);
     whirl_series *level = panel_named(figure, panel, WHIRL_LINE, asked, line_colour(5), 0.6);

@@ -1,17 +1,17 @@
-// Positions of movable texts of a figure: on the first side of their point where they meet no other text, no legend and
-// no edge of the panel.
+// Places the movable texts of a figure: each on the first side of its point on which it meets no other text, no legend
+// and no edge of the panel.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "figure_build.h"
 
-/// Corners of a text in its panel, cm from the lower left: around it, counter-clockwise.
+/// Box of a text in its panel: its corners counter-clockwise, cm from the lower left of the panel.
 typedef struct text_box {
     double at[4][2];
 } text_box;
 
-/// A panel with the legend, marks and texts that its texts must not overlap.
+/// A panel, and the boxes of its legend and texts, which further texts must not overlap.
 typedef struct text_room {
     const whirl_figure *figure;
     const whirl_panel *panel;
@@ -60,6 +60,7 @@ static text_box text_box_of(const text_room *room, const whirl_series *series, s
         box[2] = -0.6 * em;
         box[3] = 0.6 * em;
     }
+    // Its corners, for a slanted text turned by 60 degrees about the point.
     const double c = side == WHIRL_SLANTED ? cos(turn) : 1.0, s = side == WHIRL_SLANTED ? sin(turn) : 0.0;
     text_box at;
     for (int i = 0; i < 4; i++) {
@@ -70,7 +71,7 @@ static text_box text_box_of(const text_room *room, const whirl_series *series, s
     return at;
 }
 
-/// Returns true if one edge of a box separates it from the other box.
+/// Returns true if an edge of one box separates it from the other box.
 static bool text_edge_parts(const text_box *one, const text_box *other) {
     for (int i = 0; i < 4; i++) {
         const double *from = one->at[i], *to = one->at[(i + 1) % 4];
@@ -95,8 +96,8 @@ static bool text_place_of(const text_room *room, const whirl_series *series, siz
     return isfinite(place[0]) && isfinite(place[1]);
 }
 
-/// Returns true if a mark (larger than the dots of a section) is in a box or within half a letter of it, so that the
-/// text would appear to name that mark. Marks equally near to the text's own point are ignored.
+/// Returns true if a mark (larger than the dots of a section) is in a box or within half a letter of it: the text would
+/// seem to name that mark. Marks at the text's own point do not count.
 static bool text_covers_mark(const text_room *room, const text_box *box, const double own[2]) {
     const double em = text_em(room);
     double at[2];
@@ -126,7 +127,7 @@ static bool text_covers_line(const text_room *room, const text_box *box) {
     return false;
 }
 
-/// Returns true if a box is inside the panel and meets nothing.
+/// Returns true if a box is inside the panel and meets no other box.
 static bool text_is_free(const text_room *room, const text_box *box) {
     for (int i = 0; i < 4; i++)
         if (!(box->at[i][0] >= 0.0 && box->at[i][0] <= room->width && box->at[i][1] >= 0.0 &&
@@ -154,8 +155,8 @@ static void text_keep_legend(text_room *room) {
         (text_box){{{left, low}, {room->width, low}, {room->width, room->height}, {left, room->height}}};
 }
 
-/// Finds a side for a text, trying its series' own side first: a side where it covers neither lines nor marks, else one
-/// where it covers only lines, else any free one.
+/// Finds a free side for a text, trying the side of its series first: a side on which it covers neither lines nor
+/// marks, else one on which it covers only lines, else any.
 static bool text_find_side(text_room *room, const whirl_series *series, size_t k, whirl_side *found) {
     static const whirl_side others[] = {WHIRL_ABOVE, WHIRL_BELOW, WHIRL_RIGHT, WHIRL_LEFT, WHIRL_BESIDE, WHIRL_SLANTED};
     enum { OTHERS = sizeof others / sizeof *others };
@@ -175,8 +176,8 @@ static bool text_find_side(text_room *room, const whirl_series *series, size_t k
     return false;
 }
 
-/// Places the texts of a movable series. Texts that need another side move to a series of that side; texts without room
-/// are left out.
+/// Places the texts of a movable series. Texts that need another side move to a series for that side; texts without a
+/// free side are left out.
 static void text_place_series(whirl_figure *figure, whirl_panel *panel, text_room *room, whirl_series *series) {
     whirl_series *moved[WHIRL_BESIDE + 1] = {[0] = NULL};
     size_t kept = 0;
@@ -200,6 +201,7 @@ static void text_place_series(whirl_figure *figure, whirl_panel *panel, text_roo
 }
 
 void figure_place_texts(whirl_figure *figure, whirl_panel *panel) {
+    // Count the texts; do nothing if none is movable.
     size_t texts = 0;
     bool any = false;
     for (size_t s = 0; s < panel->count; s++) {
@@ -215,8 +217,9 @@ void figure_place_texts(whirl_figure *figure, whirl_panel *panel) {
                       .boxes = malloc((texts + 1) * sizeof *room.boxes)};
     figure->failed = figure->failed || !room.boxes;
     if (!room.boxes) return;
+    // Reserve the boxes of the legend and of all other texts.
     text_keep_legend(&room);
-    const size_t count = panel->count; // series of texts that move to another side come after these
+    const size_t count = panel->count; // text_place_series adds series after these
     for (size_t s = 0; s < count; s++) {
         const whirl_series *series = panel->series[s];
         for (size_t k = 0; k < series->count && series->shape == WHIRL_TEXTS && !series->movable; k++) {
@@ -224,6 +227,7 @@ void figure_place_texts(whirl_figure *figure, whirl_panel *panel) {
             if (isfinite(box.at[0][0]) && isfinite(box.at[0][1])) room.boxes[room.count++] = box;
         }
     }
+    // Place the movable texts.
     for (size_t s = 0; s < count; s++)
         if (panel->series[s]->movable) text_place_series(figure, panel, &room, panel->series[s]);
     free(room.boxes);

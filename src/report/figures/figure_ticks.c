@@ -1,4 +1,4 @@
-// Positions and texts of axis ticks; the same for all renderers.
+// Chooses positions and texts of axis ticks; they are the same for all renderers.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,7 +13,7 @@ double tick_step(double width, int most) {
     return (lead <= 1.0 ? 1.0 : lead <= 2.0 ? 2.0 : lead <= 5.0 ? 5.0 : 10.0) * power;
 }
 
-/// A power of ten, "10⁻⁵".
+/// Writes a power of ten, "10⁻⁵".
 static void power_text(int power, char *text, size_t size) {
     static const char *const digits[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
                                          "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
@@ -40,7 +40,7 @@ static void number_as_tick(double value, double step, char *text, size_t size) {
     }
 }
 
-/// Step of at most `most` ticks; more if fewer than three would be on the axis.
+/// Returns the step for at most `most` ticks; a smaller one if fewer than three ticks would be on the axis.
 static double even_step(const whirl_axis *axis, int most) {
     const double width = axis->high - axis->low;
     for (double step = tick_step(width, most);; step = tick_step(width, ++most))
@@ -51,7 +51,7 @@ static void fill_even(whirl_figure *figure, whirl_axis *axis, double step) {
     enum { MOST = 40 };
     char text[64];
     const double first = ceil(axis->low / step - 1e-9);
-    // Beyond 1e9 steps from 0, ticks would have the same digits: there are none.
+    // No ticks beyond 1e9 steps from 0, where their texts would be equal.
     for (int k = 0; k < MOST && fabs(first) < 1e9 && (first + k) * step <= axis->high + 1e-9 * step; k++) {
         const double at = (first + k) * step;
         if (!isfinite(at)) return;
@@ -73,7 +73,8 @@ static void log_text(double value, int power, int digit, char *text, size_t size
         snprintf(text, size, "%d\u00b7%s", digit, own);
 }
 
-/// Fills in powers of ten; 2 and 5 times them if they are few; even steps if they are hardly any.
+/// Adds ticks to a logarithmic axis: powers of ten, also 2 and 5 times these if there are few, even steps if there are
+/// hardly any.
 static void fill_powers(whirl_figure *figure, whirl_axis *axis, int most) {
     const int first = (int)floor(log10(axis->low)), last = (int)ceil(log10(axis->high));
     const int step = last - first > most ? (last - first + most - 1) / most : 1;

@@ -1,5 +1,5 @@
-// Spreads over samples: bands of quantiles over the parameter, or a histogram; probabilities; and what each parameter
-// causes, as a tornado.
+// Figures of spreads over samples: bands of quantiles over the parameter, or a histogram; probabilities; and the part
+// of the variance that each parameter causes, as a tornado diagram.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,7 +14,7 @@ enum { CLASSES = 40 };
 static const char dark[] = "#0072B2", outer_colour[] = "#CFE3F1", inner_colour[] = "#9CC7E3",
                   limit_colour[] = "#D55E00";
 
-/// A number and its table.
+/// A number whose spread is drawn, and its table.
 typedef struct spread_view {
     const drawing *of;
     const whirl_table *table;
@@ -35,7 +35,7 @@ static void tolerances_list(figure_list *to, const drawing *of, const whirl_tabl
     }
 }
 
-/// Finds the statistics at a place; all missing after a failure, which marks the figure.
+/// Returns the statistics at a place. A failure marks the figure as failed, and leaves the statistics empty.
 static whirl_spread spread_at(const spread_view *v, whirl_figure *figure, size_t place) {
     whirl_spread spread = {.samples = 0};
     const whirl_status status = whirl_table_spread(v->of->result, v->table, &v->number, place, 0, &spread);
@@ -47,7 +47,7 @@ static bool spread_is_limited(const spread_view *v) {
     return isfinite(v->number.above) || isfinite(v->number.below);
 }
 
-/// Returns the study's own number at a place: of the machine as the case has it. NaN if it has none.
+/// Returns the number of the case's own machine at a place; NaN if the study has none.
 static double spread_nominal(const spread_view *v, size_t place) {
     const whirl_result *result = v->of->result;
     for (size_t t = 0; t < result->table_count; t++) {
@@ -136,7 +136,7 @@ static void add_histogram(whirl_figure *figure, const spread_view *v) {
     // Set up the panel.
     spread_axis(v, &panel->x);
     snprintf(panel->y.label, sizeof panel->y.label, "samples (%%)");
-    // Count the samples of each class; machines of sensitivity indices are no samples.
+    // Count the samples of each class; machines that serve only sensitivity indices do not count.
     whirl_spread_at at;
     if (!whirl_spread_place(v->of->result, v->table, &v->number, &at)) return;
     for (size_t point = 0; point < v->table->count; point++) {
@@ -170,7 +170,7 @@ static void add_histogram(whirl_figure *figure, const spread_view *v) {
 
 // ---------------------------------------------------------------- tornado
 
-/// Orders of parameters by their total index, the largest last, which is drawn at the top.
+/// Sorts the parameters by their total index; the largest is the last, which is drawn at the top.
 static void order_by_total(const whirl_spread *s, size_t order[WHIRL_MAX_TOLERANCES]) {
     for (size_t i = 0; i < s->index_count; i++) {
         size_t k = i;
@@ -180,7 +180,7 @@ static void order_by_total(const whirl_spread *s, size_t order[WHIRL_MAX_TOLERAN
 }
 
 static void add_tornado(whirl_figure *figure, const spread_view *v) {
-    // Find the indices of sensitivity; of several values, those of the worst.
+    // Find the indices of sensitivity; if a parameter varies, those of the worst of all its values.
     const whirl_spread s = spread_at(v, figure, v->places > 1 ? WHIRL_ANYWHERE : 0);
     size_t order[WHIRL_MAX_TOLERANCES];
     if (s.index_count == 0 || !isfinite(s.indices[0].total.value)) return;

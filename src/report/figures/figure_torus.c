@@ -1,4 +1,4 @@
-// Tori: the bands that they fill in the figures of branches, and figures of their numbers over the parameter.
+// Figures of tori: bands in the figures of branches, and numbers of tori over the parameter.
 #include "figure_kinds.h"
 #include "tori_bands.h"
 #include "units.h"
@@ -36,7 +36,7 @@ typedef struct band {
     bool stable;
 } band;
 
-/// Band of no width: the orbit at which a branch of tori begins.
+/// Sets a band without width, the orbit at which a branch of tori begins. Returns false if it is unknown.
 static bool beginning(const drawing *to, const whirl_table *table, size_t first, size_t station, size_t line,
                       band *out) {
     const whirl_table *branches = whirl_result_role(to->result, WHIRL_ROLE_BRANCHES);
@@ -50,7 +50,8 @@ static bool beginning(const drawing *to, const whirl_table *table, size_t first,
     return section != NULL;
 }
 
-/// Last band of a branch that shrinks to an orbit: the middle of the band before it. Returns false for other ends.
+/// Sets the last band of a branch that shrinks to an orbit: a band without width, in the middle of the one before.
+/// Returns false for other ends.
 static bool closing(const whirl_table *table, size_t last, size_t station, size_t line, band *out) {
     const double *low = whirl_table_field(table, last, WHIRL_FIELD_TORUS_SECTION_LOW, station);
     const double *high = whirl_table_field(table, last, WHIRL_FIELD_TORUS_SECTION_HIGH, station);
@@ -60,7 +61,7 @@ static bool closing(const whirl_table *table, size_t last, size_t station, size_
     return true;
 }
 
-/// Band of a branch by index: the beginning, its rows, the end. Returns false if there is none.
+/// Sets band `index` of a branch: 0 is the beginning, then follow its rows and the end. Returns false if there is none.
 static bool band_at(const drawing *to, const whirl_table *table, whirl_tori own, size_t index, size_t station,
                     size_t line, band *out) {
     if (index == 0) return beginning(to, table, own.first, station, line, out);
@@ -74,7 +75,7 @@ static bool band_at(const drawing *to, const whirl_table *table, whirl_tori own,
     return is_torus(table, point);
 }
 
-/// Series of bands: the fill, and the edges of stable and unstable ones.
+/// Series of the bands: their areas, and the edges of stable and unstable bands.
 typedef struct band_series {
     whirl_series *fill, *edges[2][2]; ///< [stable][side]
 } band_series;
@@ -91,7 +92,8 @@ static void add_edges(whirl_figure *figure, const band_series *to, const band *b
     series_add(figure, to->edges[stable][1], b->value / size, length * b->high[column]);
 }
 
-/// Adds the bands of one branch and one curve of its section. Stable and unstable pieces meet where stability changes.
+/// Adds the bands of one branch, for one closed curve of its section. Stable and unstable pieces meet where stability
+/// changes.
 static void add_line(whirl_figure *figure, const band_series *to, const drawing *of, whirl_tori own, size_t station,
                      size_t line, size_t column, double size) {
     const whirl_table *table = tori_table(of->result);
@@ -151,13 +153,13 @@ static double exponent_of(const torus_view *v, size_t point, size_t station) {
     return point_number(v->table, point, WHIRL_FIELD_TORUS_EXPONENT);
 }
 
-/// The larger amplitude of both coordinates of a station's second line.
+/// Returns the larger amplitude of x and y of a station at the strongest line of the second frequency.
 static double amplitude_of(const torus_view *v, size_t point, size_t station) {
     const double *amplitude = whirl_table_field(v->table, point, WHIRL_FIELD_TORUS_AMPLITUDE, station);
     return units_length(v->of->units, v->table, point, WHIRL_AMPLITUDE) * fmax(amplitude[0], amplitude[1]);
 }
 
-/// Adds a line with discs where tori are stable, dashed with rings where they are unstable.
+/// Adds a number of a branch's tori: a line with discs for stable tori, a dashed line with rings for unstable ones.
 static void add_numbers(whirl_figure *figure, whirl_panel *panel, const torus_view *v, size_t station, const char *name,
                         double (*number)(const torus_view *v, size_t point, size_t station)) {
     const char *colour = line_colour(station);
@@ -185,7 +187,7 @@ static size_t common_divisor(size_t p, size_t q) {
 /// Adds the simplest fractions in the range as lines, those of smallest denominator q first.
 static void add_resonances(whirl_figure *figure, whirl_panel *panel, span range) {
     enum { LARGEST = 12, SOME = 5 };
-    const double turns = 1e3; // rotation numbers are below 1; a file may say otherwise
+    const double turns = 1e3; // rotation numbers are below 1, but those of a damaged file may be large
     size_t drawn = 0;
     if (!(range.low > -turns && range.high < turns)) return;
     for (size_t q = 1; q <= LARGEST && drawn < SOME; q++)
@@ -203,7 +205,7 @@ static void add_resonances(whirl_figure *figure, whirl_panel *panel, span range)
         }
 }
 
-/// Range of the rotation numbers, and of the resonance at which tori end.
+/// Returns the range of the rotation numbers, with the resonance at which tori end.
 static span rotations_of(const torus_view *v) {
     const double *resonance = whirl_table_field(v->table, v->own.last, WHIRL_FIELD_TORUS_RESONANCE, 0);
     span range = span_empty();
@@ -223,7 +225,7 @@ static whirl_panel *torus_add_panel(whirl_figure *figure, const torus_view *v, c
     return panel;
 }
 
-/// Range of the parameter from the birth of the tori to their end.
+/// Returns the range of the parameter from the beginning of the tori to their end.
 static span axis_of(const torus_view *v) {
     span range = span_empty();
     span_widen(&range, point_number(v->table, v->own.first, WHIRL_FIELD_TORUS_BEGINS) / v->size);

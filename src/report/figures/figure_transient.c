@@ -1,4 +1,4 @@
-// Motions that were not judged, such as drops and blades that are lost: x and y of a station over the revolutions.
+// Figures of motions without a verdict, such as drops and losses of blades: x and y of a station over the revolutions.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -36,7 +36,7 @@ static void transient_list(figure_list *to, const drawing *of, const whirl_table
     }
 }
 
-/// Adds the least and the largest of every few samples, in order, to limit the number of drawn points.
+/// Adds a line through the least and the largest of every few samples, in their order, to limit the number of points.
 static void add_samples(whirl_figure *figure, whirl_series *line, const numbers *samples, size_t column, double turn,
                         double length) {
     const size_t step = samples->rows / MAX_STEPS + 1;
@@ -54,7 +54,7 @@ static void add_samples(whirl_figure *figure, whirl_series *line, const numbers 
 
 static void transient_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     static const char *const names[] = {"x", "y"}, *const symbols[] = {"$x$", "$y$"};
-    // Instants of a waveform are counted in revolutions.
+    // Find the number of samples in a revolution.
     const whirl_table *table = place->table;
     const double turn = fmax(1.0, whirl_record_samples(&table->record, table->integrate.steps_per_revolution));
     size_t left = 0;

@@ -8,7 +8,7 @@
 #include "shown_kinds.h"
 #include "units.h"
 
-/// Figures, and the meaning of `which` in their places.
+/// Figures of torques and of angles, which `which` of a figure_place numbers.
 enum { TORQUES, ANGLES };
 
 enum { MAX_PANELS = 6 };
@@ -22,11 +22,12 @@ static void twists_list(figure_list *to, const drawing *of, const whirl_table *t
     list_figure(to, &place, "torsion-angles", "Twists of the stations over %s", table->parameter);
 }
 
-/// Source of the lines of a panel: numbers of a field [rows], one for each excitation from `first` on, and their sum.
+/// Source of a panel's lines: rows of a field, one for each excitation from `first` on, and their sum, row sum_row of
+/// the field `sum`.
 typedef struct twists_source {
     const char *field, *sum;
     size_t which, first, sum_row;
-    double size; ///< one unit of the axis
+    double size; ///< one shown unit of the axis, in SI
 } twists_source;
 
 static void twists_add_lines(const drawing *of, const whirl_table *table, const twists_source *from, bool named,
@@ -43,7 +44,7 @@ static void twists_add_lines(const drawing *of, const whirl_table *table, const 
     axis_show(&panel->x, span_with_margin(range, 0.0, 1e-300));
     axis_show(&panel->y, (span){0.0, most > 0.0 ? 1.06 * most / from->size : 1.0});
     if (margin_running(table, &low, &high) && units_of_speed(table, WHIRL_FIELD_TORSION_SPEED)) {
-        const double margin = 1e-3 * (range.high - range.low); // one speed alone is a line
+        const double margin = 1e-3 * (range.high - range.low); // so that a single speed is a line
         const span running = {fmax(low / unit - margin, range.low), fmin(high / unit + margin, range.high)};
         if (running.low < running.high)
             series_add_box(figure, panel_series(figure, panel, WHIRL_BOXES, "#D8D8D8", 1.0), running,
@@ -65,7 +66,7 @@ static void twists_add_lines(const drawing *of, const whirl_table *table, const 
     }
 }
 
-/// Chooses the stations with the largest twists, in falling order; returns how many.
+/// Chooses the stations with the largest twists, the largest first; returns their number.
 static size_t twists_choose_stations(const drawing *of, const whirl_table *table, size_t chosen[MAX_PANELS]) {
     double sizes[MAX_PANELS];
     size_t count = 0;
@@ -85,7 +86,7 @@ static size_t twists_choose_stations(const drawing *of, const whirl_table *table
 }
 
 static void twists_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
-    // Choose the shafts, or stations, with the largest of them.
+    // Choose the shafts with the largest torques, or the stations with the largest twists.
     const whirl_table *table = place->table;
     const bool torques = place->which == TORQUES;
     const whirl_unit *unit = &of->units->of[torques ? WHIRL_QUANTITY_MOMENT : WHIRL_QUANTITY_SLOPE];

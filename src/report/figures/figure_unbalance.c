@@ -1,4 +1,4 @@
-// The response of a station to unbalance: Bode's and the polar diagram, the centreline of the shaft.
+// Figures of the response of a station to unbalance: Bode diagram, polar diagram, and centreline of the shaft.
 #include <math.h>
 #include <stdio.h>
 
@@ -31,11 +31,12 @@ static double value_at(const view *v, size_t point) {
     return v->table->values[point] / v->size;
 }
 
-/// Finds the running speeds within `shown`. Returns false if there are none, or the parameter is no speed.
+/// Finds the part of the running speeds within `shown`. Returns false if there is none, or if the parameter is no
+/// speed.
 static bool running_of(const view *v, span shown, span *out) {
     double from, to;
     if (!margin_running(v->table, &from, &to) || !units_of_speed(v->table, WHIRL_FIELD_UNBALANCE_SPEED)) return false;
-    const double margin = 1e-3 * (shown.high - shown.low); // one speed alone is a line
+    const double margin = 1e-3 * (shown.high - shown.low); // so that a single speed is a line
     *out = (span){fmax(from / v->size - margin, shown.low), fmin(to / v->size + margin, shown.high)};
     return out->low < out->high;
 }
@@ -105,6 +106,7 @@ static void add_lag_axes(whirl_figure *figure, whirl_panel *panel, double high) 
     whirl_series *grid = panel_series(figure, panel, WHIRL_LINE, "#C8C8C8", 0.35);
     whirl_series *numbers = panel_series(figure, panel, WHIRL_TEXTS, "#606060", 1.0);
     whirl_series *lags = panel_series(figure, panel, WHIRL_TEXTS, "#303030", 1.0);
+    // Circles with their amplitudes.
     for (int k = 1; k * step <= 1.001 * high; k++) {
         char text[32];
         for (int i = 0; i <= STEPS; i++)
@@ -113,6 +115,7 @@ static void add_lag_axes(whirl_figure *figure, whirl_panel *panel, double high) 
         snprintf(text, sizeof text, "%g", k * step);
         series_add_text(figure, numbers, k * step * cos(two_pi / 16.0), k * step * sin(two_pi / 16.0), text);
     }
+    // Rays with their lags.
     for (int k = 0; k < RAYS; k++) {
         const double angle = -two_pi * k / RAYS; // lag is counted against the rotation
         char text[16];
@@ -124,7 +127,7 @@ static void add_lag_axes(whirl_figure *figure, whirl_panel *panel, double high) 
     }
 }
 
-/// Amplitude and lag at a probe, as a place in the polar diagram. Returns false if there are none.
+/// Writes the place of a probe's amplitude and lag in the polar diagram. Returns false if they are unknown.
 static bool polar_place(const view *v, size_t point, size_t probe, double place[2]) {
     const double *at = field_of(v, point, WHIRL_FIELD_UNBALANCE_PROBE);
     const double *lag = field_of(v, point, WHIRL_FIELD_UNBALANCE_PROBE_LAG);
@@ -138,7 +141,7 @@ static bool polar_place(const view *v, size_t point, size_t probe, double place[
 /// Marks round values of the parameter on a probe's line.
 static void add_speeds(whirl_figure *figure, whirl_panel *panel, const view *v, size_t probe) {
     span range = span_empty();
-    // Choose the distance of marks, and their looks.
+    // Choose the distance of marks, and their appearance.
     for (size_t point = 0; point < v->table->count; point++) span_widen(&range, value_at(v, point));
     const double step = tick_step(range.high - range.low, 6);
     whirl_series *marks = panel_series(figure, panel, WHIRL_DOTS, line_colour(probe), 1.8);
@@ -184,8 +187,8 @@ static void add_polar(whirl_figure *figure, whirl_panel *panel, const view *v) {
     axis_tick(figure, &panel->y, 0.0, "");
 }
 
-/// Adds the shaft centreline; a point that moves less than a thousandth of its distance from the centre counts as at
-/// rest.
+/// Adds the centreline of the shaft. It is drawn as one point if it moves by less than a thousandth of its distance
+/// from the centre.
 static void add_centreline(whirl_figure *figure, whirl_panel *panel, const view *v) {
     span x = span_empty(), y = span_empty();
     double size = 0.0;

@@ -21,7 +21,7 @@ const char *const waterfall_colours[WATERFALL_COLOURS] = {"#fde725", "#a0da39", 
 /// Least amplitude of a line, relative to the largest.
 static const double LEAST = 1e-3;
 
-/// Width of a mark, and its largest height where points are far apart, as parts of the axes.
+/// Width of a mark, and its largest height (if points are far apart), as parts of the axes.
 static const double WIDE = 0.007, HIGH = 0.03;
 
 /// Mark of a spectral line in one direction of whirl.
@@ -34,7 +34,7 @@ typedef struct waterfall {
     bifurcation axis; ///< axis of the parameter
     bool orders;      ///< frequencies are shown as orders of the running speed
     double *sizes;    ///< [points] shown size of one order
-    mark *marks;      ///< rising by amplitude, so that the largest is drawn over the others
+    mark *marks;      ///< sorted by rising amplitude, so that the largest is drawn over the others
     size_t count;
     double largest; ///< largest amplitude
 } waterfall;
@@ -44,7 +44,7 @@ static int by_amplitude(const void *left, const void *right) {
     return (a > b) - (a < b);
 }
 
-/// Sets the shown size of an order at all points: a frequency if the speed is known everywhere.
+/// Sets the shown size of one order at all points: a frequency, or 1 if the units show orders or a speed is unknown.
 static void find_sizes(const drawing *to, waterfall *of) {
     const whirl_table *table = of->axis.table;
     of->orders = !(to->units->frequency > 0.0);
@@ -77,7 +77,7 @@ static void gather(waterfall *of) {
     if (kept > 1) qsort(of->marks, kept, sizeof *of->marks, by_amplitude);
 }
 
-/// Returns the height of a point's marks: its part of the axis, up to a limit.
+/// Returns the vertical range of a point's marks: its part of the axis, up to a limit.
 static span height_of(const waterfall *of, size_t point) {
     const bifurcation *axis = &of->axis;
     const double at = axis->value * axis->table->values[point];

@@ -1,4 +1,4 @@
-// Shapes of a machine over the places of its stations: the axis, and the machine in grey behind.
+// Panels over the places along a machine: their axis, the machine in grey behind, and shapes.
 #include <math.h>
 #include <stdio.h>
 
@@ -7,7 +7,7 @@
 #include "machine_layout.h"
 #include "shaft_bends.h"
 
-/// Range of positions covered by the shafts of one axis.
+/// Returns the range of positions covered by the shafts on one axis.
 static span axis_reach(const machine_layout *l, double axis) {
     span reach = span_empty();
     for (size_t s = 0; s < l->model.shaft_count; s++) {
@@ -41,7 +41,7 @@ static span along_place_shafts(const machine_layout *l, machine_along *out) {
 }
 
 void along_place(const drawing *of, machine_along *out) {
-    // Without known shafts, stations are numbered and spaced by 1.
+    // Without known shafts the places of stations are 1, 2, ...
     const whirl_result *result = of->result;
     span places = span_empty();
     *out = (machine_along){.unit = layout_unit(of->units), .range = {0.5, (double)result->station_count + 0.5}};
@@ -53,7 +53,7 @@ void along_place(const drawing *of, machine_along *out) {
         out->at[s] = (double)s + 1.0;
         if (station->shaft > 0) span_widen(&places, out->start[station->shaft - 1] + station->position / out->unit);
     }
-    // Place the stations on shafts by their position, all others one after another behind the shafts' end.
+    // Place stations on shafts by their position, all others one after another behind the last shaft.
     if (!span_has_any(places)) return;
     const double step = places.high > places.low ? 0.16 * (places.high - places.low) : 1.0;
     out->shafts = true;
@@ -67,7 +67,7 @@ void along_place(const drawing *of, machine_along *out) {
     out->range = (span){places.low - 0.3 * step, places.high + step * ((double)out->aside + 0.3)};
 }
 
-/// Adds ticks over the shafts of one axis, in positions of its first shaft.
+/// Adds ticks over the shafts on one axis, which count from the beginning of its first shaft.
 static void add_ticks(whirl_figure *figure, whirl_panel *panel, span own, double start, double step) {
     char text[32];
     const double first = ceil((own.low - start) / step - 1e-9);
@@ -119,7 +119,7 @@ void along_axis(whirl_figure *figure, whirl_panel *panel, const drawing *of, con
 
 // ---------------------------------------------------------------- the machine in grey
 
-/// Returns the shown units per m of the vertical axis: the same scale as along the axis if that fits.
+/// Returns the vertical size of a metre in units of the vertical axis: the same scale as along the axis if that fits.
 static double across_scale(const whirl_figure *figure, const whirl_panel *panel, const machine_along *along,
                            double high) {
     const machine_layout *l = along->layout;
@@ -166,7 +166,7 @@ void along_machine(whirl_figure *figure, whirl_panel *panel, const machine_along
         const double half = disc.half / along->unit;
         add_pair(figure, discs, (span){along->at[s] - half, along->at[s] + half}, l->radius[s], disc.radius, scale);
     }
-    // Draw the bearings that hold stations on shafts.
+    // Draw the bearings of stations on shafts.
     for (size_t i = 0; i < l->model.element_count; i++) {
         const whirl_model_element *e = &l->model.elements[i];
         const double half = 0.7 * l->symbol / along->unit;

@@ -1,4 +1,4 @@
-// Layout of a machine's drawing: shafts along one axis or below one another, stations on and off shafts.
+// Lays out the drawing of a machine: shafts along one axis or below one another, stations on and off shafts.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -48,7 +48,8 @@ double layout_largest_radius(const machine_layout *l, size_t shaft) {
     return radius;
 }
 
-/// Puts a shaft on the axis of another one, if an element joins them: their stations there have one place.
+/// Puts a shaft on the axis of a placed shaft, if an element joins stations of both, which then have the same place.
+/// Returns false if none does.
 static bool layout_align_shaft(machine_layout *l, size_t shaft) {
     for (size_t i = 0; i < l->model.element_count; i++) {
         const whirl_model_element *e = &l->model.elements[i];
@@ -72,7 +73,7 @@ size_t layout_longest_name(const whirl_result *result) {
     return longest;
 }
 
-/// Width for the names of stations next to a vertical shaft, m. It assumes that the longest shaft is 14 cm long in the
+/// Returns the width in m for the names of stations next to a vertical shaft, if the longest shaft is 14 cm long in the
 /// figure.
 static double layout_names(const machine_layout *l) {
     double length = 0.0;
@@ -80,7 +81,7 @@ static double layout_names(const machine_layout *l) {
     return (0.12 * (double)layout_longest_name(l->result) + 0.25) * length / 14.0;
 }
 
-/// Places the shafts: those joined by an element on one axis, others below one another.
+/// Places the shafts: those that an element joins on one axis, others below one another.
 static void layout_place_shafts(machine_layout *l) {
     double axis = 0.0;
     size_t left = l->model.shaft_count;
@@ -100,7 +101,7 @@ static void layout_place_shafts(machine_layout *l) {
     }
 }
 
-/// Computes the radius of a steel disc with a polar inertia; its width is half its radius.
+/// Returns the radius of a steel disc with a polar inertia; its width is half its radius.
 static double layout_torsional_radius(double polar) {
     return pow(4.0 * polar / (steel * pi), 0.2);
 }
@@ -110,7 +111,7 @@ double layout_mass(const whirl_model_mass *of) {
     return of->mass > 0.0 ? of->mass : 0.5 * steel * pi * r * r * r;
 }
 
-/// Computes the radius of a steel disc with a station's mass and polar inertia; without inertia, of a cube.
+/// Returns the radius of a steel disc with a station's mass and polar inertia; without inertia half the side of a cube.
 double layout_disc_radius(const whirl_model_mass *of) {
     if (!(of->mass > 0.0)) return layout_torsional_radius(of->polar);
     return of->polar > 0.0 ? sqrt(2.0 * of->polar / of->mass) : 0.5 * cbrt(of->mass / steel);
@@ -148,8 +149,7 @@ static bool layout_hang_station(machine_layout *l, size_t station) {
     return false;
 }
 
-/// Returns true if a station is the housing or the support of another one: the second end of a bearing, stator or
-/// support.
+/// Returns true if a station is a housing or support: the second end of a bearing, stator or support.
 static bool layout_is_housing(const machine_layout *l, size_t station) {
     for (size_t i = 0; i < l->model.element_count; i++) {
         const whirl_model_element *e = &l->model.elements[i];
@@ -169,20 +169,20 @@ static void layout_place_stations(machine_layout *l) {
         l->y[s] = l->axis[own->shaft];
         l->placed[s] = true;
     }
-    // Without shafts to scale, place all but housings side by side.
+    // Without shafts to scale, place all stations but housings side by side.
     for (size_t s = 0; s < count && !l->to_scale; s++) {
         if (layout_is_housing(l, s)) continue;
         l->x[s] = beside;
         beside += 1.0;
         l->placed[s] = true;
     }
-    // Place the stations that hang on placed ones, until none is left of them.
+    // Place stations without a shaft below the placed ones to which elements join them, until no more can be placed.
     for (bool any = true; any;) {
         any = false;
         for (size_t s = 0; s < count; s++)
             if (!l->placed[s] && layout_hang_station(l, s)) any = true;
     }
-    // Place all others beside the shafts.
+    // Place all other stations next to the shafts.
     for (size_t s = 0; s < count; s++) {
         if (l->placed[s]) continue;
         l->x[s] = beside;
@@ -191,7 +191,8 @@ static void layout_place_stations(machine_layout *l) {
     }
 }
 
-/// Sizes symbols and stations. Without shafts to scale, stations are sized by the cube root of their masses.
+/// Sets the sizes of symbols and stations. Without shafts to scale, the size of a station is proportional to the cube
+/// root of its mass.
 static void layout_size_stations(machine_layout *l) {
     double length = 0.0, thick = 0.0, heaviest = 0.0;
     for (size_t i = 0; i < l->model.section_count; i++) {

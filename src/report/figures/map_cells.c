@@ -1,4 +1,4 @@
-// Cells of a map: their edges, and the borders between cells of different kinds.
+// Lays out the cells of a map, and draws the borders between cells of different kinds.
 #include "map_cells.h"
 
 #include <math.h>
@@ -29,7 +29,7 @@ static void find_edges(const double *values, size_t count, bool ratios, double *
     edges[count] = ratios ? last * last / before : 2.0 * last - before;
 }
 
-/// Reads the values along both axes from the points that exist. Columns and rows without a point stay NaN.
+/// Finds the values along both axes from the table's points; NaN for columns and rows without a point.
 static void read_axes(map_cells *map, const whirl_shown_units *units, const whirl_table *table, double *x, double *y) {
     const double across = whirl_shown_parameter(units, table->parameter).size;
     const double up = whirl_shown_parameter(units, table->second).size;
@@ -66,7 +66,7 @@ static double between(double a, double b, double share, bool ratios) {
     return ratios ? a * pow(b / a, share) : a + share * (b - a);
 }
 
-/// Fills in missing values evenly between known ones, or beyond them; by ratio on a logarithmic axis.
+/// Replaces missing values by values spaced evenly between known ones, or beyond them; by ratio on a logarithmic axis.
 static void fill_gaps(double *values, size_t count) {
     size_t first = 0, last = count - 1;
     while (first < last && isnan(values[first])) first++;
@@ -136,37 +136,37 @@ bool map_cells_next(const map_cells *map, const double *values, map_run *run) {
     return true;
 }
 
-/// Adds the borders along a grid line: between columns `at` - 1 and `at` if `upright`, else between rows.
+/// Borders along a grid line: between columns `at` - 1 and `at` if it is upright, else between these rows.
 typedef struct border {
     const map_cells *map;
-    const long *labels;
-    bool stands;
+    const long *labels; ///< [rows][columns] kinds of the cells
+    bool upright;
     size_t at;
 } border;
 
 static bool is_crossed(const border *b, size_t along) {
     const size_t columns = b->map->columns;
-    const size_t after = b->stands ? along * columns + b->at : b->at * columns + along;
-    const long one = b->labels[after - (b->stands ? 1 : columns)], other = b->labels[after];
+    const size_t after = b->upright ? along * columns + b->at : b->at * columns + along;
+    const long one = b->labels[after - (b->upright ? 1 : columns)], other = b->labels[after];
     return one != 0 && other != 0 && one != other;
 }
 
 static void add_border(whirl_figure *figure, whirl_series *to, const border *b) {
-    const size_t count = b->stands ? b->map->rows : b->map->columns;
-    const double *edges = b->stands ? b->map->y : b->map->x, here = b->stands ? b->map->x[b->at] : b->map->y[b->at];
+    const size_t count = b->upright ? b->map->rows : b->map->columns;
+    const double *edges = b->upright ? b->map->y : b->map->x, here = b->upright ? b->map->x[b->at] : b->map->y[b->at];
     for (size_t begin = 0, end; begin < count; begin = end) {
         const bool crossed = is_crossed(b, begin);
         for (end = begin + 1; end < count && is_crossed(b, end) == crossed;) end++;
         if (!crossed) continue;
-        series_add(figure, to, b->stands ? here : edges[begin], b->stands ? edges[begin] : here);
-        series_add(figure, to, b->stands ? here : edges[end], b->stands ? edges[end] : here);
+        series_add(figure, to, b->upright ? here : edges[begin], b->upright ? edges[begin] : here);
+        series_add(figure, to, b->upright ? here : edges[end], b->upright ? edges[end] : here);
         series_break(figure, to);
     }
 }
 
 void map_cells_add_borders(whirl_figure *figure, whirl_series *to, const map_cells *map, const long *labels) {
-    border b = {.map = map, .labels = labels, .stands = true};
+    border b = {.map = map, .labels = labels, .upright = true};
     for (b.at = 1; b.at < map->columns; b.at++) add_border(figure, to, &b);
-    b.stands = false;
+    b.upright = false;
     for (b.at = 1; b.at < map->rows; b.at++) add_border(figure, to, &b);
 }

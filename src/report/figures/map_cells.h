@@ -1,4 +1,4 @@
-/// Cells of a plane of a map: a point of its grid represents the part of the plane nearest to it.
+/// Cells of a plane of a map: the cell of a point is the part of the plane that is nearest to it.
 #ifndef REPORT_MAP_CELLS_H
 #define REPORT_MAP_CELLS_H
 
@@ -25,7 +25,8 @@ typedef struct map_cells {
 bool map_cells_make(const whirl_shown_units *units, const whirl_table *table, size_t plane, map_cells *cells);
 void map_cells_free(map_cells *cells);
 
-/// Cells of one value that are drawn as one: in a refined map neighbours in a row. Starts as {0}.
+/// A run of cells with the same value, neighbours in a row of a refined map, which are drawn as one box. Initial value:
+/// {0}.
 typedef struct map_run {
     size_t next;  ///< first cell after the run
     double value; ///< value of the cells

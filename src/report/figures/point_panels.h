@@ -1,4 +1,4 @@
-/// Panels of one point at a station.
+/// Panels that show one point at a station.
 #ifndef REPORT_POINT_PANELS_H
 #define REPORT_POINT_PANELS_H
 
@@ -12,7 +12,7 @@
 /// A point at a station, and its available data.
 typedef struct subject {
     const whirl_result *result;
-    const whirl_case *machine; ///< its case; NULL: none
+    const whirl_case *machine; ///< case of the result; NULL: none
     const whirl_table *table;
     size_t point, station;
     numbers waveform, section, spectrum, lines;
@@ -20,9 +20,10 @@ typedef struct subject {
     machine_wall wall;   ///< wall of its bearing
     size_t turn;         ///< samples of the waveform in a revolution
     span x, y;           ///< range of the orbit (of the section without a waveform), in shown units
-    double size;         ///< larger side of the motion's box, in shown units
+    double size;         ///< larger of the ranges x and y, in shown units
     const whirl_shown_units *units;
-    /// Factors from numbers of the result to shown displacements, amplitudes and orders (NaN: orders stay orders).
+    /// Factors from numbers of the result to displacements, amplitudes and frequencies as shown; order NaN: frequencies
+    /// are shown as orders.
     double length, amplitude, order;
 } subject;
 
@@ -33,7 +34,7 @@ typedef struct subject {
 void orbit_marks(whirl_figure *figure, whirl_panel *panel, const numbers *samples, size_t turn, double length,
                  double size, const char *colour, double dot);
 
-/// Draws the wall of a bearing or seal, its radii times `scale`; returns the largest.
+/// Draws the wall of a bearing or seal, with its radii times `scale`, and returns the largest radius drawn.
 double wall_line(whirl_figure *figure, whirl_panel *panel, const machine_wall *wall, double scale);
 
 /// Draws the circle of a stator that may be touched, dashed; nothing for a radius of 0.

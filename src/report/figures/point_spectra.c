@@ -12,8 +12,9 @@
 #include "whirl/engine/spectrum.h"
 
 enum {
-    MAX_BINS = 2500, ///< bins in a drawn spectrum; more are grouped, by the largest of each group (peak hold)
-    MAX_LABELS = 8   ///< spectral lines labelled with their order
+    MAX_BINS = 2500, ///< largest number of bins in a drawn spectrum; of more, each group of bins is drawn as its
+                     ///< largest (peak hold)
+    MAX_LABELS = 8   ///< largest number of spectral lines with a label
 };
 
 static double order_size(const subject *of) {
@@ -24,7 +25,7 @@ static double amplitude(const double *line, int full) {
     return full ? fmax(line[3], line[4]) : fmax(line[1], line[2]);
 }
 
-/// Axis of amplitudes: logarithmic if lines would be too small on a linear one.
+/// Axis of amplitudes: logarithmic if some lines would be too small on a linear one.
 typedef struct scale {
     bool logarithmic;
     double low, high; ///< limits, in shown units
@@ -58,7 +59,8 @@ static double scale_height(const scale *axis, double place) {
     return axis->logarithmic ? axis->low * pow(axis->high / axis->low, place) : place * axis->high;
 }
 
-/// A peak that may be labelled, and its height on the axis; backward peaks of a full spectrum have negative places.
+/// A peak that may have a label: its frequency (place), negative for backward peaks of a full spectrum, and its height
+/// on the axis, 0 to 1.
 typedef struct peak {
     double place, height;
 } peak;
@@ -68,8 +70,8 @@ static int by_height(const void *left, const void *right) {
     return (a < b) - (a > b);
 }
 
-/// Returns the height of the drawn curve near an order, in shown units; an interpolated line between two bins is
-/// slightly higher.
+/// Returns the height of the drawn curve near an order, in shown units. The amplitude of a line whose order is between
+/// two bins is slightly higher.
 static double drawn_height(const subject *of, double order, int column) {
     double most = 0.0;
     const double *at = of->spectrum.at;
@@ -93,7 +95,7 @@ static size_t find_peaks(const subject *of, const scale *axis, int full, peak *p
     return count;
 }
 
-/// A label's box over the orders; no label if low is not below high.
+/// Box of a label over the axis of frequencies; empty if low is not below high.
 typedef struct label {
     double low, high, height;
 } label;
@@ -106,7 +108,7 @@ static bool label_fits(const label *candidate, const label *placed, int count, d
     return true;
 }
 
-/// Peaks of one broad hump share the label of the largest.
+/// Returns true if no labelled peak is within a distance: of the peaks of a broad hump only the largest has a label.
 static bool peak_stands_alone(const peak *candidate, const peak *labelled, int count, double distance) {
     for (int i = 0; i < count; i++)
         if (fabs(labelled[i].place - candidate->place) < distance) return false;
@@ -135,7 +137,7 @@ static label place_label(const peak *of, int neighbour, const label *placed, int
     return (label){0};
 }
 
-/// Writes the shown order and the machine's name for it, "3.58 (BPFO)". Returns the length.
+/// Writes the frequency of a peak and the machine's name for its order, "3.58 (BPFO)". Returns the number of letters.
 static int label_text(const subject *of, const whirl_machine *named, double place, char *text, size_t size) {
     const int letters = snprintf(text, size, "%.3g", place);
     char name[LINE_NAME_SIZE];
@@ -195,7 +197,7 @@ static scale begin_spectrum(whirl_figure *figure, whirl_panel *panel, const subj
     return axis;
 }
 
-/// Adds a column of the spectrum; too many bins are grouped, by the largest of each group.
+/// Adds a column of the spectrum as a curve; of too many bins, each group is drawn as its largest.
 static void add_spectrum(whirl_figure *figure, whirl_series *line, const subject *of, const scale *axis, int column,
                          double direction) {
     const size_t group = (of->spectrum.rows + MAX_BINS - 1) / MAX_BINS;

@@ -7,7 +7,7 @@
 #include "utf8.h"
 #include "whirl/engine/descriptor.h"
 
-/// Characters to be escaped have at most four digits.
+/// Writes a character as \uXXXX; all characters to be escaped have at most four digits.
 static void escape(FILE *stream, unsigned character) {
     fprintf(stream, "\\u%04x", character);
 }

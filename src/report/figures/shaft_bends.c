@@ -1,5 +1,5 @@
-// Deflection of shafts between stations. Results have shapes at stations only. The machine of a point is built again
-// from the result's case; its mode or response is used if it agrees with the result at the stations.
+// Computes the deflection of shafts between stations: results have shapes only at stations. The machine of a point is
+// built again from the result's case; its mode or response is used if it agrees with the result at all stations.
 #include <complex.h>
 #include <math.h>
 #include <stdlib.h>
@@ -74,8 +74,8 @@ static double complex moved_on_line(const shaft_bends *b, size_t place, int axis
 
 // ---------------------------------------------------------------- modes
 
-/// One or two vectors, a linear combination of which must be the shape of a result. Vectors interleave real and
-/// imaginary parts.
+/// One or two complex vectors, a linear combination of which must equal the shape of a mode in the result at all
+/// stations.
 typedef struct fit {
     const shaft_bends *of;
     size_t mode, count;
@@ -83,7 +83,7 @@ typedef struct fit {
     double complex factors[2];
 } fit;
 
-/// Returns the result's number for a station.
+/// Returns the shape of the result's mode at a station along x (axis: 0) or y.
 static double complex fit_wanted(const fit *f, size_t station, int axis) {
     const double *row = whirl_table_field(f->of->table, f->of->point, WHIRL_FIELD_MODES_SHAPE, station) + 4 * f->mode;
     const size_t at = 2 * (size_t)axis;
@@ -125,7 +125,8 @@ static bool fit_solve(fit *f, const whirl_system *system) {
     return true;
 }
 
-/// Chooses the modes of a machine that match a mode of the result: one, or two with one eigenvalue, whose shapes mix.
+/// Chooses the modes of a machine with the eigenvalue of the result's mode: one, or two with equal eigenvalues, whose
+/// shapes may be mixed.
 static void fit_choose(fit *f, const whirl_modes *modes, double clock) {
     const shaft_bends *b = f->of;
     const double rate = whirl_table_field(b->table, b->point, WHIRL_FIELD_MODES_FREQUENCY, 0)[f->mode] / clock;
@@ -137,7 +138,8 @@ static void fit_choose(fit *f, const whirl_modes *modes, double clock) {
     }
 }
 
-/// Fills in `moved` from the modes of a machine. Returns false if none of them is the result's mode.
+/// Writes the shape of the result's mode along the shaft line from the modes of a machine. Returns false if none of
+/// them is that mode.
 static bool fit_draw(const shaft_bends *b, size_t mode, const whirl_machine *machine, const whirl_modes *modes,
                      double *moved) {
     fit f = {.of = b, .mode = mode};
@@ -153,7 +155,7 @@ static bool fit_draw(const shaft_bends *b, size_t mode, const whirl_machine *mac
     return true;
 }
 
-/// Fills in `moved` for a machine whose coefficients depend on the whirl frequency: it is built again at the mode's
+/// Like bends_mode, for a machine whose coefficients depend on the whirl frequency: builds it again at the mode's
 /// frequency.
 static bool bends_mode_at(const shaft_bends *b, size_t mode, double *moved) {
     whirl_machine machine;

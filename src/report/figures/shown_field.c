@@ -1,4 +1,4 @@
-// Numbers of any field as figures show them, and their names.
+// Converts numbers of any field to shown units, and names them, for figures.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -34,7 +34,7 @@ void shown_quantity(const figure_place *place, char *text, size_t size) {
     for (size_t end = strlen(text); end > 0 && text[end - 1] == ' '; end--) text[end - 1] = '\0';
 }
 
-/// Units in which the numbers of a place are shown.
+/// Kind of unit of a field's numbers.
 typedef enum measure { PLAIN, OF_LENGTH, OF_VELOCITY, OF_PARAMETER, OF_SPEED } measure;
 
 static measure measure_of(const figure_place *place) {
@@ -48,7 +48,7 @@ static measure measure_of(const figure_place *place) {
     return PLAIN;
 }
 
-/// Returns the unit of frequencies and speeds: the requested one, else that of a speed on the axis.
+/// Returns the unit of frequencies and speeds: the requested one, or else that of the parameter if it is a speed.
 static whirl_unit speed_unit_beside(const drawing *of, const whirl_table *table) {
     whirl_unit unit = {.name = "rad/s", .size = 1.0};
     if (of->units->frequency > 0.0) {
@@ -101,7 +101,7 @@ void shown_label(const drawing *of, const figure_place *place, char *label, size
     const measure how = measure_of(place);
     shown_quantity(place, quantity, sizeof quantity);
     column_of(place, column);
-    // A letter alone is a symbol.
+    // Write a column named by a single letter as a symbol.
     const size_t before = strlen(quantity) - strlen(column);
     snprintf(symbol, sizeof symbol, strlen(column) == 1 ? "%.*s$%s$" : "%.*s%s", (int)before, quantity,
              quantity + before);

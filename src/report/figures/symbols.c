@@ -23,8 +23,8 @@ static const char *greek_letter(const char *name, size_t length) {
     return NULL;
 }
 
-/// Returns the length of the symbol at the beginning of a name: a letter or a Greek name, then the end, digits or a
-/// subscript. 0 for a word.
+/// Returns the length of the symbol with which a name begins, a letter or a Greek name before the end, digits or a
+/// subscript; 0 for a word.
 static size_t letters_of(const char *name) {
     const size_t letters = strcspn(name, "_0123456789");
     const bool symbol = (letters == 1 && isalpha((unsigned char)*name)) || greek_letter(name, letters);
@@ -49,7 +49,7 @@ void symbol_of(const char *name, char *text, size_t size) {
 
 whirl_shown_units symbol_units(const whirl_shown_units *units) {
     whirl_shown_units marked = *units;
-    // "(0.2 mm)" is a number, "c" a symbol.
+    // A name such as "c" is a symbol; "(0.2 mm)" is none.
     if (units->ratio && *units->length_name != '(')
         symbol_of(units->length_name, marked.length_name, sizeof marked.length_name);
     return marked;

@@ -1,4 +1,4 @@
-/// Tori in the figures of branches.
+/// Bands of tori in the figures of branches.
 #ifndef REPORT_TORI_BANDS_H
 #define REPORT_TORI_BANDS_H
 
@@ -10,8 +10,8 @@
 /// Returns the result's table of tori; NULL if there is none, or it has no torus.
 const whirl_table *tori_table(const whirl_result *result);
 
-/// Adds the bands covered by a coordinate (0: x, 1: y) of a station's section, starting from the orbits where tori
-/// begin; `size` is one unit of the parameter.
+/// Adds the bands that a coordinate (column 0: x, 1: y) of a station's section covers, starting at the orbits where
+/// tori begin. size: one shown unit of the parameter, in SI.
 void tori_add_bands(whirl_figure *figure, whirl_panel *panel, const drawing *of, size_t station, size_t column,
                     double size);
 

@@ -1,4 +1,4 @@
-// All findings of a result, and a sheet of it by its name.
+// Makes all findings of a result, and finds a sheet by its name.
 #include "whirl/engine/findings.h"
 
 #include <stdlib.h>
@@ -36,8 +36,8 @@ whirl_status findings_of(const whirl_result *view, const whirl_shown_units *unit
     if (all) find_machine(&(finder){all, units, view, &whole, machine});
     for (size_t t = 0; all && t < view->table_count; t++)
         find_table(&(finder){all, units, view, &view->tables[t], machine});
-    // The functions that search peaks, scales and lines of modes find nothing without memory, and return no status:
-    // memory is checked here.
+    // Functions that search peaks, scales and lines of modes return no status: without memory they find nothing. So a
+    // lack of memory is detected here.
     if (all && exhausted(before)) all->failed = true;
     return find_made(all, findings);
 }
@@ -57,8 +57,8 @@ whirl_status whirl_findings_new(const whirl_result *result, const char *units, w
     return status;
 }
 
-/// Finds the spread of a number that a sheet's name asks for: "spread:FIELD column C at STATION", with "TABLE/" before
-/// it where several tables have samples.
+/// Makes the findings on the spread of a number that a sheet's name requests: "spread:FIELD column C at STATION", with
+/// "TABLE/" before it if several tables have samples.
 static whirl_status find_asked_spread(const whirl_result *view, const whirl_shown_units *units, const char *name,
                                       whirl_findings **findings) {
     const char *of = strchr(name, ':') + 1, *slash = memchr(name, '/', (size_t)(of - name));
@@ -130,7 +130,7 @@ whirl_status whirl_findings_sheet(const whirl_findings *findings, const char *na
         if (slash && (strlen(one->table) != length || strncmp(one->table, name, length) != 0)) continue;
         if (found++ == 0) *sheet = one;
     }
-    // Explain why there is not exactly one.
+    // Fail if there is not exactly one.
     whirl_status status = whirl_ok();
     if (found > 1) {
         status = whirl_fail(WHIRL_BAD_INPUT, "%zu tables have a sheet '%.80s', expected one of them: %.80s/%.80s",

@@ -1,4 +1,4 @@
-// Making findings: memory, statements and sheets.
+// Builds findings: their memory, statements and sheets.
 #include "findings_build.h"
 
 #include <math.h>
@@ -15,8 +15,8 @@ const char *whirl_judgement_name(whirl_judgement judgement) {
 
 // ---------------------------------------------------------------- memory
 
-/// Memory of texts and numbers, and a dummy statement and sheet: after a failed allocation calls write to these, and
-/// the findings are discarded.
+/// Memory of texts and numbers, and a statement and a sheet to which calls write after a failed allocation; the
+/// findings are then discarded.
 typedef struct find_memory {
     memory_arena arena;
     whirl_statement statement;
@@ -53,7 +53,7 @@ const char *find_text(whirl_findings *findings, const char *format, ...) {
     return text;
 }
 
-/// Makes room for one more item [count] of an array that doubles; returns false without memory.
+/// Makes room for one more item in an array of `count` items, whose size doubles; returns false without memory.
 static bool find_room(whirl_findings *findings, void **items, size_t count, size_t size) {
     if (findings->failed) return false;
     if ((count & (count - 1)) != 0) return true;
@@ -216,7 +216,7 @@ void sheet_values(const finder *of, whirl_sheet *sheet, const char *heading, int
                       *heading ? find_text(of->findings, "%s %s", heading, own) : own, &unit, digits, NULL);
 }
 
-/// Returns true if two cells show the same: the same text, or numbers that differ by rounding alone.
+/// Returns true if two cells show the same: equal texts, and numbers that differ only by rounding.
 static bool cell_same(const whirl_cell *a, const whirl_cell *b) {
     const double rounding = 1e-9;
     if (strcmp(a->text ? a->text : "", b->text ? b->text : "") != 0 || a->count != b->count) return false;
@@ -232,7 +232,7 @@ void sheet_once(const finder *of, whirl_sheet *sheet) {
     if (of->findings->failed || !*of->table->parameter || half == 0 || sheet->rows != 2 * half) return;
     for (size_t i = 0; i < half * columns; i++)
         if (i % columns > 0 && !cell_same(&sheet->cells[i], &sheet->cells[half * columns + i])) return;
-    if (cell_same(&sheet->cells[0], &sheet->cells[half * columns])) return; // rows of one point
+    if (cell_same(&sheet->cells[0], &sheet->cells[half * columns])) return; // the rows are of one point
     sheet->rows = half;
     for (size_t row = 0; row < half; row++) sheet->cells[row * columns] = (whirl_cell){.count = 0};
     sheet->about = find_text(of->findings, "%s%sThe same at the first and the last value of %s.", sheet->about,

@@ -1,5 +1,5 @@
-/// Making findings: statements and sheets are begun, and filled in piece by piece. A failed allocation is noted
-/// (whirl_findings.failed); later calls do nothing.
+/// Functions that build findings: they begin statements and sheets, and add to them piece by piece. A failed allocation
+/// is noted (whirl_findings.failed), and later calls do nothing.
 #ifndef REPORT_FINDINGS_BUILD_H
 #define REPORT_FINDINGS_BUILD_H
 
@@ -22,26 +22,27 @@ whirl_findings *find_begin(void);
 /// WHIRL_NO_MEMORY.
 whirl_status find_made(whirl_findings *made, whirl_findings **findings);
 
-/// Returns the sheet that a name asks for of a number of its own, "spread:FIELD at STATION"; NULL for other names.
+/// Returns the sheet that a name such as "spread:FIELD at STATION" requests of a number; NULL for other names.
 const char *findings_asked_spread(const char *name);
 
-/// Makes the findings on that number. Errors as whirl_findings_new, and WHIRL_BAD_INPUT for a number that is not there.
+/// Makes the findings on that number. Errors of whirl_findings_new, and WHIRL_BAD_INPUT for an unknown number.
 whirl_status findings_of_spread(const whirl_result *result, const char *units, const char *name,
                                 whirl_findings **findings);
 
-/// Finds the first and the last computed point; returns how many: 0, 1 or 2.
+/// Finds the first and the last computed point; returns 0 if there is none, 1 if they are one point, else 2.
 size_t find_ends(const whirl_table *table, size_t ends[2]);
 
 /// Returns a formatted text that lives as long as the findings; "" without memory.
 const char *find_text(whirl_findings *findings, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/// Begins a statement; never NULL. The texts are static, or from find_text. It lives until the next one is begun.
+/// Begins a statement; never NULL. Texts are static, or from find_text. The pointer is valid until the next statement
+/// begins.
 whirl_statement *find_statement(const finder *of, const char *what);
 
 /// Begins a statement about a point, with the value of the parameter there; returns its phrase `found`.
 whirl_phrase *find_at(const finder *of, size_t point, const char *what);
 
-/// Begins a statement with a verdict, the first word of its phrase `judged`.
+/// Begins a statement with a judgement, the first word of its phrase `judged`.
 whirl_statement *find_judgement(const finder *of, const char *what, const char *clause, whirl_judgement judgement);
 
 /// Append to a phrase: a text, a number with the unit of its quantity, a number with a given unit, a value of the
@@ -51,10 +52,10 @@ void phrase_number(const finder *of, whirl_phrase *phrase, whirl_quantity quanti
 void phrase_unit(const finder *of, whirl_phrase *phrase, const whirl_unit *unit, int digits, double value);
 void phrase_value(const finder *of, whirl_phrase *phrase, int digits, double value);
 
-/// Says for which value of the parameter a statement holds; nothing in a table without a parameter.
+/// Sets the value of the parameter for which a statement holds; does nothing in a table without a parameter.
 void statement_value(const finder *of, whirl_statement *statement, size_t point);
 
-/// Begins a sheet; never NULL. It lives until the next one is begun.
+/// Begins a sheet; never NULL. The pointer is valid until the next sheet begins.
 whirl_sheet *find_sheet(const finder *of, const char *name, const char *title);
 
 /// Removes the last sheet if it has no rows.
@@ -64,18 +65,18 @@ void find_sheet_end(const finder *of);
 void sheet_column(const finder *of, whirl_sheet *sheet, const char *key, const char *heading, whirl_quantity quantity,
                   int digits);
 void sheet_units(const finder *of, whirl_sheet *sheet, const char *key, const char *heading, const whirl_unit *unit,
-                 int digits); ///< with a given unit
+                 int digits); ///< numbers with a given unit
 void sheet_list(const finder *of, whirl_sheet *sheet, const char *key, const char *heading, whirl_quantity quantity,
-                int digits, const char *between); ///< several numbers a cell
+                int digits, const char *between); ///< several numbers in each cell
 void sheet_texts(const finder *of, whirl_sheet *sheet, const char *key, const char *heading); ///< texts
 void sheet_values(const finder *of, whirl_sheet *sheet, const char *heading,
                   int digits); ///< values of the parameter, if any
-/// Reduces a sheet whose two points have the same rows to those of the first, without a value of the parameter; the
-/// text about the sheet says so. For quantities that usually do not depend on the parameter.
+/// Reduces a sheet with equal rows for two points to the rows of the first, without a value of the parameter, and adds
+/// a sentence to its text. For quantities that usually do not depend on the parameter.
 void sheet_once(const finder *of, whirl_sheet *sheet);
 
-/// Adds columns kxx, kxy, kyx, kyy, cxx, ... for stiffness and damping of a bearing; headings [8], static; NULL: the
-/// same words.
+/// Adds columns kxx, kxy, kyx, kyy, cxx, ... for stiffness and damping of a bearing. headings [8]: static; NULL: the
+/// keys themselves.
 void sheet_coefficients(const finder *of, whirl_sheet *sheet, const char *const *headings);
 
 /// Begin a row, then fill every column by one of these functions. Numbers that are not finite leave their cell empty;

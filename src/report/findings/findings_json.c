@@ -1,7 +1,4 @@
-// Findings as JSON: numbers in SI, next to their shown texts.
-#include <errno.h>
-#include <string.h>
-
+// Writes findings as JSON: numbers in SI, next to their shown texts.
 #include "document.h"
 #include "findings_render.h"
 #include "whirl/engine/findings.h"
@@ -96,25 +93,16 @@ json_t *sheets_json(bool *well, const whirl_findings *findings) {
     return array;
 }
 
-static whirl_status findings_write(bool well, json_t *object, FILE *stream) {
-    errno = 0;
-    well = document_write(well, object, stream);
-    fputc('\n', stream);
-    if (fflush(stream) != 0 || ferror(stream))
-        return whirl_fail(WHIRL_IO_ERROR, "cannot write JSON: %s", strerror(errno ? errno : EIO));
-    return well ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to write JSON");
-}
-
 whirl_status whirl_findings_write_json(const whirl_findings *findings, FILE *stream) {
     bool well = true;
     json_t *object = json_object();
     document_put(&well, object, "statements", statements_json(&well, findings));
     document_put(&well, object, "sheets", sheets_json(&well, findings));
-    return findings_write(well, object, stream);
+    return document_finish(well, object, stream);
 }
 
 whirl_status sheet_write_json(const whirl_sheet *sheet, FILE *stream) {
     bool well = true;
     json_t *object = sheet_json(&well, sheet);
-    return findings_write(well, object, stream);
+    return document_finish(well, object, stream);
 }

@@ -1,4 +1,4 @@
-// Findings as texts: numbers, phrases, headings, and sheets as aligned text, CSV, LaTeX and Markdown.
+// Writes findings as texts: numbers, phrases, headings, and sheets as aligned text, CSV, LaTeX and Markdown.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,7 +16,7 @@ enum { CELL_SIZE = 1024 };
 void number_shown(double number, int digits, char *text, size_t size) {
     const double plain = 1e7;
     snprintf(text, size, "%.*g", digits, number);
-    // "1.4028e+05" is 140280.
+    // Write "1.4028e+05" as 140280.
     if (strchr(text, 'e') && fabs(number) >= 1.0 && fabs(number) < plain)
         snprintf(text, size, "%.0f", strtod(text, NULL));
 }
@@ -38,8 +38,8 @@ void whirl_column_heading(const whirl_column *column, char *text, size_t size) {
     snprintf(text, size, *column->unit ? "%s (%s)" : "%s", column->heading, column->unit);
 }
 
-/// Writes a cell with a given number of digits.
-static void cell_told(const whirl_column *column, const whirl_cell *cell, int digits, char *text, size_t size) {
+/// Writes the text of a cell with a given number of digits.
+static void cell_write_text(const whirl_column *column, const whirl_cell *cell, int digits, char *text, size_t size) {
     char shown[NUMBER_SIZE];
     *text = '\0';
     if (cell->text) snprintf(text, size, "%s", cell->text);
@@ -51,7 +51,7 @@ static void cell_told(const whirl_column *column, const whirl_cell *cell, int di
 }
 
 void whirl_cell_text(const whirl_column *column, const whirl_cell *cell, char *text, size_t size) {
-    cell_told(column, cell, column->digits, text, size);
+    cell_write_text(column, cell, column->digits, text, size);
 }
 
 void statement_text(const whirl_statement *statement, char *text, size_t size) {
@@ -80,15 +80,15 @@ bool sheet_column_empty(const whirl_sheet *sheet, size_t column) {
 }
 
 // ---------------------------------------------------------------- aligned text
-// Rows below headings; a few rows that are wider than a terminal have their headings on the left.
+// A sheet has its headings above the rows; a few rows that are wider than a terminal have them on the left.
 
 enum { MAX_WIDTH = 118, MAX_BESIDE = 3 };
 
-/// A sheet as a grid of texts without empty columns; the first line is the heading.
+/// A sheet as a grid of texts, without empty columns; the first line has the headings.
 typedef struct text_grid {
     size_t lines, columns;
     char **texts;   ///< [lines][columns]
-    bool *right;    ///< [columns] numbers, aligned right
+    bool *right;    ///< [columns] true for numbers, which are aligned right
     size_t *widths; ///< [columns] letters of the longest text
 } text_grid;
 
@@ -227,7 +227,8 @@ static void write_letters(FILE *stream, const char *text) {
     }
 }
 
-/// Writes a row (0: the heading) with separators and an end.
+/// Writes a row (0: the headings), with separators between cells and an end. digits 0: all digits, and all columns, for
+/// programs.
 static void write_cells(FILE *stream, const whirl_sheet *sheet, size_t row, void (*write)(FILE *, const char *),
                         int digits, const char *between, const char *end) {
     const bool drop = digits == 0; // a file for programs has all columns
@@ -239,8 +240,8 @@ static void write_cells(FILE *stream, const whirl_sheet *sheet, size_t row, void
         if (row == 0)
             whirl_column_heading(column, text, sizeof text);
         else
-            cell_told(column, &sheet->cells[(row - 1) * sheet->columns + c], digits ? digits : column->digits, text,
-                      sizeof text);
+            cell_write_text(column, &sheet->cells[(row - 1) * sheet->columns + c], digits ? digits : column->digits,
+                            text, sizeof text);
         if (!first) fputs(between, stream);
         first = false;
         write(stream, text);

@@ -1,4 +1,5 @@
-// Findings in every form: a sheet, the findings of a table, or of a result, as texts for programs in other languages.
+// Writes findings in every form: a sheet, the findings of a table, or those of a result, also as texts for programs in
+// other languages.
 #include <stdint.h>
 #include <string.h>
 
@@ -46,10 +47,10 @@ bool findings_write_table(FILE *stream, const whirl_findings *findings, const ch
     return well;
 }
 
-/// Largest number of statements of the same kind in text; other forms have all.
+/// Largest number of statements of the same kind that text shows; other forms have all.
 enum { MAX_ALIKE = 20 };
 
-/// Number of statements before `end` with the same `what`.
+/// Returns the number of statements before `end` with the same `what`.
 static size_t statements_alike(const whirl_findings *findings, size_t end, const char *what) {
     size_t count = 0;
     for (size_t i = 0; i < end; i++) count += strcmp(findings->statements[i].what, what) == 0;

@@ -1,6 +1,6 @@
-// Sentences of the engine, such as warnings, with their numbers in the units shown. The engine writes every number with
-// its unit, in SI or as the case has it ("at T = 323.15 K and c = 0.1 mm"), so that the text is data enough: a number
-// is what stands before a known unit. Differences of temperatures must be written in another way than "5 K".
+// Converts numbers in sentences of the engine, such as warnings, to shown units. The engine writes every number with
+// its unit, in SI or as in the case ("at T = 323.15 K and c = 0.1 mm"), so that a number to convert is one before a
+// known unit. Differences of temperatures must not be written as "5 K".
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,12 +13,12 @@
 #include "whirl/engine/result.h"
 #include "whirl/engine/shown.h"
 
-/// Units that sentences of the engine have, and that the list of `--units` words (unit_words) lacks.
+/// Units in sentences of the engine that the words of `--units` (unit_words) lack.
 static const unit_word sentence_units[] = {{"Pa s", "Pa s", UNIT_VISCOSITY, 1.0}, {"kg m", "kg m", UNIT_UNBALANCE, 1.0},
                                            {"m3/s", "m3/s", UNIT_FLOW, 1.0},      {"m/s", "m/s", UNIT_SYSTEM, 1.0},
                                            {"m/s2", "m/s2", UNIT_SYSTEM, 1.0},    {NULL, NULL, UNIT_KINDS, 0.0}};
 
-/// Quantity whose unit the numbers of a kind take.
+/// Quantity in whose unit numbers of each kind are shown.
 static const whirl_quantity sentence_quantities[UNIT_KINDS] = {
     [UNIT_LENGTH] = WHIRL_QUANTITY_LENGTH,       [UNIT_SPEED] = WHIRL_QUANTITY_SPEED,
     [UNIT_FREQUENCY] = WHIRL_QUANTITY_FREQUENCY, [UNIT_FORCE] = WHIRL_QUANTITY_FORCE,
@@ -30,7 +30,8 @@ static const whirl_quantity sentence_quantities[UNIT_KINDS] = {
     [UNIT_VISCOSITY] = WHIRL_QUANTITY_VISCOSITY, [UNIT_TEMPERATURE] = WHIRL_QUANTITY_TEMPERATURE,
     [UNIT_WEIGHT] = WHIRL_QUANTITY_WEIGHT,       [UNIT_SYSTEM] = WHIRL_QUANTITY_ACCELERATION};
 
-/// Returns the length of `word` if a text begins with it, as a unit of its own: "N" does not begin "N m/rad".
+/// Returns the length of `word` if it is the whole unit with which a text begins, else 0: "N m/rad" does not begin with
+/// the unit "N".
 static size_t sentence_begins(const char *text, const char *word) {
     const size_t length = strlen(word);
     if (length == 0 || strncmp(text, word, length) != 0) return 0;
@@ -64,7 +65,7 @@ static double sentence_zero(const unit_word *from) {
     return strcmp(from->word, "degC") == 0 ? 273.15 : strcmp(from->word, "degF") == 0 ? 459.67 : 0.0;
 }
 
-/// Determines the unit shown for numbers in `from`; false if the sentence's own stays.
+/// Finds the shown unit for numbers in the unit `from`; returns false if numbers keep their unit.
 static bool sentence_target(const whirl_shown_units *units, const unit_word *from, whirl_unit *to, double *zero) {
     const whirl_quantity quantity = sentence_quantities[from->kind];
     *to = units->of[quantity];
@@ -76,7 +77,7 @@ static bool sentence_target(const whirl_shown_units *units, const unit_word *fro
         *to = (whirl_unit){.size = units->frequency};
         snprintf(to->name, sizeof to->name, "%s", units->frequency_name);
     }
-    // "in/s2" is the unit of accelerations, "in/s" that of velocities.
+    // Velocities take the unit of accelerations without its last "2": "in/s" of "in/s2".
     if (from->kind == UNIT_SYSTEM && strcmp(from->word, "m/s") == 0) to->name[strlen(to->name) - 1] = '\0';
     const bool own = from->kind == UNIT_SPEED || from->kind == UNIT_LENGTH || from->kind == UNIT_FREQUENCY;
     return to->size > 0.0 && (own || units->chosen[quantity]);
@@ -94,6 +95,7 @@ void whirl_shown_sentence(const whirl_shown_units *units, const char *sentence, 
     static const int least_digits = 4, most_digits = 6;
     size_t used = 0;
     for (const char *at = sentence; *at && used + 1 < size;) {
+        // Find a number with a known unit at this place.
         const bool begins = at == sentence || strchr(" (=,", at[-1]);
         char *end = NULL;
         const double number = begins && (isdigit((unsigned char)*at) || *at == '-') ? strtod(at, &end) : 0.0;
@@ -102,11 +104,12 @@ void whirl_shown_sentence(const whirl_shown_units *units, const char *sentence, 
         whirl_unit to;
         const unit_word *const from = end && end > at && *end == ' ' ? sentence_unit(end + 1, &length) : NULL;
         if (!from || !sentence_target(units, from, &to, &zero)) {
-            // A number is copied whole: its parts are no numbers.
+            // Copy a number without a known unit whole, so that no part of it is taken for a number.
             const size_t plain = end && end > at ? (size_t)(end - at) : 1;
             for (size_t i = 0; i < plain && used + 1 < size; i++) text[used++] = *at++;
             continue;
         }
+        // Convert the number, and write it with as many digits as it had, within limits.
         const int digits = sentence_digits(at, (size_t)(end - at));
         char shown[NUMBER_SIZE];
         number_shown((number + sentence_zero(from)) * from->size / to.size - zero,

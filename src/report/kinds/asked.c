@@ -1,5 +1,5 @@
-// Acceptance criteria of standards, the values found, and the verdicts. They are derived only here, from the fields of
-// a result.
+// Judges results by acceptance criteria of standards: requirements, values found, and judgements. They are derived only
+// here, from the fields of a result.
 //
 // Clauses are given by the number after the chapter, which is the same in all editions: SP6.8 of API RP 684 (2nd
 // edition, 2005), 2.6 of API 617 (7th, 2002), 4.8 of its first part (8th, 2014). The user has to check which edition
@@ -40,7 +40,7 @@ asked_stability asked_stability_at(const whirl_table *table, size_t point) {
 }
 
 void asked_stability_text(const asked_stability *at, char text[ASKED_TEXT]) {
-    // Word the answer with seals and impellers (Level II).
+    // Write the judgement with seals and impellers (Level II).
     const char *const with = at->level_one == WHIRL_HOLDS ? "seals and impellers" : "them";
     char whole[ASKED_TEXT / 2];
     if (at->level_two == WHIRL_NOT_KNOWN)
@@ -48,7 +48,7 @@ void asked_stability_text(const asked_stability *at, char text[ASKED_TEXT]) {
     else
         snprintf(whole, sizeof whole, "decrement %.3g with %s, above %g asked for: %s", at->complete, with,
                  asked_decrement, whirl_judgement_name(at->level_two));
-    // Word the answer without them (Level I), and what follows from it.
+    // Write the judgement without them (Level I), and what follows from it.
     if (isnan(at->decrement))
         snprintf(text, ASKED_TEXT, "%s: not known", no_mode);
     else if (!at->stages)
@@ -68,8 +68,8 @@ void asked_stability_text(const asked_stability *at, char text[ASKED_TEXT]) {
                  at->region > 0.5 ? "region B and " : "", at->factor, whole);
 }
 
-/// Returns true if Level I fails by more at point `at` than at `than`: a smaller share of the required limit or, if no
-/// limit was found at either, a larger requirement.
+/// Returns true if point `at` is worse by Level I than point `than`: its limit is a smaller share of the required one
+/// or, at equal shares, more is required.
 static bool lacks_more(const asked_stability *at, const asked_stability *than) {
     const double share = isnan(at->ratio) ? (double)INFINITY : at->ratio / at->factor;
     const double other = isnan(than->ratio) ? (double)INFINITY : than->ratio / than->factor;
@@ -96,12 +96,13 @@ asked_stability_tally asked_stability_count(const whirl_table *table) {
 
 // ---------------------------------------------------------------- responses
 
-/// Finds the peak with the largest deficit of its margin or, without deficits, the least surplus.
+/// States the separation margin of the worst peak: that with the largest deficit or, without deficits, the least
+/// surplus.
 static void ask_margin(const finder *of) {
     const margin_tally all = margin_count(of->result, of->table);
     const margin_row *const peak = &all.worst;
     whirl_statement *own = find_judgement(of, "separation margin", "SP6.8.2.10", all.verdict);
-    // Requirement and finding: those of the worst peak.
+    // State requirement and margin of the worst peak.
     if (all.judged > 0) {
         phrase_number(of, &own->asked, WHIRL_QUANTITY_PERCENT, 3, peak->asked);
         phrase_text(of, &own->asked, " (amplification %.3g)", peak->amplification);
@@ -117,7 +118,7 @@ static void ask_margin(const finder *of) {
         phrase_text(of, &own->found, "no amplification of 2.5 or more%s at the computed speeds",
                     *of->table->record.probes_at ? " at a probe" : "");
     }
-    // Reason of the verdict.
+    // State the reason of the judgement.
     if (all.verdict == WHIRL_FAILS)
         phrase_text(of, &own->judged, ": %zu of %zu peaks%s", all.judged - all.held, all.judged,
                     all.lacks ? " that were found" : "");
@@ -138,7 +139,7 @@ static void ask_vibration(const finder *of, const scaled *by) {
     phrase_text(of, &own->found, " at %s", of->result->stations[by->station].name);
 }
 
-/// Finds the clearance of which scaled responses take the largest share.
+/// States the station whose scaled response takes the largest share of its clearance.
 static void ask_clearance(const finder *of, const scaled *by) {
     scaled_row close;
     if (!scaled_tightest(of->result, of->table, by, &close)) return;

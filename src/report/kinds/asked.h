@@ -1,5 +1,5 @@
-/// Acceptance criteria after API 617, the values found, and the verdicts; all renderers use them. The user has to check
-/// which edition applies.
+/// Judgements by acceptance criteria after API 617: requirements, values found and verdicts, for all renderers. The
+/// user has to check which edition applies.
 #ifndef REPORT_ASKED_H
 #define REPORT_ASKED_H
 
@@ -8,20 +8,20 @@
 
 enum { ASKED_TEXT = 320 };
 
-/// Returns the required logarithmic decrement.
+/// The required logarithmic decrement.
 extern const double asked_decrement;
 
 /// Stability at a point. Numbers that were not found are NaN.
 typedef struct asked_stability {
     bool stages;               ///< cross coupling is anticipated, so that there is a Level I
-    double anticipated, limit; ///< cross coupling, N/m; a limit of NaN: at no less than 1000 times the anticipated
+    double anticipated, limit; ///< cross coupling, N/m; limit NaN: above 1000 times the anticipated
     double ratio, factor;      ///< limit over anticipated, and its required value: 10 in region B, else 2
     double region;             ///< region of the screening diagram: 0: A, 1: B
     double decrement;          ///< least decrement with bearings and stages
     double complete;           ///< least decrement with seals and impellers too
     whirl_judgement level_one; ///< for bearings and stages; WHIRL_NOT_ASKED without stages
-    bool decides;              ///< seals and impellers are to be counted (Level II): Level I does not hold
-    whirl_judgement level_two; ///< for the whole machine: the verdict of the point
+    bool decides;              ///< Level I does not hold, so that seals and impellers must be included (Level II)
+    whirl_judgement level_two; ///< for the machine with seals and impellers, the final judgement at the point
 } asked_stability;
 
 asked_stability asked_stability_at(const whirl_table *table, size_t point);
@@ -31,12 +31,12 @@ void asked_stability_text(const asked_stability *at, char text[ASKED_TEXT]);
 
 /// Stability at all points of a table.
 typedef struct asked_stability_tally {
-    size_t points, without; ///< done points, and those of them whose modes are all backward
+    size_t points, without; ///< number of computed points, and of those without a mode that is not backward
     size_t screened, dense; ///< points in the screening diagram, and in its region B
     asked_stability
-        least; ///< point of least decrement with seals and impellers; its decrement is NaN if no point has one
-    asked_stability coupled; ///< point at which the limit of the cross coupling fails most; none without stages
-    double decrement;        ///< the least with bearings and stages, of points with stages
+        least; ///< point with the least decrement with seals and impellers; its decrement is NaN if no point has one
+    asked_stability coupled; ///< worst point by Level I, of those with stages
+    double decrement;        ///< least decrement with bearings and stages, of points with stages
     whirl_judgement level_one, level_two;
 } asked_stability_tally;
 

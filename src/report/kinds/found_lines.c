@@ -1,33 +1,33 @@
-// Spectral lines along a parameter, below and above the synchronous one: the range of each line, its share of the
-// clearance, how it begins and ends on the way up and on the way down, where its amplitude or its order jumps, and
-// where its order is locked at a ratio.
+// Findings on spectral lines along a parameter, below and above the synchronous one: the range of each line, its share
+// of the clearance, how it begins and ends on the way up and on the way down, where its amplitude or its order jumps,
+// and where its order is locked at a ratio.
 #include <math.h>
 #include <stdlib.h>
 
 #include "quantities.h"
 #include "shown_kinds.h"
 
-/// Least size of a line that counts, over the largest line of its station.
+/// Least size of a line that counts, relative to the largest line of its station.
 static const double least_share = 0.05;
 
 /// With more points than this, a line must be present at several neighbouring points: single lines among chaotic
 /// motions do not count.
 enum { FEW_POINTS = 8 };
 
-/// Tolerance within which an order counts as a multiple of the speed; and largest drift of an order from point to
-/// point.
+/// multiple: tolerance within which an order counts as a multiple of the speed. drift: largest relative change of an
+/// order from point to point.
 static const double multiple = 0.02, drift = 0.1;
 
 /// The strongest line of a point on one side of the synchronous one.
 typedef struct line_seen {
     size_t station;
     double order, size; ///< size in m, zero to peak, along the axis where it is larger; 0: no line
-    double share;       ///< share of the clearance there; NaN without one
+    double share;       ///< share of the station's gap or clearance; NaN without one
     double direction;   ///< 1: forward, -1: backward
     double over;        ///< size over the largest line of its station
 } line_seen;
 
-/// Measures a line against the walls around its station.
+/// Describes a line of the field spectrum/lines, with its share of the clearance or gap at its station.
 static line_seen line_of(const finder *of, size_t point, size_t station, const double *line) {
     const whirl_probe *around = &of->result->stations[station];
     const double largest = fmax(line[1], line[2]), clearance = around->gap > 0.0 ? around->gap : around->clearance;
@@ -38,7 +38,8 @@ static line_seen line_of(const finder *of, size_t point, size_t station, const d
                        .direction = (line[3] - line[4]) / fmax(line[3] + line[4], 1e-300)};
 }
 
-/// Returns true for an order below the synchronous line, or above it and not a multiple of it (`above`).
+/// Returns the strongest line of a point below the synchronous one (`below`), or above it and not at a multiple of the
+/// speed; size 0 if there is none.
 static line_seen strongest_line(const finder *of, size_t point, bool below) {
     line_seen best = {.size = 0.0};
     for (size_t station = 0; station < of->result->station_count; station++) {
@@ -57,7 +58,7 @@ static line_seen strongest_line(const finder *of, size_t point, bool below) {
     return best;
 }
 
-/// Neighbouring points with a line whose order hardly changes from one to the next.
+/// A line at neighbouring points, with an order that hardly changes from one point to the next.
 typedef struct line_track {
     size_t first, last, largest_at;
     line_seen from, to, largest;
@@ -91,7 +92,7 @@ static void track_row(const finder *of, whirl_sheet *sheet, const line_track *tr
                                                  : "to and fro");
 }
 
-/// Lines on one side of the synchronous one: the strongest of every point, and the tracks of these.
+/// Lines on one side of the synchronous one: the strongest of every point, and their tracks.
 typedef struct line_side {
     line_seen *seen;    ///< [points of the table]
     line_track *tracks; ///< [count]
@@ -147,7 +148,7 @@ static line_track side_largest(const line_side *side) {
 
 /// One end of a track.
 typedef struct line_edge {
-    bool there;           ///< the next points have no such line; false: the sweep ends there, or there is no track
+    bool there; ///< the line ends between two points; false: the sweep ends with the line, or there is no track
     size_t point, beyond; ///< rows: last one with the line, first one without it
     bool known, sudden;   ///< known: the edge could be judged; sudden: it is a jump
 } line_edge;
@@ -157,9 +158,9 @@ static int found_by_size(const void *left, const void *right) {
     return (a > b) - (a < b);
 }
 
-/// Judges whether a line begins suddenly: it has a multiple of the least visible size at its first point, and about the
-/// size of the next points. A line that grows as the square root of the parameter has less than 0.64 of the median of
-/// the next two to four points.
+/// Judges whether a line begins suddenly: at its first point it is several times as large as the least visible size,
+/// and about as large as at the next points. (A line that grows as the square root of the parameter has less than 0.64
+/// of the median of the next two to four points.)
 static void edge_judge(const line_side *side, const line_track *track, bool first, line_edge *edge) {
     enum { LOOKED_AT = 4, MIN_KNOWN = 2 };
     static const double least_ratio = 0.75, least_over = 2.0;
@@ -182,12 +183,13 @@ static bool values_rise(const whirl_table *table) {
     return true;
 }
 
-/// Returns true if a track is travelled from lower to higher values. Branches from the last value go the other way.
+/// Returns true if the motion was followed along a track from lower to higher values. Branches from the last value on
+/// go the other way.
 static bool track_rises(const whirl_table *table, const line_track *track) {
     return values_rise(table) == (table->branch[track->first] >= 0);
 }
 
-/// Returns the end of a track at its lower or its higher values.
+/// Returns the end of a track at its lower values (`low`) or at its higher ones.
 static line_edge edge_of(const finder *of, const line_side *side, const line_track *track, bool low) {
     const whirl_table *table = of->table;
     const bool first = low == values_rise(table);
@@ -218,9 +220,9 @@ static void cells_edge(const finder *of, const line_side *side, whirl_sheet *she
     cell_number(of, sheet, edge->there ? 100.0 * line->share : (double)NAN);
 }
 
-/// Reports "line of order 0.48: begins at once at 5200 rpm on the way up, is there down to 4800 rpm on the way down:
-/// hysteresis of 400 rpm", if it jumps or the ways differ by more than a step.
-static void tell_edge(const finder *of, double order, bool low, const line_edge *up, const line_edge *down) {
+/// States an end of a line that is sudden or has a hysteresis of more than a step: "line of order 0.48: begins at once
+/// at 5200 rpm on the way up, is there down to 4800 rpm on the way down: hysteresis of 400 rpm".
+static void state_edge(const finder *of, double order, bool low, const line_edge *up, const line_edge *down) {
     const double *values = of->table->values;
     // Compare where the line begins on the way up with where it ends on the way down.
     const double apart = up->there && down->there ? fabs(values[up->point] - values[down->point]) : 0.0;
@@ -229,7 +231,7 @@ static void tell_edge(const finder *of, double order, bool low, const line_edge 
     if (!hysteresis && !up->sudden && !down->sudden) return;
     bool ways = false;
     for (size_t i = 0; i < of->table->count; i++) ways = ways || of->table->branch[i] < 0;
-    // State both places, whichever are known.
+    // State both values, if they are known.
     whirl_phrase *found = &find_statement(of, find_text(of->findings, "line of order %.4g", order))->found;
     if (up->there) {
         phrase_text(of, found, "%s%s at ", low ? "begins" : "ends", up->sudden ? " at once" : "");
@@ -263,7 +265,7 @@ static void edge_row(const finder *of, const line_side *side, whirl_sheet *sheet
     cell_number(of, sheet,
                 rising.there && falling.there ? fabs(of->table->values[rising.point] - of->table->values[falling.point])
                                               : (double)NAN);
-    tell_edge(of, order, low, &rising, &falling);
+    state_edge(of, order, low, &rising, &falling);
 }
 
 /// Reports both ends of every line of a side, on the way up and on the way down.
@@ -292,20 +294,21 @@ static void find_edges(const finder *of, const line_side *side, whirl_sheet *she
 
 // ---------------------------------------------------------------- jumps within a line, and to another one
 
-/// A sudden change of a line's amplitude between neighbouring points, in the direction of travel; or of the strongest
-/// line to one of another order.
+/// A sudden change of a line's amplitude between neighbouring points, or of the strongest line to one of another order.
 typedef struct line_jump {
-    size_t before, after; ///< rows
-    bool rises;           ///< travelled to higher values
+    size_t before, after; ///< rows, in the direction in which the motion was followed
+    bool rises;           ///< the motion was followed to higher values
     bool paired;          ///< reported together with the jump on the other way
-    bool moves;           ///< to another order
+    bool moves;           ///< the strongest line has another order after the jump
 } line_jump;
 
-/// A jump changes the amplitude by more than this share, and by this many times the median of the steps around it. Near
-/// a fold the last step of a continuous branch is up to 4 times that median, as for jumps of motions (jumps.c).
+/// A jump changes the amplitude by more than the share least_jump, and by more than least_jump_ratio times the median
+/// of the steps around it. Near a fold the last step of a continuous branch is up to 4 times that median, as for jumps
+/// of motions (jumps.c).
 static const double least_jump = 0.1, least_jump_ratio = 8.0;
 
-/// Median change of up to four steps of a track on either side of the one from `at`; NaN if there are fewer than four.
+/// Returns the median change in up to four steps of a track on either side of the step from `at`; NaN if there are
+/// fewer than four steps.
 static double track_usual_step(const line_side *side, const line_track *track, size_t at) {
     enum { LOOKED_AT = 4 };
     double around[2 * LOOKED_AT];
@@ -318,7 +321,7 @@ static double track_usual_step(const line_side *side, const line_track *track, s
     return 0.5 * (around[(count - 1) / 2] + around[count / 2]);
 }
 
-/// Size of the line nearest to an order at a station and a point, in m; 0 without one.
+/// Returns the size in m of the line nearest to an order at a station and a point; 0 without one.
 static double size_near(const finder *of, size_t point, size_t station, double order) {
     const numbers lines = point_lines(of->table, point, station);
     double size = 0.0;
@@ -329,16 +332,18 @@ static double size_near(const finder *of, size_t point, size_t station, double o
     return size;
 }
 
-/// Returns true if the strongest line changes its order from one point to the next because one of both lines appears or
-/// goes: it is less than half as large at the other point. Two lines that only change ranks are as large at both.
+/// Returns true if the strongest line has another order at the next point because a line appears or vanishes, that is,
+/// is less than half as large at the other point. Lines that only change their rank are about as large at both points.
 static bool jump_moves(const finder *of, const line_side *side, size_t before, size_t after) {
     const line_seen *left = &side->seen[before], *right = &side->seen[after];
     return size_near(of, before, right->station, right->order) < 0.5 * right->size ||
            size_near(of, after, left->station, left->order) < 0.5 * left->size;
 }
 
-/// Finds the jumps of all tracks of a side, and from each to the next one [at most its points]; returns how many.
+/// Finds the jumps within the tracks of a side and from each track to the next, jumps [at most the number of points];
+/// returns their number.
 static size_t jumps_find(const finder *of, const line_side *side, line_jump *jumps) {
+    // Find jumps between neighbouring points of two tracks.
     size_t count = 0;
     for (const line_track *track = side->tracks; track + 1 < side->tracks + side->count; track++) {
         const size_t last = track->last, next = track[1].first;
@@ -352,6 +357,7 @@ static size_t jumps_find(const finder *of, const line_side *side, line_jump *jum
                                      .rises = track_rises(of->table, track),
                                      .moves = true};
     }
+    // Find jumps of the amplitude along a track.
     for (const line_track *track = side->tracks; track < side->tracks + side->count; track++)
         for (size_t i = track->first; i < track->last; i++) {
             const double a = side->seen[i].size, b = side->seen[i + 1].size, change = fabs(b - a);
@@ -372,7 +378,7 @@ static bool jump_grows(const line_side *side, const line_jump *jump) {
     return side->seen[jump->after].size > side->seen[jump->before].size;
 }
 
-/// Returns true if a jump to another order is the other one backwards.
+/// Returns true if two jumps to other orders are between the same orders, in opposite directions.
 static bool jump_returns(const line_side *side, const line_jump *jump, const line_jump *other) {
     const double from = side->seen[jump->before].order, to = side->seen[jump->after].order;
     return jump->moves && other->moves && fabs(side->seen[other->after].order - from) <= drift * from &&
@@ -402,7 +408,7 @@ static void cells_jump(const finder *of, const line_side *side, whirl_sheet *she
     cell_number(of, sheet, jump ? side->seen[jump->after].size : (double)NAN);
 }
 
-static void tell_jump(const finder *of, const line_side *side, whirl_phrase *found, const line_jump *jump) {
+static void state_jump(const finder *of, const line_side *side, whirl_phrase *found, const line_jump *jump) {
     phrase_text(of, found, "jumps from ");
     phrase_number(of, found, WHIRL_QUANTITY_SIZE, 4, side->seen[jump->before].size);
     phrase_text(of, found, " to ");
@@ -413,8 +419,8 @@ static void tell_jump(const finder *of, const line_side *side, whirl_phrase *fou
     phrase_text(of, found, " on the way %s", jump->rises ? "up" : "down");
 }
 
-/// Adds a row and a statement for a jump; `back`: the jump the other way at the same place, with which it has a
-/// hysteresis, or NULL.
+/// Adds a row and a statement for a jump. back: its partner on the way down, with which it has a hysteresis; NULL:
+/// none.
 static void jump_row(const finder *of, const line_side *side, whirl_sheet *sheet, const line_jump *jump,
                      const line_jump *back) {
     const double order = side->seen[jump->before].order;
@@ -426,10 +432,10 @@ static void jump_row(const finder *of, const line_side *side, whirl_sheet *sheet
     cell_number(of, sheet, apart);
     cell_number(of, sheet, side->seen[jump->after].order);
     whirl_phrase *found = &find_statement(of, find_text(of->findings, "line of order %.4g", order))->found;
-    tell_jump(of, side, found, jump);
+    state_jump(of, side, found, jump);
     if (!back) return;
     phrase_text(of, found, "; ");
-    tell_jump(of, side, found, back);
+    state_jump(of, side, found, back);
     phrase_text(of, found, ": hysteresis of ");
     phrase_value(of, found, 6, apart);
 }
@@ -449,7 +455,7 @@ static void find_jumps(const finder *of, const line_side *side, whirl_sheet *she
     free(jumps);
 }
 
-/// Adds the columns of a line's jump on one way.
+/// Adds the columns of jumps on the way up or on the way down.
 static void sheet_jump(const finder *of, whirl_sheet *sheet, const char *const keys[4]) {
     sheet_values(of, sheet, keys[0], 6);
     sheet_values(of, sheet, keys[1], 6);
@@ -459,8 +465,8 @@ static void sheet_jump(const finder *of, whirl_sheet *sheet, const char *const k
 
 // ---------------------------------------------------------------- locking
 
-/// Limits of locked lines: largest q of a ratio p/q, tolerance `locked` of the order, and least number of consecutive
-/// points.
+/// MAX_LOCKED: largest q of a ratio p/q. MIN_LOCKED: least number of consecutive points with it. locked: tolerance of
+/// the order.
 enum { MAX_LOCKED = 8, MIN_LOCKED = 3 };
 static const double locked = 1e-3;
 
@@ -471,7 +477,8 @@ static int ratio_of(double order) {
     return 0;
 }
 
-/// Returns 0 for quasi-periodic and chaotic motions, whose order can equal a ratio only by chance.
+/// Returns the denominator of the ratio at a point, as ratio_of; 0 for quasi-periodic and chaotic motions, whose order
+/// equals a ratio only by chance.
 static int ratio_at(const finder *of, const line_side *side, size_t point) {
     const whirl_verdict verdict = whirl_table_verdict(of->table, point);
     const bool free = verdict.regime == WHIRL_QUASI_PERIODIC || verdict.regime == WHIRL_CHAOTIC;
@@ -497,7 +504,7 @@ static void find_locking(const finder *of, const line_side *side, whirl_sheet *s
 
 // ---------------------------------------------------------------- all
 
-static void tell_largest(const finder *of, const char *what, const line_track *most) {
+static void state_largest(const finder *of, const char *what, const line_track *most) {
     whirl_phrase *found = &find_statement(of, what)->found;
     if (!(most->largest.size > 0.0)) {
         phrase_text(of, found, "none of %g %% or more of the largest line", 100.0 * least_share);
@@ -533,7 +540,7 @@ static void find_tracks(const finder *of, const line_side *sides) {
     find_sheet_end(of);
 }
 
-/// Adds the columns of a line's edge on one way.
+/// Adds the columns of ends of lines on the way up or on the way down.
 static void sheet_edge(const finder *of, whirl_sheet *sheet, const char *const keys[4], const char *const headings[3]) {
     sheet_values(of, sheet, keys[0], 6);
     sheet_texts(of, sheet, keys[1], headings[0]);
@@ -544,12 +551,13 @@ static void sheet_edge(const finder *of, whirl_sheet *sheet, const char *const k
 static void find_line_sheets(const finder *of, const line_side *sides) {
     static const char *const up[] = {"up", "up_how", "up_amplitude", "up_share"};
     static const char *const down[] = {"down", "down_how", "down_amplitude", "down_share"};
-    // Tracks, and the largest line of each side.
+    // Add the sheet of tracks, and state the largest line of each side.
     const line_track below = side_largest(&sides[0]), above = side_largest(&sides[1]);
     find_tracks(of, sides);
-    tell_largest(of, "sub-synchronous lines", &below);
-    if (above.largest.size > 0.0) tell_largest(of, "super-synchronous lines", &above);
+    state_largest(of, "sub-synchronous lines", &below);
+    if (above.largest.size > 0.0) state_largest(of, "super-synchronous lines", &above);
 
+    // Add the sheet of beginnings and ends.
     whirl_sheet *sheet = find_sheet(of, "line-edges", "Beginnings and ends of these lines");
     sheet->about = "The last value with the line, on the way up and on the way down; at once: as large as behind it.";
     sheet_column(of, sheet, "order", "order", WHIRL_QUANTITY_NUMBER, 4);
@@ -560,6 +568,7 @@ static void find_line_sheets(const finder *of, const line_side *sides) {
     for (size_t k = 0; k < 2; k++) find_edges(of, &sides[k], sheet);
     find_sheet_end(of);
 
+    // Add the sheet of jumps.
     static const char *const jump_up[] = {"up", "up_to", "up_before", "up_after"};
     static const char *const jump_down[] = {"down", "down_to", "down_before", "down_after"};
     sheet = find_sheet(of, "line-jumps", "Jumps of the amplitudes of these lines");
@@ -574,6 +583,7 @@ static void find_line_sheets(const finder *of, const line_side *sides) {
     for (size_t k = 0; k < 2; k++) find_jumps(of, &sides[k], sheet);
     find_sheet_end(of);
 
+    // Add the sheet of locked lines.
     sheet = find_sheet(of, "locking", "Lines locked at a ratio of the speed");
     sheet->about = "At three or more points in a row the order is the ratio to 0.001, and no motion is quasi-periodic.";
     sheet_texts(of, sheet, "ratio", "ratio");

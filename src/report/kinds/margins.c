@@ -72,7 +72,7 @@ static size_t find_peaks(const whirl_result *result, const whirl_table *table, s
     return found;
 }
 
-static void tell_way(const whirl_response_peak *peak, char text[MARGIN_TEXT]) {
+static void write_way(const whirl_response_peak *peak, char text[MARGIN_TEXT]) {
     static const char *const ways[] = {"half power", "half power on one side", "phase slope"};
     const double enough = 8.0; // half-power points above this give the closed form's factor to 1 % (test_margins.c)
     if (peak->points < enough)
@@ -81,7 +81,7 @@ static void tell_way(const whirl_response_peak *peak, char text[MARGIN_TEXT]) {
         snprintf(text, MARGIN_TEXT, "%s", ways[peak->way]);
 }
 
-/// Fills in the required margin of a peak, and the margin found.
+/// Sets the required margin of a peak, the margin found, and the verdict.
 static void ask_margin(const whirl_table *table, bool probed, const whirl_response_peak *peak, margin_row *row) {
     double low, high;
     row->had = row->asked = NAN;
@@ -116,7 +116,7 @@ size_t margin_rows(const whirl_result *result, const whirl_table *table, size_t 
                                 .amplitude = peaks[i].amplitude,
                                 .amplification = peaks[i].amplification,
                                 .side = ""};
-            tell_way(&peaks[i], row->way);
+            write_way(&peaks[i], row->way);
             ask_margin(table, probed, &peaks[i], row);
         }
     }

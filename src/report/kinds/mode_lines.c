@@ -8,7 +8,7 @@
 #include "units.h"
 #include "whirl/engine/analyze.h"
 
-/// Last point of a line so far; it determines the line's name.
+/// The last point of a line so far, which determines the line's name.
 typedef struct line_end {
     size_t line, point;
     double frequency;
@@ -31,11 +31,11 @@ static bool follows(const whirl_table *table, size_t point) {
            whirl_table_slot(table, point) == whirl_table_slot(table, point - 1) + 1;
 }
 
-/// Assigns every mode of every point to a line; ends [points x modes] are the lines' ends. There are no lines if
-/// frequencies are known only modulo the speed, since they fold.
+/// Assigns every mode of every point to a line, and finds the ends of the lines, ends [points x modes]. Modes whose
+/// frequencies are known only modulo the speed are on no line, since frequencies fold.
 static void mode_lines_follow(const whirl_table *table, mode_lines *out, line_end *ends) {
     const size_t modes = out->modes;
-    // Look up the modes of the point, and the modes of the preceding point that they continue.
+    // Find the modes of the point, and the modes of the preceding point that they continue.
     for (size_t point = 0; point < table->count; point++) {
         size_t *const own = out->line + point * modes;
         const double *frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0);
@@ -60,7 +60,7 @@ static void mode_lines_follow(const whirl_table *table, mode_lines *out, line_en
     }
 }
 
-/// Names the lines with an oscillating mode, and removes overdamped modes from theirs.
+/// Names the lines with an oscillating mode, and removes all other lines and overdamped modes.
 static void name_lines(const whirl_table *table, mode_lines *out, line_end *ends) {
     static const char letters[] = {'B', 'M', 'F', 'T'};
     unsigned counts[4] = {0, 0, 0, 0};

@@ -1,17 +1,18 @@
-/// Modes followed from point to point along a parameter, each with a name.
+/// Lines of modes: modes that were followed from point to point along a parameter, each line with a name.
 #ifndef REPORT_MODE_LINES_H
 #define REPORT_MODE_LINES_H
 
 #include "whirl/engine/result.h"
 
-/// Name of a line of modes, "2F": the second forward one by frequency at its last point; B: backward, M: mixed, to and
-/// fro; T: torsional. Lines that reach the last point count first. Overdamped modes have no name and no line.
+/// Bytes of a line's name. "2F" is the second forward line, counted by frequency at the last point of lines; B:
+/// backward, M: to and fro (mixed), T: torsional. Lines that reach the last point of the table count first. Overdamped
+/// modes are on no line.
 enum { MODE_NAME = 24 };
 
 typedef struct mode_lines {
-    size_t count, modes;      ///< lines, and modes of a point
+    size_t count, modes;      ///< number of lines, and of modes of a point
     size_t *line;             ///< [points][modes] line of each mode; SIZE_MAX: none
-    char (*names)[MODE_NAME]; ///< [count]
+    char (*names)[MODE_NAME]; ///< [count] names of the lines
 } mode_lines;
 
 /// mode_lines_of: follows the modes of a table; free with mode_lines_free. Returns false, with nothing to free, if

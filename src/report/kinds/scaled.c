@@ -28,8 +28,8 @@ bool scaled_watches(const whirl_result *result, const whirl_table *table, size_t
 const char *const scaled_lacks =
     "points do not reach over the running speeds, or nothing moves there: compute more points";
 
-/// Returns the largest amplitude in m at a probe between two speeds: at points and, along the speed, interpolated
-/// between them; `room` [3 points of the table] is workspace.
+/// Returns the largest amplitude in m at a probe between two speeds: that of a point or, if speeds rise along the
+/// table, interpolated between points. room [3 x points of the table] is workspace.
 static double largest_seen(const whirl_result *result, const whirl_table *table, size_t station, size_t probe,
                            double low, double high, double *room) {
     double *const sizes = room + table->count;
@@ -45,8 +45,8 @@ static double largest_seen(const whirl_result *result, const whirl_table *table,
     return largest;
 }
 
-/// Returns the least speed of a point at or above the trip speed. Clearances are checked up to it, so that the trip
-/// speed itself is covered by both of its neighbours. Infinite if no trip speed is given, or no point reaches it.
+/// Returns the least speed of a point at or above the trip speed, up to which clearances are checked, so that both
+/// neighbours of the trip speed are. Infinite if no trip speed is given, or no point reaches it.
 static double last_speed(const whirl_table *table) {
     double last = INFINITY;
     for (size_t i = 0; i < table->count; i++) {
@@ -97,7 +97,7 @@ size_t scaled_rows(const whirl_result *result, const whirl_table *table, const s
             row.clearance = clearance;
             row.speed = speed;
         }
-        // A station holds with at most that share of its clearance.
+        // The station holds if it takes at most `share` of its clearance.
         row.holds = row.axis <= share * row.clearance;
         if (row.axis >= 0.0) rows[count++] = row;
     }

@@ -1,16 +1,16 @@
-/// Responses to unbalance scaled to the vibration limit, and what they take of clearances (after API 617: which edition
-/// counts is for the user to check).
+/// Responses to unbalance, scaled to the vibration limit, compared with clearances (after API 617; the user has to
+/// check which edition applies).
 #ifndef REPORT_SCALED_H
 #define REPORT_SCALED_H
 
 #include "whirl/engine/result.h"
 
-/// The scale of a table's responses: lengths in m peak to peak.
+/// The scale of a table's responses; lengths are in m, peak to peak.
 typedef struct scaled {
     double limit;   ///< vibration limit, min(25.4, 25.4 sqrt(12000/N)) um, N rpm the highest running speed
     double largest; ///< largest response at any probe between the running speeds
     size_t station; ///< station of the largest response
-    double factor;  ///< limit over largest, 6 at most
+    double factor;  ///< limit over largest response, at most 6
     bool beyond;    ///< the largest response exceeds the limit: the factor is below 1
     double trip;    ///< rad/s, highest speed at which clearances are checked; 0: not given, all speeds
     bool reaches;   ///< points reach beyond the trip speed
@@ -25,18 +25,18 @@ typedef struct scaled_row {
     bool holds;       ///< the axis is at most 75 % of the clearance
 } scaled_row;
 
-/// Returns true for the stations that are checked: those with probes (probes_at), a clearance or an unbalance by rule;
-/// all stations if probes_at is not given.
+/// Returns true for stations that are checked: all stations if probes_at is not given, else those with probes, a
+/// clearance or an unbalance by rule.
 bool scaled_watches(const whirl_result *result, const whirl_table *table, size_t station);
 
-/// Returns the reason for a failure of scaled_of in a table with running speeds.
+/// The reason why scaled_of fails for a table with running speeds.
 extern const char *const scaled_lacks;
 
 /// Finds the scale of a table's responses. Returns false if the table gives no running speeds, or its points do not
 /// cover them.
 bool scaled_of(const whirl_result *result, const whirl_table *table, scaled *out);
 
-/// Fills rows [station count] for all stations with a clearance; returns how many.
+/// Writes rows [station count] for all stations with a clearance; returns their number.
 size_t scaled_rows(const whirl_result *result, const whirl_table *table, const scaled *by, scaled_row *rows);
 
 /// Finds the first of the rows with the largest share of its clearance. Returns false if there is none.

@@ -1,5 +1,5 @@
-// Bearings, seals, dampers, magnets and supports of a machine, as its case gives them: a sheet for each family of
-// parts.
+// Findings on bearings, seals, dampers, magnets and supports of a machine, as its case gives them: a sheet for each
+// family of parts.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,26 +10,26 @@
 #define TWO_PI 6.283185307179586476925
 static const double pi = 0.5 * TWO_PI;
 
-/// A part of the machine, for one row.
+/// A part of the machine, which has one row.
 typedef struct machine_part {
     const finder *of;
     const whirl_model *model;
     const whirl_model_element *element;
 } machine_part;
 
-/// A column of a family: numbers of a key of its elements, or the result of a function of an element. Without a
-/// function only numbers of the case are shown, not defaults.
+/// A column of a family's sheet: the number of a key of the elements, or what a function returns for an element.
+/// Numbers of keys are shown only if the case gives them, not for defaults.
 typedef struct part_column {
-    const char *name, *heading; ///< as in whirl_column
+    const char *name, *heading; ///< key and heading of the column
     whirl_quantity quantity;    ///< quantity of the numbers
-    const char *unit;           ///< own unit, SI; NULL: that of the quantity
+    const char *unit;           ///< unit that the numbers have in place of that of the quantity, SI; NULL: none
     const char *key;            ///< key of the elements; NULL: none
-    double factor;              ///< factor of the key's number; 0: 1
+    double factor;              ///< factor of the key's number; 0 means 1
     double (*number)(const machine_part *part,
-                     const char *); ///< number from the part and the key; NULL: the key's number itself
+                     const char *); ///< returns the number; NULL: it is that of the key
     size_t (*list)(const machine_part *part, const char *key, double numbers[WHIRL_MAX_PADS]);
     const char *between;                           ///< separator of the numbers of a list
-    const char *(*text)(const machine_part *part); ///< a column of texts
+    const char *(*text)(const machine_part *part); ///< returns the text of a cell; NULL: the column has numbers
 } part_column;
 
 // ---------------------------------------------------------------- values of elements
@@ -44,7 +44,7 @@ static double part_number(const machine_part *part, const char *key) {
     return value && value->count == 0 ? value->number : (double)NAN;
 }
 
-/// Returns the number of a key, or its default, if the element's law is the first or the second of its choices.
+/// Returns the number of a key, or its default, if the element's law is choice `law`; else NaN.
 static double part_of_law(const machine_part *part, const char *key, int law) {
     const whirl_model_value *own = whirl_model_value_of(part->element, "law");
     const whirl_model_value *value = whirl_model_value_of(part->element, key);
@@ -77,7 +77,7 @@ static double part_order(const machine_part *part, const char *key) {
     return value && value->count > 0 ? (double)value->count - 1.0 : (double)NAN;
 }
 
-/// Appends a word of a choice to a text.
+/// Appends the word of a key with choices to a text.
 static void part_append_choice(const machine_part *part, const char *key, char *text, size_t size) {
     const whirl_model_value *value = whirl_model_value_of(part->element, key);
     const size_t used = strlen(text);
@@ -87,7 +87,7 @@ static void part_append_choice(const machine_part *part, const char *key, char *
     if (word) snprintf(text + used, size - used, ", %.*s", (int)strcspn(word, "|"), word);
 }
 
-/// "tilting pad, tilting-5", "film, short", "squeeze, short, half".
+/// Returns the kind of a part in words: "tilting pad, tilting-5", "film, short", "squeeze, short, half".
 static const char *part_kind(const machine_part *part) {
     static const char *const choices[] = {"shape", "law", "film", "role"};
     char text[WHIRL_MESSAGE_SIZE];
@@ -99,13 +99,13 @@ static const char *part_kind(const machine_part *part) {
     return find_text(part->of->findings, "%s", text);
 }
 
-/// Returns the station of an end of a part: the first end that is not on the ground, or the other one.
+/// Returns the station of a part: `first`: that of its first end that is not on the ground; else that of the other end.
 static size_t part_station(const whirl_model_element *element, bool first) {
     const bool ground = element->station[0] == WHIRL_MODEL_NONE;
     return element->station[first == ground];
 }
 
-/// Returns the station around or below a part; "" for the ground.
+/// Returns the name of the housing or support of a part; "" for the ground.
 static const char *part_housing(const machine_part *part) {
     const size_t other = part_station(part->element, false);
     if (other >= part->of->result->station_count) return "";
@@ -165,7 +165,7 @@ static double part_assembled(const machine_part *part, const char *key) {
     return (1.0 - part_preload(part, NULL)) * part_number(part, key);
 }
 
-/// Returns an angle in degrees, from 0 up to 360, without rounding residues.
+/// Returns an angle in degrees, from 0 to below 360, without rounding errors.
 static double degrees_around(double angle) {
     const double turns = angle / (2.0 * pi), around = 360.0 * (turns - floor(turns));
     const double rounded = round(1e6 * around) / 1e6;
@@ -191,7 +191,7 @@ static double weight_direction(const whirl_model *model) {
     return NAN;
 }
 
-/// Writes the direction of the weight relative to the pivots: "on pad 1", "between pads 1 and 2", "12 deg from pivot
+/// Returns the direction of the weight relative to the pivots: "on pad 1", "between pads 1 and 2", "12 deg from pivot
 /// 1"; "" without weight or pads.
 static const char *part_weight(const machine_part *part) {
     static const double exact = 0.5; // degrees
@@ -369,11 +369,11 @@ static const part_column support_columns[] = {
     END_OF_COLUMNS,
 };
 
-/// A family: parts of some roles that have a certain key; they share a sheet.
+/// A family of parts, which share a sheet: parts of certain roles whose elements have a certain key.
 typedef struct part_family {
     const char *name, *title;
     const char *key; ///< key of its elements
-    unsigned roles;  ///< bits of the roles that they may have
+    unsigned roles;  ///< bits of the roles
     bool between;    ///< includes elements between two stations, except links between places of shafts
     const part_column *columns;
 } part_family;
@@ -443,7 +443,7 @@ static void family_row(const machine_part *part, whirl_sheet *sheet, const part_
     }
 }
 
-/// Reports parts without geometry or oil: their stations, and the missing data.
+/// States the stations of bearings whose geometry or oil the case does not give, and the missing data.
 static void find_unknown(const finder *of, const whirl_model *model) {
     char given[WHIRL_MESSAGE_SIZE] = "", by_force[WHIRL_MESSAGE_SIZE] = "";
     for (size_t i = 0; i < model->element_count; i++) {

@@ -1,10 +1,11 @@
-// Findings along branches: where and why motions change, and where branches begin and end.
+// Findings on branches: where and why motions change, and where branches begin and end.
 #include <math.h>
 
 #include "quantities.h"
 #include "shown_kinds.h"
 
-/// Finds the regular points of the branch on both sides of a special one; with one side both are the same.
+/// Finds the regular points of a branch on both sides of a special point; at an end of the branch both are the same
+/// point.
 static void find_sides(const whirl_table *table, size_t point, size_t *before, size_t *after) {
     const double branch = point_number(table, point, WHIRL_FIELD_TRACE_NUMBER);
     *before = *after = point;
@@ -15,14 +16,15 @@ static void find_sides(const whirl_table *table, size_t point, size_t *before, s
     if (point_number(table, *before, WHIRL_FIELD_TRACE_NUMBER) != branch) *before = *after;
 }
 
-/// Name of a special point; for grazing with the contact, if every contact has one switching function.
+/// Returns the name of a special point; for grazing it includes the contact, if every contact has one switching
+/// function.
 static const char *special_name(const finder *of, const whirl_trace *at) {
     const char *name = whirl_special_name(at->point.special);
     if (at->point.special != WHIRL_GRAZE || at->point.orbit->touch_count != of->result->contact_count) return name;
     return find_text(of->findings, "%s: %s", name, of->result->contacts[at->point.touch]);
 }
 
-/// Cause of the change; for grazing with "; contacts in a period: 2 to 1".
+/// Returns the cause of a change; for grazing with "; contacts in a period: 2 to 1".
 static const char *special_cause(const finder *of, const whirl_trace *at, size_t before, size_t after) {
     char text[WHIRL_MESSAGE_SIZE];
     const double *first = whirl_table_field(of->table, before, WHIRL_FIELD_TRACE_TOUCHES, 0);
@@ -69,7 +71,7 @@ static void find_changes(const finder *of) {
         cell_text(of, sheet, special_cause(of, &at, before, after));
         whirl_orbit_free(at.point.orbit);
     }
-    // Say so if there is none.
+    // State if there is none.
     if (sheet->rows == 0)
         phrase_text(of, &find_statement(of, "changes of motion")->found, "none along the branches that were followed");
     find_sheet_end(of);
@@ -85,7 +87,7 @@ static void find_ends_of_branches(const finder *of) {
     sheet_values(of, sheet, "to", 9);
     sheet_texts(of, sheet, "ends", "ends");
     sheet_column(of, sheet, "points", "points", WHIRL_QUANTITY_NUMBER, 9);
-    // A branch ends at a point with a reason for its end; find its first point.
+    // Find the last point of each branch, which has a reason for its end, then its first point.
     for (size_t point = 0; point < of->table->count; point++) {
         whirl_trace at;
         if (isnan(point_number(of->table, point, WHIRL_FIELD_TRACE_END))) continue;

@@ -1,4 +1,4 @@
-// Findings of undamped critical speeds: forward and backward ones.
+// Findings on undamped critical speeds, forward and backward.
 #include <math.h>
 
 #include "shown_kinds.h"
@@ -6,7 +6,7 @@
 
 enum { LISTED = 6 };
 
-/// Writes the lowest critical speeds of a direction (1, -1; 0: to and fro).
+/// Writes a cell with the lowest critical speeds of a direction (1: forward, -1: backward, 0: to and fro).
 static void cell_speeds(const finder *of, whirl_sheet *sheet, size_t point, int direction) {
     const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED);
     const double *speeds = whirl_table_field(of->table, point, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, 0);

@@ -1,4 +1,5 @@
-// Findings of fits: the parameters found, what the measured numbers do not tell of them, and how well they agree.
+// Findings on fits: the fitted parameters, how far the measured numbers determine them, and how well the machine
+// agrees.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,10 +14,10 @@ enum { FIT_PARAMETER, FIT_START, FIT_VALUE, FIT_ERROR, FIT_HALF, FIT_LOW, FIT_HI
 enum { FIT_SET, FIT_MOTION, FIT_STATION, FIT_ANGLE, FIT_QUANTITY, FIT_AT, FIT_MEASURED, FIT_MODEL, FIT_NOISE };
 enum { FIT_COLUMNS = 8, FIT_NUMBERS = 9 };
 
-/// Correlations from this size on are named.
+/// Least size of a correlation that is stated.
 static const double much_correlated = 0.95;
 
-/// Residuals of so many times the given noise are more than noise.
+/// Residuals above this many times the given noise are more than noise.
 static const double much_more_noise = 1.5;
 
 size_t fit_best(const whirl_table *table) {
@@ -31,7 +32,7 @@ size_t fit_best(const whirl_table *table) {
     return best;
 }
 
-/// The fit that is shown: the one with the least sum of squares.
+/// The fit that is shown: the start with the least sum of squares.
 typedef struct shown_fit {
     const finder *of;
     size_t point;
@@ -61,7 +62,7 @@ static whirl_unit fit_unit(const shown_fit_of *f, size_t u) {
     return unit;
 }
 
-/// Says why a fit is no answer.
+/// States why fits have failed.
 static void fit_find_failures(const finder *of) {
     static const char *const why[] = {"", "it stopped after the most steps (steps: more)",
                                       "no shorter step makes the sum of squares smaller", ""};
@@ -82,7 +83,7 @@ static void fit_find_failures(const finder *of) {
     }
 }
 
-/// One statement for each parameter, and a warning for those that the numbers do not determine.
+/// States a parameter's value, and judges it if the measured numbers do not determine it.
 static void fit_find_unknown(const shown_fit_of *f, size_t u) {
     static const char *const not_known[] = {
         "", "at its bound: wider bounds, or another cause of what was measured",
@@ -106,7 +107,7 @@ static void fit_find_unknown(const shown_fit_of *f, size_t u) {
         phrase_text(of, &own->found, " to ");
         phrase_unit(of, &own->found, &unit, 6, row[FIT_VALUE] + row[FIT_HALF]);
     }
-    // Say why it is not determined.
+    // State why it is not determined.
     if (known == WHIRL_FIT_DETERMINED) return;
     phrase_text(of, &own->asked, "determined by what was measured");
     phrase_text(of, &own->judged, "%s", not_known[known]);
@@ -157,7 +158,7 @@ static void fit_find_correlations(const shown_fit_of *f) {
             cell_number(of, sheet, f->correlation[WHIRL_MAX_UNKNOWNS * u + k]);
         }
     find_sheet_end(of);
-    // State the pairs whose errors are nearly one.
+    // State the pairs with nearly full correlation.
     for (size_t u = 0; u < f->unknowns; u++)
         for (size_t k = u + 1; k < f->unknowns; k++) {
             const double correlation = f->correlation[WHIRL_MAX_UNKNOWNS * u + k];
@@ -168,7 +169,7 @@ static void fit_find_correlations(const shown_fit_of *f) {
         }
 }
 
-/// Residuals of one probe in one file.
+/// Sums over the numbers of one probe in one file.
 typedef struct fit_channel {
     const double *first; ///< row of its first number
     size_t count;
@@ -237,7 +238,7 @@ static void fit_find_channels(const shown_fit_of *f) {
     find_sheet_end(of);
 }
 
-/// Says how well the fit agrees, and whether its motions are stable.
+/// States how well the fit agrees, and judges whether its motions are stable.
 static void fit_find_agreement(const shown_fit_of *f) {
     const finder *of = f->of;
     const double *outcome = f->outcome;
@@ -253,7 +254,7 @@ static void fit_find_agreement(const shown_fit_of *f) {
         phrase_number(of, &own->found, WHIRL_QUANTITY_LENGTH, 4, outcome[FIT_DEVIATION]);
     phrase_text(of, &own->found, " (%.0f degrees of freedom, %.0f steps)", outcome[FIT_DEGREES], outcome[FIT_STEPS]);
     if (poor) phrase_text(of, &own->judged, "the machine does not do what was measured, or there was more noise");
-    // Judge whether the motions are stable, since nobody measures an unstable one.
+    // Judge whether the motions are stable: an unstable motion cannot have been measured.
     const whirl_field *motions = whirl_layout_field(&of->table->layout, WHIRL_FIELD_FIT_MOTION);
     const double *motion = whirl_table_field(of->table, f->point, WHIRL_FIELD_FIT_MOTION, 0);
     size_t unstable = 0, first = 0;
@@ -268,7 +269,7 @@ static void fit_find_agreement(const shown_fit_of *f) {
     phrase_text(of, &own->judged, "no machine shows them");
 }
 
-/// Finds how many starts led to the same minimum.
+/// States how many starts led to the same minimum.
 static void fit_find_starts(const shown_fit_of *f) {
     const finder *of = f->of;
     size_t same = 0, done = 0;

@@ -1,4 +1,4 @@
-// Registry of kinds of tables with views of their own.
+// Registry of the kinds of tables that have their own findings.
 #include "shown_kinds.h"
 
 #define KIND_AT(name) &shown_##name,

@@ -1,5 +1,5 @@
-/// Views of tables whose points are not motions: one file for each kind in this folder, one word in SHOWN_KINDS.
-/// Tables of motions are shown by summary, figures and pages.
+/// Findings on tables whose points are not motions. Each kind of table has a file in this folder, and a word in
+/// SHOWN_KINDS below. Tables of motions are shown by summary, figures and pages.
 #ifndef REPORT_SHOWN_KINDS_H
 #define REPORT_SHOWN_KINDS_H
 
@@ -12,33 +12,33 @@ typedef struct shown_kind {
     const char *field;         ///< field that only its tables have
     const char *anchor, *name; ///< anchor and name of its section
     const char *about;         ///< introduction to all sections of the kind, written once; NULL: none
-    const char *held; ///< clause about closed contacts in its numbers; NULL: small motions leave them as they are
-    void (*find)(const finder *of); ///< finds the findings of a table
+    const char *held; ///< clause on contacts that are closed at rest; NULL: that small motions do not open them
+    void (*find)(const finder *of); ///< adds the findings on a table
 } shown_kind;
 
 /// Returns the kind of a table; NULL for motions.
 const shown_kind *shown_kind_of(const whirl_table *table);
 
-/// Finds the weight, the shafts, stations, bearings and other parts of the machine.
+/// Adds the findings on the machine: weight, shafts, stations, bearings and other parts.
 void find_machine(const finder *of);
 
-/// Finds the bearings, seals, dampers, magnets and supports.
+/// Adds the findings on bearings, seals, dampers, magnets and supports.
 void find_bearings(const finder *of, const whirl_model *model);
 
-/// Finds the spread of a number over the samples of a table, and what parameters cause of it: the sheets "spread" and
+/// Adds the findings on the spread of a number over the samples of a table, and on its causes: the sheets "spread" and
 /// "indices".
 void find_spread_of(const finder *of, const whirl_spread_of *number);
 
-/// Finds the derivatives of a table's numbers by parameters, if it has some.
+/// Adds the findings on derivatives of a table's numbers with respect to parameters, if it has some.
 void find_derivatives(const finder *of);
 
-/// Finds the inertias and joints of stations that twist.
+/// Adds the findings on inertias and joints of stations that twist.
 void find_train(const finder *of, const whirl_model *model);
 
-/// Finds motions without any number, of tables without verdicts.
+/// Adds a statement on motions without any number, for tables without verdicts.
 void find_lost(const finder *of);
 
-/// Finds spectral lines of motions along a parameter, below and above the synchronous one.
+/// Adds the findings on spectral lines of motions along a parameter, below and above the synchronous one.
 void find_lines(const finder *of);
 
 /// Returns the stability of the modes at a point: 1 if one grows, -1 if all decay, 0 if the largest growth is rounding.
@@ -53,7 +53,8 @@ int shown_modes_growing(const whirl_table *table, size_t point);
 #define SHOWN_KIND(name) extern const shown_kind shown_##name;
 SHOWN_KINDS(SHOWN_KIND)
 
-/// Returns a fact of a data set, such as "label" 2, in parts: its name, and the rest behind the colon ("" for none).
+/// Splits a fact of a data set, such as "label" 2: writes its name, and returns the text behind the colon ("" for
+/// none).
 const char *records_fact(const whirl_result *result, const char *what, size_t number, char name[WHIRL_NAME_SIZE]);
 
 /// Returns the largest share of the time that a contact is closed in a record; NaN for a machine without contacts.
@@ -65,10 +66,11 @@ size_t fit_best(const whirl_table *table);
 /// Writes the name of a measured quantity by its row of the field fit/number: "disc x", "disc 45 deg 2X".
 void fit_name_probe(const whirl_result *result, const double *row, char *name, size_t size);
 
-/// Finds torsional modes in a table of modes: their excitations, separations and shapes.
+/// Adds the findings on torsional modes in a table of modes: their excitations, separations and shapes.
 void find_torsion(const finder *of);
 
-/// An excitation of torsion: so many times the speed of the shaft, or so many times the frequency of the line.
+/// An excitation of torsion: `order` times the speed of the shaft or, with `line`, times the frequency of the electric
+/// line.
 typedef struct torsion_excitation {
     int order;
     bool line;
@@ -88,7 +90,7 @@ void torque_name(const whirl_result *result, const double *of, char *name, size_
 /// Writes the name of an excitation of a response to torques: "2X", "100 Hz".
 void twists_name_excitation(const whirl_table *table, size_t index, char *name, size_t size);
 
-/// Chooses the torques of a response with the largest sums, at most `most`, in falling order; returns how many.
+/// Chooses the torques of a response with the largest sums, at most `most`, the largest first; returns their number.
 size_t twists_choose(const whirl_table *table, size_t most, size_t *chosen);
 
 /// Returns true for a mode with more than half of its kinetic energy in twists.

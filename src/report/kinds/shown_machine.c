@@ -1,4 +1,4 @@
-// Findings of the machine, as its case gives it: weight, shafts with their sections, stations, and its parts.
+// Findings on the machine, as its case gives it: weight, shafts with their sections, stations, and parts.
 #include <math.h>
 
 #include "findings_render.h"
@@ -41,6 +41,7 @@ static void machine_find_shafts(const finder *of, const whirl_model *model, cons
 }
 
 static void machine_find_sections(const finder *of, const whirl_model *model, const whirl_shaft_summary *shafts) {
+    // Set up the columns.
     static const char *const keys[] = {"outer", "outer_end", "inner", "inner_end"};
     static const char *const headings[] = {"outer diameter", "outer at its end", "inner diameter", "inner at its end"};
     whirl_sheet *sheet = find_sheet(of, "sections", "Sections of the shafts");
@@ -50,6 +51,7 @@ static void machine_find_sections(const finder *of, const whirl_model *model, co
     sheet_column(of, sheet, "length", "length", WHIRL_QUANTITY_DIAMETER, 6);
     for (size_t i = 0; i < 4; i++) sheet_column(of, sheet, keys[i], headings[i], WHIRL_QUANTITY_DIAMETER, 6);
     sheet_column(of, sheet, "mass", "mass", WHIRL_QUANTITY_MASS, 6);
+    // Add a row for each section; a cylinder has no second pair of diameters.
     for (const whirl_model_section *own = model->sections; own < model->sections + model->section_count; own++) {
         sheet_row(of, sheet);
         cell_text(of, sheet, find_text(of->findings, "%s", shafts[own->shaft].name));
@@ -76,7 +78,7 @@ static void machine_find_stations(const finder *of, const whirl_model *model, co
     sheet_column(of, sheet, "mass", "mass", WHIRL_QUANTITY_MASS, 6);
     sheet_column(of, sheet, "polar", "polar inertia", WHIRL_QUANTITY_INERTIA, 6);
     sheet_column(of, sheet, "diametral", "diametral inertia", WHIRL_QUANTITY_INERTIA, 6);
-    // Add the stations with a mass or on a shaft; those that twist alone are in the sheet of the train.
+    // Add the stations with a mass or on a shaft; stations that only twist are in the sheet of the train.
     for (size_t s = 0; s < model->station_count && s < of->result->station_count; s++) {
         const whirl_model_mass *own = &model->stations[s];
         const bool on_shaft = own->shaft < count;

@@ -1,4 +1,4 @@
-// Findings of modes: critical speeds, stability thresholds, and the lowest modes at the ends of the parameter.
+// Findings on modes: critical speeds, stability thresholds, and the lowest modes at both ends of the parameter.
 #include <math.h>
 
 #include "mode_lines.h"
@@ -16,7 +16,7 @@ static void mode_columns(const finder *of, whirl_sheet *sheet) {
     sheet_texts(of, sheet, "whirl", "whirl");
 }
 
-/// Writes a mode into these columns; a damping ratio below rounding is 0.
+/// Writes the cells of a mode in these columns; a damping ratio as small as rounding becomes 0.
 static void mode_cells(const finder *of, whirl_sheet *sheet, double frequency, double damping, double direction,
                        bool torsional) {
     static const char *const ways[] = {"backward", "to and fro", "forward"};
@@ -35,7 +35,7 @@ int shown_modes_growing(const whirl_table *table, size_t point) {
 
 // ---------------------------------------------------------------- statements of a point
 
-/// Reports the sensitivity peak of control loops and its zone; an unstable machine has no zone.
+/// States the peak sensitivity of control loops and its zone; an unstable machine has no zone.
 static void find_sensitivity(const finder *of, size_t point) {
     const double peak = point_number(of->table, point, WHIRL_FIELD_MODES_SENSITIVITY);
     const char zone = peak < 3.0 ? 'A' : peak < 4.0 ? 'B' : peak < 5.0 ? 'C' : 'D';
@@ -64,7 +64,7 @@ static void find_stability(const finder *of, size_t point) {
     if (rigid > 0.0) phrase_text(of, find_at(of, point, "rigid-body modes"), "%g, which nothing holds", rigid);
 }
 
-/// Reports the limits of known frequencies.
+/// States the range of frequencies that are known.
 static void find_limits(const finder *of, size_t point) {
     const double modulo = point_number(of->table, point, WHIRL_FIELD_MODES_MODULO);
     const double *known = whirl_table_field(of->table, point, WHIRL_FIELD_MODES_KNOWN, 0);
@@ -91,7 +91,7 @@ static void find_limits(const finder *of, size_t point) {
 
 enum { MAX_LOCATED = 6 };
 
-/// Writes a row of WHIRL_FIELD_MODES_CRITICAL: "2753.2 rpm", "unstable from 6100 rpm" or, for a parameter other than
+/// Appends a row of WHIRL_FIELD_MODES_CRITICAL: "2753.2 rpm", "unstable from 6100 rpm" or, for a parameter other than
 /// the speed, "3000 rpm at k = 8e+06 N/m", "unstable from q = 1e+07 N/m".
 static void phrase_change(const finder *of, whirl_phrase *found, const double *row) {
     const bool critical = row[0] < 1.5, by_speed = fabs(row[1] - row[2]) <= 1e-9 * row[2];
@@ -105,7 +105,7 @@ static void phrase_change(const finder *of, whirl_phrase *found, const double *r
     phrase_value(of, found, 5, row[1]);
 }
 
-/// Writes the number of unstable values, for tables in which no threshold was located.
+/// Appends the number of unstable values, for tables in which no threshold was located.
 static void phrase_unstable(const finder *of, whirl_phrase *found) {
     size_t unstable = 0, done = 0;
     for (size_t point = 0; point < of->table->count; point++) {
@@ -126,12 +126,13 @@ static bool is_modulated(const finder *of) {
     return false;
 }
 
-/// Reports critical speeds and thresholds along the parameter, as a sheet and as a sentence.
+/// Adds the sheet of critical speeds and thresholds of stability along the parameter, and a statement of them.
 static void find_critical(const finder *of) {
     static const char *const names[] = {"", "critical speed", "instability begins", "instability ends",
                                         "torsional frequency at the speed"};
     const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_CRITICAL);
-    const bool speeds = units_of_speed(of->table, WHIRL_FIELD_MODES_SPEED); // then the speed needs no column of its own
+    const bool speeds =
+        units_of_speed(of->table, WHIRL_FIELD_MODES_SPEED); // the parameter is the speed: no column of speeds
     whirl_phrase found = {.count = 0};
     size_t located = 0, changes = 0;
     whirl_sheet *sheet = find_sheet(of, "critical", "Critical speeds and thresholds of stability");
@@ -139,6 +140,7 @@ static void find_critical(const finder *of) {
     sheet_values(of, sheet, "", 5);
     if (!speeds) sheet_column(of, sheet, "speed", "speed", WHIRL_QUANTITY_SPEED, 5);
     mode_columns(of, sheet);
+    // Add a row for each crossing of each point, and state the first crossings.
     for (size_t point = 0; field && point < of->table->count; point++) {
         const double *row = whirl_table_field(of->table, point, WHIRL_FIELD_MODES_CRITICAL, 0);
         for (size_t i = 0; row && whirl_table_done(of->table, point) && i < field->rows; i++, row += field->columns) {
@@ -154,6 +156,7 @@ static void find_critical(const finder *of) {
         }
     }
     find_sheet_end(of);
+    // State how many crossings are left out, whether the machine is unstable everywhere, or that nothing was found.
     if (located > MAX_LOCATED) phrase_text(of, &found, " and %zu more", located - MAX_LOCATED);
     if (changes == 0) phrase_unstable(of, &found);
     if (found.count == 0)
@@ -166,9 +169,9 @@ static void find_critical(const finder *of) {
     find_statement(of, "critical speeds with damping, and thresholds of stability")->found = found;
 }
 
-/// Reports the lowest modes at the first and the last value; names are those at the last one.
+/// Adds the sheet of the lowest modes at the first and the last value.
 static void find_lowest(const finder *of, const size_t *ends, size_t count) {
-    // Names are those of lines along the parameter.
+    // Follow the modes along the parameter: a mode has the name of its line.
     const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_FREQUENCY);
     mode_lines lines;
     if (!mode_lines_of(of->table, &lines)) lines = (mode_lines){.line = NULL};

@@ -1,4 +1,4 @@
-// Findings of data sets: labels and what their machines do, sensors, and what differs between records.
+// Findings on data sets: labels and the motions of their machines, sensors, and parameters that differ between records.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -25,7 +25,7 @@ double records_contact(const whirl_result *result, const whirl_table *table, siz
 
 // ---------------------------------------------------------------- labels
 
-/// Records of a label.
+/// Numbers of records with a label, by verdict and set.
 typedef struct label_count {
     size_t records, periodic, quasi_periodic, chaotic, undetermined, ended, touching;
     size_t splits[3];
@@ -60,6 +60,7 @@ static void count_labels(const finder *of, label_count *counts) {
 static void find_labels(const finder *of, const label_count *counts) {
     char name[WHIRL_NAME_SIZE];
     const bool contacts = of->result->contact_count > 0;
+    // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "labels", "Labels and what their machines do");
     sheet->about =
         "Numbers of records. Sets are divided by machine, since records of one machine resemble one another.";
@@ -75,6 +76,7 @@ static void find_labels(const finder *of, const label_count *counts) {
     sheet_column(of, sheet, "ended", "without signals", WHIRL_QUANTITY_NUMBER, 8);
     if (contacts) sheet_column(of, sheet, "touching", "in contact", WHIRL_QUANTITY_NUMBER, 8);
     sheet_texts(of, sheet, "fault", "fault");
+    // Add a row for each label.
     for (size_t i = 0; i < (size_t)of->table->record.dataset.labels; i++) {
         const label_count own = counts[i];
         const char *fault = records_fact(of->result, "label", i + 1, name);
@@ -150,7 +152,7 @@ static void state_records(const finder *of, const label_count *counts) {
                     ended == 1 ? "s" : "ve");
 }
 
-/// States a label whose fault is a contact that many of its records do not have: they are as if healthy.
+/// States how many records with a label touch, if its fault is a contact and many of its records have none.
 static void state_untouched(const finder *of, const label_count *counts) {
     char name[WHIRL_NAME_SIZE];
     for (size_t i = 0; i < (size_t)of->table->record.dataset.labels && of->result->contact_count > 0; i++) {

@@ -1,4 +1,4 @@
-// Findings of run-ups: course and end of a run, largest motions of stations, contacts.
+// Findings on run-ups: course and end of a run, largest motions of stations, contacts.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -49,7 +49,7 @@ static void runup_find_error(const finder *of) {
                     "err by up to %.2g of the largest between the speeds at which they were taken", error);
 }
 
-/// Adds a statement for every run whose motion depends on the last digit from some time on.
+/// Adds a statement for every run whose motion is sensitive to rounding errors after some time.
 static void runup_find_sensitivity(const finder *of) {
     if (!whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_SENSITIVITY)) return;
     for (size_t point = 0; point < of->table->count; point++) {
@@ -66,7 +66,7 @@ static void runup_find_sensitivity(const finder *of) {
     }
 }
 
-/// Adds a statement for stations and runs whose slow roll was not taken from the motion.
+/// Adds a statement for stations and runs whose slow roll was not subtracted from the motion.
 static void runup_find_slow_roll(const finder *of) {
     const double speed = of->table->record.runup.slow_roll;
     if (!whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_SLOW_ROLL)) return;
@@ -106,7 +106,7 @@ static void runup_find_runs(const finder *of) {
     find_sheet_end(of);
 }
 
-/// Says what an event does: "motor lost, blade lost at fan".
+/// Writes the effects of an event: "motor lost, blade lost at fan".
 static void runup_say_event(const finder *of, const double *event, char *text, size_t size) {
     const bool named = event[3] >= 0.0 && event[3] < (double)of->result->station_count;
     const char *const parts[] = {event[2] > 0.0 ? "motor lost" : "", named ? "blade lost at " : "",
@@ -122,7 +122,7 @@ static void runup_say_event(const finder *of, const double *event, char *text, s
     if (used == 0) snprintf(text, size, "condition of others");
 }
 
-/// When events happened, in the order of the case; those that never did, too.
+/// Adds the sheet of events of all runs, in the order of the case, with events that did not happen.
 static void runup_find_events(const finder *of) {
     enum { COLUMNS = 8 };
     const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_HAPPENED);
@@ -208,6 +208,7 @@ static double runup_largest_force(const finder *of, size_t point, size_t contact
 static void runup_find_touches(const finder *of) {
     const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_FORCE);
     for (size_t c = 0; c < of->result->contact_count && rows; c++) {
+        // Find the run with the largest force of the contact.
         double largest = -1.0;
         size_t at = 0;
         for (size_t point = 0; point < of->table->count; point++) {
@@ -217,6 +218,7 @@ static void runup_find_touches(const finder *of) {
             at = point;
         }
         if (largest < 0.0) continue;
+        // State how often the contact closes in that run, when first, and its force.
         whirl_phrase *found = find_at(of, at, find_text(of->findings, "%s", of->result->contacts[c]));
         const double count = runup_number_of(of, at, WHIRL_FIELD_RUNUP_CONTACT_NUMBER, c);
         if (!(count > 0.0)) {
@@ -230,11 +232,12 @@ static void runup_find_touches(const finder *of) {
     }
 }
 
-/// States the largest torque of motors and between twists, of whichever sign.
+/// States the torque with the largest absolute value, of motors and between twists.
 static void runup_find_largest_torque(const finder *of) {
     const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_TORQUE_OF);
     const double *own = NULL, *of_what = NULL;
     size_t at = 0;
+    // Find the largest extreme of all torques and runs.
     for (size_t point = 0; rows && point < of->table->count; point++) {
         const double *names = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_TORQUE_OF, 0);
         const double *extremes = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_TORQUE_EXTREME, 0);
@@ -247,6 +250,7 @@ static void runup_find_largest_torque(const finder *of) {
         }
     }
     if (!own) return;
+    // State it.
     char name[2 * WHIRL_NAME_SIZE + 40];
     torque_name(of->result, of_what, name, sizeof name);
     whirl_phrase *found = find_at(of, at, "largest torque");
@@ -282,7 +286,7 @@ static void runup_find_contacts(const finder *of) {
     find_sheet_end(of);
 }
 
-/// Extremes of torques of motors and between twists.
+/// Adds the sheet of the extremes of torques, of motors and between twists.
 static void runup_find_torques(const finder *of) {
     const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_TORQUE_OF);
     if (!rows) return;
@@ -316,7 +320,7 @@ static void runup_find_torques(const finder *of) {
     find_sheet_end(of);
 }
 
-/// Cycles of torques between twists by rain flow, of the classes that have some, from the largest.
+/// Adds the sheet of cycles of torques between twists, counted by rain flow: the largest classes that have cycles.
 static void runup_find_cycles(const finder *of) {
     enum { CLASSES_SHOWN = 8 };
     const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_CYCLES);
@@ -354,7 +358,7 @@ static void runup_find_cycles(const finder *of) {
     find_sheet_end(of);
 }
 
-/// Reports torques whose cycles were not counted, as there were too many.
+/// States torques whose cycles were not counted because there were too many.
 static void runup_find_uncounted(const finder *of) {
     const whirl_field *torques = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_TORQUE_OF);
     const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_CYCLES);
@@ -376,7 +380,7 @@ static void runup_find_uncounted(const finder *of) {
     }
 }
 
-/// Reports the damage of a run by Miner's sum, where a torque has an S-N curve.
+/// Adds the sheet of damage by Miner's sum, for torques with an S-N curve.
 static void runup_find_damage(const finder *of) {
     const whirl_field *torques = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_DAMAGE);
     if (!torques) return;
@@ -389,7 +393,7 @@ static void runup_find_damage(const finder *of) {
     sheet_column(of, sheet, "damage", "damage of a run", WHIRL_QUANTITY_NUMBER, 5);
     sheet_column(of, sheet, "runs", "runs to failure", WHIRL_QUANTITY_NUMBER, 5);
     sheet_texts(of, sheet, "remark", "remark");
-    // Add a row for each torque with an S-N curve; a sum is not known if a range is above the curve.
+    // Add a row for each torque with an S-N curve; a sum is unknown if a range is above the curve.
     for (size_t point = 0; point < of->table->count; point++) {
         const double *names = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_TORQUE_OF, 0);
         const double *damage = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_DAMAGE, 0);
@@ -412,10 +416,10 @@ static void runup_find_damage(const finder *of) {
     find_sheet_end(of);
 }
 
-/// Reports the torque with the largest damage of a run.
+/// States the largest damage of a torque in a run.
 static void runup_find_worst_damage(const finder *of) {
     const whirl_field *torques = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_DAMAGE);
-    // Find the largest damage; one above its curve counts as larger than all.
+    // Find the largest damage; a torque with ranges above its curve counts as the largest.
     double largest = -1.0;
     size_t at = 0, which = 0;
     for (size_t point = 0; torques && point < of->table->count; point++) {
@@ -439,7 +443,7 @@ static void runup_find_worst_damage(const finder *of) {
         phrase_text(of, found, "no damage: all ranges of torques are within their endurance");
 }
 
-/// Finds the stationary speeds of a motor, and by how much its torque must change for each; a run may pass them.
+/// Adds the sheet of the stationary speeds of a motor, with the factor of its torque at each.
 static void runup_find_stationary(const finder *of) {
     const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_STATIONARY);
     if (!rows) return;
@@ -475,18 +479,21 @@ static void runup_find_stationary(const finder *of) {
     find_sheet_end(of);
 }
 
-/// Tells of a run that ended near, or passed, a speed below its last one at which the motor could stay.
+/// Judges runs at every speed at which the drive could stay, except the highest: a run passed the speed or is held
+/// there.
 static void runup_find_capture(const finder *of) {
     const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_STATIONARY);
     for (size_t point = 0; point < of->table->count && rows; point++) {
         const double *speeds = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_STATIONARY, 0);
         const double end = runup_number_of(of, point, WHIRL_FIELD_RUNUP_END_SPEED, 0);
         const double *events = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_EVENTS, 0);
+        // Count the speeds that hold the shaft, and find the last.
         size_t holding = 0, last = 0;
         for (size_t row = 0; speeds && row < rows->rows; row++)
             if (speeds[3 * row + 2] > 0.0) last = row, holding++;
-        // One speed that holds is where the motor is to run.
+        // A single speed that holds the shaft is the one at which it shall run.
         if (holding < 2 || (events && isfinite(events[0]))) continue;
+        // Judge each speed below the last that the run reached.
         for (size_t row = 0; row < last; row++) {
             const double speed = speeds[3 * row];
             const bool passed = end > 1.02 * speed;

@@ -1,4 +1,4 @@
-// Findings of stability: decrements, the limit of the cross coupling, and whether seals have to be included.
+// Findings on stability: decrements, the limit of the cross coupling, and whether seals must be included.
 #include <math.h>
 
 #include "asked.h"
@@ -46,7 +46,7 @@ static void find_levels(const finder *of) {
     find_sheet_end(of);
 }
 
-/// Reports decrements with bearings, and with the seals and impellers of one station.
+/// Adds the sheet of decrements with bearings, and with the seals and impellers of one station.
 static void find_parts(const finder *of) {
     whirl_sheet *sheet = find_sheet(of, "parts", "Decrements with bearings, and seals and impellers of one station");
     sheet_values(of, sheet, "", 6);

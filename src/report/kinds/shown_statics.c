@@ -1,4 +1,4 @@
-// Findings of a machine at rest: weight and sag, positions in films, coefficients of bearings.
+// Findings on a machine at rest: weight and sag, positions in films, coefficients of bearings.
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -16,12 +16,12 @@ static double length(const finder *of, size_t point, const char *field, size_t s
     return whirl_result_length_scale(of->result, of->table, point) * number(of, point, field, station);
 }
 
-/// Returns 0 for a value that is rounding noise next to the largest of its kind.
+/// Returns 0 for a value that is a rounding error of the largest value of its kind.
 static double without_noise(double value, double largest) {
     return fabs(value) <= 1e-12 * largest ? 0.0 : value;
 }
 
-/// Largest slope of the shafts at a point, rad.
+/// Returns the largest slope of the shafts at a point, rad.
 static double largest_slope(const finder *of, size_t point) {
     double largest = 0.0;
     for (size_t station = 0; station < of->result->station_count; station++)
@@ -67,9 +67,9 @@ static void find_weight(const finder *of, const size_t *ends, size_t count) {
     find_sheet_end(of);
 }
 
-/// Reports axial forces of vertical shafts, and the parts that carry them.
+/// Adds the sheet of axial forces of vertical shafts, and the parts that carry them.
 static void find_axial(const finder *of, const size_t *ends, size_t count) {
-    // Find out whether any shaft stands.
+    // Look for a vertical shaft.
     bool stands = false;
     for (const size_t *point = ends; point < ends + count; point++)
         for (size_t station = 0; station < of->result->station_count; station++)
@@ -86,7 +86,7 @@ static void find_axial(const finder *of, const size_t *ends, size_t count) {
     sheet_column(of, sheet, "thrust", "load held", WHIRL_QUANTITY_FORCE, 5);
     sheet_column(of, sheet, "axial_left", "axial force to the left", WHIRL_QUANTITY_FORCE, 5);
     sheet_column(of, sheet, "axial_right", "axial force to the right", WHIRL_QUANTITY_FORCE, 5);
-    // Add the stations on standing shafts, at the first and the last point.
+    // Add the stations on vertical shafts, at the first and the last point.
     for (const size_t *point = ends; point < ends + count; point++)
         for (size_t station = 0; station < of->result->station_count; station++) {
             const double *axial = whirl_table_field(of->table, *point, WHIRL_FIELD_STATICS_AXIAL_FORCE, station);
@@ -114,10 +114,10 @@ static const char *pads_of(const finder *of, double unloaded) {
     return find_text(of->findings, "%s", list);
 }
 
-/// Most points with listed equilibria, as many as fit on a page.
+/// Largest number of points whose equilibria are listed: as many as fit on a page.
 enum { MAX_RESTS = 9 };
 
-/// Returns the computed point whose value is nearest to a speed; SIZE_MAX without any.
+/// Returns the computed point whose value is nearest to a speed, or SIZE_MAX if no point is computed.
 static size_t rest_nearest(const finder *of, double speed) {
     size_t nearest = SIZE_MAX;
     for (size_t point = 0; point < of->table->count; point++) {
@@ -128,8 +128,8 @@ static size_t rest_nearest(const finder *of, double speed) {
     return nearest;
 }
 
-/// Fills listed [points of the table]: all points if they are few; else the first, the last, those nearest to running
-/// speeds of any table of the result, and some between.
+/// Chooses the points whose rest positions are listed (listed [points of the table]): all points if they are few; else
+/// the first, the last, the points nearest to running speeds of any table of the result, and some between.
 static void rest_choose(const finder *of, const size_t *ends, size_t count, bool *listed) {
     enum { EVEN = 5 };
     const bool few = of->table->count <= MAX_RESTS;
@@ -146,7 +146,7 @@ static void rest_choose(const finder *of, const size_t *ends, size_t count, bool
     }
 }
 
-/// Adds the rows of one point.
+/// Adds the rows of one point, one for each film and seal.
 static void find_rest(const finder *of, whirl_sheet *sheet, size_t point) {
     for (size_t station = 0; station < of->result->station_count; station++) {
         const double film = length(of, point, WHIRL_FIELD_STATICS_FILM, station);
@@ -164,7 +164,7 @@ static void find_rest(const finder *of, whirl_sheet *sheet, size_t point) {
     }
 }
 
-/// Reports rest positions of shafts in films and seals.
+/// Adds the sheet of rest positions of shafts in films and seals.
 static void find_films(const finder *of, const size_t *ends, size_t count) {
     whirl_sheet *sheet = find_sheet(of, "films", "Shafts at rest in films and seals");
     bool *listed = calloc(of->table->count + 1, sizeof *listed);
@@ -187,7 +187,7 @@ static void find_films(const finder *of, const size_t *ends, size_t count) {
     find_sheet_end(of);
 }
 
-/// Reports stiffness and damping of bearings at all points.
+/// Adds the sheet of stiffness and damping of bearings at all points.
 static void find_coefficients(const finder *of) {
     // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "coefficients", "Coefficients of bearings");
@@ -196,7 +196,7 @@ static void find_coefficients(const finder *of) {
     sheet_values(of, sheet, "", 6);
     sheet_texts(of, sheet, "station", "bearing");
     sheet_coefficients(of, sheet, NULL);
-    // Add a row for each bearing; coefficients far below the largest are rounding, and shown as 0.
+    // Add a row for each bearing; coefficients far below the largest are rounding errors, and shown as 0.
     for (size_t point = 0; point < of->table->count; point++)
         for (size_t station = 0; station < of->result->station_count; station++) {
             const double *const k = whirl_table_field(of->table, point, WHIRL_FIELD_STATICS_STIFFNESS, station);

@@ -1,4 +1,5 @@
-// Findings of studies of tolerances: probabilities, spreads of numbers, and what the parameters cause of them.
+// Findings on studies of tolerances: probabilities, spreads of numbers, and the parts of both that each parameter
+// causes.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -6,7 +7,7 @@
 #include "shown_kinds.h"
 #include "spread_words.h"
 
-/// Fills the value of the parameter that a row is about; empty: all of them.
+/// Writes the cell of the parameter's value; it is empty in a row about all values.
 static void cell_place(const finder *of, whirl_sheet *sheet, size_t place) {
     if (!*of->table->parameter) return;
     if (place == WHIRL_ANYWHERE)
@@ -15,7 +16,8 @@ static void cell_place(const finder *of, whirl_sheet *sheet, size_t place) {
         cell_value(of, sheet, place);
 }
 
-/// Calls that fill rows go through the values of the parameter; behind several of them comes the worst of all.
+/// Returns the next place of a loop over rows: one for each value of the parameter, and WHIRL_ANYWHERE if there are
+/// several values.
 static size_t next_place(size_t place, size_t places) {
     return place + 1 < places ? place + 1 : WHIRL_ANYWHERE;
 }
@@ -60,10 +62,11 @@ static void find_parameters(const finder *of) {
 
 // ---------------------------------------------------------------- probabilities
 
-/// A probability that is asked for.
+/// A probability that the study computes.
 typedef struct asked_chance {
     const char *what;
-    const whirl_spread_of *number; ///< to be beyond its limits; NULL: a verdict or touching
+    const whirl_spread_of
+        *number; ///< number that may be beyond its limits; NULL: the probability of a verdict or of touching
     whirl_chance chance;
     whirl_verdict verdict;
 } asked_chance;
@@ -76,14 +79,14 @@ static whirl_status chance_at(const finder *of, const asked_chance *own, size_t 
 
 enum { MAX_ASKED = 64 };
 
-/// Lists the numbers of a table that are asked for; returns how many.
+/// Lists the numbers whose spread the study computes; returns their number.
 static size_t list_numbers(const finder *of, whirl_spread_of numbers[MAX_ASKED]) {
     size_t count = 0;
     while (count < MAX_ASKED && whirl_table_asked(of->result, of->table, count, &numbers[count])) count++;
     return count;
 }
 
-/// Lists all probabilities of a table: of limits, of touching, of verdicts.
+/// Lists all probabilities of a table: of limits, of touching, of verdicts. Returns their number.
 static size_t list_chances(const finder *of, const whirl_spread_of *numbers, size_t number_count,
                            asked_chance chances[2 * MAX_ASKED]) {
     whirl_verdict verdicts[SPREAD_VERDICTS];
@@ -275,7 +278,7 @@ static void find_indices(const finder *of, const whirl_spread_of *numbers, size_
 
 static void find_convergence(const finder *of, const whirl_spread_of *numbers, size_t number_count,
                              const asked_chance *chances, size_t chance_count) {
-    // Several values of the parameter are judged by the worst of them.
+    // With several values of the parameter, take the worst of them.
     const size_t all = (size_t)of->table->tolerances.samples,
                  place = whirl_table_places(of->table) > 1 ? WHIRL_ANYWHERE : 0;
     char name[SPREAD_NAME];
@@ -303,7 +306,7 @@ static void find_convergence(const finder *of, const whirl_spread_of *numbers, s
                        : chance_at(of, &chances[i - number_count], place, some, &parts[k]);
             note_failure(of, &status);
         }
-        // Show them; means and deviations relative to those from all samples.
+        // Add their rows; means and deviations are divided by those from all samples.
         for (size_t k = 0; k < 3; k++) {
             const double mean = parts[2].mean.value, deviation = parts[2].deviation.value;
             sheet_row(of, sheet);

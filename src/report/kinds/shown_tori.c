@@ -1,4 +1,4 @@
-// Findings of tori: quasi-periodic motions past Neimark-Sacker points, a row for each branch.
+// Findings on tori: quasi-periodic motions past Neimark-Sacker points, a row for each branch.
 #include <math.h>
 #include <stdlib.h>
 
@@ -6,13 +6,15 @@
 #include "quantities.h"
 #include "shown_kinds.h"
 
-/// Returns the frequency of the largest second line: rad/s with the speeds of all tori, else an order.
+/// Returns the frequency of the largest line at the second frequency: rad/s if the speeds of all tori are given
+/// (clock), else an order.
 static double second_frequency(const finder *of, const whirl_tori *own, size_t point, const double *clock) {
     const double line = whirl_table_field(of->table, point, WHIRL_FIELD_TORUS_FREQUENCY, own->station)[own->axis];
     return clock ? line * clock[point] : line;
 }
 
-/// Returns the speeds of all tori, rad/s, to be freed; NULL if frequencies are shown as orders, or a speed is unknown.
+/// Returns the speeds at all points, rad/s; the caller frees them. NULL if frequencies are shown as orders, or a speed
+/// is unknown.
 static double *clocks_of(const finder *of) {
     if (!(of->units->frequency > 0.0) || of->table->count == 0) return NULL;
     double *clock = malloc(of->table->count * sizeof *clock);
@@ -27,7 +29,7 @@ static double *clocks_of(const finder *of) {
     return NULL;
 }
 
-/// Writes a count as "all", "none" or "12 of 20".
+/// Returns how many motions of a branch are stable: "all", "none" or "12 of 20".
 static const char *stable_of(const finder *of, const whirl_tori *own) {
     if (own->stable == 0 || own->stable == own->found) return own->stable ? "all" : "none";
     return find_text(of->findings, "%zu of %zu", own->stable, own->found);
@@ -74,7 +76,7 @@ static void find_row(const finder *of, whirl_sheet *sheet, const whirl_tori *own
 }
 
 static void tori_find(const finder *of) {
-    // Without the rate of the clock, frequencies are orders.
+    // Get the speeds; without them, frequencies are shown as orders.
     double *clock = clocks_of(of);
     whirl_sheet *sheet = find_sheet(of, "tori", "Quasi-periodic motions");
     // Set up the columns.
@@ -91,13 +93,13 @@ static void tori_find(const finder *of) {
     sheet_column(of, sheet, "points", "points", WHIRL_QUANTITY_NUMBER, 9);
     sheet_values(of, sheet, "to", 9);
     sheet_texts(of, sheet, "ends", "ends");
-    // Add a row for each branch, a run of points.
+    // Add a row for each branch, which is a row of points.
     for (size_t point = 0; point < of->table->count; point++) {
         const whirl_tori own = whirl_table_tori(of->table, point);
         find_row(of, sheet, &own, clock);
         point = own.last;
     }
-    // Say so if there is none.
+    // State if there is none.
     if (of->table->count == 0)
         phrase_text(of, &find_statement(of, "quasi-periodic motions")->found,
                     "no torus begins along the branches that were followed");

@@ -1,5 +1,5 @@
-// Findings of torsional modes: where excitations meet them, how far they are apart from the running speeds (after API
-// 617, part 1, and API 684: the user has to check which edition applies), and their shapes.
+// Findings on torsional modes: where excitations meet them, their separation from running speeds (after API 617, part
+// 1, and API 684: the user has to check which edition applies), and their shapes.
 #include <math.h>
 
 #include "margins.h"
@@ -16,9 +16,9 @@ typedef struct separation {
     size_t line;
     torsion_excitation by;
     double frequency; ///< rad/s of the mode, where it is nearest to the excitation
-    double speed;     ///< rad/s at which they meet; NaN for the line's
-    double had;       ///< %, of the excitation; 0 within
-    const char *side; ///< side of the mode: "above", "below", "within"
+    double speed; ///< rad/s at which they meet; NaN for an excitation by the electric line, whose frequency is fixed
+    double had;   ///< separation, % of the excitation's frequency; 0 within its range
+    const char *side; ///< where the mode is: "above", "below" or "within" the excitation
 } separation;
 
 int torsion_excitation_count(const whirl_table *table) {
@@ -34,14 +34,14 @@ double torsion_excitation_frequency(const whirl_table *table, torsion_excitation
     return by.order * (by.line ? two_pi * table->record.line_frequency : speed);
 }
 
-/// The share of a frequency by which it lies below (negative) or above excitations from `low` to `high`, %.
+/// Returns by how many per cent a frequency is below (negative) or above excitations from `low` to `high`.
 static double torsion_apart(double frequency, double low, double high) {
     return frequency > high  ? 100.0 * (frequency / high - 1.0)
            : frequency < low ? 100.0 * (frequency / low - 1.0)
                              : 0.0;
 }
 
-/// Compares a line with an excitation at all points: where its frequency is nearest. False if the line has no point.
+/// Finds the point at which a line is nearest to an excitation. Returns false if the line has no point.
 static bool torsion_separate(const whirl_table *table, const mode_lines *lines, separation *own) {
     double low, high, nearest = INFINITY;
     // With running speeds the excitation covers a range of frequencies, otherwise one at each point.
@@ -81,7 +81,7 @@ static const char *torsion_excitation_name(const finder *of, torsion_excitation 
     return by.order == 1 ? "line frequency" : "twice line frequency";
 }
 
-/// The sheet of all separations, and the least of them.
+/// Adds the sheet of all separations, finds the least, and returns their number.
 static size_t torsion_sheet(const finder *of, const mode_lines *lines, separation *least) {
     // Set up the columns; margins need running speeds.
     double low, high;
@@ -119,7 +119,7 @@ static size_t torsion_sheet(const finder *of, const mode_lines *lines, separatio
     return count;
 }
 
-/// Judges the least separation, where running speeds are given.
+/// Judges the least separation from excitations at running speeds.
 static void torsion_judge(const finder *of, const mode_lines *lines, const separation *least) {
     const whirl_judgement judgement = least->had >= asked_separation ? WHIRL_HOLDS : WHIRL_FAILS;
     whirl_statement *own = find_judgement(of, "torsional separation margin", "SP6.8.7", judgement);
@@ -135,8 +135,8 @@ static void torsion_judge(const finder *of, const mode_lines *lines, const separ
     }
 }
 
-/// Reports what a response to torques says about a separation that fails: the largest shear stress where the machine
-/// runs, of all its tables.
+/// States what may justify a separation that fails: the largest shear stress at running speeds, in all responses to
+/// torques of the result.
 static void torsion_justify(const finder *of) {
     // Find the largest stress of all torsional responses at running speeds.
     double largest = -1.0, low, high;
@@ -169,7 +169,7 @@ static void torsion_justify(const finder *of) {
     }
 }
 
-/// The twists of the stations in the torsional modes at the last point.
+/// Adds the sheet of the twists of the stations in the torsional modes at the last point.
 static void torsion_shapes(const finder *of, const mode_lines *lines, size_t point) {
     const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_TORSION);
     whirl_sheet *sheet = find_sheet(of, "twists", "Shapes of torsional modes: twists of the stations");

@@ -1,4 +1,4 @@
-// Findings of the train: inertias of stations that twist and what joins them, also referred to the speed of the rotor.
+// Findings on the train: inertias of stations that twist, and the shafts, couplings and gears between them.
 #include <math.h>
 
 #include "shown_kinds.h"

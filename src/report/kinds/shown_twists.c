@@ -1,4 +1,4 @@
-// Findings of responses to torques: excitations, the largest torques with their stress, peaks with their modes, angles.
+// Findings on responses to torques: excitations, the largest torques with their stress, peaks with their modes, angles.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -36,7 +36,7 @@ void torque_name(const whirl_result *result, const double *of, char *name, size_
         const bool named = of[1 + end] >= 0.0 && of[1 + end] < (double)result->station_count;
         station[end] = named ? result->stations[(size_t)of[1 + end]].name : "";
     }
-    // Join kind and ends: a shaft has two stations, a mesh may end at the ground, all others are at one station.
+    // Join kind and ends: a shaft has two stations, a mesh may end at the ground, all other kinds have one station.
     const size_t kind = of[0] > 0.0 && of[0] < (double)WHIRL_TORQUE_KINDS ? (size_t)of[0] : 0;
     if (kind == WHIRL_TORQUE_BETWEEN)
         snprintf(name, size, "%s to %s", *station[0] ? station[0] : "between stations",
@@ -48,7 +48,7 @@ void torque_name(const whirl_result *result, const double *of, char *name, size_
         snprintf(name, size, *station[0] ? "%s at %s" : "%s", kinds[kind], station[0]);
 }
 
-/// Returns the first computed point; the number of points without one.
+/// Returns the first computed point, or the number of points if none is computed.
 static size_t twists_first(const whirl_table *table) {
     size_t point = 0;
     while (point < table->count && !whirl_table_done(table, point)) point++;
@@ -82,7 +82,7 @@ static const char *twists_torque(const finder *of, size_t path) {
     return find_text(of->findings, "%s", name);
 }
 
-/// Returns whether a point is within the running speeds.
+/// Returns true if a point is within the running speeds.
 static bool twists_runs(const finder *of, size_t point) {
     static const double rounding = 1e-9;
     double low, high;
@@ -91,8 +91,8 @@ static bool twists_runs(const finder *of, size_t point) {
            speed <= high * (1.0 + rounding);
 }
 
-/// Finds the point at which a number of a field is largest, of those at running speeds or of all. Returns false without
-/// a number.
+/// Finds the point at which a number of a field is largest, among all points or points at running speeds. Returns false
+/// if no point has a number.
 static bool twists_largest(const finder *of, const char *field, size_t which, size_t row, bool running, size_t *at) {
     double largest = -1.0;
     for (size_t point = 0; point < of->table->count; point++) {
@@ -104,7 +104,7 @@ static bool twists_largest(const finder *of, const char *field, size_t which, si
     return largest >= 0.0;
 }
 
-/// Returns true if two torques are of the same stations: pieces of one stretch of a shaft.
+/// Returns true if two torques are between the same stations: pieces of one stretch of a shaft.
 static bool twists_are_one(const whirl_table *table, size_t one, size_t other) {
     const size_t point = twists_first(table);
     const double *of = point < table->count ? whirl_table_field(table, point, WHIRL_FIELD_TORSION_TORQUE_OF, 0) : NULL;
@@ -113,15 +113,15 @@ static bool twists_are_one(const whirl_table *table, size_t one, size_t other) {
     return same;
 }
 
-/// Returns true for the first torque of its stations.
+/// Returns true for the first torque between its stations.
 static bool twists_leads(const whirl_table *table, size_t path) {
     for (size_t k = 0; k < path; k++)
         if (twists_are_one(table, k, path)) return false;
     return true;
 }
 
-/// Finds the largest sum of the torques of the stations of `path`, of all points or those at running speeds: its point
-/// and its own torque. Returns false without a number.
+/// Finds the largest sum of amplitudes among torques between the same stations as `path`, at all points or at running
+/// speeds: its point and its torque. Returns false if there is no number.
 static bool twists_largest_of(const finder *of, size_t path, bool running, size_t *at, size_t *which) {
     double largest = -1.0;
     for (size_t k = path; k < twists_rows(of->table, WHIRL_FIELD_TORSION_TORQUE_OF); k++) {
@@ -142,16 +142,18 @@ size_t twists_choose(const whirl_table *table, size_t most, size_t *chosen) {
     const size_t paths = twists_rows(table, WHIRL_FIELD_TORSION_TORQUE_OF);
     double *sizes = calloc(paths + 1, sizeof *sizes);
     size_t count = 0;
+    // Find the largest sum of each torque over all points.
     for (size_t point = 0; sizes && point < table->count; point++) {
         const double *own = whirl_table_field(table, point, WHIRL_FIELD_TORSION_TORQUE_SUM, 0);
         for (size_t k = 0; k < paths && own && whirl_table_done(table, point); k++)
             sizes[k] = fmax(sizes[k], isnan(own[k]) ? 0.0 : own[k]);
     }
-    // Keep the largest of the pieces of one stretch.
+    // Of the pieces of one stretch of a shaft, keep the largest.
     for (size_t k = 0; sizes && k < paths; k++)
         for (size_t other = 0; other < k; other++)
             if (sizes[other] >= 0.0 && sizes[k] >= 0.0 && twists_are_one(table, k, other))
                 sizes[sizes[k] > sizes[other] ? other : k] = -1.0;
+    // Insert the others into the list, the largest first.
     for (size_t k = 0; sizes && k < paths; k++) {
         if (sizes[k] < 0.0) continue;
         size_t at = count < most ? count++ : most;
@@ -165,7 +167,7 @@ size_t twists_choose(const whirl_table *table, size_t most, size_t *chosen) {
 
 // ---------------------------------------------------------------- sheets
 
-/// Reports the excitations, with their frequencies at the ends of the parameter.
+/// Adds the sheet of excitations, with their frequencies at the first and the last point.
 static void twists_find_excitations(const finder *of) {
     size_t ends[2];
     const size_t count = find_ends(of->table, ends);
@@ -202,7 +204,8 @@ static void twists_row(const finder *of, whirl_sheet *sheet, size_t path, size_t
     cell_number(of, sheet, twists_numbers(of, point, WHIRL_FIELD_TORSION_POWER, 0)[path]);
 }
 
-/// Reports the largest vibratory torque of every shaft, coupling and gear, at all points and at running speeds.
+/// Adds the sheet of the largest vibratory torque of every shaft, coupling and gear, at all points and at running
+/// speeds.
 static void twists_find_torques(const finder *of) {
     // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "torques", "Largest vibratory torques");
@@ -229,8 +232,8 @@ static void twists_find_torques(const finder *of) {
     find_sheet_end(of);
 }
 
-/// Finds the torsional mode whose frequency is nearest to a frequency, at the point nearest to a speed, and within 10 %
-/// of it. Returns its number from 1, 0 without one: the peak is that of a lateral mode, or of no mode.
+/// Finds the torsional mode whose frequency is nearest to a frequency and within 10 % of it, at the point nearest to a
+/// speed. Returns its number from 1, or 0 without one: the peak belongs to a lateral mode, or to no mode.
 static size_t twists_mode(const finder *of, double speed, double frequency, double *natural) {
     size_t nearest = of->table->count, mode = 0;
     double least = INFINITY;
@@ -249,10 +252,10 @@ static size_t twists_mode(const finder *of, double speed, double frequency, doub
     return mode;
 }
 
-/// Reports the peaks of a torque by an excitation over the speed. speeds, sizes, lags [count of points]: workspace.
+/// Adds the peaks of a torque by one excitation along the speed. speeds, sizes, lags [number of points]: workspace.
 static void twists_find_peaks_of(const finder *of, whirl_sheet *sheet, size_t path, size_t index, double *speeds,
                                  double *sizes, double *lags) {
-    static const double nothing = 1e-3; // of the largest of the excitation: no peak that anyone looks for
+    static const double nothing = 1e-3; // smaller parts of the largest torque by the excitation are no peaks
     static const char *const ways[] = {"half power", "half power on one side", "slope of the lag"};
     const size_t excitations = twists_rows(of->table, WHIRL_FIELD_TORSION_ORDER), place = path * excitations + index;
     whirl_response_peak peaks[MARGIN_PEAKS];
@@ -293,7 +296,7 @@ static void twists_find_peaks_of(const finder *of, whirl_sheet *sheet, size_t pa
     }
 }
 
-/// Reports peaks over the speed, with the mode that is nearest.
+/// Adds the sheet of peaks along the speed, with the nearest mode.
 static void twists_find_peaks(const finder *of) {
     // Make memory for the amplitudes along the speed.
     size_t point = 0, which = 0;
@@ -323,7 +326,7 @@ static void twists_find_peaks(const finder *of) {
     free(speeds);
 }
 
-/// Reports the largest twists of stations, and how much they change the speed.
+/// Adds the sheet of the largest twists of stations, and their angular velocity over the station's speed.
 static void twists_find_angles(const finder *of) {
     // Set up the columns.
     const size_t excitations = twists_rows(of->table, WHIRL_FIELD_TORSION_ORDER);
@@ -356,12 +359,12 @@ static void twists_find_angles(const finder *of) {
 
 // ---------------------------------------------------------------- statements
 
-/// Reports the torque whose sum is largest.
+/// States the torque with the largest sum of amplitudes, at all points or at running speeds.
 static void twists_find_worst(const finder *of, bool running) {
+    // Find the largest of all torques at all points, or at running speeds.
     size_t path = 0, point = 0;
     if (twists_choose(of->table, 1, &path) == 0) return;
     if (running) {
-        // Find the largest of all torques at running speeds.
         double largest = -1.0;
         for (size_t k = 0; k < twists_rows(of->table, WHIRL_FIELD_TORSION_TORQUE_OF); k++) {
             if (!twists_largest(of, WHIRL_FIELD_TORSION_TORQUE_SUM, 0, k, true, &point)) continue;
@@ -370,6 +373,7 @@ static void twists_find_worst(const finder *of, bool running) {
         }
     }
     if (!twists_largest(of, WHIRL_FIELD_TORSION_TORQUE_SUM, 0, path, running, &point)) return;
+    // State its sum, its name and where it is.
     const double steady = twists_numbers(of, point, WHIRL_FIELD_TORSION_STEADY, 0)[path];
     const double sum = twists_numbers(of, point, WHIRL_FIELD_TORSION_TORQUE_SUM, 0)[path];
     whirl_phrase *found =
@@ -381,6 +385,7 @@ static void twists_find_worst(const finder *of, bool running) {
         phrase_text(of, found, " at %s = ", of->table->parameter);
         phrase_value(of, found, 6, of->table->values[point]);
     }
+    // State the steady torque, and whether the sum exceeds it.
     if (isfinite(steady) && fabs(steady) > 1e-9 * sum) {
         phrase_text(of, found, ", with a steady torque of ");
         phrase_number(of, found, WHIRL_QUANTITY_MOMENT, 5, steady);
@@ -388,7 +393,7 @@ static void twists_find_worst(const finder *of, bool running) {
     }
 }
 
-/// Reports steady torques that do not balance.
+/// States steady torques that do not balance.
 static void twists_find_unbalanced(const finder *of) {
     for (size_t point = 0; point < of->table->count; point++) {
         const double *left = twists_numbers(of, point, WHIRL_FIELD_TORSION_UNBALANCED, 0);

@@ -1,4 +1,4 @@
-// Findings of unbalance responses: the largest, peaks with margins, and their share of clearances.
+// Findings on unbalance responses: the largest response, peaks with margins, and the share of clearances they take.
 #include <math.h>
 #include <stdlib.h>
 
@@ -9,7 +9,7 @@
 
 static const double degree = 3.14159265358979323846 / 180.0;
 
-/// Reports unbalances by rule, which replace the machine's own.
+/// Adds the sheet of unbalances by rule, which replace the machine's own.
 static void find_placed(const finder *of) {
     whirl_sheet *sheet = find_sheet(of, "placed", "Unbalances by rule, in the place of the machine's own");
     sheet_texts(of, sheet, "station", "station");
@@ -26,7 +26,7 @@ static void find_placed(const finder *of) {
     find_sheet_end(of);
 }
 
-/// Reports the largest response of every station, and its place along the parameter.
+/// Adds the sheet of the largest response of every station, and the parameter's value there.
 static void find_largest(const finder *of) {
     whirl_sheet *sheet = find_sheet(of, "largest", "Largest response");
     sheet_texts(of, sheet, "station", "station");
@@ -48,7 +48,7 @@ static void find_largest(const finder *of) {
     find_sheet_end(of);
 }
 
-/// Reports critical speeds: peaks of all stations, at their probes.
+/// Adds the sheet of critical speeds: peaks of all stations, at their probes.
 static void find_peaks(const finder *of) {
     // Set up the columns; margins need running speeds.
     const bool running = margin_asked(of->table);
@@ -87,7 +87,7 @@ static void find_peaks(const finder *of) {
     find_sheet_end(of);
 }
 
-/// Reports the share of clearances that scaled responses take.
+/// Adds the sheet of the share of clearances that scaled responses take.
 static void find_clearances(const finder *of, const scaled *by) {
     // Compute the shares of clearances.
     whirl_sheet *sheet = find_sheet(of, "clearances", "Scaled responses and clearances");
@@ -118,9 +118,9 @@ static void find_clearances(const finder *of, const scaled *by) {
     free(rows);
 }
 
-/// Reports the factor by which responses are scaled, or why they are not scaled.
+/// States the factor by which responses are scaled, or why they are not scaled.
 static void find_scaled(const finder *of) {
-    // Without a limit or running speeds, say what is missing.
+    // If the limit or running speeds are missing, state that.
     scaled by;
     if (!scaled_of(of->result, of->table, &by)) {
         if (!margin_asked(of->table)) return;

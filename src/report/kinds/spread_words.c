@@ -4,7 +4,7 @@
 
 #include "spread_words.h"
 
-/// Names of usual numbers; a name that ends with a blank gets the row's number.
+/// Names of usual numbers. The number of the row is appended to a name that ends with a blank.
 static const struct {
     const char *field, *column, *name;
 } spread_names[] = {
@@ -30,7 +30,7 @@ void spread_name(const whirl_table *table, const whirl_spread_of *of, char text[
         used = (size_t)snprintf(text, SPREAD_NAME, "%s", spread_names[i].name);
         if (text[used - 1] == ' ') snprintf(text + used, SPREAD_NAME - used, "%zu", of->row + 1);
     } else {
-        // The group says what "speed" or "angle" is of.
+        // Keep the group of the field, which shows of what a "speed" or "angle" is, and append the number of the row.
         const whirl_field *field = whirl_layout_field(&table->layout, of->field);
         const char *last = strrchr(of->field, '/'), *own = last ? last + 1 : of->field;
         const size_t group = strcspn(of->field, "/");
@@ -44,7 +44,7 @@ void spread_name(const whirl_table *table, const whirl_spread_of *of, char text[
     if (*of->at) snprintf(text + used, SPREAD_NAME - used, " at %s", of->at);
 }
 
-/// Returns the index of the column of a number.
+/// Returns the index of a column by its name, or 0 if it is unknown.
 static size_t spread_column(const whirl_field *field, const char *column) {
     char names[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE];
     size_t i = 0;

@@ -1,5 +1,5 @@
-// Pages of a lateral and of a torsional analysis: summary, machine, model, modes, responses with their margins,
-// stability, and the nonlinear motions; or the train, interference, response to torques, and runs.
+// Writes the pages of a lateral analysis (summary, machine, model, modes, responses with their margins, stability,
+// nonlinear motions) and of a torsional one (train, interference, response to torques, runs).
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -23,28 +23,28 @@
 #include "whirl/status.h"
 #include "whirl/version.h"
 
-/// A chapter: all tables that have a certain field or, with NULL, all motions.
+/// A chapter: all tables that have a certain field or, if it is NULL, all tables of motions.
 typedef struct chapter {
     const char *title, *about, *field;
-    const char *absent; ///< sentence where the case does not ask for it
+    const char *absent; ///< sentence if the result has no such table
 } chapter;
 
 /// A document.
 typedef struct analysis_document {
     const char *title;
-    const char *asks; ///< keys that a result without criteria lacks
+    const char *asks; ///< why a result may have no criteria
     size_t count;
     const chapter *chapters; ///< [count]
-    bool moves;              ///< with a summary of motions
+    bool moves;              ///< it has a summary of motions
 } analysis_document;
 
-/// Chooses the tables of a chapter.
+/// Returns true for the tables of a chapter (`by`).
 static bool is_of_chapter(const whirl_table *table, const void *by) {
     const chapter *own = by;
     return own->field ? whirl_layout_field(&table->layout, own->field) != NULL : shown_kind_of(table) == NULL;
 }
 
-/// Chooses tables with findings that no chapter of a document has.
+/// Returns true for tables with findings that belong to no chapter of a document (`by`).
 static bool is_of_no_chapter(const whirl_table *table, const void *by) {
     const analysis_document *document = by;
     for (size_t i = 0; i < document->count; i++)
@@ -54,8 +54,8 @@ static bool is_of_no_chapter(const whirl_table *table, const void *by) {
 
 // ---------------------------------------------------------------- summary
 
-/// Writes the effect of the machine's motions on clearances, and coexisting motions.
-static void tell_motions(const page *to, size_t result, const whirl_table *table, void *context) {
+/// Writes a paragraph on the motions of a table.
+static void write_motion_text(const page *to, size_t result, const whirl_table *table, void *context) {
     size_t *const written = context;
     char text[MOTIONS_TEXT_SIZE];
     motions_text(&to->units[result], to->results[result], to->machines[result], table, text);
@@ -83,7 +83,7 @@ static void write_found(const page *to, const analysis_document *document) {
         return;
     }
     fputs("<li><strong>Nonlinear motions.</strong> ", to->stream);
-    found_each(to, is_of_chapter, &(chapter){.field = NULL}, tell_motions, &written);
+    found_each(to, is_of_chapter, &(chapter){.field = NULL}, write_motion_text, &written);
     if (!written) fputs("Not computed (study: motions).", to->stream);
     size_t beyond = 0;
     for (size_t r = 0; r < to->count; r++) beyond += laws_left(to->results[r]);
@@ -103,21 +103,21 @@ static void write_findings(const page *to, size_t result, const whirl_table *tab
     page_sheets(to, result, table);
 }
 
-/// State of a chapter: kind of the last table, and the section of the first one.
+/// State of a chapter that is being written: the kind of its last table, and its first table with its section.
 typedef struct chapter_state {
     const shown_kind *kind;
     const whirl_table *first;
-    char *section; ///< NULL: none
+    char *section; ///< text of the first table's section; NULL: none yet
 } chapter_state;
 
-/// Returns the length of the text up to the end of its first table; without a table, of the whole text.
+/// Returns the length of the text up to the end of its first HTML table; without a table, of the whole text.
 static size_t part_length(const char *text) {
     static const char end[] = "</table></div>\n";
     const char *at = strstr(text, end);
     return at ? (size_t)(at - text) + sizeof end - 1 : strlen(text);
 }
 
-/// Writes a section; parts that repeat those of the chapter's first table are replaced by a reference.
+/// Writes a section; a part that repeats a part of the chapter's first section is replaced by a reference.
 static void write_section(const page *to, const whirl_table *table, const char *section, const chapter_state *state) {
     const char *before = state->section && state->first != table ? state->section : "";
     bool same = false;
@@ -168,7 +168,7 @@ static void write_figures(const page *to, size_t result, const whirl_table *tabl
 }
 
 static void write_table(const page *to, size_t result, const whirl_table *table, void *context) {
-    // Head the table with its name, and what it was computed with.
+    // Write a heading: the name of the table, and the values with which it was computed.
     const shown_kind *kind = shown_kind_of(table);
     chapter_state *state = context;
     char fact[2 * WHIRL_NAME_SIZE];
@@ -187,7 +187,7 @@ static void write_table(const page *to, size_t result, const whirl_table *table,
         html_text(to->stream, kind->about);
         fputs("</p>\n", to->stream);
     }
-    // Write statements and sheets, unless they repeat those of the first table.
+    // Write statements and sheets, unless they repeat a part of the first table's section.
     state->kind = kind;
     char *section = page_text(to, write_findings, result, table);
     if (section) write_section(to, table, section, state);

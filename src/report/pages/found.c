@@ -1,4 +1,4 @@
-// Findings as sentences: critical speeds, margins, clearances and stability of studies at rest, and motions.
+// Writes findings as sentences: critical speeds, margins, clearances and stability of studies at rest, and motions.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -32,7 +32,8 @@ size_t found_each(const page *to, choose_table *chosen, const void *by, each_tab
 
 // ---------------------------------------------------------------- machines at rest
 
-/// Writes the failed criteria: "fails: separation margin (unbalance), stability, Level II (stability)".
+/// Writes the criteria with a judgement, and their tables: "; fails: separation margin (unbalance), stability, Level II
+/// (stability)".
 static void list_judged(const page *to, whirl_judgement judgement) {
     size_t count = 0;
     for (size_t r = 0; r < to->count; r++)
@@ -44,7 +45,8 @@ static void list_judged(const page *to, whirl_judgement judgement) {
         }
 }
 
-/// Writes the number of acceptance criteria that hold, and the ones that fail.
+/// Writes the number of acceptance criteria that hold, and names the criteria that fail; `lacks`: why there may be
+/// none.
 static void write_judgements(const page *to, const char *lacks) {
     size_t all = 0, held = 0;
     for (size_t r = 0; r < to->count; r++)
@@ -83,7 +85,8 @@ void found_at_rest(const page *to, const char *lacks) {
 
 enum { MAX_RANGES = 12, MAX_LINES = 8, RANGE_SIZE = 512 };
 
-/// "P-1 from 1 to 3.25 rad/s; changing: P-3, chaotic from 3.3 to 3.5 rad/s"; false, and nothing, of too many ranges.
+/// Writes "P-1 from 1 to 3.25 rad/s; changing: P-3, chaotic from 3.3 to 3.5 rad/s". Returns false, and writes nothing,
+/// if there are too many ranges.
 static bool write_ranges(const page *to, size_t index, const whirl_table *table) {
     const whirl_unit unit = whirl_shown_parameter(&to->units[index], table->parameter);
     regime_interval *intervals = malloc((table->count + 1) * sizeof *intervals);
@@ -107,7 +110,7 @@ static bool write_ranges(const page *to, size_t index, const whirl_table *table)
     return few;
 }
 
-/// "P-1 at 46 points, chaotic at 6 points".
+/// Writes "P-1 at 46 points, chaotic at 6 points".
 static void write_verdicts(const page *to, const whirl_table *table) {
     verdict_count counts[SUMMARY_VERDICTS];
     const size_t count = summary_counts(table, counts);
@@ -116,7 +119,7 @@ static void write_verdicts(const page *to, const whirl_table *table) {
                     summary_plural((double)counts[i].points));
 }
 
-/// " 61 of 61 points rub. Confidence: high at 0, fair at 59, low at 2 points."
+/// Writes " 61 of 61 points rub. Confidence: high at 0, fair at 59, low at 2 points."
 static void write_confidence(const page *to, size_t index, const whirl_table *table) {
     const summary_tally tally = summary_tally_of(&to->units[index], table);
     if (tally.all < 2) return;
@@ -146,8 +149,8 @@ static bool is_single(const whirl_table *table) {
     return !*table->parameter && !table->source && table->count == 1;
 }
 
-/// Writes the summary's account of motions below the heading.
-static void tell_motions(const page *to, size_t index, const whirl_table *table) {
+/// Writes what the summary has about motions below its heading.
+static void write_motion_text(const page *to, size_t index, const whirl_table *table) {
     const whirl_shown_units *units = &to->units[index];
     if (!whirl_layout_has_verdict(&table->layout)) {
         summarize_motions(to->stream, units, to->machines[index], table);
@@ -158,14 +161,14 @@ static void tell_motions(const page *to, size_t index, const whirl_table *table)
     }
 }
 
-static void tell_heading(const page *to, size_t index, const whirl_table *table) {
+static void write_heading(const page *to, size_t index, const whirl_table *table) {
     (void)index;
     summarize_heading(to->stream, table);
 }
 
 void found_table(const page *to, size_t index, const whirl_table *table) {
-    // Head the item with the first line of the text, without its colon.
-    char *heading = page_text(to, tell_heading, index, table);
+    // Begin the item with the first line of the summary's heading, without its colon.
+    char *heading = page_text(to, write_heading, index, table);
     if (!heading) return;
     heading[strcspn(heading, "\n")] = '\0';
     const size_t length = strlen(heading);
@@ -174,7 +177,7 @@ void found_table(const page *to, size_t index, const whirl_table *table) {
     html_text(to->stream, heading);
     fputs(".</strong> ", to->stream);
     free(heading);
-    // Write the verdicts of a sweep or a map, and how far they can be trusted.
+    // Write the verdicts of a sweep or a map, and their confidence.
     if (whirl_layout_has_verdict(&table->layout) && !is_single(table)) {
         if (table->row > 0 || !*table->parameter || !write_ranges(to, index, table)) write_verdicts(to, table);
         fputs(".", to->stream);
@@ -184,7 +187,7 @@ void found_table(const page *to, size_t index, const whirl_table *table) {
     if (shown_kind_of(table)) {
         if (page_statements(to, index, table) == 0) fputs("See its tables.", to->stream);
     } else {
-        char *text = page_text(to, tell_motions, index, table);
+        char *text = page_text(to, write_motion_text, index, table);
         if (text) write_lines(to->stream, text);
         free(text);
         page_statements(to, index, table);

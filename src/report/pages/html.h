@@ -1,4 +1,4 @@
-/// Text in HTML. Everything that comes from a case, a result or a claim goes through here.
+/// Writes text in HTML. All text from a case, a result or a claim is written by these functions.
 #ifndef REPORT_HTML_H
 #define REPORT_HTML_H
 
@@ -6,8 +6,8 @@
 
 #include <stdio.h>
 
-/// Writes text that may hold anything: markup and quotes escaped, control characters and bytes that are not UTF-8
-/// replaced by U+FFFD. Fit for element content and for attributes in double quotes.
+/// Writes any text as element content or an attribute in double quotes: escapes markup and quotes, and replaces control
+/// characters and bytes that are not UTF-8 by U+FFFD.
 void html_text(FILE *stream, const char *text);
 
 /// Formats as printf and writes the text by html_text; texts are cut at 4095 bytes.
@@ -17,8 +17,8 @@ void html_printf(FILE *stream, const char *format, ...)
 #endif
     ;
 
-/// Begins a table of a class ("" for none) that scrolls by itself if it is wider than the page: a named region that the
-/// keyboard can reach. End it with </table></div>.
+/// Begins a table of a class ("" for none) in a region that scrolls if the table is wider than the page. The region has
+/// a label and can be reached by keyboard. End the table with </table></div>.
 void html_table(FILE *stream, const char *label, const char *class);
 
 #endif

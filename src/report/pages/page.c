@@ -8,7 +8,7 @@
 #include "shown_kinds.h"
 #include "whirl/version.h"
 
-/// The source of the claims, or the title of the only result, or how many results there are.
+/// Writes the title of the page: the source of the claims, or the title of the only result, or the number of results.
 static void page_title(const page *to, char *title, size_t size) {
     if (to->claims && *to->claims->source)
         snprintf(title, size, "%s", to->claims->source);
@@ -75,14 +75,14 @@ static bool has_figures(const page *to, size_t result, bool diagrams) {
     return found;
 }
 
-/// Returns true if places of the study have several starts.
+/// Returns true if points of the study have several starts.
 static bool has_starts(const whirl_result *result) {
     for (size_t i = 0; i < result->table_count; i++)
         if (result->tables[i].source && result->tables[i].count > 0) return true;
     return false;
 }
 
-/// Returns the kind of a table with a section of its own, else NULL: curves over two parameters have only a figure.
+/// Returns the kind of a table that has a section of its own, else NULL: a table over two parameters has only a figure.
 static const shown_kind *section_of(const whirl_table *table) {
     const shown_kind *kind = shown_kind_of(table);
     return kind && !*table->second ? kind : NULL;
@@ -162,7 +162,7 @@ static void write_contents(const page *to) {
     fputs("</ul></nav>\n", to->stream);
 }
 
-/// Writes weight, shafts, stations and parts in a section that is closed at first: a reference.
+/// Writes weight, shafts, stations and parts in a section that is folded at first, as it is only looked up.
 static void page_parts(const page *to, size_t result) {
     bool any = false;
     for (size_t i = 0; i < to->findings[result]->sheet_count; i++) any = any || !*to->findings[result]->sheets[i].table;
@@ -175,12 +175,13 @@ static void page_parts(const page *to, size_t result) {
 
 static void write_result(const page *to, size_t result) {
     fprintf(to->stream, "<section id=\"result-%zu\">\n<h2>", result + 1);
-    // The title of a page of one result is that of the result.
+    // Write the heading; on a page of one result, the title of the result is that of the page.
     const char *title = *to->results[result]->title ? to->results[result]->title : to->names[result];
     html_text(to->stream, to->count == 1 && !to->claims ? "What was found" : title);
     fputs(" <span class=\"soft small\">", to->stream);
     html_text(to->stream, to->names[result]);
     fputs("</span></h2>\n", to->stream);
+    // Write the sections.
     page_machine(to, result);
     page_parts(to, result);
     page_found(to, result);

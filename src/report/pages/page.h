@@ -1,4 +1,4 @@
-// The HTML page of a report, written section by section.
+// Writes the HTML page of a report, section by section.
 #ifndef REPORT_PAGE_H
 #define REPORT_PAGE_H
 
@@ -20,7 +20,7 @@ typedef struct drawn_figure {
     const whirl_table *table; ///< its table
     whirl_figure_name name;
     char caption[900];
-    bool whole; ///< a figure of the whole result
+    bool whole; ///< a drawing of the machine, not of a table's points
     bool drawn; ///< gnuplot made its pictures
 } drawn_figure;
 
@@ -29,12 +29,12 @@ typedef struct drawn_figures {
     drawn_figure *items;
 } drawn_figures;
 
-/// Content of a page. Borrowed.
+/// Content of a page. All pointers are borrowed.
 typedef struct page {
     FILE *stream;
     const whirl_result *const *results;      ///< [count]
     const char *const *names;                ///< [count] as the caller names them
-    const char (*folders)[FOLDER_NAME_SIZE]; ///< [count] folders of their files, next to the page
+    const char (*folders)[FOLDER_NAME_SIZE]; ///< [count] folders of the results' files, next to the page
     size_t count;
     const whirl_claims *claims;    ///< NULL: none
     const claim_outcome *outcomes; ///< [claims->count][count]
@@ -42,7 +42,7 @@ typedef struct page {
     const whirl_shown_units *units;    ///< [count]
     whirl_findings *const *findings;   ///< [count]
     const whirl_case *const *machines; ///< [count] cases of the results (machine_of)
-    bool *failed;                      ///< a part of the page failed for lack of memory
+    bool *failed;                      ///< becomes true if memory is missing for a part of the page
     bool explorer;                     ///< explorer.html is next to the page
     bool printed;                      ///< for printing: all figures are loaded at once
 } page;
@@ -50,16 +50,16 @@ typedef struct page {
 /// Writes the whole page.
 void page_write(const page *to);
 
-/// Documents of an analysis, in the usual order of such reports.
+/// Kinds of documents of an analysis; their chapters have the usual order of such reports.
 typedef enum analysis_kind { ANALYSIS_LATERAL, ANALYSIS_TORSIONAL, ANALYSES } analysis_kind;
 
-/// Names of their files, without ending: "lateral", "torsional".
+/// Names of the documents' files, without ending: "lateral", "torsional".
 extern const char *const analysis_names[ANALYSES];
 
 /// Writes the page of an analysis.
 void analysis_write(const page *to, analysis_kind kind);
 
-/// Sections.
+/// Write the sections of a page.
 void page_head(const page *to, const char *title);
 void page_document(const page *to); ///< tag, customer, revision, ... of the first result
 void page_style(FILE *stream);
@@ -67,7 +67,7 @@ void page_claims(const page *to);               ///< the table of claims, and cl
 void page_found(const page *to, size_t result); ///< verdicts in numbers, and the main figure
 void page_parameters(const page *to, size_t result);
 void page_computed(const page *to, size_t result); ///< computed tables, parameters
-void page_warnings(const page *to, size_t result); ///< warnings, laws left behind, doubtful places of rest
+void page_warnings(const page *to, size_t result); ///< warnings, laws used beyond their range, doubtful places of rest
 void page_provenance(const page *to, size_t result);
 void page_intervals(const page *to, size_t result);  ///< regimes along the sweep
 void page_jumps(const page *to, size_t result);      ///< jumps between neighbours of one regime
@@ -75,11 +75,12 @@ void page_attractors(const page *to, size_t result); ///< attractors of a basin
 void page_starts(const page *to, size_t result);     ///< attractors of places with several starts
 void page_points(const page *to, size_t result);     ///< the table of points
 void page_motions(const page *to, size_t result, const whirl_table *table); ///< verdicts, sizes and contacts of motions
-const char *page_diagrams_title(const whirl_result *result); ///< title of its diagrams over parameters; static text
-void page_machine(const page *to, size_t result);            ///< the machine's drawing
+const char *
+page_diagrams_title(const whirl_result *result);  ///< title of a result's diagrams over parameters; static text
+void page_machine(const page *to, size_t result); ///< the machine's drawing
 void page_figures(const page *to, size_t result); ///< all figures except the machine's drawing and the main one
 void page_figure(const page *to, const drawn_figure *what);
 const drawn_figure *page_main_figure(const page *to,
-                                     size_t result); ///< parameter of its first diagram; NULL without one
+                                     size_t result); ///< first diagram of a result; NULL without one
 
 #endif

@@ -1,4 +1,4 @@
-// The table of claims and findings.
+// Writes the table of claims and findings.
 #include <math.h>
 #include <string.h>
 
@@ -22,7 +22,7 @@ static void write_badge(FILE *stream, whirl_agreement agreement) {
     fprintf(stream, "<span class=\"badge %s\">%s</span>", badges[agreement].style, badges[agreement].text);
 }
 
-/// Writes a line for each part, with a mark if a claim has several.
+/// Writes a line for each part of a claim; the lines have marks if there are several.
 static void write_findings(FILE *stream, const claim_outcome *of) {
     fprintf(stream, "<ul class=\"findings%s\">", of->count > 1 ? " marked" : "");
     for (size_t i = 0; i < of->count; i++) {

@@ -1,4 +1,4 @@
-// The figures with their captions, and the files that they were made from.
+// Writes the figures with their captions, and links to their pictures, scripts and data.
 #include "html.h"
 #include "page.h"
 
@@ -54,7 +54,7 @@ const char *page_diagrams_title(const whirl_result *result) {
 
 void page_figures(const page *to, size_t index) {
     bool points = false, diagrams = false;
-    // Figures of diagrams come before those of single points; the main figure is shown elsewhere.
+    // Write figures of diagrams, then of single points; the main figure is shown elsewhere.
     for (size_t i = 0; i < to->figures->count; i++) {
         const drawn_figure *what = &to->figures->items[i];
         if (what->result != index || what->whole || what == page_main_figure(to, index)) continue;

@@ -1,4 +1,4 @@
-// Statements and sheets in the page.
+// Writes statements and sheets into the page.
 #include <stdlib.h>
 #include <string.h>
 
@@ -29,7 +29,7 @@ size_t page_statements(const page *to, size_t result, const whirl_table *table) 
     return count;
 }
 
-/// Returns the class of a cell: numbers are aligned right, and long texts get a width on which they can be read.
+/// Returns the class of a cell: numbers are aligned right, and long texts get a wide column.
 static const char *cell_class(const whirl_column *column, const char *text) {
     enum { LONG = 28 };
     if (column->digits > 0 && !column->between) return " class=\"number\"";
@@ -58,7 +58,7 @@ static void write_row(FILE *stream, const whirl_sheet *sheet, size_t row) {
     fputs("</tr>\n", stream);
 }
 
-/// Writes a sheet; with many points only every n-th one.
+/// Writes a sheet; of many points only every n-th.
 static void write_sheet(const page *to, const whirl_sheet *sheet) {
     const size_t step = sheet->of_points ? 1 + (sheet->rows - 1) / MAX_ROWS : 1;
     fputs("<h4>", to->stream);
@@ -118,7 +118,7 @@ void page_asked(const page *to) {
             write_phrase(to, &own->judged);
             fprintf(to->stream, "<td class=\"whole\">%s</td></tr>\n", own->clause);
         }
-    // End the table with where its clauses come from.
+    // End the table with the source of its clauses.
     if (count == 0) return;
     fputs("</tbody></table></div>\n<p class=\"soft small\">Clauses are those of API RP 684, 2nd edition of 2005; "
           "API 617 has 2.6 (7th edition, 2002) or 4.8 (8th, 2014, part 1) in place of SP6.8. Which standard "

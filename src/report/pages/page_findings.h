@@ -1,4 +1,4 @@
-/// Statements and sheets.
+/// Writes statements and sheets.
 #ifndef REPORT_PAGE_FINDINGS_H
 #define REPORT_PAGE_FINDINGS_H
 
@@ -15,7 +15,7 @@ void page_sheets(const page *to, size_t result, const whirl_table *table);
 /// Writes the acceptance criteria of all results: criterion, required, found, verdict, clause.
 void page_asked(const page *to);
 
-/// Writes a part of a page as a text, to be freed; NULL without memory, and then page.failed is set.
+/// Writes a part of a page as a text, which the caller frees. Without memory it returns NULL and sets page.failed.
 typedef void page_part(const page *to, size_t result, const whirl_table *table);
 char *page_text(const page *to, page_part *write, size_t result, const whirl_table *table);
 

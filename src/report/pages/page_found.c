@@ -1,4 +1,4 @@
-// The findings that come first on a page, and the figure that shows them.
+// Writes the findings that come first on a page with the main figure, attractors of a basin, and jumps.
 #include <math.h>
 #include <string.h>
 
@@ -15,8 +15,8 @@
 #include "whirl/engine/shown.h"
 #include "whirl/status.h"
 
-/// Returns true if sentences cover a table; detail points are covered by the sweep. Branches and tori of which none was
-/// found have a statement that says so.
+/// Returns true if sentences describe a table; the sentences of the sweep cover detail points. A study that found no
+/// branch or torus has a statement about that.
 static bool is_covered(const whirl_result *result, const whirl_table *table) {
     if (table->count == 0) return shown_kind_of(table);
     return table->role != WHIRL_ROLE_DETAIL || result->table_count == 1;
@@ -40,7 +40,7 @@ void page_found(const page *to, size_t index) {
 }
 
 // ---------------------------------------------------------------- page_attractors
-// Attractors of a basin, one row each: how many starts come to rest on it.
+// Attractors of a basin, one row each: how many starts lead to it.
 
 enum { SHOWN = 64 };
 
@@ -82,7 +82,7 @@ void page_attractors(const page *to, size_t index) {
 }
 
 // ---------------------------------------------------------------- page_jumps
-// Jumps along the sweep: where one regime goes on but the motion does not.
+// Jumps along the sweep: places where the regime stays the same but the motion changes suddenly.
 
 enum { MAX_JUMPS = 24 };
 
@@ -120,7 +120,7 @@ void page_jumps(const page *to, size_t index) {
         "sweep with <code>start: carry</code> and <code>direction: both</code>, or other "
         "initial states, may decide.</p>\n",
         count, count == 1 ? "" : "s", count == 1 ? "it" : "them");
-    // List the largest of them.
+    // List the largest jumps.
     html_table(to->stream, "Jumps within a regime", "");
     fputs("<thead><tr><th>", to->stream);
     html_text(to->stream, label);

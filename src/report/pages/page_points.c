@@ -1,4 +1,4 @@
-// Regimes along the sweep, and the table of the points that are shown one by one.
+// Writes the regimes along the sweep, and the tables of points in detail.
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -26,7 +26,7 @@ static void write_swatch(FILE *stream, regime_class kind) {
 /// A table of a sweep, with the unit in which its parameter is shown.
 typedef struct shown_table {
     const whirl_table *table;
-    double unit; ///< in SI
+    double unit; ///< unit of the parameter, in SI
 } shown_table;
 
 static void write_range(FILE *stream, const shown_table *of, size_t first, size_t last) {
@@ -111,7 +111,7 @@ void page_intervals(const page *to, size_t index) {
         group = regime_group(&intervals[i], count - i);
         windows += group - 1;
     }
-    // Show merged intervals, and all of them in a part to unfold.
+    // Write merged intervals, and all intervals in a part to unfold.
     fprintf(to->stream, "<h3 id=\"regimes-%zu\">Regimes along the sweep</h3>\n", index + 1);
     write_interval_head(to->stream, label);
     write_merged(to->stream, &shown, intervals, count, branches);
@@ -159,7 +159,7 @@ static void write_value(const point_page *to, size_t point, size_t rows) {
     fputs("</th>", to->stream);
 }
 
-/// Begins a table with the point in its first column.
+/// Begins a table whose first column is the value of the parameter.
 static void begin_table(const point_page *to, const char *label) {
     char parameter[UNIT_LABEL_SIZE];
     units_parameter_label(to->units, to->table->parameter, parameter, sizeof parameter);
@@ -186,7 +186,7 @@ static void write_confidence(FILE *stream, const whirl_verdict *verdict) {
     html_printf(stream, same ? ", confirmed" : "; at the second tolerance %s", other);
 }
 
-/// Writes all exponents, their sum and its exact value, if they were computed.
+/// Writes all exponents, their sum and its exact value from the equations, if they were computed.
 static void write_exponents(FILE *stream, const whirl_table *table, size_t point) {
     const numbers values = point_numbers(table, point, WHIRL_FIELD_EXPONENTS_VALUES, 0);
     const numbers errors = point_numbers(table, point, WHIRL_FIELD_EXPONENTS_ERRORS, 0);
@@ -282,7 +282,8 @@ static bool has_gap(const whirl_result *result) {
     return found;
 }
 
-/// Writes the frequency of a line, or its order, with an X if the other lines have frequencies.
+/// Writes the frequency of a line, or its order if the frequency is unknown: with an X where other lines have
+/// frequencies.
 static void write_place(const point_page *to, double order, double frequency) {
     char text[NUMBER_SIZE];
     number_shown(order * frequency, 4, text, sizeof text);
@@ -336,7 +337,7 @@ static void write_sizes(const point_page *to) {
     if (!whirl_layout_field(&to->table->layout, WHIRL_FIELD_ORBIT_MAX_RADIUS) &&
         !whirl_layout_field(&to->table->layout, WHIRL_FIELD_SPECTRUM_LINES))
         return;
-    // Write the head; columns for bearings and gaps only where the machine has them.
+    // Write the head, with columns for bearings and gaps only if the machine has them.
     char radius[UNIT_LABEL_SIZE], amplitude[UNIT_LABEL_SIZE];
     units_length_label(to->units, WHIRL_ZERO_TO_PEAK, "radius", radius, sizeof radius);
     units_length_label(to->units, WHIRL_AMPLITUDE, "larger amplitude of x and y", amplitude, sizeof amplitude);
@@ -378,7 +379,7 @@ static void write_synchronous(const point_page *to, size_t point, size_t station
 }
 
 static void write_running_speed(const point_page *to) {
-    // Orders are those of the keyphasor, if the case names one.
+    // Name the speed to which phases refer: that of the keyphasor, if the case names one.
     static const char *const parts[SYNCHRONOUS_PARTS] = {"x", "y", "forward", "backward"};
     char amplitude[UNIT_LABEL_SIZE];
     if (!whirl_layout_field(&to->table->layout, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS)) return;
@@ -402,7 +403,7 @@ static void write_running_speed(const point_page *to) {
         for (size_t s = 0; s < to->result->station_count && whirl_table_done(to->table, i); s++)
             write_synchronous(to, i, s);
     end_table(to);
-    // Explain from where lags are counted.
+    // Explain what lags refer to.
     fputs(*keyphasor
               ? "<p class=\"soft small\">Lags are in degrees behind its phase, which begins with every revolution: "
               : "<p class=\"soft small\">Lags are in degrees behind a mark on the shaft that stands on the x axis "
@@ -413,15 +414,15 @@ static void write_running_speed(const point_page *to) {
 
 // ---------------------------------------------------------------- watched quantities
 
-/// Returns true for fields with one row for every station or contact over the whole record: the analyses of watched
-/// quantities.
+/// Returns true for fields of the analyses orbit and rub with one row for every station or contact, over the whole
+/// record.
 static bool is_watched(const whirl_field *field, whirl_extent extent) {
     return field->extent == extent && field->rows == 1 &&
            (strncmp(field->name, "orbit/", 6) == 0 || strncmp(field->name, "rub/", 4) == 0);
 }
 
-/// Shown unit of a field's numbers, which are forces, torques or powers; NULL for others. Powers are in W unless
-/// another unit is chosen: contacts lose little.
+/// Returns the shown unit of a field of forces, torques or powers; NULL for other fields. Powers are in W unless
+/// another unit is chosen, since the losses in contacts are small.
 static const whirl_unit *watched_unit(const point_page *to, const whirl_field *field) {
     static const whirl_unit watts = {"W", 1.0};
     static const struct {
@@ -436,7 +437,7 @@ static const whirl_unit *watched_unit(const point_page *to, const whirl_field *f
     return NULL;
 }
 
-/// Writes a heading "max radius / c", "mean x (um)", "max force (N)", with the meaning as its title.
+/// Writes a heading "max radius / c", "mean x (um)", "max force (N)", with the meaning of the number as its title.
 static void write_watched_head(const point_page *to, const whirl_field *field, size_t column) {
     char name[2 * WHIRL_NAME_SIZE], label[sizeof name + UNIT_LABEL_SIZE];
     char columns[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE];
@@ -479,7 +480,7 @@ static void write_watched_of(const point_page *to, size_t point, size_t which, w
     fputs("</tr>\n", to->stream);
 }
 
-/// Writes a table of all stations, or of all contacts, if anything was watched there.
+/// Writes a table of all stations, or of all contacts, if the analyses orbit or rub were made there.
 static void write_watched(const point_page *to, whirl_extent extent, const char *label, const char *head) {
     const whirl_layout *layout = &to->table->layout;
     size_t fields = 0, repeat = 0;

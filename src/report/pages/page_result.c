@@ -1,4 +1,4 @@
-// Computation of a result: tables, parameters, numerical options, and origin.
+// Writes how a result was computed: tables, parameters, numerical options, and origin.
 #include <math.h>
 #include <string.h>
 
@@ -33,7 +33,8 @@ static void describe_axis(const whirl_shown_units *units, const char *parameter,
     snprintf(text + used, size - used, "%s from %.6g to %.6g", label, first / unit, last / unit);
 }
 
-/// "r_k from 1 to 0.1 by rho from 0.04 to 0.12: 61 by 33, 2013 points"; "... in 3 planes, sigma from 1 to 2: ...".
+/// Writes "r_k from 1 to 0.1 by rho from 0.04 to 0.12: 61 by 33, 2013 points"; with a third parameter "... in 3 planes,
+/// sigma from 1 to 2: ...".
 static void describe_plane(const whirl_shown_units *units, const whirl_table *table, const char *count, char *text,
                            size_t size) {
     const size_t last = table->count - 1;
@@ -58,7 +59,7 @@ static void describe_refinement(const whirl_table *table, char *text, size_t siz
              table->refine, 100.0 * (double)table->count / grid, each, whirl_table_grid_revolutions(table));
 }
 
-/// "25 points, 48 starts each and 3 from neighbours".
+/// Writes "25 points, 48 starts each and 3 from neighbours".
 static void describe_starts(const whirl_table *view, char *text, size_t size) {
     const whirl_table *table = view->source;
     const size_t all = table->count;
@@ -97,7 +98,7 @@ static void describe_points(const whirl_shown_units *units, const whirl_table *t
                  all->values[all->count - 1] / unit, count);
         return;
     }
-    // Find the last point of the way forward, and how starts were carried.
+    // Count the points from the first value to the last, and find whether starts were carried.
     size_t forward = 0;
     bool reverse = false;
     for (size_t i = 0; i < table->count; i++) {
@@ -112,8 +113,8 @@ static void describe_points(const whirl_shown_units *units, const whirl_table *t
                                                                  : "");
 }
 
-/// Writes method, steps per revolution (or the tolerance), transient and record, as far as they apply: machines at rest
-/// have no motions, and branches no transient.
+/// Writes method, steps per revolution (or the tolerance), transient and record, as far as they apply: studies of
+/// machines at rest have no motions, and branches no transient.
 static void write_way(FILE *stream, const whirl_table *table) {
     const whirl_integrate_options *how = &table->integrate;
     const whirl_kind *kind = whirl_analysis_kind(table->analyses);
@@ -180,7 +181,7 @@ void page_parameters(const page *to, size_t index) {
     fputs("</tbody></table></div>\n", stream);
 }
 
-/// " (stator at 1.2 c)".
+/// Appends " (stator at 1.2 c)".
 static void append_gap(const whirl_shown_units *units, const whirl_probe *station, char *text, size_t size) {
     const size_t used = strlen(text);
     snprintf(text + used, size - used, " (stator at %.4g %s)", units->length * station->gap, units->length_name);
@@ -194,7 +195,7 @@ static void write_doubt(FILE *stream, const char *what, const whirl_table *table
     fputs("</p>\n", stream);
 }
 
-/// Writes places where laws leave their range, and doubts about places of rest.
+/// Writes points that are beyond the range of laws, and doubts about places of rest.
 static void page_ranges(const page *to, size_t index) {
     const whirl_result *result = to->results[index];
     char text[RANGE_TEXT_SIZE];
@@ -254,7 +255,7 @@ void page_computed(const page *to, size_t index) {
     const whirl_unit *const length = &units->of[WHIRL_QUANTITY_LENGTH];
     snprintf(text, sizeof text, "%.6g %s", result->length_scale / length->size, length->name);
     write_row(to->stream, "Length scale", text);
-    // List the stations, with what surrounds them.
+    // List the stations, with bearings, seals and stators around them.
     text[0] = '\0';
     for (size_t s = 0; s < result->station_count; s++) {
         const size_t used = strlen(text);

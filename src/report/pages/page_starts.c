@@ -1,4 +1,4 @@
-// Coexisting attractors: where the starts of every point lead.
+// Writes coexisting attractors: where the starts of every point lead.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,7 +24,7 @@ static const char *plural(size_t count) {
     return count == 1 ? "" : "s";
 }
 
-/// "P-1, P-2, chaotic": the motions of rows, each named once.
+/// Writes "P-1, P-2, chaotic": the motions of rows, each named once.
 static void write_motions(const shown_view *to, size_t first, size_t end) {
     char names[MAX_NAMES][WHIRL_NAME_SIZE];
     size_t count = 0;
@@ -43,7 +43,7 @@ static void write_motions(const shown_view *to, size_t first, size_t end) {
 static void write_attractor(const shown_view *to, size_t first, size_t end) {
     const whirl_table *table = to->table;
     const whirl_coexisting *one = &table->attractors[first];
-    // Find the range of shares, and the number of points where its own starts met the attractor.
+    // Find the range of shares, and the number of points whose own starts led to the attractor.
     double low = one->share, high = one->share, error = one->error;
     size_t met = 0;
     for (size_t i = first; i < end; i++) {
@@ -89,7 +89,8 @@ static void write_attractors(const shown_view *to, const char *label) {
     if (shown > SHOWN) fprintf(to->stream, "<p class=\"soft small\">And %zu more.</p>\n", shown - SHOWN);
 }
 
-/// Returns the number of attractors at every place [places], to be freed, followed by the parameter's values [places].
+/// Returns the number of attractors at every point [places], followed by the parameter's values [places]; the caller
+/// frees it.
 static double *places_of(const whirl_table *table, size_t places) {
     double *found = calloc(2 * places + 1, sizeof *found);
     for (size_t i = 0; found && i < table->count; i++) {
@@ -99,7 +100,7 @@ static double *places_of(const whirl_table *table, size_t places) {
     return found;
 }
 
-/// "Several exist side by side at 7 of 41 points: 0.29 to 0.31, 0.498."
+/// Writes "Several exist side by side at 7 of 41 points: 0.29 to 0.31, 0.498."
 static void write_side_by_side(const shown_view *to, size_t places) {
     double *found = places_of(to->table, places);
     const double *values = found ? found + places : NULL;

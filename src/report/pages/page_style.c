@@ -53,7 +53,7 @@ void page_style(FILE *stream) {
         ".missing{border:1px dashed var(--line);background:var(--wash);padding:2rem;max-width:52rem}",
         "details{margin:.8rem 0}summary{cursor:pointer;color:var(--link)}",
         "pre{overflow-x:auto;background:var(--wash);padding:1rem;font-size:.82rem;line-height:1.4}",
-        // Contents next to the text on wide screens.
+        // Put the contents next to the text on wide screens.
         "@media (min-width:90rem){body{max-width:96rem;display:grid;grid-template-columns:13rem minmax(0,1fr);"
         "column-gap:3rem}header{grid-column:2}nav{grid-column:1;grid-row:2;align-self:start;position:sticky;top:1.5rem;"
         "max-height:calc(100vh - 3rem);overflow-y:auto;font-size:.9rem}nav ul{display:block;margin:0}"

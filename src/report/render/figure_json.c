@@ -1,4 +1,4 @@
-// A figure as JSON (docs/figures.md).
+// Writes a figure as JSON (docs/figures.md).
 #include <jansson.h>
 #include <string.h>
 
@@ -10,7 +10,7 @@ static const char *const shapes[] = {"dots", "line", "area", "bars", "boxes", "t
 static const char *const marks[] = {"disc", "ring", "square", "frame", "up", "down", "diamond", "cross"};
 static const char *const sides[] = {"above", "below", "left", "right", "slanted", "beside"};
 
-/// A label may have two lines.
+/// Puts a label; one with two lines becomes two texts.
 static void put_label(bool *well, json_t *object, const char *label) {
     char first[sizeof((whirl_axis *)NULL)->label];
     snprintf(first, sizeof first, "%s", label);

@@ -1,4 +1,4 @@
-// Figures as texts, for programs in other languages.
+// Writes figures as texts in memory, for programs in other languages.
 #include <stdlib.h>
 
 #include "text_written.h"

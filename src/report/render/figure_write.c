@@ -1,4 +1,4 @@
-// Writing a figure to a file: JSON, or gnuplot's output for its script.
+// Writes a figure to a file: JSON, or a picture by gnuplot.
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -36,7 +36,7 @@ static whirl_status draw(const whirl_figure *figure, const char *folder, const c
 }
 
 /// Returns an error with gnuplot's first message.
-static whirl_status tell_why(const whirl_figure *figure, const char *folder) {
+static whirl_status gnuplot_failure(const whirl_figure *figure, const char *folder) {
     char path[FILE_PATH_SIZE], line[200] = "";
     snprintf(path, sizeof path, "%.4000s/figure.gp.log", folder);
     FILE *log = fopen(path, "r");
@@ -55,7 +55,7 @@ static whirl_status write_drawn(const whirl_figure *figure, const char *path, co
     whirl_status status = folder_make_temporary(folder, own);
     if (status.code != WHIRL_OK) return status;
     status = draw(figure, own, format, program);
-    if (status.code == WHIRL_IO_ERROR) status = tell_why(figure, own);
+    if (status.code == WHIRL_IO_ERROR) status = gnuplot_failure(figure, own);
     if (status.code == WHIRL_MISSING_PROGRAM)
         status =
             whirl_fail(status.code, "%.200s is not there, by which figures are drawn (apt-get install gnuplot-nox)",

@@ -44,7 +44,7 @@ void gnuplot_comment(FILE *script, const char *text) {
     }
 }
 
-/// Environment of all jobs. Scripts are UTF-8, which gnuplot assumes only in a UTF-8 locale.
+/// Program and environment of all jobs. Scripts are UTF-8, which gnuplot assumes only in a UTF-8 locale.
 typedef struct launch {
     const char *program;
     char **environment; ///< environment of this process, with a UTF-8 locale
@@ -62,7 +62,7 @@ static char **utf8_environment(void) {
     return made;
 }
 
-/// Becomes gnuplot in the job's folder. Only calls that are safe between fork and exec.
+/// Replaces this process by gnuplot in the job's folder; uses only calls that are safe between fork and exec.
 static _Noreturn void become_gnuplot(const launch *how, const gnuplot_job *job, const char *log) {
     if (chdir(job->folder) != 0) _exit(1);
     const int nothing = open("/dev/null", O_RDONLY);
@@ -93,7 +93,7 @@ static void remove_empty_log(const gnuplot_job *job) {
     if (stat(path, &found) == 0 && found.st_size == 0) unlink(path);
 }
 
-/// Removes files with the names of gnuplot's outputs first: gnuplot would write through links, and keep the old modes.
+/// Removes earlier outputs of gnuplot, which would write through links and keep the modes of existing files.
 static void remove_earlier(const gnuplot_job *job) {
     static const char *const endings[] = {"png", "pdf", "gp.log"};
     char path[4096 + LOG_NAME_SIZE];
@@ -114,14 +114,14 @@ static pid_t gnuplot_start(const launch *how, const gnuplot_job *job) {
     return child;
 }
 
-/// Running children, each with its job.
+/// Running children, each with the index of its job.
 typedef struct crew {
     size_t count;
     pid_t child[MAX_PROCESSES];
     size_t job[MAX_PROCESSES];
 } crew;
 
-/// Waits for the oldest child; returns its exit status.
+/// Waits for the oldest child, notes whether its job was drawn, and returns its exit status.
 static int finish_oldest(crew *running, gnuplot_job *jobs) {
     int wait_status = 0;
     while (waitpid(running->child[0], &wait_status, 0) < 0)

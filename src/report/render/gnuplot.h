@@ -1,4 +1,4 @@
-/// gnuplot: strings for its scripts, and running them.
+/// Writes strings of gnuplot scripts, and runs gnuplot.
 #ifndef REPORT_GNUPLOT_H
 #define REPORT_GNUPLOT_H
 
@@ -16,10 +16,10 @@ void gnuplot_string(FILE *script, const char *text);
 /// Writes text within a comment line: one line, and no backslash that would join it with the next.
 void gnuplot_comment(FILE *script, const char *text);
 
-/// A script in a folder; `drawn` is the result.
+/// A script in a folder; gnuplot_run sets `drawn`.
 typedef struct gnuplot_job {
     const char *folder; ///< borrowed
-    const char *script; ///< file name in it; borrowed
+    const char *script; ///< file name in the folder; borrowed
     bool drawn;
 } gnuplot_job;
 

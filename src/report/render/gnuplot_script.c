@@ -9,10 +9,10 @@
 
 enum { MARKUP_SIZE = 1024 };
 
-/// gnuplot's point types of whirl_mark.
+/// Point types of gnuplot, one for each whirl_mark.
 static const int point_types[] = {7, 6, 5, 4, 9, 11, 13, 2};
 
-/// pt of a mark of pointsize 1, and of a line of linewidth 1, as the terminals below are set up.
+/// Sizes in points of a mark of pointsize 1 and a line of linewidth 1, with the terminals below.
 static const double MARK = 4.5, LINE = 0.75;
 
 // ---------------------------------------------------------------- text
@@ -47,8 +47,8 @@ static void put_text(FILE *script, const char *label) {
 
 // ---------------------------------------------------------------- numbers
 
-/// Logarithmic axes are drawn as linear axes of logarithms with own ticks: gnuplot's logarithmic axes stay linked to
-/// the axes of the following panels.
+/// Returns the place of a value on an axis. A logarithmic axis is drawn as a linear axis of logarithms with ticks of
+/// its own, since a logarithmic axis of gnuplot stays linked to the axes of the following panels.
 static double place(const whirl_axis *axis, double value) {
     if (!axis->logarithmic) return value;
     return value > 0.0 ? log10(value) : (double)NAN;
@@ -78,7 +78,7 @@ static bool is_break(const whirl_series *series, size_t k) {
 }
 
 static void write_series(FILE *data, const whirl_panel *panel, const whirl_series *series) {
-    bool open = false; // inside a line: an empty line breaks it, two empty lines would end the block
+    bool open = false; // inside a line: an empty line of text breaks it, two would end the block
     for (size_t k = 0; k < series->count; k++) {
         if (is_break(series, k)) {
             if (open) fputc('\n', data);
@@ -154,7 +154,7 @@ static void write_axis(FILE *script, const whirl_axis *axis, char which) {
     }
 }
 
-/// Writes the label of a vertical axis, in line with those of other panels.
+/// Writes the label of a vertical axis, in line with the labels of other panels.
 static void write_upright_label(FILE *script, const whirl_figure *figure, const whirl_panel *panel) {
     char label[MARKUP_SIZE];
     if (!panel->y.shown || !*panel->y.label) return;
@@ -165,7 +165,7 @@ static void write_upright_label(FILE *script, const whirl_figure *figure, const 
     // A second line comes between the first and the numbers: both move by half a line.
     const double left = panel->left - (beside + (rest ? 0.021 * figure->font : 0.0)) / figure->width;
     fputs("set label 2 ", script);
-    // A double-quoted text has the line break.
+    // Write the line break as a double-quoted text: single quotes do not expand it.
     if (rest) *rest = '\0';
     gnuplot_string(script, label);
     if (rest) {
@@ -199,7 +199,7 @@ static void write_style(FILE *script, const whirl_series *series) {
     }
 }
 
-/// Boxes have an edge of their own colour, so that nothing shines through between neighbours.
+/// Writes boxes with an edge of their own colour, so that no gap is visible between neighbours.
 static void write_boxes(FILE *script, const whirl_series *series) {
     if (series->values)
         fputs(
@@ -234,7 +234,7 @@ static void write_plot(FILE *script, const whirl_series *series, size_t index) {
     fputs(" notitle", script);
 }
 
-/// Dots in a legend are larger than in the panel, to be visible.
+/// Writes an entry of a legend; its dots are larger than in the panel, to be visible.
 static void write_entry(FILE *script, const whirl_series *series) {
     const bool box = series->shape == WHIRL_BOXES || series->shape == WHIRL_AREA;
     fputs("keyentry ", script);
@@ -249,7 +249,7 @@ static void write_entry(FILE *script, const whirl_series *series) {
     put_text(script, series->name);
 }
 
-static bool is_told_before(const whirl_figure *figure, size_t p, size_t s) {
+static bool is_in_legend_before(const whirl_figure *figure, size_t p, size_t s) {
     const char *name = figure->panels[p]->series[s]->name;
     for (size_t i = 0; i <= p; i++)
         for (size_t k = 0; k < (i == p ? s : figure->panels[i]->count); k++)
@@ -257,14 +257,16 @@ static bool is_told_before(const whirl_figure *figure, size_t p, size_t s) {
     return false;
 }
 
-/// Counts the entries of the legend inside a panel or, past the last panel, of the figure's legend.
+/// Writes the entries of the legend inside a panel or, for an index past the last panel, of the figure's legend.
+/// Returns their number.
 static size_t write_entries(FILE *script, const whirl_figure *figure, size_t panel) {
     const bool own = panel < figure->count;
     size_t count = 0;
     for (size_t p = own ? panel : 0; p < (own ? panel + 1 : figure->count); p++)
         for (size_t s = 0; s < figure->panels[p]->count; s++) {
             const whirl_series *series = figure->panels[p]->series[s];
-            if (!*series->name || figure->panels[p]->keyed != own || (!own && is_told_before(figure, p, s))) continue;
+            if (!*series->name || figure->panels[p]->keyed != own || (!own && is_in_legend_before(figure, p, s)))
+                continue;
             fputs(count++ ? ", \\\n  " : "plot ", script);
             write_entry(script, series);
         }
@@ -296,8 +298,8 @@ static bool has_lines(const whirl_figure *figure) {
     return false;
 }
 
-/// Characters by which gnuplot is to narrow an entry of the legend: it counts all letters as wide ones, which makes
-/// long names too wide by some, short ones by none.
+/// Returns the number of characters by which gnuplot shall narrow entries of the legend: it takes all letters for wide
+/// ones, so that long names get too much room.
 static size_t legend_excess(const whirl_figure *figure) {
     enum { LETTERS = 8, MAX_EXCESS = 1 };
     size_t longest = 0;
@@ -420,7 +422,7 @@ void gnuplot_write_script(FILE *script, const whirl_figure *figure, const char *
     size_t index = 0;
     write_head(script, figure, name, data);
     write_palette(script, &figure->scale);
-    // Cairo's point is 1/96 inch: the scales correct the sizes of fonts, lines and points.
+    // Scale fonts, lines and points, as a point of Cairo is 1/96 inch.
     fprintf(script,
             "do for [format in '%s'] {\n"
             "if (format eq 'png') {\n"

@@ -1,4 +1,4 @@
-/// Figures for gnuplot: a script and its data.
+/// Writes figures for gnuplot: a script and its data.
 #ifndef REPORT_GNUPLOT_SCRIPT_H
 #define REPORT_GNUPLOT_SCRIPT_H
 
@@ -10,7 +10,8 @@
 /// Writes the numbers of a figure, one block for each series, in the order of panels and series.
 void gnuplot_write_data(FILE *data, const whirl_figure *figure);
 
-/// Writes the script that draws them from the file `data` into NAME.FORMAT for each word of `formats` ("png pdf").
+/// Writes the script that draws the numbers of the file `data` into NAME.FORMAT, for each word of `formats` ("png
+/// pdf").
 void gnuplot_write_script(FILE *script, const whirl_figure *figure, const char *name, const char *data,
                           const char *formats);
 

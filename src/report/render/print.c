@@ -12,7 +12,7 @@
 
 enum { COMMAND_MISSING = 127, NAME_SIZE = 64 };
 
-/// Becomes the program in the folder. Only calls that are safe between fork and exec.
+/// Replaces this process by the program in the folder; uses only calls that are safe between fork and exec.
 static _Noreturn void become(const char *program, const char *folder, char *page, char *pdf) {
     char name[] = "weasyprint", quiet[] = "--quiet";
     char *const arguments[] = {name, quiet, page, pdf, NULL};
@@ -24,6 +24,7 @@ static _Noreturn void become(const char *program, const char *folder, char *page
 }
 
 whirl_status document_print(const char *program, const char *folder, const char *page, const char *pdf) {
+    // Prepare the names of both files, and remove an earlier PDF.
     char from[NAME_SIZE], to[NAME_SIZE], path[4096 + NAME_SIZE];
     int outcome = 0;
     if (!program) program = "weasyprint";
@@ -31,11 +32,13 @@ whirl_status document_print(const char *program, const char *folder, const char 
     snprintf(to, sizeof to, "%.60s", pdf);
     snprintf(path, sizeof path, "%.4000s/%s", folder, to);
     unlink(path); // otherwise a link of this name would be followed
+    // Run the program, and wait for it.
     char *found = program_found(program);
     const pid_t child = found ? fork() : -1;
     if (child == 0) become(found, folder, from, to);
     while (child > 0 && waitpid(child, &outcome, 0) < 0 && errno == EINTR) continue;
     const int code = !found ? COMMAND_MISSING : child > 0 && WIFEXITED(outcome) ? WEXITSTATUS(outcome) : 1;
+    // Say what failed.
     whirl_status status = whirl_ok();
     if (code == COMMAND_MISSING)
         status =

@@ -1,4 +1,4 @@
-/// Documents to be printed, from pages.
+/// Makes documents to be printed from pages.
 #ifndef REPORT_PRINT_H
 #define REPORT_PRINT_H
 

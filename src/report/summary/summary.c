@@ -1,4 +1,4 @@
-// Summary of a result as text.
+// Writes the summary of a result as text.
 #include "summary.h"
 
 #include <stdlib.h>
@@ -24,7 +24,7 @@ static size_t count_from_neighbours(const whirl_table *table) {
     return count;
 }
 
-/// " and rho: 32 x 16 points", ", rho and sigma: 32 x 16 x 3 points".
+/// Writes " and rho: 32 x 16 points", or ", rho and sigma: 32 x 16 x 3 points" with a third parameter.
 static void print_axes(FILE *out, const whirl_table *table) {
     const size_t planes = whirl_table_planes(table);
     const bool stacked = table->plane > 0;
@@ -34,7 +34,7 @@ static void print_axes(FILE *out, const whirl_table *table) {
     fputs(" points", out);
 }
 
-/// "tolerances of omega: 3 points at each of 64 samples, of 5 machines each".
+/// Writes "tolerances of omega: 3 points at each of 64 samples, of 5 machines each".
 static void print_samples(FILE *out, const whirl_table *table) {
     const size_t places = whirl_table_places(table), each = whirl_tolerance_each(&table->tolerances);
     fprintf(out, "%s%s%s: %zu point%s at each of %d samples", table->name, *table->parameter ? " of " : "",
@@ -93,9 +93,9 @@ static whirl_status print_table(FILE *out, const whirl_findings *findings, const
                                 const whirl_case *machine, const whirl_table *table) {
     const shown_kind *kind = shown_kind_of(table);
     const bool single = !*table->parameter && whirl_table_planned(table) == 1;
-    // Say which method was chosen.
+    // Write the method that "auto" chose.
     if (table->integrate.chosen) fprintf(out, "method auto took %s for the %s\n", table->integrate.method, table->name);
-    // Head tables with their parameters; a single motion is headed by its verdict.
+    // Write a heading with the parameters of the table; the verdict is the heading of a single motion.
     const bool alone = !kind && single && !motions_beside(table);
     if (!alone) {
         summarize_heading(out, table);
@@ -120,12 +120,13 @@ static whirl_status print_table(FILE *out, const whirl_findings *findings, const
 }
 
 whirl_status whirl_result_write_summary(const whirl_result *result, FILE *out) {
+    // Write the title, warnings, fits, film tables, and how far the run came.
     size_t done, total;
     whirl_result *view;
     fprintf(out, "%s\n", result->title[0] ? result->title : result->case_name);
     whirl_shown_units units;
     char said[SENTENCE_SIZE];
-    whirl_result_shown_units(result, NULL, &units); // what a file says that is no unit chooses nothing
+    whirl_result_shown_units(result, NULL, &units); // an unknown unit in the file is ignored
     for (size_t i = 0; *whirl_result_warning(result, i); i++) {
         whirl_shown_sentence(&units, whirl_result_warning(result, i), said, sizeof said);
         fprintf(out, "warning: %s\n", said);
@@ -145,6 +146,7 @@ whirl_status whirl_result_write_summary(const whirl_result *result, FILE *out) {
         else
             fputs("partial: stopped when all points were done, before all were confirmed or refined\n", out);
     }
+    // Make the findings, of a view in which every attractor has a row.
     whirl_status status = whirl_result_by_attractor(result, &view);
     if (status.code != WHIRL_OK) return status;
     whirl_result_shown_units(view, NULL, &units);
@@ -152,6 +154,7 @@ whirl_status whirl_result_write_summary(const whirl_result *result, FILE *out) {
     whirl_case *machine = NULL;
     status = machine_of(view, &machine);
     if (status.code == WHIRL_OK) status = findings_of(view, &units, machine, &findings);
+    // Write the findings on the machine, then each table.
     if (status.code == WHIRL_OK && !findings_write_table(out, findings, "", MAX_ROWS, MAX_ROWS))
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a summary");
     for (size_t i = 0; i < view->table_count && status.code == WHIRL_OK; i++) {

@@ -1,4 +1,4 @@
-/// The parts of a summary; each writes whole lines.
+/// Writes the parts of a summary.
 #ifndef REPORT_SUMMARY_H
 #define REPORT_SUMMARY_H
 
@@ -18,19 +18,21 @@ const char *summary_plural(double count);
 void summary_range(const whirl_unit *unit, const whirl_table *table, size_t first, size_t last, char *text,
                    size_t size);
 
-/// Verdicts of a table in order of appearance, each with its number of points; for a refined map the points of its
-/// grid. Returns their number; 0 without verdicts or memory.
+/// A verdict, and the number of points that have it.
 typedef struct verdict_count {
     char name[VERDICT_SIZE];
     size_t points;
 } verdict_count;
+
+/// Lists the verdicts of a table in order of appearance, each with its number of points; for a refined map the points
+/// of its grid. Returns their number; 0 without verdicts or memory.
 size_t summary_counts(const whirl_table *table, verdict_count counts[SUMMARY_VERDICTS]);
 
-/// Returns the unit of lengths: the requested one, else the one of the case.
+/// Returns the unit of lengths: the requested unit, else that of the case.
 whirl_unit summary_length_unit(const whirl_shown_units *units);
 
 /// Writes the single point of a response, or every attractor of its starts; machine: the case of the result, or NULL.
-/// WHIRL_NO_MEMORY.
+/// Fails with WHIRL_NO_MEMORY.
 whirl_status summarize_response(FILE *out, const whirl_shown_units *units, const whirl_case *machine,
                                 const whirl_table *table);
 
@@ -40,20 +42,21 @@ void summarize_motions(FILE *out, const whirl_shown_units *units, const whirl_ca
 /// Writes the points that refinement computed again.
 void summarize_refinement(FILE *out, const whirl_table *table);
 
-/// "sweep of r_k: 512 points".
+/// Writes "sweep of r_k: 512 points".
 void summarize_heading(FILE *out, const whirl_table *table);
 
-/// Writes the numbers of points that rub, of failed exponents, and of verdicts by confidence; for a refined map over
-/// its grid.
+/// Numbers of points: all, those that rub, those with failed exponents, and those with a verdict by confidence.
 typedef struct summary_tally {
     size_t all, rubbing, failed, sure[WHIRL_HIGH + 1];
 } summary_tally;
+
+/// Counts the points of a table; for a refined map the points of its grid.
 summary_tally summary_tally_of(const whirl_shown_units *units, const whirl_table *table);
 
-/// Writes doubts, attractors, refinement, and jumps. WHIRL_NO_MEMORY.
+/// Writes doubts, attractors, refinement, and jumps. Fails with WHIRL_NO_MEMORY.
 whirl_status summarize_notes(FILE *out, const whirl_shown_units *units, const whirl_table *table);
 
-/// Writes the summary of many points below the heading. WHIRL_NO_MEMORY.
+/// Writes the summary of many points below the heading. Fails with WHIRL_NO_MEMORY.
 whirl_status summarize_points(FILE *out, const whirl_shown_units *units, const whirl_table *table);
 
 /// Writes the reasons of undetermined motions, their numbers, and the change that would settle them; nothing if there
@@ -61,10 +64,11 @@ whirl_status summarize_points(FILE *out, const whirl_shown_units *units, const w
 void summarize_doubts(FILE *out, const whirl_shown_units *units, const whirl_table *table);
 
 /// Writes the coexisting attractors of a table of a view (whirl_result_by_attractor) with their shares, and what the
-/// starts may have missed. Nothing for other tables. WHIRL_NO_MEMORY.
+/// starts may have missed; nothing for other tables. Fails with WHIRL_NO_MEMORY.
 whirl_status summarize_starts(FILE *out, const whirl_shown_units *units, const whirl_table *table);
 
-/// "attractor 2, 25 % +- 11 %" of a point of such a table, after `before`; nothing for other tables.
+/// Writes `before` and the attractor of a point of such a table, "attractor 2, 25 % +- 11 % of the starts"; nothing for
+/// other tables.
 void summarize_share(FILE *out, const whirl_table *table, size_t point, const char *before);
 
 #endif

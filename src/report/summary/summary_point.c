@@ -1,4 +1,4 @@
-// The summary of one motion.
+// Writes the summary of one motion.
 #include <math.h>
 #include <stdio.h>
 
@@ -43,7 +43,7 @@ static void print_radii(FILE *out, const whirl_shown_units *units, const whirl_t
         fprintf(out, " (in %.6g %s 0-p)\n", scale / unit.size, unit.name);
 }
 
-/// "at 1X: disc x 0.0225 mm 0-p lag 86.6 deg, y 0.0193 mm 0-p lag 128 deg", a line a station; phases as
+/// Writes "at 1X: disc x 0.0225 mm 0-p lag 86.6 deg, y 0.0193 mm 0-p lag 128 deg", a line for each station; phases as
 /// whirl_synchronous has them.
 static void print_synchronous(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point) {
     const whirl_result *result = units->result;
@@ -59,8 +59,8 @@ static void print_synchronous(FILE *out, const whirl_shown_units *units, const w
     }
 }
 
-/// "at BPFO 3.085X of ball_bearing at rear: wheel x 0.0225 um 0-p, y 0.0193 um 0-p", for the largest lines of a station
-/// that the machine has a name for.
+/// Writes "at BPFO 3.085X of ball_bearing at rear: wheel x 0.0225 um 0-p, y 0.0193 um 0-p", for the largest lines of a
+/// station whose orders have a name in the machine.
 static void print_named(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point,
                         const whirl_system *system) {
     const whirl_result *result = units->result;
@@ -85,7 +85,7 @@ static void print_named(FILE *out, const whirl_shown_units *units, const whirl_t
     }
 }
 
-/// Like print_named, for the machine at that point.
+/// Writes the named lines of a point (print_named) with the machine at that point.
 static void print_named_of(FILE *out, const whirl_shown_units *units, const whirl_case *machine,
                            const whirl_table *table, size_t point) {
     whirl_machine own;
@@ -95,7 +95,7 @@ static void print_named_of(FILE *out, const whirl_shown_units *units, const whir
     own.release(own.owner);
 }
 
-/// Writes "lines of its spectrum hold 61 % of the motion of disc" for stations with less than FEW_LINES in them.
+/// Writes "lines of its spectrum hold 61 % of the motion of disc" for stations with a share below FEW_LINES.
 static void print_shares(FILE *out, const whirl_result *result, const whirl_table *table, size_t point) {
     for (size_t s = 0; s < result->station_count; s++) {
         const double share = line_share(table, point, s);
@@ -105,7 +105,7 @@ static void print_shares(FILE *out, const whirl_result *result, const whirl_tabl
     }
 }
 
-/// "confidence: fair (one tolerance only); to settle it, let it run 2 times as long".
+/// Writes "confidence: fair (one tolerance only); to settle it, let it run 2 times as long".
 static void print_confidence(FILE *out, const whirl_verdict *verdict) {
     char other[VERDICT_SIZE], advice[WHIRL_MESSAGE_SIZE];
     // At the second tolerance only the regime is stored; a motion at rest is at rest at both.
@@ -128,7 +128,7 @@ static void print_verdict(FILE *out, const char *table, const whirl_verdict *ver
     print_confidence(out, verdict);
 }
 
-/// "exponents failed: their sum is -4.186, the equations give -1.257; take a smaller tolerance or more steps".
+/// Writes "exponents failed: their sum is -4.186, the equations give -1.257; take a smaller tolerance or more steps".
 static void print_failed_exponents(FILE *out, const whirl_table *table, size_t point) {
     if (!(whirl_table_number(table, point, WHIRL_FIELD_EXPONENTS_FAILED, 0) > 0.5)) return;
     fprintf(out,

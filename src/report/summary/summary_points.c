@@ -1,4 +1,4 @@
-// The summary of several motions: each one if they are few, else windows or counts of verdicts.
+// Writes the summary of several motions: each one if they are few, else windows of one regime, or counts of verdicts.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -33,7 +33,7 @@ static void print_list(FILE *out, const whirl_shown_units *units, const whirl_ta
         fprintf(out, " %-5s", judged ? whirl_confidence_name(verdict.confidence) : "");
         if (isfinite(verdict.exponent.value))
             fprintf(out, " exponent %8.4f +- %-7.1g", verdict.exponent.value,
-                    fmax(verdict.exponent.error, 1e-4)); // at least the last digit shown
+                    fmax(verdict.exponent.error, 1e-4)); // an error of at least the last digit shown
         else if (verdict.exponents_failed)
             fprintf(out, " %-28s", "exponents failed");
         fputs(rubs(result, table, point) ? "  rub" : "", out);
@@ -52,8 +52,8 @@ void summary_range(const whirl_unit *unit, const whirl_table *table, size_t firs
         snprintf(text, size, "%.6g%s%s", from, gap, unit->name);
 }
 
-/// Writes "2000 to 6000 rpm  P-1", one line a window, in the order of the sweep. Returns false, and writes nothing, if
-/// there are too many.
+/// Writes "2000 to 6000 rpm  P-1", one line for each window of one regime, in the order of the sweep. Returns false,
+/// and writes nothing, if there are too many windows.
 static bool print_windows(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     regime_interval windows[LONGEST_LIST];
     const size_t count = regime_intervals(table, units->result->contact_count, windows, LONGEST_LIST);
@@ -87,8 +87,8 @@ static size_t weight_of(const size_t *weights, size_t point) {
     return weights ? weights[point] : 1;
 }
 
-/// "refined from squares of 16: 5210 of 66049 points computed (7.9 %), 612 revolutions each; all would have taken about
-/// 4.04e+07 revolutions".
+/// Writes "refined from squares of 16: 5210 of 66049 points computed (7.9 %), 612 revolutions each; all would have
+/// taken about 4.04e+07 revolutions".
 static void print_grid(FILE *out, const whirl_table *table) {
     size_t done = 0;
     if (table->refine == 0) return;
@@ -149,8 +149,8 @@ static void print_tally(FILE *out, const whirl_shown_units *units, const whirl_t
                 tally.sure[WHIRL_LOW]);
 }
 
-/// Writes verdicts in the order of the sweep, with their ranges if these are few; for a refined map those of its grid,
-/// including cells that were not computed.
+/// Writes windows in the order of the sweep if they are few, else the number of points of each verdict; for a refined
+/// map the points of its grid, with those that were not computed.
 static void print_counts(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     verdict_count counts[SUMMARY_VERDICTS];
     const bool listed =
@@ -164,16 +164,16 @@ static bool is_basin(const whirl_table *table) {
     return table->role == WHIRL_ROLE_BASIN;
 }
 
-/// "attractor 1: P-1 at 1931 starts, 64.3 % +- 0.9 %", one line an attractor.
+/// Writes "attractor 1: P-1 from 1931 starts, 64.3 % +- 0.9 %", one line for each attractor.
 static whirl_status print_attractors(FILE *out, const whirl_table *table) {
-    // Only basins have attractors of starts.
+    // Find the attractors, which only a basin has here.
     enum { SHOWN = 16 };
     whirl_attractor found[SHOWN];
     size_t count = 0;
     const whirl_status status =
         is_basin(table) ? whirl_table_attractors(table, NULL, found, SHOWN, &count) : whirl_ok();
     if (!is_basin(table) || status.code != WHIRL_OK) return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
-    // Print the largest of them.
+    // Print the largest.
     for (size_t k = 0; k < count && k < SHOWN; k++) {
         const whirl_verdict verdict = whirl_table_verdict(table, found[k].first);
         char name[VERDICT_SIZE];
@@ -194,7 +194,7 @@ static whirl_status print_attractors(FILE *out, const whirl_table *table) {
     return weighed ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the shares of attractors");
 }
 
-/// "refined: 5 points, 2 still in doubt".
+/// Writes "refined: 5 points, 2 still in doubt".
 void summarize_refinement(FILE *out, const whirl_table *table) {
     size_t refined = 0, doubtful = 0;
     if (!whirl_layout_field(&table->layout, WHIRL_FIELD_REFINE_ROUNDS)) return;
@@ -206,7 +206,8 @@ void summarize_refinement(FILE *out, const whirl_table *table) {
     fprintf(out, "  refined: %zu point%s, %zu still in doubt\n", refined, summary_plural((double)refined), doubtful);
 }
 
-/// "4 jumps within a regime, first between 0.188 and 0.186: two motions side by side, or one that changes suddenly".
+/// Writes "4 jumps within a regime, first between 0.188 and 0.186: two motions side by side, or one that changes
+/// suddenly".
 static void print_jumps(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     whirl_jump first;
     size_t count;

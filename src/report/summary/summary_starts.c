@@ -1,4 +1,4 @@
-// Attractors that the starts of every point came to rest on.
+// Writes the attractors to which the starts of every point lead.
 #include "summary.h"
 
 #include <math.h>
@@ -19,8 +19,8 @@ void summarize_share(FILE *out, const whirl_table *table, size_t point, const ch
             100.0 * one->error);
 }
 
-/// Writes "attractor 2: at 5 points, 0 % to 12.5 % of the starts; at 2 found from neighbours alone". Entries of one
-/// number are consecutive.
+/// Writes "attractor 2: at 5 points, 0 % to 12.5 % of the starts; at 2 found from neighbours alone". Rows of one
+/// attractor are consecutive.
 static void print_attractors(FILE *out, const whirl_table *table) {
     size_t shown = 0;
     for (size_t i = 0; i < table->count;) {
@@ -43,7 +43,7 @@ static void print_attractors(FILE *out, const whirl_table *table) {
     if (shown > MAX_ATTRACTORS) fprintf(out, "  and %zu more\n", shown - MAX_ATTRACTORS);
 }
 
-/// Returns the attractors of every place [places], which the caller frees; NULL without memory.
+/// Returns the number of attractors at every point [places], which the caller frees; NULL without memory.
 static size_t *count_beside(const whirl_table *table, size_t places) {
     size_t *beside = calloc(places + 1, sizeof *beside);
     for (size_t i = 0; beside && i < table->count; i++)
@@ -54,7 +54,7 @@ static size_t *count_beside(const whirl_table *table, size_t places) {
 static void print_range(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t first,
                         size_t last) {
     const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
-    const double *values = table->source->values; // the first start has all places in order, except in partial results
+    const double *values = table->source->values; // parameter value of each start
     double ends[2] = {NAN, NAN};
     for (size_t i = 0; i < table->source->count; i++) {
         const size_t place = whirl_table_place(table->source, i);
@@ -65,9 +65,9 @@ static void print_range(FILE *out, const whirl_shown_units *units, const whirl_t
     fprintf(out, "%s%s", *unit.name ? " " : "", unit.name);
 }
 
-/// "several side by side at 7 of 41 points: 0.29 to 0.31, 0.498"; of a map how many alone.
+/// Writes "several attractors side by side at 7 of 41 points: 0.29 to 0.31, 0.498"; for a map without the ranges.
 static whirl_status print_coexisting(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
-    // Count the points with several attractors; a single point is summarized otherwise.
+    // Count the points with several attractors; a single point has another summary (summarize_response).
     const size_t places = whirl_table_planned(table);
     size_t several = 0, ranges = 0, *beside = count_beside(table, places);
     if (!beside) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the attractors of %zu points", places);
@@ -76,7 +76,7 @@ static whirl_status print_coexisting(FILE *out, const whirl_shown_units *units, 
         free(beside);
         return whirl_ok();
     }
-    // Print their number and, along one parameter, their ranges.
+    // Print the number of such points and, along one parameter, their ranges.
     fprintf(out, "  several attractors side by side at %zu of %zu points", several, places);
     for (size_t place = 0; place < places && table->row == 0; place++) {
         if (beside[place] < 2) continue;

@@ -1,4 +1,4 @@
-// Words and units of summaries.
+// Gives words and units to summaries.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -39,7 +39,7 @@ void whirl_result_write_end(const whirl_result *result, const char *table, const
 // ---------------------------------------------------------------- summary_doubts
 // Undetermined motions in the summary.
 
-/// "undetermined at 3 points, first at 6400 rpm: still settling ...; to settle it, let it run 4 times as long".
+/// Writes "undetermined at 3 points, first at 6400 rpm: still settling ...; to settle it, let it run 4 times as long".
 static void print_doubt(FILE *out, const whirl_shown_units *units, const whirl_table *table, const whirl_doubt *doubt) {
     const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
     char text[WHIRL_MESSAGE_SIZE];
