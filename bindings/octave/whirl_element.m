@@ -1,9 +1,9 @@
 function force = whirl_element(name, machine, t, x)
-% WHIRL_ELEMENT  The forces of one element of a case on the stations.
+% WHIRL_ELEMENT  Returns the forces of one element of a case on the stations.
 %   F = WHIRL_ELEMENT(NAME, M, T, X) are the forces in N, x and y of every station, of the element NAME ('film', or
-%   'film[2]' for the second film of the case) in the state X (as of WHIRL_RHS) at T: an oil film or a rub for a script
-%   that has equations of its own. An element does not know the masses of stations: 'gravity' gives the force on a
-%   mass of 1 kg.
+%   'film[2]' for the second film of the case) in the state X (see WHIRL_RHS) at T. They give a script with equations of
+%   its own an oil film or a rub. An element does not know the masses of stations: 'gravity' gives the force on a mass
+%   of 1 kg.
 %
 %   See also WHIRL_MACHINE, WHIRL_RHS.
 if nargin ~= 4

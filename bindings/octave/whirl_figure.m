@@ -1,18 +1,16 @@
 function drawn = whirl_figure(file, varargin)
 % WHIRL_FIGURE  Draws a figure of a result as reports show it: its panels, units, colours, ticks and legend.
-%   WHIRL_FIGURE(FILE) draws the first figure of the result FILE (.h5), or of what WHIRL_READ gave, that is not the
-%   machine, into the current figure window, which is cleared.
-%   FILE may also be a measured record of a run-up or coast-down (.csv; guide, chapter 16), and 'with', FILE2 draws the
-%   same figure of another result or record into this one, dashed.
-%   WHIRL_FIGURE(FILE, NAME) draws that figure; WHIRL_FIGURE(FILE, 'list') prints all names, and
-%   NAMES = WHIRL_FIGURE(FILE, 'list') returns them.
-%   WHIRL_FIGURE(..., 'panels', 'x,exponent') draws these panels alone, 'units', 'um, rpm' in these units, 'log', 'xy'
-%   over logarithmic axes.
+%   WHIRL_FIGURE(FILE) draws the first figure of the result FILE (.h5, or a struct of WHIRL_READ), except the drawing of
+%   the machine, into the current figure window, which is cleared. FILE may also be a measured record of a run-up or
+%   coast-down (.csv; guide, chapter 16). WHIRL_FIGURE(..., 'with', FILE2) draws the same figure of another result or
+%   record into this one, dashed. WHIRL_FIGURE(FILE, NAME) draws the figure NAME; WHIRL_FIGURE(FILE, 'list') prints all
+%   names, and NAMES = WHIRL_FIGURE(FILE, 'list') returns them. WHIRL_FIGURE(..., 'panels', 'x,exponent') draws only
+%   these panels; 'units', 'um, rpm' uses these units; 'log', 'xy' makes both axes logarithmic.
 %
 %   DRAWN = WHIRL_FIGURE(...) is a struct: figure and axes (handles, one for each panel), legend and scale (handles of
 %   their axes, empty without them), and data, the description of docs/figures.md.
 %
-%   Errors: whirl:badInput for a file that is no result, a name or an option that is wrong; whirl:noCommand.
+%   Errors: whirl:badInput for a file that is no result, and for a wrong name or option; whirl:noCommand.
 %
 %   See also WHIRL_READ, WHIRL_PLOT_BIFURCATION.
 if nargin > 0 && isstruct(file)

@@ -1,10 +1,10 @@
 function machine = whirl_machine(given_case, varargin)
-% WHIRL_MACHINE  The rotor of a case, for scripts that integrate on their own.
+% WHIRL_MACHINE  Builds the rotor of a case, for scripts that integrate its equations themselves.
 %   M = WHIRL_MACHINE(CASE, NAME, VALUE, ...) builds the rotor of a case file, or of the text of a case, with
 %   parameters or keys set as in WHIRL_RUN. M has the members stations (names), dimension (of the state), speed
 %   (rad/s), length_scale (m).
 %
-%   WHIRL_MACHINE('clear', M) frees a machine, WHIRL_MACHINE('clear') all of them; 64 live at a time.
+%   WHIRL_MACHINE('clear', M) frees a machine, WHIRL_MACHINE('clear') all machines. At most 64 exist at a time.
 %
 %   See also WHIRL_RHS, WHIRL_ELEMENT.
 if nargin > 0

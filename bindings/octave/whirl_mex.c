@@ -1,7 +1,7 @@
-/* The gateway of whirl_machine, whirl_rhs, whirl_element and whirl_signals, for mkoctfile --mex and MATLAB's mex alike.
+/* The gateway of whirl_machine, whirl_rhs, whirl_element and whirl_signals, for mkoctfile --mex and for MATLAB's mex.
  *
- * Machines live here until they or the gateway are cleared. MATLAB has numbers, not pointers, and each number is used
- * only once: the number of a cleared machine never names another one. */
+ * The gateway keeps machines until they or the gateway are cleared. Scripts have numbers, not pointers, of machines.
+ * Each number is used only once, so that the number of a cleared machine never means another one. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -18,13 +18,13 @@ typedef struct machine {
     whirl_rotor *rotor;
     size_t elements;
     char names[MAX_ELEMENTS][WORD];
-    whirl_rotor *alone[MAX_ELEMENTS]; /* an element each, built when it is first asked for */
+    whirl_rotor *alone[MAX_ELEMENTS]; /* rotors with one element each, built at the first use */
 } machine;
 
 static machine machines[MAX_MACHINES];
 
-/* Numbers begin with the microseconds of the clock, so that a gateway that is loaded again uses no earlier number:
- * making a machine takes longer than a microsecond. */
+/* Returns a number for a machine. Numbers begin with the microseconds of the clock, so that a gateway that is loaded
+ * again uses no earlier number: making a machine takes longer than a microsecond. */
 static double next_number(void) {
     static double last;
     struct timespec now = {0};
@@ -43,7 +43,7 @@ static void clear_all(void) {
     for (size_t i = 0; i < MAX_MACHINES; ++i) clear(&machines[i]);
 }
 
-/* Raises the error of a status by a jump, so that the caller must have freed everything before. */
+/* Raises the error of a status. It leaves by a jump, so that the caller must have freed everything before. */
 static void mex_check(whirl_status status) {
     char message[WHIRL_MESSAGE_SIZE];
     if (status.code == WHIRL_OK) return;
@@ -84,7 +84,7 @@ static void set_all(machine *one, int count, const mxArray *const settings[]) {
     }
 }
 
-/* Reads the case of a text, or of the file where the text is empty. */
+/* Reads a case from a text or, if the text is empty, from the file `name`. */
 static void read_case(machine *one, const mxArray *given, const char *name) {
     char sentences[2000] = "";
     whirl_problems problems = {0};
@@ -210,6 +210,7 @@ void mexFunction(int out_count, mxArray *out[], int count, const mxArray *in[]) 
     if (count < 1)
         mexErrMsgIdAndTxt("whirl:badInput",
                           "this is the gateway of whirl_machine, whirl_rhs, whirl_element and whirl_signals");
+    /* Call the function that the first argument names. */
     word_of(in[0], "the first argument", word);
     if (strcmp(word, "machine") == 0)
         mex_make(out, count - 1, in + 1);

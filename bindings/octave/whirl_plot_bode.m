@@ -1,11 +1,11 @@
 function handle = whirl_plot_bode(result, varargin)
 % WHIRL_PLOT_BODE  Draws the response to unbalance over the parameter: its amplitude, and its lag below.
-%   Lines are those of both probes of a station, x and y unless the case turns them, and of the orbit's major axis.
-%   WHIRL_PLOT_BODE(RESULT, STATION) draws that of a station (name or number), of the first one without it, into two
-%   axes of the current figure.
-%   WHIRL_PLOT_BODE(..., 'table', NAME) draws that table, and not the first with a response to unbalance.
+%   Lines show both probes of a station (x and y, unless the case turns them) and the orbit's major axis.
+%   WHIRL_PLOT_BODE(RESULT, STATION) draws the response of a station (name or number; default: the first) into two axes
+%   of the current figure. WHIRL_PLOT_BODE(..., 'table', NAME) draws the table NAME, not the first with a response to
+%   unbalance.
 %
-%   Gives a list of the handles of both: of the series of the amplitude, and of those of the lag (docs/figures.md).
+%   Returns a list of two: the handles of the series of the amplitude, and of the series of the lag (docs/figures.md).
 %
 %   See also WHIRL_PLOT_CAMPBELL.
 FIELD = field_names();

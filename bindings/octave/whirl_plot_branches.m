@@ -3,9 +3,9 @@ function handle = whirl_plot_branches(result, varargin)
 %   WHIRL_PLOT_BRANCHES(RESULT, STATION, COORDINATE) draws 'x' or 'y' (or 1, 2) of a station once a revolution over the
 %   parameter. Marks show the kinds of special points (folds, crossings of branches, period doublings, Neimark-Sacker
 %   and Hopf points, grazing).
-%   WHIRL_PLOT_BRANCHES(..., 'table', NAME) draws that table, and not the first with branches.
+%   WHIRL_PLOT_BRANCHES(..., 'table', NAME) draws the table NAME, not the first with branches.
 %
-%   Gives a handle for every series of the panel (docs/figures.md).
+%   Returns a handle for every series of the panel (docs/figures.md).
 %
 %   See also WHIRL_PLOT_BIFURCATION.
 FIELD = field_names();

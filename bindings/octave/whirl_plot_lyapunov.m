@@ -1,10 +1,10 @@
 function handle = whirl_plot_lyapunov(result, varargin)
 % WHIRL_PLOT_LYAPUNOV  Draws the largest Lyapunov exponent over the parameter with its standard error.
-%   WHIRL_PLOT_LYAPUNOV(RESULT) draws it in the colours of the regimes, without the error where there are no sections;
-%   RESULT is a struct of WHIRL_READ or the name of a file.
-%   WHIRL_PLOT_LYAPUNOV(RESULT, 'table', NAME) draws that table, and not the first with exponents.
+%   WHIRL_PLOT_LYAPUNOV(RESULT) draws it in the colours of the regimes, without the error if the table has no sections;
+%   RESULT is a struct of WHIRL_READ or the name of a file. WHIRL_PLOT_LYAPUNOV(RESULT, 'table', NAME) draws the table
+%   NAME, not the first with exponents.
 %
-%   Gives a handle for every series of the panel (docs/figures.md).
+%   Returns a handle for every series of the panel (docs/figures.md).
 %
 %   See also WHIRL_PLOT_BIFURCATION.
 FIELD = field_names();

@@ -1,17 +1,16 @@
 function handle = whirl_plot_map(result, varargin)
 % WHIRL_PLOT_MAP  Draws the regimes of a map over its two parameters, or the numbers of a field.
-%   WHIRL_PLOT_MAP(RESULT) draws cells in the colours of their regimes, paler where confidence is low; of a basin the
-%   attractors that its starts lead to. Refined maps are filled from the corners of their squares. Where points have
-%   several starts, cells show what most of them lead to. Cells without a point stay empty.
-%   WHIRL_PLOT_MAP(RESULT, PLANE) draws that plane of a map over three parameters, from 1; the first one without it. Of
-%   more than twelve those are drawn that the figure shows.
-%   WHIRL_PLOT_MAP(RESULT, PLANE, FIELD, OF) draws the numbers of a field ('orbit/max_radius', 'lyapunov/largest') with
-%   a scale of their colours; OF is the station or the contact whose numbers these are (name or number), the first
-%   without it.
-%   WHIRL_PLOT_MAP(..., 'column', COLUMN) takes that column of the field (name or number), and not the first.
-%   WHIRL_PLOT_MAP(..., 'table', NAME) draws that table ('map' or 'basin'), and not the first of them.
+%   WHIRL_PLOT_MAP(RESULT) draws cells in the colours of their regimes, paler where confidence is low; for a basin in
+%   the colours of the attractors to which its starts lead. Refined maps are filled from the corners of their squares.
+%   If points have several starts, a cell shows the motion to which most starts lead. Cells without a point stay empty.
+%   WHIRL_PLOT_MAP(RESULT, PLANE) draws a plane of a map over three parameters, from 1 (default: the first). Of more
+%   than twelve planes, only those of the figure can be drawn. WHIRL_PLOT_MAP(RESULT, PLANE, FIELD, OF) draws the
+%   numbers of a field ('orbit/max_radius', 'lyapunov/largest') with a colour scale; OF is the station or the contact to
+%   which the numbers belong (name or number; default: the first). WHIRL_PLOT_MAP(..., 'column', COLUMN) draws a column
+%   of the field (name or number), not the first. WHIRL_PLOT_MAP(..., 'table', NAME) draws the table NAME ('map' or
+%   'basin'), not the first with two parameters.
 %
-%   Gives a handle for every series of the panel (docs/figures.md).
+%   Returns a handle for every series of the panel (docs/figures.md).
 %
 %   See also WHIRL_READ, WHIRL_PLOT_SHARES.
 FIELD = field_names();
@@ -44,7 +43,8 @@ table = result.(name);
 end
 
 function panel = panel_of(table, plane)
-% A map over two parameters has one plane; figures show twelve planes at most, evenly chosen.
+% Returns the panel of a plane. A map over two parameters has one plane; figures show at most twelve planes, evenly
+% chosen.
 count = 1;
 if isfield(table, 'z')
     count = numel(table.z);
@@ -61,7 +61,7 @@ end
 end
 
 function name = field_figure(result, table, field, of, column)
-% 'orbit/mean:disc:y'
+% Returns the name of the figure of a field, 'orbit/mean:disc:y'.
 if ~is_text(field) || ~has_field(table, field)
     error('whirl:badInput', 'the map has no such field, its attributes.fields lists those that it has');
 end

@@ -1,10 +1,10 @@
 function handle = whirl_plot_shares(result, varargin)
-% WHIRL_PLOT_SHARES  Draws which share of several starts leads to each attractor, over the parameter.
+% WHIRL_PLOT_SHARES  Draws the share of the starts that leads to each attractor, over the parameter.
 %   WHIRL_PLOT_SHARES(RESULT) draws the shares with their standard errors, in the colours of the attractors; open
-%   circles where they are 0: attractors that were found from a neighbour alone.
-%   WHIRL_PLOT_SHARES(RESULT, 'table', NAME) draws that table, and not the first with several starts.
+%   circles mark shares of 0, of attractors that were found only from a neighbouring point. WHIRL_PLOT_SHARES(RESULT,
+%   'table', NAME) draws the table NAME, not the first with several starts.
 %
-%   Gives a handle for every series of the panel (docs/figures.md).
+%   Returns a handle for every series of the panel (docs/figures.md).
 %
 %   See also WHIRL_PLOT_BIFURCATION, WHIRL_PLOT_MAP.
 FIELD = field_names();

@@ -1,11 +1,11 @@
 function handle = whirl_plot_waterfall(result, varargin)
 % WHIRL_PLOT_WATERFALL  Draws the lines of all spectra over order and parameter, by colour.
-%   WHIRL_PLOT_WATERFALL(RESULT, STATION) draws those of a station (name or number) down to a thousandth of the largest:
-%   forward whirl at orders above 0, backward whirl below; of a sweep in both directions those of the way up.
-%   WHIRL_PLOT_WATERFALL(..., 'highest_order', N) leaves out orders above N.
-%   WHIRL_PLOT_WATERFALL(..., 'table', NAME) draws that table, and not the first with spectra.
+%   WHIRL_PLOT_WATERFALL(RESULT, STATION) draws the lines of a station (name or number) down to a thousandth of the
+%   largest: forward whirl at orders above 0, backward whirl below; of a sweep in both directions only the way up.
+%   WHIRL_PLOT_WATERFALL(..., 'highest_order', N) leaves out orders above N. WHIRL_PLOT_WATERFALL(..., 'table', NAME)
+%   draws the table NAME, not the first with spectra.
 %
-%   Gives a handle for every series of the panel (docs/figures.md).
+%   Returns a handle for every series of the panel (docs/figures.md).
 %
 %   See also WHIRL_PLOT_SPECTRUM.
 FIELD = field_names();

@@ -1,7 +1,7 @@
 function result = whirl_read(file)
 % WHIRL_READ  Reads a result of whirl.
-%   RESULT = WHIRL_READ(FILE) is a struct with all that is in a result file (.h5), to the bit, or in a MAT file
-%   that 'whirl export --mat' made of one:
+%   RESULT = WHIRL_READ(FILE) is a struct with all numbers of a result file (.h5), bit for bit, or of a MAT file that
+%   'whirl export --mat' made from one:
 %
 %     result.sweep.values                           the parameter, in SI
 %     result.sweep.orbit.max_radius                 [points][stations]

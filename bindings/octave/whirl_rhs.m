@@ -1,5 +1,5 @@
 function dxdt = whirl_rhs(machine, t, x)
-% WHIRL_RHS  The equations of motion of a rotor, as ode45 takes them.
+% WHIRL_RHS  Evaluates the equations of motion of a rotor, in the form for ode45.
 %   DXDT = WHIRL_RHS(M, T, X): X are x and y of every station in m, then their velocities in m/s; T in s. A rotor with
 %   other states (tilts, turning phases, nodes of shafts) is refused.
 %

@@ -1,6 +1,7 @@
 function result = whirl_run(given_case, varargin)
 % WHIRL_RUN  Runs the study of a case and reads its result.
-%   RESULT = WHIRL_RUN(CASE) computes the case file CASE, or the text of a case, and gives what WHIRL_READ gives.
+%   RESULT = WHIRL_RUN(CASE) computes the case file CASE, or the text of a case, and returns a struct as WHIRL_READ
+%   does.
 %
 %   RESULT = WHIRL_RUN(CASE, NAME, VALUE, ...) sets parameters or keys of the case first, as the command's --set:
 %   a number or a text, WHIRL_RUN('rig.yaml', 'kappa', 12, 'omega', '600 rpm'). These names are options:

@@ -1,13 +1,14 @@
 function signals = whirl_signals(file, records)
-% WHIRL_SIGNALS  Reads signals of a data set, some records at a time: they may be larger than the memory.
-%   S = WHIRL_SIGNALS(FILE, RECORDS) is a single array [samples][channels][records] of the rows RECORDS, from 1, of a
-%   result of a study `dataset`; of all without RECORDS. Plot the second channel of row 7: plot(S(:, 2, 7)).
+% WHIRL_SIGNALS  Reads signals of a data set, some records at a time, as all may be larger than the memory.
+%   S = WHIRL_SIGNALS(FILE, RECORDS) is an array (class single) [samples][channels][records] of the rows RECORDS, from
+%   1, of a result of a study `dataset`; without RECORDS of all rows. Plot the second channel of row 7: plot(S(:, 2,
+%   7)).
 %
 %   SIZES = WHIRL_SIGNALS(FILE, 'size') is [records channels samples].
 %
 %   Rows are those of WHIRL_READ(FILE).records: dataset.label, dataset.severity, dataset.split, ...
 %
-%   Errors: whirl:badInput for another file, and for rows that it does not have.
+%   Errors: whirl:badInput for a file without signals, and for rows that it does not have.
 %
 %   See also WHIRL_READ, WHIRL_RUN.
 if nargin < 1 || nargin > 2 || ~ischar(text_of(file))
@@ -33,7 +34,7 @@ if ~isnumeric(records) || any(rows ~= round(rows)) || any(rows < 1) || any(rows 
     error('whirl:badInput', 'records are chosen by numbers, expected rows from 1 to %d', sizes(1));
 end
 signals = zeros(sizes(3), sizes(2), numel(rows), 'single');
-% Neighbours are read at once.
+% Read consecutive rows at once.
 ends = [find(diff(rows) ~= 1), numel(rows)];
 first = 1;
 for last = ends(ends > 0)

@@ -1,7 +1,7 @@
 function statements = whirl_statements(file, varargin)
-% WHIRL_STATEMENTS  Findings of machines at rest, of branches, tori and spectra, as sentences.
-%   STATEMENTS = WHIRL_STATEMENTS(FILE) takes the name of a result file (.h5), or what WHIRL_READ gave. It is a struct
-%   array [statements x 1] whose fields are texts:
+% WHIRL_STATEMENTS  Returns findings on machines at rest, branches, tori and spectra, as sentences.
+%   STATEMENTS = WHIRL_STATEMENTS(FILE) takes the name of a result file (.h5), or a struct of WHIRL_READ. STATEMENTS is
+%   a struct array [statements x 1] whose fields are texts:
 %     table    the table of the result
 %     what     'separation margin'
 %     station  or ''
@@ -12,10 +12,10 @@ function statements = whirl_statements(file, varargin)
 %     found    the value found
 %     judged   the verdict with its reason, or ''
 %     text     the statement as one sentence
-%   and values, a struct with the numbers of at, asked, found and judged in SI, a column each.
+%   and values, a struct whose fields at, asked, found and judged are columns with the numbers of these texts in SI.
 %   WHIRL_STATEMENTS(FILE, 'units', 'um, rpm, p-p') writes numbers in these units, not those of the case.
 %
-%   Errors: whirl:badInput for a file that is no result, or units that are none; whirl:noCommand.
+%   Errors: whirl:badInput for a file that is no result, and for unknown units; whirl:noCommand.
 %
 %   See also WHIRL_TABLE, WHIRL_READ.
 if nargin < 1

@@ -1,20 +1,19 @@
 function sheet = whirl_table(file, name, varargin)
-% WHIRL_TABLE  A sheet of findings, as documents show it.
-%   SHEET = WHIRL_TABLE(FILE, NAME) takes the name of a result file (.h5), or what WHIRL_READ gave, and the name of a
-%   sheet, such as 'peaks', or 'TABLE/peaks' if several tables have one. WHIRL_TABLE(FILE, 'list') prints all
+% WHIRL_TABLE  Returns a sheet of findings, as documents show it.
+%   SHEET = WHIRL_TABLE(FILE, NAME) takes the name of a result file (.h5), or a struct of WHIRL_READ, and the name of a
+%   sheet, such as 'peaks', or 'TABLE/peaks' if several tables have such a sheet. WHIRL_TABLE(FILE, 'list') prints all
 %   names, and NAMES = WHIRL_TABLE(FILE, 'list') returns them. SHEET is a struct:
 %     name, table, title, about   texts
 %     keys      {1 x columns} short names of the columns: 'speed'
 %     headings  {1 x columns} printed headings without units: 'peak at'
 %     units     {1 x columns} of the numbers, '' without a unit: 'rpm'
 %     sizes     [1 x columns] of these units in SI
-%     cells     {rows x columns} numbers in these units, texts, or columns of several numbers; [] where nothing is
-%     texts     {rows x columns} the cells as documents write them
-%     matrix    [rows x columns] the cells that are one number; NaN for all others
+%     cells     {rows x columns} numbers in these units, texts, or columns of several numbers; [] for an empty cell
+%     texts     {rows x columns} the cells as documents write them matrix    [rows x columns] the cells that are one
+%     number; NaN for all other cells
 %   WHIRL_TABLE(FILE, NAME, 'units', 'um, rpm, p-p') uses these units, not those of the case.
 %
-%   Errors: whirl:badInput for a file that is no result, a sheet that is not there, or units that are none;
-%   whirl:noCommand.
+%   Errors: whirl:badInput for a file that is no result, and for an unknown sheet or unit; whirl:noCommand.
 %
 %   See also WHIRL_STATEMENTS, WHIRL_READ.
 if nargin < 2 || ~is_text(text_of(name)) || isempty(text_of(name))
@@ -64,7 +63,7 @@ sheet.matrix(single_numbers) = [sheet.cells{single_numbers}];
 end
 
 function cells = cells_of(rows, columns)
-% jsondecode makes one array of rows that have only numbers, and a list of other rows.
+% Returns the cells of rows. jsondecode makes one array of rows that have only numbers, and a list of other rows.
 cells = cell(size(rows, 1), columns);
 for i = 1:size(rows, 1)
     row = rows(i, :, :);

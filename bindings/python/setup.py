@@ -46,7 +46,7 @@ def built_library():
 
 
 class BuildWithLibrary(build_py):
-    """The package's modules, and its declarations, the library and the explorer's template next to them."""
+    """Copies the package's modules, and makes its declarations, the library and the explorer's template beside them."""
 
     def run(self):
         super().run()

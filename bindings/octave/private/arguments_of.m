@@ -1,7 +1,7 @@
 function [places, options] = arguments_of(arguments, places, options)
-% ARGUMENTS_OF  Arguments by their places, then options: pairs of a name and a value.
-%   PLACES and OPTIONS have the default values. A text that is the name of an option ends the
-%   places; [] in a place is not given.
+% ARGUMENTS_OF  Divides arguments into values by their places and options, which are pairs of a name and a value.
+%   PLACES and OPTIONS have the default values. The first text that is the name of an option ends the places; [] in a
+%   place leaves the default value.
 names = fieldnames(options);
 arguments = cellfun(@text_of, arguments, 'UniformOutput', false);
 at = 1;

@@ -1,5 +1,5 @@
 function status = call(arguments, shown)
-% CALL  Runs the command with arguments (text, already quoted); its complaints become an error.
+% CALL  Runs the command with arguments (text, already quoted); its messages become an error if it fails.
 %   With SHOWN its standard output goes to the command window. STATUS is 0, or 3 for a run that ended early.
 complaints = [tempname() '.txt'];
 line = [command() ' ' arguments ' 2>' quoted(complaints)];

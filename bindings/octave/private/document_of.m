@@ -1,9 +1,9 @@
 function found = document_of(name, file, what, folder, options)
 % DOCUMENT_OF  Returns the JSON document that the command NAME prints for a file, decoded.
-%   FILE is a file's name, or a struct of what it would say, which is written into FOLDER for that while, with its
-%   version under the key NAME. WHAT names the kind of file in messages; OPTIONS follow it in the command.
+%   FILE is the name of a file, or a struct with its content, which is written into a temporary file in FOLDER, with a
+%   version under the key NAME. WHAT names the kind of file in messages; OPTIONS follow the file in the command.
 if ~isstruct(file) && ~is_text(text_of(file))
-    error('whirl:badInput', 'whirl_%s takes the name of %s, or a struct of what it would say', name, what);
+    error('whirl:badInput', 'whirl_%s takes the name of %s, or a struct with its content', name, what);
 end
 if ~isstruct(file)
     found = jsondecode(answer([name ' ' quoted(file_of(text_of(file))) ' --json' options]));

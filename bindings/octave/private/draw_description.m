@@ -1,8 +1,8 @@
 function drawn = draw_description(data, axes_handle, titled)
 % DRAW_DESCRIPTION  Draws a figure of docs/figures.md in the current figure window, by a rule for every shape of series.
-%   DATA is the decoded document. Transparent colours are mixed with white: gnuplot's lines have no opacity.
-%   DRAW_DESCRIPTION(DATA, AXES, TITLED) draws its only panel into existing axes, with the figure's title if
-%   TITLED, and returns the handles of its series.
+%   DATA is the decoded document. Transparent colours are mixed with white, as lines of gnuplot have no opacity.
+%   DRAW_DESCRIPTION(DATA, AXES, TITLED) draws its only panel into existing axes, with the figure's title if TITLED, and
+%   returns the handles of its series.
 scale = [];
 if isfield(data, 'scale')
     scale = data.scale;
@@ -38,7 +38,7 @@ end
 end
 
 function handles = draw_alone(axes_handle, panel, scale, data, titled)
-% Draws all panels with letters of 9 pt, marks and lines enlarged likewise, a legend and a colour scale.
+% Draws a panel into existing axes with letters of 9 pt, marks and lines in proportion, a legend and a colour scale.
 held = ishold(axes_handle);
 font = 9;
 before = {};
@@ -80,7 +80,7 @@ end
 end
 
 function keep_in_view(axes_handle, which, before)
-% Earlier contents stay visible.
+% Widens the limits of an axis so that earlier contents stay visible.
 limits = get(axes_handle, [which 'Lim']);
 both = [min(limits(1), before(1)), max(limits(2), before(2))];
 if ~isequal(both, limits)
@@ -89,7 +89,7 @@ end
 end
 
 function clear_scale(axes_handle)
-% An earlier colour scale has narrowed the axes.
+% Removes an earlier colour scale, and gives the axes the place that they had before it.
 if isappdata(axes_handle, 'whirl_place')
     set(axes_handle, 'Position', getappdata(axes_handle, 'whirl_place'));
     scale = getappdata(axes_handle, 'whirl_scale');
@@ -130,7 +130,7 @@ hold(axes_handle, 'off');
 end
 
 function list = named(list)
-% Returns the series of a legend, each name once.
+% Returns the series that have a name, each name once.
 names = cellfun(@(series) series.name, list, 'UniformOutput', false);
 [~, first] = unique(names, 'first');
 first = sort(first);
@@ -145,7 +145,7 @@ axes_handle = axes('Position', [left, bottom, panel.box(2) - left, panel.box(4) 
     'Layer', 'top', 'FontSize', 0.9 * font, 'LineWidth', 0.5, 'TickDir', 'in');
 fill_panel(axes_handle, panel, scale, font);
 if panel.y.shown && (panel.box(4) - panel.box(3)) * data.height_cm < 0.7
-    % A low panel has no room for an upright label.
+    % Lay the label of a low panel flat, as an upright one has no room.
     set(get(axes_handle, 'YLabel'), 'Rotation', 0, 'HorizontalAlignment', 'right', 'VerticalAlignment', 'middle');
 end
 end
@@ -219,7 +219,7 @@ rgb = 1 - series.opacity * (1 - colour(series.colour));
 end
 
 function handles = draw_series(axes_handle, series, scale, font)
-% Texts add no handle.
+% Draws a series and returns its handles; texts have none.
 handles = [];
 x = series.x(:);
 y = series.y(:);
@@ -257,7 +257,7 @@ handle = plot(axes_handle, x, y, style, 'Color', colour_of(series), 'LineWidth',
 end
 
 function handles = draw_area(axes_handle, series, x, y)
-% Draws an area: every run between gaps is a polygon along y, and back along y_to.
+% Draws an area: for every run of points between gaps a polygon along y, and back along y_to.
 to = series.y_to(:);
 there = ~isnan(x) & ~isnan(y) & ~isnan(to);
 starts = find(diff([false; there]) == 1);
@@ -326,8 +326,8 @@ end
 end
 
 function axes_handle = draw_legend(place, list, columns, font)
-% Draws the figure's legend, rows of marks and names in their own axes: Octave's and MATLAB's legends differ in place
-% and have no columns.
+% Draws the figure's legend as rows of marks and names in axes of their own, as legends of Octave and MATLAB differ in
+% place and have no columns.
 columns = min(columns, numel(list));
 rows = ceil(numel(list) / columns);
 axes_handle = axes('Position', place, 'Visible', 'off', 'XLim', [0, columns], 'YLim', [0, rows]);
@@ -363,7 +363,7 @@ function axes_handle = draw_scale(place, scale, font)
 axes_handle = axes('Position', place, 'Box', 'on', 'Layer', 'top', 'FontSize', 0.9 * font, 'XTick', [], ...
     'XLim', [0, 1], 'YAxisLocation', 'right');
 hold(axes_handle, 'on');
-% The axis goes from 0 to 1: gnuplot draws patches at a logarithmic axis on the right as if it were linear.
+% Use an axis from 0 to 1: gnuplot draws patches at a logarithmic axis on the right as if it were linear.
 count = 128;
 edges = linspace(0, 1, count + 1)';
 middles = (edges(1:end - 1) + edges(2:end)) / 2;

@@ -5,7 +5,7 @@ if nargin > 6 && ~filled
     inside = 'none';
 end
 if isempty(x)
-    % An invisible object also without points.
+    % Make an invisible object if there are no points, so that there is always a handle.
     x = NaN;
     y = NaN;
 end

@@ -1,6 +1,5 @@
 function handle = draw_panel_of(result, name, panel, titled)
-% DRAW_PANEL_OF  Draws a panel of a figure of a result into the current axes, '' the first one; TITLED with the figure's
-%   title.
+% DRAW_PANEL_OF  Draws a panel ('': the first) of a figure of a result into the current axes, with the title if TITLED.
 %   Returns one handle for each series of docs/figures.md.
 chosen = '';
 if ~isempty(panel)

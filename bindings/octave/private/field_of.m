@@ -1,9 +1,9 @@
 function [numbers, about] = field_of(table, field)
-% FIELD_OF  The numbers of a field 'ANALYSIS/QUANTITY' as [points][stations or contacts][rows][columns], and what the
-%   result says of them: unit, meaning, extent, ...
+% FIELD_OF  Returns the numbers of a field 'ANALYSIS/QUANTITY' as [points][stations or contacts][rows][columns], and
+% their description in the result: unit, meaning, extent, ...
 parts = regexp(field, '/', 'split');
 group = table.(parts{1});
-% A quantity whose name is a keyword has a suffix.
+% In the struct, a quantity whose name is a keyword of the language ends in '_'.
 name = parts{2};
 if ~isfield(group, name)
     name = [name '_'];

@@ -1,6 +1,6 @@
 function name = figure_name(result, kind, field, table, station)
-% FIGURE_NAME  The name of a figure: of the table that is named, or the first with a FIELD, and of a station (name or
-%   number, [] for the first) where figures of the KIND have one.
+% FIGURE_NAME  Returns the name of a figure of a KIND: of the table TABLE or, if it is empty, the first with FIELD, and
+% of a station (name or number, [] for the first) if figures of the kind have one.
 name = kind;
 if nargin > 4
     name = [kind '-' result.stations.name{station_index(result, station)}];

@@ -1,5 +1,5 @@
 function mark = file_mark(file)
-% FILE_MARK  Returns date and size of a file, to detect changes; [] without a file.
+% FILE_MARK  Returns date and size of a file, by which changes are detected; [] if there is no file.
 found = dir(file);
 mark = [];
 if numel(found) == 1

@@ -1,7 +1,7 @@
 function found = findings_of(name, file, sheet, arguments)
 % FINDINGS_OF  Returns the JSON of `whirl table` for a result, decoded.
-%   NAME is the function that asks, FILE the name of a result or what whirl_read gave, SHEET the name of a sheet or '',
-%   ARGUMENTS what follows: 'units' and a text.
+%   NAME is the calling function for messages, FILE the name of a result or a struct of whirl_read, SHEET the name of a
+%   sheet or '', ARGUMENTS the further arguments of the caller: 'units' and a text.
 if isstruct(file)
     result = result_of(file);
     file = result.attributes.file;

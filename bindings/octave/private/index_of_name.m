@@ -1,5 +1,5 @@
 function index = index_of_name(names, wanted, what)
-% INDEX_OF_NAME  The number of WHAT has a name (a station, a contact): by that, by its number, or [] for the first.
+% INDEX_OF_NAME  Returns the number of a station or contact (WHAT) from its name, its number, or [] for the first.
 index = text_of(wanted);
 if isempty(index)
     index = 1;

@@ -1,5 +1,5 @@
 function keep_file(file)
-% KEEP_FILE  Keeps a temporary file for figures: until eight more are kept, or the session ends.
+% KEEP_FILE  Keeps a temporary result file, from which figures are drawn, until eight more are kept or the session ends.
 persistent kept
 if isempty(kept)
     kept = {};

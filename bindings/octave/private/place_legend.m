@@ -1,6 +1,6 @@
 function place_legend(axes_handle, marks, names, x, y)
 % PLACE_LEGEND  Places a legend in a corner of the axes without points (at X, Y); outside if there is no such corner.
-%   Octave's gnuplot has no location 'best'. Without X and Y the legend is outside.
+%   The location 'best' is unknown to gnuplot in Octave. Without X and Y the legend is outside.
 longest = max(cellfun(@numel, names));
 look = {'Interpreter', 'tex', 'Box', 'off', 'FontSize', 9};
 corner = '';
@@ -13,7 +13,7 @@ if ~isempty(corner)
     legend(axes_handle, marks, names, 'Location', corner, look{:});
     return
 end
-% Next to the axes gnuplot would give it half of the figure.
+% Place it next to the axes, or above them with gnuplot, which would give it half of the figure.
 place = {'eastoutside', 'Orientation', 'vertical'};
 if drawn_by_gnuplot(axes_handle)
     place = {'northoutside', 'Orientation', 'horizontal'};
@@ -22,7 +22,7 @@ legend(axes_handle, marks, names, 'Location', place{:}, look{:});
 end
 
 function yes = drawn_by_gnuplot(axes_handle)
-% Never true in MATLAB, whose figures have no toolkit.
+% Returns true in Octave if gnuplot draws the figure; figures of MATLAB have no toolkit.
 figure_handle = ancestor(axes_handle, 'figure');
 yes = isprop(figure_handle, '__graphics_toolkit__') && strcmp(get(figure_handle, '__graphics_toolkit__'), 'gnuplot');
 end

@@ -1,7 +1,7 @@
 function place = point_index(table, point, at)
-% POINT_INDEX  What the library's figures of points call a point of a table (docs/figures.md): '#2' by its number POINT,
-%   which counts from 1 here and from 0 there; '600 rpm' by AT, a value of the parameter, which is a number in SI or a
-%   text with any unit; without either the first point.
+% POINT_INDEX  Returns the name of a point in names of figures (docs/figures.md): '#2' from its number POINT, which
+% counts from 1 here and from 0 in the name; or '600 rpm' from AT, a value of the parameter, which is a number in SI or
+% a text with any unit. Without both it returns the first point.
 if ~isempty(at)
     if ~isempty(point)
         error('whirl:badInput', 'a point is given by its number or by ''at'', not by both');

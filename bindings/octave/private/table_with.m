@@ -1,7 +1,7 @@
 function [table, name] = table_with(result, field, analysis, wanted, every)
-% TABLE_WITH  The table WANTED, or without one the first that has a field ('orbit/max_radius'), and its name.
-%   ANALYSIS is what gives the field. Details are taken where they are named, or with EVERY. Of a table that is wanted
-%   FIELD may be ''.
+% TABLE_WITH  Returns the table WANTED or, if it is empty, the first with a field ('orbit/max_radius'), and its name.
+%   Messages name ANALYSIS, which computes the field. The table 'detail' is found only by its name, or with EVERY. With
+%   WANTED, FIELD may be ''.
 if ~isempty(wanted)
     name = text_of(wanted);
     if ~is_text(name) || ~any(strcmp(name, result.attributes.tables))

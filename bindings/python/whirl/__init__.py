@@ -86,7 +86,7 @@ def __dir__() -> list[str]:
 
 
 def library_version() -> str:
-    """The version of libwhirl that computes, such as "0.2.0"."""
+    """Returns the version of the loaded libwhirl, such as "0.2.0"."""
     from ._library import lib, text
 
     return text(lib.whirl_version())

@@ -1,4 +1,5 @@
-"""What cffi is told of libwhirl. As a program it writes that as a module, which packages carry: _declare.py MODULE."""
+"""Declares the functions of libwhirl to cffi. As a program it writes them as a module for packages: _declare.py
+MODULE."""
 
 import sys
 from pathlib import Path

@@ -133,7 +133,7 @@ class FileSource:
         return {name: FileTable(self.path, self.file[name], name) for name in map(_word, self.file.attrs["tables"])}
 
     def write(self, path):
-        """Copies the file, under a temporary name first."""
+        """Copies the file to a temporary name, and renames the copy."""
         path = os.fspath(path)
         if os.path.exists(path) and os.path.samefile(self.path, path):
             return
@@ -184,7 +184,8 @@ class FileTable:
         self.planes = self._places // plane if row else 0
 
     def _count_places(self):
-        """Places of the study, docs/result-file.md: points of the grid of a refined map; starts stand at one place."""
+        """Returns the number of places of the study (docs/result-file.md): of a refined map the points of its grid;
+        several starts of a point have one place."""
         about = self.group.attrs
         for name in ("grid", "places"):
             if about.get(name):
@@ -207,7 +208,7 @@ class FileTable:
         return self.group["length_scale"][()]
 
     def clock(self, table, fixed):
-        """rad/s at every point, from the case's speed or the values of a parameter."""
+        """Returns the rate of the clock at every point, rad/s, from the case's speed or the values of a parameter."""
         of, factor = int(self.group.attrs["clock_of"]), float(self.group.attrs["clock_factor"])
         if of == 0:
             return np.full(self.shape, fixed)

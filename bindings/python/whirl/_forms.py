@@ -7,7 +7,7 @@ import numpy as np
 from . import errors
 from ._library import ffi
 
-#: arguments by what a function computes; each returns an int
+#: arguments of functions by their form: slopes, slopes of many machines, tangents; each returns an int
 FORMS = {
     "rates": "double t, const double *x, const double *p, double *dxdt, void *context",
     "lanes": "size_t count, size_t row, const double *t, const double *x, const double *p, double *dxdt, "
@@ -24,7 +24,7 @@ _CTYPES = {
 
 
 def prototype_of(form, name):
-    """Returns the declaration of a function in C."""
+    """Returns the declaration of a function of a form in C."""
     return f"int {name}({FORMS[form]})"
 
 
@@ -34,7 +34,7 @@ def callback_type(form):
 
 
 def words_of(form):
-    """The types of the arguments, without const: "double", "double *", ..., "void *" """
+    """Returns the types of the arguments without const: "double", "double *", ..., "void *" """
     return [argument.replace("const ", "").rstrip("abcdefghijklmnopqrstuvwxyz").strip()
             for argument in FORMS[form].split(", ")]  # fmt: skip
 
@@ -45,7 +45,7 @@ def ctypes_prototype(form):
 
 
 def _ctypes_word(kind):
-    """Returns a type of ctypes, or an array of NumPy as an argument, in C's words."""
+    """Returns the name in C of a type of ctypes, or of an array argument of NumPy."""
     if kind is None:
         return "void"
     if kind is ctypes.c_void_p:
@@ -63,7 +63,7 @@ def _ctypes_word(kind):
 
 
 def _cffi_word(kind):
-    """Returns a type of cffi in C's words."""
+    """Returns the name in C of a type of cffi."""
     if kind.kind == "pointer":
         inner = _cffi_word(kind.item)
         return inner + ("*" if inner.endswith("*") else " *")
@@ -93,9 +93,9 @@ def _unknown(what, form, why):
 
 
 def address_of(what, form, function):
-    """Where a compiled function lies, once its form has been checked; None of what is called in Python.
+    """Checks the form of a compiled function and returns its address; returns None for a function of Python.
 
-    BadInput for a function of another form, and for one whose form nobody knows.
+    Raises BadInput for a function of another form, and for one whose form is unknown.
     """
     if isinstance(getattr(function, "form", None), str):  # the result of compile_c
         if function.form != form:

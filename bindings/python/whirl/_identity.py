@@ -1,7 +1,7 @@
-"""What tells a function from others: a checksum of its code and of all that it closes over.
+"""Identifies functions by a checksum of their code and of all objects that they use.
 
-Two functions of one checksum compute the same from the same arguments, as long as they read no files. Where that cannot
-be known (of an address, an open file, a lock), :class:`Unknown` says of what.
+Two functions with the same checksum compute the same from the same arguments, as long as they read no files. For an
+object whose content cannot be known (an address, an open file, a lock), :class:`Unknown` is raised with its name.
 """
 
 import builtins
@@ -57,7 +57,7 @@ def _of_file(path):
 
 
 def _edition(module):
-    """What a module's own name and this tell all of it by; None of one whose text is the user's own."""
+    """Returns a text that, with a module's name, identifies its whole content; None for a user's own module."""
     file, package = getattr(module, "__file__", None), module.__name__.partition(".")[0]
     if module.__name__ in sys.builtin_module_names and file is None:
         return platform.python_version()
@@ -71,7 +71,7 @@ def _edition(module):
 
 
 def _is_of(module, thing, name):
-    """Returns whether a module has this object under the object's name."""
+    """Returns True if a module has this object under the object's name."""
     try:
         return attrgetter(name)(module) is thing
     except AttributeError:
@@ -133,7 +133,7 @@ class _Digest:
             self.add_object(thing)
 
     def add_named(self, thing, module, name=None):
-        """Adds by its name what an edition of a module tells; False where it does not."""
+        """Adds an object by its name if its module has an edition (_edition); else returns False."""
         module, name = sys.modules.get(module or ""), name or thing.__qualname__
         edition = module is not None and _is_of(module, thing, name) and _edition(module)
         if edition:
@@ -141,7 +141,7 @@ class _Digest:
         return bool(edition)
 
     def add_module(self, module, attributes):
-        """Adds a module; for a user's own module the objects that may be used from it."""
+        """Adds a module; of a user's own module the attributes that may be used."""
         edition = _edition(module)
         self.put("module", f"{module.__name__} {edition or ''}")
         if edition:
@@ -161,7 +161,8 @@ class _Digest:
         self.add((*shape, code.co_names, code.co_varnames, code.co_freevars, code.co_cellvars, code.co_consts))
 
     def add_function(self, function):
-        """Its code, and what stands under the names that it loads: in its cells, its module, the modules it imports."""
+        """Adds the code of a function, and the objects whose names it loads: from its cells, its module and imported
+        modules."""
         code, scope, loads, imports = function.__code__, function.__globals__, set(), set()
         taken = {name for one in _codes(code) for name in one.co_names}
         for one in (each for inner in _codes(code) for each in dis.get_instructions(inner)):

@@ -1,4 +1,4 @@
-"""Files that Python reads for the library."""
+"""Opens files that Python reads for the library."""
 
 import errno
 import os
@@ -6,7 +6,7 @@ import stat
 
 
 def open_input(path: str | os.PathLike) -> int:
-    """Opens a plain file. OSError for folders, pipes and devices, whose reading might not end."""
+    """Opens an ordinary file. Raises OSError for folders, pipes and devices, whose reading might not end."""
     descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0))
     kind = os.fstat(descriptor).st_mode
     if stat.S_ISREG(kind):
@@ -19,6 +19,6 @@ def open_input(path: str | os.PathLike) -> int:
 
 
 def read_input(path: str | os.PathLike, most: int) -> bytes:
-    """Reads at most ``most`` bytes of a plain file. OSError as for open_input."""
+    """Reads at most ``most`` bytes of an ordinary file. Raises OSError as open_input does."""
     with open(open_input(path), "rb") as file:
         return file.read(most)

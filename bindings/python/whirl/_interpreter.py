@@ -1,8 +1,8 @@
-"""Refuses subinterpreters, before cffi and NumPy are imported, which refuse them in words of their own."""
+"""Refuses subinterpreters before cffi and NumPy are imported, whose messages about them are less clear."""
 
 
 def is_main():
-    """Returns whether this is the program's main interpreter."""
+    """Returns True in the program's main interpreter."""
     for name in ("_interpreters", "_xxsubinterpreters"):  # names in Python 3.13, and before
         try:
             module = __import__(name)
@@ -14,5 +14,5 @@ def is_main():
 
 
 if not is_main():
-    # Callbacks of cffi would take the lock of the main interpreter, and wait for it without an end.
+    # In a subinterpreter, callbacks of cffi would wait for the lock of the main interpreter for ever.
     raise ImportError("whirl works in the main interpreter of a program alone, not in a subinterpreter")

@@ -1,5 +1,6 @@
-/* What this package calls of libwhirl, in the words that cffi reads. The test python.declarations compiles this file
-   behind the library's own headers, so that no declaration can differ from the one there. */
+/* Declares the functions of libwhirl that this package calls, in the subset of C that cffi reads. The test
+   python.declarations compiles this file after the library's own headers, so that no declaration can differ from
+   theirs. */
 typedef struct whirl_case whirl_case;
 typedef struct whirl_job whirl_job;
 typedef struct whirl_result whirl_result;

@@ -1,4 +1,4 @@
-"""libwhirl through cffi: the library is found and opened, and its failures become exceptions."""
+"""Finds and opens libwhirl by cffi, and turns its failures into exceptions."""
 
 import errno
 import os
@@ -30,7 +30,8 @@ _OLDEST = (0, 2, 0)
 
 
 def _places():
-    """Where the library may lie: as WHIRL_LIBRARY says, in the package, where the system has its libraries."""
+    """Returns the places to look for the library: that of WHIRL_LIBRARY, else in the package, else in the system's
+    folders."""
     given = os.environ.get("WHIRL_LIBRARY")
     if given:
         return [given]
@@ -73,7 +74,7 @@ def text(pointer):
 
 
 def taken(pointer):
-    """The text at a ``char **`` of the library, which is freed."""
+    """Returns the text at a ``char **`` of the library, and frees it."""
     try:
         return text(pointer[0]) or ""
     finally:
@@ -87,7 +88,7 @@ def check(status):
 
 
 def word_bytes(word):
-    """A text as the library takes it, which ends at the first NUL: none may be within."""
+    """Encodes a text for the library, where it ends at the first NUL: a NUL within it is an error."""
     if not isinstance(word, str):
         raise errors.BadInput(f"{word!r} is no text, where one is expected")
     try:
@@ -100,7 +101,7 @@ def word_bytes(word):
 
 
 def path_bytes(path):
-    """Returns the name of a file for the library; a NUL in it is an error."""
+    """Encodes the name of a file for the library; a NUL in it is an error."""
     data = os.fsencode(os.fspath(path))
     if b"\0" in data:
         raise errors.BadInput(f"the name of a file has a NUL in it: {path!r}")

@@ -24,7 +24,8 @@ _STATION_WHOLES = ("x", "y", "vx", "vy", "shaft", "along_y", "twists", "clockwis
 
 
 class _Owner:
-    """Lends memory of the library to NumPy: an array made from it keeps it, and with it the result, alive."""
+    """Lends memory of the library to NumPy. An array made from this object keeps it alive, and it keeps the result
+    alive."""
 
     def __init__(self, handle, pointer, shape, strides, kind):
         self.handle = handle
@@ -45,7 +46,7 @@ def _lend(handle, pointer, shape, strides=None, kind="<f8"):
 
 
 class MemorySource:
-    """A whirl_result, owned by this object and by the arrays that were lent from it."""
+    """A whirl_result, owned by this object and by the arrays that use its memory."""
 
     def __init__(self, handle, computed=True):
         self.handle = ffi.gc(handle, lib.whirl_result_free)
@@ -149,7 +150,7 @@ class MemorySource:
 
 
 def _block_size(table):
-    """Returns the count of a point's numbers."""
+    """Returns the number of a point's numbers."""
     shape, stride = ffi.new("size_t[3]"), ffi.new("size_t *")
     lib.whirl_table_column(table, 0, shape, stride)
     return stride[0]
@@ -297,6 +298,6 @@ def _plain(word):
 
 
 def _column_names(meaning, columns):
-    """Names of columns stand before the first bracket of a meaning, with commas between."""
+    """Returns the names of columns, which are before the first bracket of a meaning, divided by commas."""
     names = [name.strip() for name in meaning.split("(")[0].split(",")]
     return names if columns > 1 and len(names) == columns and all(names) else []

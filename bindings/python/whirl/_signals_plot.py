@@ -20,7 +20,7 @@ __all__ = ["Plots"]
 
 
 def _scaled(figures):
-    """A class whose figures take ``xscale`` and ``yscale`` ("log", ...) for the axes that they return."""
+    """Decorates a class: its figures take ``xscale`` and ``yscale`` ("log", ...) for the axes that they return."""
 
     def with_scales(draw):
         @functools.wraps(draw)
@@ -58,7 +58,7 @@ class Plots:
         return f"{what} ({unit})" if unit else what
 
     def speed(self, ax: Axes | None = None, **style: Any) -> Axes:
-        """The speed between pulses over time: in rpm where time is in seconds."""
+        """Draws the speed between pulses over time, in rpm if time is in seconds."""
         record, ax = self._record, new_axes(ax)
         middles = 0.5 * (record.pulses[1:] + record.pulses[:-1])
         speed, unit = self._speeds(record.speed)
@@ -75,7 +75,7 @@ class Plots:
         ax: tuple[Axes, Axes] | None = None,
         **style: Any,
     ) -> tuple[Axes, Axes]:
-        """Amplitude and lag of orders of a channel over the speed (:meth:`whirl.signals.Record.track`).
+        """Draws amplitude and lag of orders of a channel over the speed (:meth:`whirl.signals.Record.track`).
 
         ``ax`` is a pair of axes for the two; such a pair is returned.
         """
@@ -108,7 +108,8 @@ class Plots:
         ax: Axes | None = None,
         **style: Any,
     ) -> Axes:
-        """Polar plot of an order of a channel: the lag grows against the rotation from the probe, marks name speeds."""
+        """Draws a polar plot of an order of a channel: the lag grows from the probe against the rotation, marks name
+        speeds."""
         record = self._record
         index = record.channel(channel)
         tracked = record.track(order, revolutions, slow_roll, y=None)
@@ -123,7 +124,7 @@ class Plots:
         lag, amplitude = -np.angle(tracked.vectors[index, 0]), tracked.amplitude[index, 0]
         ax.plot(lag, amplitude, **{"color": "black", "linewidth": 0.8, **style})
         speed, unit = self._speeds(tracked.speed)
-        # Marks at equal parts of the path, which is long where the shaft passes a resonance.
+        # Place marks at equal parts of the path, which is long where the shaft passes a resonance.
         path = np.append(0.0, np.cumsum(np.abs(np.diff(tracked.vectors[index, 0]))))
         for row in np.unique(np.searchsorted(path, path[-1] * np.linspace(0.0, 1.0, 9)).clip(max=len(path) - 1)):
             ax.plot(lag[row], amplitude[row], marker="o", markersize=3, color=REGIMES["quasi-periodic"])
@@ -132,7 +133,7 @@ class Plots:
         return ax
 
     def _speeds(self, speed):
-        """Speeds in the unit of figures, and its name."""
+        """Returns speeds in the unit of figures, and its name."""
         seconds = self._record.time_unit == "s"
         return speed * (30.0 / np.pi if seconds else 1.0), "rpm" if seconds else f"rad/{self._record.time_unit}"
 
@@ -182,7 +183,7 @@ class Plots:
     def full_spectrum(
         self, highest_order: float = 5.0, x: str | int = 0, y: str | int = 1, ax: Axes | None = None, **style: Any
     ) -> Axes:
-        """The full spectrum of two probes: forward whirl at orders above 0, backward whirl below."""
+        """Draws the full spectrum of two probes: forward whirl at orders above 0, backward whirl below."""
         spectrum, ax = self._record.full_spectrum(highest_order, x, y), new_axes(ax)
         style = {"color": "black", "linewidth": 0.8, **style}
         ax.plot(spectrum.orders, spectrum.forward, **style)
@@ -204,9 +205,9 @@ class Plots:
         ax: Axes | None = None,
         **style: Any,
     ) -> Axes:
-        """Amplitudes of a channel over time and frequency by colour, down to a thousandth of the largest; 1X as a line.
+        """Draws amplitudes of a channel over time and frequency by colour, down to 0.001 of the largest; 1X as a line.
 
-        The title says what a window leaves of 1X where its frequency changes most
+        The title states the share of 1X that a window leaves where its frequency changes most
         (:meth:`whirl.signals.Record.spectrogram`).
         """
         from matplotlib.colors import LogNorm
@@ -233,7 +234,8 @@ class Plots:
         ax: Axes | None = None,
         **style: Any,
     ) -> Axes:
-        """Spectra of a channel over frequency, one above the other at their times; the title as of ``spectrogram``."""
+        """Draws spectra of a channel over frequency, one above the other at their times; the title is as in
+        ``spectrogram``."""
         record = self._record
         found = record.spectrogram(window, step, channel, None)
         ax = self._stack(ax, found.frequency, found.x, found.time, style)
@@ -252,7 +254,8 @@ class Plots:
         ax: Axes | None = None,
         **style: Any,
     ) -> Axes:
-        """Draws order spectra one above the other at their speeds; of a pair the full spectra, backward below 0."""
+        """Draws order spectra one above the other at their speeds; of two probes full spectra, backward whirl below
+        0."""
         record = self._record
         found = record.cascade(revolutions, step, highest_order, x, y)
         if found.forward is None:
@@ -267,7 +270,7 @@ class Plots:
         return ax
 
     def _stack(self, ax, along, rows, heights, style):
-        """Draws rows at heights; the largest amplitude is a fifth of their range, and is named."""
+        """Draws rows at heights; the largest amplitude is a fifth of the range of heights and has a label."""
         ax, largest = new_axes(ax), rows[:, 1:].max()
         span = np.ptp(heights) or 1.0
         scale = 0.2 * span / largest if largest > 0.0 else 0.0

@@ -1,11 +1,11 @@
-"""Balancing: weights that take a rotor's vibration away, and readings out of simulations.
+"""Balancing: finds weights that remove a rotor's vibration, and makes readings from simulations.
 
->>> found = whirl.balance("fan-3.yaml")             # or a dict that says what such a file does
+>>> found = whirl.balance("fan-3.yaml")             # or a dict with the content of such a file
 >>> found.correction["drive"].moment, found.correction["drive"].angle
 >>> rows = whirl.readings(result, {"de": "left", "nde": ("right", numpy.radians(45))}, run=1)
 
-libwhirl computes (``whirl/engine/balance.h``). All is in SI and radians; angles and phases are told as the file tells
-them.
+libwhirl computes (``whirl/engine/balance.h``). All is in SI and radians; angles and phases have the sense that the file
+chooses.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _WANTED = "expected the analysis spectrum or the study unbalance"
 class Vector(NamedTuple):
     """A size with an angle, or an amplitude with its phase."""
 
-    size: float  #: kg m, m, or m a kg m
+    size: float  #: kg m, m, or m/(kg m)
     angle: float  #: rad, 0 to 2 pi, in the file's sense of angles or phases
 
     @property
@@ -80,12 +80,12 @@ class Row:
 
 @dataclass(frozen=True)
 class Set:
-    """Weights that act on one mode and on none of the others."""
+    """Weights that act on one mode and on no other mode."""
 
     speed: float  #: rad/s, near which it is balanced
     natural: Optional[float]  #: rad/s of the model's mode there
     weights: dict[str, Vector]  #: relative weights in the planes; the largest is 1
-    amount: Optional[Vector]  #: kg m of the set in the correction; None if it has no share in it
+    amount: Optional[Vector]  #: kg m of the set in the correction; None if it has no part of it
 
 
 @dataclass(frozen=True)
@@ -219,12 +219,12 @@ def balance(source: str | os.PathLike | Mapping, *, name: str | None = None, uni
     Parameters
     ----------
     source : str, path or dict
-        Name of a file as ``whirl balance`` reads it (guide, chapter 14), or what it would say. Numbers of a dict are in
-        SI and radians, texts may have units. Keys that are None count as absent.
+        Name of a file as ``whirl balance`` reads it (guide, chapter 14), or a dict with its content. Numbers of a dict
+        are in SI and radians, texts may have units. Keys that are None count as absent.
     name : str, optional
-        Stands for the file in messages; its folder is where a ``model`` is looked for.
+        Name of the file in messages; a ``model`` is looked for in its folder.
     units : str, optional
-        In which statements, sheets and warnings are shown: "US", or words such as "um, g"; default: those of the file.
+        Units of statements, sheets and warnings: "US", or words such as "um, g"; default: the units of the file.
         Numbers of the other fields are in SI.
 
     Raises
@@ -270,25 +270,25 @@ def readings(
     keyphasor: float = 0.0,
     points: "list[int] | None" = None,
 ) -> list[dict]:
-    """What probes would read once a revolution in a simulated run: rows of ``vibration`` for :func:`balance`.
+    """Returns what probes would read once a revolution in a simulated run: rows of ``vibration`` for :func:`balance`.
 
-    Of motions in time, of nonlinear machines too, that is their part once a revolution (analysis ``spectrum``); of the
-    study ``unbalance`` the synchronous response. Where shafts have a ``runout``, motions in time are read with it, the
-    response of ``unbalance`` without (what probes read is ``unbalance/seen``).
+    Readings are the part once a revolution of motions in time (analysis ``spectrum``), also of nonlinear machines, or
+    the synchronous response of the study ``unbalance``. If shafts have a ``runout``, readings of motions in time
+    contain it; readings of ``unbalance`` do not (the field ``unbalance/seen`` does).
 
     Parameters
     ----------
     source : Result or Table
-        Of a result its first table that has such motions.
+        A table, or a result, of which the first table with such motions is taken.
     probes : dict, optional
-        By names of probes their station, or station and angle in rad from the x axis towards y. Default: along x at
-        every station.
+        For each name of a probe its station, or a pair of station and angle in rad from the x axis towards y. Default:
+        a probe along x at every station.
     run : int
         Number of the run.
     phases : str
-        "lag" or "lead", as the file tells them.
+        "lag" or "lead", as in the file.
     keyphasor : float
-        rad from the x axis towards y, where the mark is seen.
+        Angle of the keyphasor in rad from the x axis towards y.
     points : list of int, optional
         Points of the table by index; default: all of them.
     """

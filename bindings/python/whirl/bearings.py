@@ -1,6 +1,6 @@
-"""Journal bearings by themselves, over load and speed.
+"""Journal bearings without a rotor, over load and speed.
 
->>> found = whirl.bearing("bearing.yaml")           # or a dict that says what such a file does
+>>> found = whirl.bearing("bearing.yaml")           # or a dict with the content of such a file
 >>> found.speed, found.eccentricity_ratio, found.stiffness[:, 0, 1]
 >>> found.plot("sommerfeld")
 
@@ -121,15 +121,15 @@ def bearing(
     Parameters
     ----------
     source : str, path or dict
-        Name of a file as ``whirl bearing`` reads it (guide, chapter 15), or what it would say. Numbers of a dict are in
-        SI and radians, texts may have units. Keys that are None count as absent.
+        Name of a file as ``whirl bearing`` reads it (guide, chapter 15), or a dict with its content. Numbers of a dict
+        are in SI and radians, texts may have units. Keys that are None count as absent.
     name : str, optional
-        Stands for the file in messages.
+        Name of the file in messages.
     units : str, optional
-        In which statements, sheets, warnings and figures are shown: "US", or words such as "um, N"; default: those of
-        the file. Arrays are in SI.
+        Units of statements, sheets, warnings and figures: "US", or words such as "um, N"; default: the units of the
+        file. Arrays are in SI.
     threads : int
-        0: one for every core.
+        Number of threads; 0: one for every core.
 
     Raises
     ------

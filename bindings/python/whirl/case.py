@@ -20,9 +20,7 @@ if TYPE_CHECKING:
 __all__ = ["Case"]
 
 _PROBLEMS = 1 << 16
-_LONGEST = (
-    1 << 20
-) + 4  # bytes: one more than a case may have with a byte order mark, so that longer texts are rejected
+_LONGEST = (1 << 20) + 4  # bytes: more than a case may have with a byte order mark, so that longer texts are rejected
 _PLAIN = re.compile(r"[A-Za-z0-9_=][A-Za-z0-9_ .+*/()^=-]*\Z")
 
 
@@ -66,7 +64,7 @@ def _block(mapping, indent=0):
 
 
 def _item(mapping):
-    """An element of a list: {"shaft": {...}} as ``shaft: {...}``."""
+    """Returns an element of a list: {"shaft": {...}} becomes ``shaft: {...}``."""
     if len(mapping) == 1:
         ((key, value),) = mapping.items()
         return f"{_scalar(str(key))}: {_flow(value)}"
@@ -81,8 +79,8 @@ def _encoded(text):
 
 
 def _document(source, key, name):
-    """The bytes of a file that is no case, or of a dict that says what it would, with its version under ``key``; and
-    its name in messages."""
+    """Returns the bytes of a file on balancing or on a bearing, or of a dict with its content (and a version under
+    ``key``), and its name in messages."""
     if not isinstance(source, Mapping):
         name = name or str(source)
         path_bytes(source)
@@ -99,7 +97,7 @@ def _document(source, key, name):
 
 
 def _accept(status, problems):
-    """Raises the error of a reader of the library, with all problems."""
+    """Raises the error of a function of the library that read a text, with all problems."""
     if status.code == BAD_INPUT:
         found = text(problems).splitlines()
         raise errors.BadInput(text(status.message) if len(found) < 2 else "\n".join(found), found)
@@ -112,11 +110,11 @@ class Case:
     Parameters
     ----------
     source : str, path or dict, optional
-        Name of a case file, or what it would say as a dict of dicts, lists, texts and numbers.
+        Name of a case file, or its content as a dict of dicts, lists, texts and numbers.
     text : str, optional
         The text of a case, in the place of ``source``.
     name : str, optional
-        Stands for the file in messages.
+        Name of the file in messages.
 
     Raises
     ------
@@ -172,7 +170,7 @@ class Case:
 
     @property
     def text(self) -> str:
-        """The text of the case, with changes by :meth:`set`."""
+        """The text of the case, with the changes of :meth:`set`."""
         length = ffi.new("size_t *")
         found = lib.whirl_case_text(self._handle, length)
         return ffi.buffer(found, length[0])[:].decode("utf-8", "replace")
@@ -200,20 +198,20 @@ class Case:
         name : str
             "r_k", "disc.mass", "integrate.transient", "rotor.speed", ...
         value : str or number
-            "6000 rpm", "= 2*c", or a plain number in the unit of the parameter as it stands in SI.
+            "6000 rpm", "= 2*c", or a plain number in SI.
 
         Raises
         ------
         BadInput
-            The case is then as it was.
+            If the name or the value is wrong; the case is unchanged.
         """
         value = value if isinstance(value, str) else _scalar(value)
         check(lib.whirl_case_set(self._handle, word_bytes(f"{name}={value}")))
         return self
 
     def spend(self, revolutions: float = 0.0, seconds: float = 0.0) -> Case:
-        """Lets runs do points in doubt again, within so many revolutions or seconds; without any number as many
-        revolutions as the study itself (``--refine`` of the command)."""
+        """Makes runs compute doubtful points again, within this number of revolutions or seconds; without a number,
+        within as many revolutions as the study has (``--refine`` of the command)."""
         for what, number in (("revolutions", revolutions), ("seconds", seconds)):
             if isinstance(number, str) or not hasattr(number, "__float__"):
                 raise errors.BadInput(f"the {what} to spend are {number!r}, expected a number")
@@ -246,5 +244,5 @@ class Case:
 
 
 def _case_of(text, name):
-    """What pickle makes a case of."""
+    """Returns the case of a pickle."""
     return Case(text=text, name=name)

@@ -4,7 +4,7 @@
 >>> for signals, labels in data.train.batches(32, shuffle=True):
 ...     learn(signals, labels)
 
-Signals stay in the files until they are asked for.
+Signals stay in the files until they are used.
 """
 
 from __future__ import annotations
@@ -44,12 +44,12 @@ def _text_of(result: MemorySource, what: str, name: str) -> str:
 
 
 def _records_of(result: Result) -> Any:
-    """The table of a data set's records; None of another study's result."""
+    """Returns the table of a data set's records, or None for the result of another study."""
     return next((table for table in result.tables.values() if table.role == "records"), None)
 
 
 def _columns_of(text: str) -> dict[str, np.ndarray]:
-    """The columns of a table of records by their names."""
+    """Returns the columns of a table of records (CSV) by their names."""
     names, *rows = csv.reader(io.StringIO(text, newline=""))
     parameters = names.index("seed") + 1  # columns from here on are parameters, whatever their names
     columns: dict[str, np.ndarray] = {}
@@ -67,7 +67,7 @@ def _columns_of(text: str) -> dict[str, np.ndarray]:
 
 
 class _File:
-    """A file of records. It is opened when signals are read, again in every process that reads them."""
+    """A file of records. Every process opens it when it first reads signals."""
 
     def __init__(self, path: str | os.PathLike) -> None:
         self.path = os.path.abspath(path)
@@ -113,7 +113,7 @@ class _File:
 
 
 def _counted(facts: Mapping[str, str], what: str) -> list[str]:
-    """Facts "dataset WHAT 1", "dataset WHAT 2", ..."""
+    """Returns the facts "dataset WHAT 1", "dataset WHAT 2", ..."""
     found = []
     while (key := f"dataset {what} {len(found) + 1}") in facts:
         found.append(facts[key])
@@ -144,7 +144,7 @@ class _Pool:
             self._tell_apart()
 
     def _tell_apart(self) -> None:
-        """Numbers machines of different seeds apart, and refuses a record that is there twice."""
+        """Gives machines of different seeds different numbers, and rejects a record that occurs twice."""
         counts = [file.shape[0] for file in self.files]
         of = np.repeat(np.arange(len(self.files)), counts)
         seeds = np.array([int(file.options["seed"]) for file in self.files])[of]
@@ -160,11 +160,11 @@ class _Pool:
         self.columns["file"] = of
 
     def file_of(self, row: int) -> int:
-        """The number of the file that has a row."""
+        """Returns the number of the file that has a row."""
         return int(np.searchsorted(self.starts, row, "right")) - 1
 
     def read(self, rows: np.ndarray) -> np.ndarray:
-        """The signals of rows in any order: neighbours in a file are read at once."""
+        """Returns the signals of rows in any order; consecutive rows of a file are read at once."""
         order = np.argsort(rows, kind="stable")
         out = np.empty((len(rows), *self.files[0].shape[1:]), np.float32)
         begin = 0
@@ -181,7 +181,7 @@ class _Pool:
 
 
 def _rows(key: Any, count: int) -> np.ndarray:
-    """The rows that a slice, a list, an array of numbers or of True and False mean."""
+    """Returns the rows that a slice, a list, or an array of numbers or of True and False selects."""
     if isinstance(key, slice):
         return np.arange(count)[key]
     chosen = np.asarray(key)
@@ -198,7 +198,7 @@ def _rows(key: Any, count: int) -> np.ndarray:
 
 
 class Signals:
-    """float32 [record][channel][sample] in files: what is indexed is read, ``numpy.asarray`` reads all."""
+    """Signals in files, float32 [record][channel][sample]. An index reads its part, ``numpy.asarray`` reads all."""
 
     def __init__(self, pool: _Pool, rows: np.ndarray) -> None:
         self._pool, self._chosen = pool, rows
@@ -244,7 +244,7 @@ class DataSet:
         self.samples_per_revolution = float(first.options["per_revolution"])
         self.signals = Signals(pool, rows)  #: the records' signals, read as they are asked for
 
-    # ------------------------------------------------------------ what the records are of
+    # ------------------------------------------------------------ columns
 
     def column(self, name: str) -> np.ndarray:
         """A column of the table of records: "label", "severity", "machine", "verdict", ..., or a parameter (SI)."""
@@ -265,20 +265,21 @@ class DataSet:
 
     @property
     def targets(self) -> np.ndarray:
-        """The number of every record's label."""
+        """The number of every record's label, from 0."""
         number = {name: i for i, name in enumerate(self.labels)}
         return np.array([number[name] for name in self.column("label")], dtype=np.int64)
 
     @property
     def datasheet(self) -> str:
-        """The data sheets of the files, Markdown."""
+        """The data sheets of the files, in Markdown."""
         return "\n".join(file.sheet for file in self._pool.files)
 
     # ------------------------------------------------------------ parts
 
     def select(self, rows: Rows | None = None, /, **equal: Any) -> DataSet:
-        """Records by their rows (numbers from 0 in this data set, a slice, or an array of True and False), and by their
-        columns: ``data.select(label=["healthy", "rub"], verdict="P-1")``, ``data.select(data.index.severity > 0.5)``.
+        """Selects records by their rows (numbers from 0 in this data set, a slice, or an array of True and False), and
+        by their columns: ``data.select(label=["healthy", "rub"], verdict="P-1")``, ``data.select(data.index.severity >
+        0.5)``.
         """
         chosen = np.ones(len(self), bool)
         for name, wanted in equal.items():
@@ -313,20 +314,20 @@ class DataSet:
         return self.signals[i], self.labels.index(str(self._pool.columns["label"][self.rows[i]]))
 
     def __getitems__(self, rows: Sequence[int]) -> list[tuple[np.ndarray, int]]:
-        """Some records, read together, as PyTorch's loaders ask for a batch."""
+        """Reads several records together, as PyTorch's loaders do for a batch."""
         return list(zip(self.signals[list(rows)], self.select(list(rows)).targets.tolist()))
 
     def batches(
         self, size: int, *, shuffle: bool = False, seed: int | None = None, whole: bool = False
     ) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-        """Batches of (signals [size][channel][sample], numbers of labels [size]).
+        """Yields batches (signals [size][channel][sample], numbers of labels [size]).
 
         Parameters
         ----------
         size : int
-            Records of a batch; the last has what is left, or (``whole``) is left out unless it is whole.
+            Records of a batch. The last batch has the remaining records; with ``whole`` it is left out if it has fewer.
         shuffle : bool
-            Records in a random order, of numpy's generator with this ``seed``.
+            Takes records in a random order, by numpy's generator with this ``seed``.
         """
         if size < 1:
             raise BadInput(f"batches have {size} records, expected 1 or more")
@@ -337,7 +338,7 @@ class DataSet:
             yield self.signals[own], targets[own]
 
     def remake(self, i: int, *, threads: int = 1) -> np.ndarray:
-        """Computes the signals of a record anew, from its case and its number alone: the same bits on the same
+        """Computes the signals of a record again from its case and its number: with the same bits on the same
         instruction set."""
         row = int(self.rows[i])
         file = self._pool.files[self._pool.file_of(row)]
@@ -347,7 +348,7 @@ class DataSet:
         return np.array(_records_of(result)[FIELD.DATASET_SIGNALS][0])
 
     def close(self) -> None:
-        """Closes the files; they are opened again where signals are read."""
+        """Closes the files; reading signals opens them again."""
         for file in self._pool.files:
             file.close()
 
@@ -372,20 +373,20 @@ def dataset(
     overwrite: bool = False,
     **options: Any,
 ) -> DataSet:
-    """Opens a data set, or makes it of a case with a study ``dataset`` first.
+    """Opens a data set, or first computes it from a case with a study ``dataset``.
 
     Parameters
     ----------
     source : file, or list of files
-        What ``whirl run`` or this function has made; several files with the same channels and labels are one data set.
-        Their seeds differ.
+        Files of ``whirl run`` or of this function. Several files with the same channels and labels, but different
+        seeds, are one data set.
     source : Case, case file or dict, with ``path``
         The case, whose data set is computed and written to ``path``, with its table of records ("-records.csv" in the
         place of ".h5") and its data sheet ("-datasheet.md") beside it, as ``whirl run`` does.
     overwrite : bool
-        Whether files that are there are replaced.
+        Whether existing files are replaced.
     **options
-        Those of :func:`whirl.run`: threads, progress, journal, resume.
+        Options of :func:`whirl.run`: threads, progress, journal, resume.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Errors of the library as exceptions, each with the library's sentence."""
+"""Errors of the library as exceptions, each with the library's message."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ __all__ = [
 
 
 class Error(Exception):
-    """A call of libwhirl failed; ``str`` of it is one sentence that says where, what was found and what is expected."""
+    """A call of libwhirl failed. The message is one sentence: where, what was found and what is expected."""
 
 
 class BadInput(Error, ValueError):
@@ -38,7 +38,7 @@ class BadInput(Error, ValueError):
 
 
 class _OfFile:
-    """Makes errors that are OSErrors, too, say the library's sentence, with the ``errno`` of their class."""
+    """Gives errors that are also OSErrors the library's message, and the ``errno`` of their class."""
 
     _errno: int
 
@@ -75,7 +75,7 @@ class ExistingFile(_OfFile, FileFailure, FileExistsError):
 
 
 class NumericalFailure(Error, ArithmeticError):
-    """A solver gave up, for a reason that is not a diverging motion."""
+    """A solver failed for another reason than a diverging motion."""
 
 
 class Stopped(Error):

@@ -26,7 +26,7 @@ _MARKS = {
 }
 _CM = 1.0 / 2.54
 _DASHES = (0, (4, 2.5))
-_LOW_PANEL = 0.7  # cm; labels of vertical axes do not fit next to lower panels
+_LOW_PANEL = 0.7  # cm; upright labels do not fit beside panels that are lower than this
 
 
 def _word(value):
@@ -165,12 +165,13 @@ def _set_axis(ax, axis, which, font):
 
 
 def _shared(ax):
-    """Returns whether other axes share the x axis, and the y axis."""
+    """Returns two values: whether other axes share the x axis, and whether others share the y axis."""
     return [len(axes.get_siblings(ax)) > 1 for axes in (ax.get_shared_x_axes(), ax.get_shared_y_axes())]
 
 
 def _set_style(artists, style):
-    """Keywords of Matplotlib for what is drawn, each for those that take it; a label for the first, as of one thing."""
+    """Sets keywords of Matplotlib, each on all artists that take it; a label only on the first, so that the legend has
+    it once."""
     for key, value in style.items():
         takers = [artist for artist in artists if hasattr(artist, f"set_{key}")]
         if not takers:
@@ -189,7 +190,7 @@ def _limits_before(ax):
 
 
 def _widen(ax, which, axis, before):
-    """Sets limits that show the new contents, and with Matplotlib's ticks the earlier contents too."""
+    """Sets limits that show the new contents; if earlier contents need wider ones, those, with Matplotlib's ticks."""
     low, high = axis["low"], axis["high"]
     if before is not None and (min(before) < low or max(before) > high):
         low, high = min(low, *before), max(high, *before)
@@ -222,7 +223,7 @@ def draw_panel(ax: Axes, panel: dict[str, Any], document: dict[str, Any], style:
 
 
 def new_axes(ax: Axes | None) -> Axes:
-    """Returns the given axes, or those of a new figure."""
+    """Returns the given axes, or the axes of a new figure."""
     if ax is not None:
         if not hasattr(ax, "get_shared_x_axes"):
             raise errors.BadInput(f"ax is {ax!r}, expected axes of Matplotlib")

@@ -1,4 +1,4 @@
-"""Findings of machines at rest, branches, tori and spectra: statements and sheets of the library."""
+"""Findings on machines at rest, branches, tori and spectra: statements and sheets of the library."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ Cell = Union[None, str, float, "tuple[float, ...]"]
 
 @dataclass(frozen=True)
 class Statement:
-    """One finding. ``str`` of it is the sentence that summaries print."""
+    """One finding. ``str`` makes the sentence that summaries print."""
 
     table: str  #: name of the table
     what: str  #: "separation margin"
-    station: str  #: or ""
+    station: str  #: name of the station, or ""
     at: str  #: value of the table's parameter; "" for the whole table
     verdict: str  #: "none asked for", "holds", "not known" or "fails"
     clause: str  #: clause of the standard, or ""
@@ -62,7 +62,7 @@ class Column:
     key: str  #: "amplification"
     heading: str  #: heading without its unit
     unit: str  #: unit of the shown numbers, or ""
-    size: float  #: size of that unit in SI: the shown number is the SI number over it, less ``zero``
+    size: float  #: size of that unit in SI: shown number = number in SI / size - ``zero``
     digits: int  #: significant digits in documents; 0 for a column of texts
     zero: float = 0.0  #: offset of temperature units: 273.15 for degC, 459.67 for degF
     between: str | None = None  #: separator of several numbers in a cell; None for single numbers
@@ -83,7 +83,7 @@ class Column:
 
 @dataclass(frozen=True)
 class Sheet:
-    """A table as documents show it: numbers in the units shown, and in SI."""
+    """A table as documents show it, with numbers in the units shown, and in SI."""
 
     name: str  #: "peaks"
     table: str  #: name of the table
@@ -103,18 +103,20 @@ class Sheet:
         return len(self.rows)
 
     def __getitem__(self, key: str) -> Any:
-        """A column by its key, in the unit shown: an array (NaN for no number), or a list of what is none."""
+        """Returns a column by its key, in the unit shown: an array (NaN for empty cells), or a list if cells are not
+        single numbers."""
         if key not in self.keys:
             raise KeyError(f"the sheet '{self.name}' has no column '{key}', expected one of: {', '.join(self.keys)}")
         at = self.keys.index(key)
         return self._numbers(at) if self._is_plain(at) else [row[at] for row in self.rows]
 
     def records(self, si: bool = False) -> list[dict[str, Cell]]:
-        """Rows as dicts by the keys of columns, in the units shown or in SI."""
+        """Returns the rows as dicts by the keys of columns, in the units shown or in SI."""
         return [dict(zip(self.keys, row)) for row in (self.si if si else self.rows)]
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A DataFrame in the units shown, whose columns are headings with units. ``frame.attrs["keys"]`` has the keys,
+        """Returns a DataFrame in the units shown, whose column names are headings with units. ``frame.attrs["keys"]``
+        has the keys,
         ``frame.attrs["units"]`` the units, both in the order of the columns."""
         columns = range(len(self.columns))
         own = {at: self._numbers(at) if self._is_plain(at) else [row[at] for row in self.rows] for at in columns}
@@ -165,7 +167,7 @@ def text_of(handle, sheet: str | None, units: str | None, form: str) -> str:
 
 
 def _finite(numbers):
-    """Returns NaN for a null of JSON."""
+    """Returns numbers with NaN in the place of a null of JSON."""
     return tuple(np.nan if number is None else number for number in numbers)
 
 
@@ -205,7 +207,7 @@ def sheet_of(handle, name: str, units: str | None) -> Sheet:
 
 
 def sheets_of(handle, units: str | None) -> dict[str, Sheet]:
-    """All sheets of a result by their names, with that of their table before it where several tables have one."""
+    """Returns all sheets of a result by their names, "TABLE/NAME" if several tables have a sheet of the name."""
     return sheets_in(json.loads(text_of(handle, None, units, "json")))
 
 
@@ -215,7 +217,7 @@ def statements_in(document: dict[str, Any]) -> Statements:
 
 
 def sheets_in(document: dict[str, Any]) -> dict[str, Sheet]:
-    """The sheets of a document, by names as :func:`sheets_of` has them."""
+    """Returns the sheets of a document, by the names of :func:`sheets_of`."""
     sheets = [_sheet(own) for own in document["sheets"]]
     times = Counter(sheet.name for sheet in sheets)
     return {f"{own.table}/{own.name}" if times[own.name] > 1 else own.name: own for own in sheets}

@@ -41,14 +41,15 @@ class Estimate:
     name: str  #: name of the parameter
     start: float  #: value at which the search began
     value: float  #: value found
-    error: float  #: standard error; NaN if it is not determined
-    low: float  #: lower end of the 95 % interval; NaN likewise
+    error: float  #: standard error; NaN if the parameter is not determined
+    low: float  #: lower end of the 95 % interval; NaN if the parameter is not determined
     high: float  #: its upper end
-    known: str  #: "determined", "at a bound", "weak" (an interval as wide as bounds or value), "unknown"
+    known: str  #: "determined", "at a bound", "weak" (the interval is as wide as the bounds or the value), "unknown"
 
 
 class Fit(Mapping):
-    """What a fit found: a mapping from names of parameters to :class:`Estimate`, of the start with the least sum."""
+    """Result of a fit: a mapping from names of parameters to :class:`Estimate`, from the start with the least sum of
+    squares."""
 
     def __init__(self, result: Result) -> None:
         self.result = result  #: the whole :class:`Result`
@@ -85,7 +86,7 @@ class Fit(Mapping):
         return len(self._estimates)
 
     def frame(self) -> pandas.DataFrame:
-        """The estimates as a pandas DataFrame, one row a parameter."""
+        """Returns the estimates as a pandas DataFrame, one row for each parameter."""
         import pandas
 
         return pandas.DataFrame([vars(own) for own in self._estimates.values()]).set_index("name")
@@ -98,7 +99,7 @@ class Fit(Mapping):
 
 
 def _table_of(data: Any, folder: str, number: int) -> str:
-    """The path of a table: of a file, or of a DataFrame or dict of columns that is written."""
+    """Returns the path of a table: a given file, or a file that is written from a DataFrame or a dict of columns."""
     if isinstance(data, (str, os.PathLike)):
         path = Path(data)
         if not path.is_file():
@@ -115,7 +116,7 @@ def _table_of(data: Any, folder: str, number: int) -> str:
 
 
 def _where(bounds: Any) -> dict[str, Any]:
-    """``{start, from, to}`` of what stands for an unknown: None, (from, to), (start, from, to), or a dict."""
+    """Returns ``{start, from, to}`` of an unknown that is given as None, (from, to), (start, from, to), or a dict."""
     if bounds is None:
         return {}
     if isinstance(bounds, Mapping):
@@ -145,14 +146,14 @@ def fit(
         Measured numbers. Headings say what a column is: "angle [deg]" with "disc x [um]" for an orbit, "speed [rpm]"
         with "disc x [um]" and "disc x lag [deg]" for orders (guide, chapter 18).
     unknown : dict or list of names
-        Parameters that are looked for: None, (from, to), (start, from, to), or {"start": ..., "from": ..., "to": ...};
+        Parameters to find, each with None, (from, to), (start, from, to), or {"start": ..., "from": ..., "to": ...};
         texts have units, numbers are in SI.
     at : dict, or a list of one for each table, optional
-        Parameters with the values that they had in the measurement.
+        Values that parameters had in the measurement.
     noise : text or float, optional
-        Standard deviation of the measured numbers: "2 um", or m.
+        Standard deviation of the measured numbers: "2 um", or a number in m.
     threads : int
-        0: all.
+        Number of threads; 0: all cores.
     **options
         Other keys of ``study: {fit: ...}``: starts, revolutions, transient, loss, huber, steps, tolerance, rtol,
         method.
@@ -168,7 +169,7 @@ def fit(
     if len(places) != len(tables):
         raise BadInput(f"`at` has {len(places)} places for {len(tables)} tables, expected one for each")
     names = unknown if isinstance(unknown, Mapping) else dict.fromkeys(unknown)
-    # The study of the case makes room for the fit.
+    # Remove the study of the case.
     machine = re.sub(r"(?m)^study:.*\n(?:(?:[ \t#].*)?\n|[ \t#].*\Z)*", "", case.text.rstrip("\n") + "\n")
     with tempfile.TemporaryDirectory(prefix="whirl-fit-") as folder:
         items = []

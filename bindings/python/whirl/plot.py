@@ -1,7 +1,7 @@
-"""Panels of the figures of reports in Matplotlib, by what they show.
+"""Draws panels of the figures of reports in Matplotlib, chosen by what they show.
 
 Every function takes the axes to draw into, or makes a figure of the panel; it returns the axes. Further keywords go to
-what is drawn (``color="red"``), ``yscale="log"`` to the axes. Numbers, units, colours and labels are those of
+the lines and marks (``color="red"``), ``yscale="log"`` to the axes. Numbers, units, colours and labels are those of
 :meth:`whirl.Result.figure`, which draws all panels of a figure.
 """
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 __all__ = ["ATTRACTORS", "REGIMES", "Plots", "attractor_colour", "classes"]
 
-# Colours of the report and the explorer, distinguishable with any colour vision.
+# Colours of the report and the explorer, which readers with any colour vision can tell apart.
 REGIMES = {
     "P-1": "#366EFB",
     "P-2": "#1FBADD",
@@ -34,7 +34,8 @@ REGIMES = {
     "undetermined": "#9A9F95",
     "diverged": "#FB8D41",
 }
-# Colours of attractors, repeated: Okabe and Ito's, in an order in which neighbours also differ in lightness.
+# Colours of attractors, repeated after the last: those of Okabe and Ito, in an order in which neighbours also differ in
+# lightness.
 ATTRACTORS = ("#0072B2", "#E69F00", "#56B4E9", "#009E73", "#CC79A7", "#D55E00", "#F0E442", "#000000")
 _NO_ATTRACTOR = "#9A9F95"
 _UNDETERMINED, _PERIODIC, _QUASI_PERIODIC, _CHAOTIC, _DIVERGED = range(5)
@@ -46,7 +47,7 @@ _FIELDS = {
     "campbell": FIELD.MODES_FREQUENCY,
     "unbalance": FIELD.UNBALANCE_AMPLITUDE,
 }
-_MOST_PLANES = 12  # most planes in the figure of a map over three parameters (figure_map.c)
+_MOST_PLANES = 12  # largest number of planes in the figure of a map over three parameters (figure_map.c)
 
 
 def classes(table: Table) -> np.ndarray:
@@ -62,7 +63,7 @@ def classes(table: Table) -> np.ndarray:
 
 
 def attractor_colour(number: int) -> str:
-    """Returns the colour of an attractor by its number, from 1; 0: no attractor."""
+    """Returns the colour of an attractor by its number, from 1; of 0 the colour of points without an attractor."""
     return ATTRACTORS[(number - 1) % len(ATTRACTORS)] if number > 0 else _NO_ATTRACTOR
 
 
@@ -75,7 +76,8 @@ class Plots:
     # ---------------------------------------------------------------- names of figures, tables and points
 
     def _name(self, kind, table=None, station=None):
-        """The name of a figure: of the first table that has what it shows, and the first station, unless named."""
+        """Returns the name of a figure; without a table or station of the first table with its field and the first
+        station."""
         if self._named(table) is None:
             first = self._first(_FIELDS[kind], True)
             table = None if first is None else first.name
@@ -99,7 +101,7 @@ class Plots:
         return _chosen(which, [station.name for station in self._result.stations], "station")
 
     def _table(self, table, needs, every=False):
-        """Returns the table of a name, or the first table that has a field."""
+        """Returns the table of a name, or the first table that has the field ``needs``."""
         advice = f"add {needs.split('/')[0]} to what the case analyses"
         if needs == FIELD.SPECTRUM_AMPLITUDE:
             advice = "'study: {detail: {at: ...}}' in a case keeps whole spectra"
@@ -113,7 +115,8 @@ class Plots:
         return found
 
     def _document(self, name, panel, style, titled=False):
-        """A figure with one panel, the first where that is None, on axes with the scales of the style."""
+        """Returns the document of a figure with one panel (None: the first), and with the scales of axes in the
+        style."""
         log = "".join(axis for axis in "xy" if style.get(f"{axis}scale") == "log")
         document = self._result.figure_data(name, panel, log or None)
         del document["panels"][1:]
@@ -127,7 +130,7 @@ class Plots:
         return document
 
     def _draw(self, name, panel, ax, style, titled=False):
-        """Draws a panel of a figure, with the figure's title if that names the contents."""
+        """Draws a panel of a figure; titled: with the figure's title."""
         return self._put(self._document(name, panel, style, titled), ax, style)
 
     @staticmethod
@@ -158,27 +161,27 @@ class Plots:
         ax: Axes | None = None,
         **style,
     ) -> Axes:
-        """Sections over the parameter, a point a revolution, in the colours of their regimes; where points have several
-        starts, every attractor once, in a colour of its own.
+        """Draws sections over the parameter, a mark for each revolution, in the colours of their regimes; if points
+        have several starts, every attractor once, in a colour of its own.
 
         Parameters
         ----------
         table : str, optional
-            "sweep", ...; the first that has such a figure.
+            "sweep", ...; default: the first that has such a figure.
         station : str or int, optional
-            Whose; the first one.
+            Name or index of the station; default: the first.
         coordinate : str
             "x" or "y".
         ax : matplotlib.axes.Axes, optional
-            Where to draw.
+            Axes to draw into.
         style
-            For what is drawn: ``markersize=5``.
+            Keywords of Matplotlib: ``markersize=5``.
         """
         return self._draw(self._name("bifurcation", table, station), _axis(coordinate), ax, style)
 
     def shares(self, table: str | None = None, ax: Axes | None = None, **style) -> Axes:
-        """Of several starts a point, the share that leads to each attractor, with its standard error; open circles
-        where it is 0: an attractor that was found from a neighbour alone."""
+        """Draws the share of the starts that leads to each attractor, with its standard error; open circles mark shares
+        of 0, of attractors that were found only from a neighbouring point."""
         tables = self._result.tables.values() if self._named(table) is None else [self._result[table]]
         if not any(candidate.has_attractors for candidate in tables):
             raise BadInput(
@@ -187,8 +190,8 @@ class Plots:
         return self._draw(self._name("bifurcation", table), "share", ax, style)
 
     def lyapunov(self, table: str | None = None, ax: Axes | None = None, **style) -> Axes:
-        """The largest Lyapunov exponent over the parameter with its standard error, in the colours of the regimes;
-        without the error where there are no sections."""
+        """Draws the largest Lyapunov exponent over the parameter with its standard error, in the colours of the
+        regimes; without the error if the table has no sections."""
         found = self._table(table, FIELD.LYAPUNOV_LARGEST)
         if FIELD.POINCARE_SECTION not in found:
             return self._draw(f"{found.name}/{FIELD.LYAPUNOV_LARGEST}", "value", ax, style)
@@ -204,12 +207,12 @@ class Plots:
         ax: Axes | None = None,
         **style,
     ) -> Axes:
-        """Branches of orbits over the parameter, once a revolution: stable solid, unstable dashed, special points by
-        their kinds; tori that begin along them, and the sections of a sweep beside them."""
+        """Draws branches of orbits over the parameter, at one angle of each revolution: stable solid, unstable dashed,
+        special points by their kinds, with tori that begin along them and the sections of a sweep."""
         return self._draw(self._name("branch", table, station), _axis(coordinate), ax, style)
 
     def curves(self, ax: Axes | None = None, **style) -> Axes:
-        """Curves of special points over two parameters, by their kinds."""
+        """Draws curves of special points over two parameters, by their kinds."""
         if "curves" in self._result.tables and self._result["curves"].values.size == 0:
             raise BadInput("the table 'curves' has no point: no special point was found to begin a curve")
         return self._draw("curves", "curves", ax, style)
@@ -217,14 +220,14 @@ class Plots:
     # ---------------------------------------------------------------- machines at rest
 
     def campbell(self, table: str | None = None, ax: Axes | None = None, **style) -> Axes:
-        """Natural frequencies over the parameter, in the unit of the speed, or in Hz, with critical speeds and
-        thresholds of stability; dashed: once a revolution."""
+        """Draws natural frequencies over the parameter, in the unit of the speed or in Hz, with critical speeds and
+        thresholds of stability; the dashed line is once a revolution."""
         return self._draw(self._name("campbell", table), "frequency", ax, style)
 
     def bode(
         self, table: str | None = None, station: str | int | None = None, ax: tuple[Axes, Axes] | None = None, **style
     ) -> tuple[Axes, Axes]:
-        """The response to unbalance over the parameter as both probes of a station see it: its amplitude and its lag.
+        """Draws the response to unbalance over the parameter as both probes of a station see it: amplitude and lag.
 
         ``ax`` is a pair of axes for the two; such a pair is returned.
         """
@@ -248,10 +251,10 @@ class Plots:
         at: float | str | None = None,
         **style,
     ) -> Axes:
-        """The section of a point: where the station is once a revolution.
+        """Draws the section of a point: the position of a station once a revolution.
 
-        ``point`` is an index from 0; ``at`` in its place the value of the parameter, of which the nearest point is
-        taken: a number in SI, or a text with any unit, "6000 rpm". BadInput beyond the values of the table.
+        ``point`` is an index from 0. In its place, ``at`` is a value of the parameter, to which the nearest point is
+        taken: a number in SI, or a text with any unit, "6000 rpm". A value beyond those of the table is BadInput.
         """
         return self._of_point(self._table(table, FIELD.POINCARE_SECTION), point, at, station, "section", ax, style)
 
@@ -265,7 +268,7 @@ class Plots:
         at: float | str | None = None,
         **style,
     ) -> Axes:
-        """The path of a station at a point, with a mark at every revolution where sections were taken; ``point`` and
+        """Draws the path of a station at a point, with a mark at every revolution if sections were taken; ``point`` and
         ``at`` as for :meth:`poincare`."""
         return self._of_point(self._table(table, FIELD.WAVEFORM_SAMPLES, True), point, at, station, "orbit", ax, style)
 
@@ -280,8 +283,9 @@ class Plots:
         at: float | str | None = None,
         **style,
     ) -> Axes:
-        """A point's spectrum over the order: forward and backward whirl; with ``full=False`` those of x and y, which
-        are there where a whole spectrum was kept, as in details; ``point`` and ``at`` as for :meth:`poincare`."""
+        """Draws a point's spectrum over the order: forward and backward whirl. ``full=False`` draws the spectra of x
+        and y, which a result has if the case keeps whole spectra, as for points in detail. ``point`` and ``at`` as for
+        :meth:`poincare`."""
         needs, panel = (FIELD.SPECTRUM_LINES, "full-spectrum") if full else (FIELD.SPECTRUM_AMPLITUDE, "spectrum")
         return self._of_point(self._table(table, needs, True), point, at, station, panel, ax, style)
 
@@ -297,8 +301,8 @@ class Plots:
         ax: Axes | None = None,
         **style,
     ) -> Axes:
-        """The lines of all spectra over order and parameter, backward whirl below zero: by colour, down to a thousandth
-        of the largest. Of a sweep in both directions those of the way up."""
+        """Draws the lines of all spectra over order and parameter by colour, down to a thousandth of the largest;
+        backward whirl is below order 0. Of a sweep in both directions it shows only the way up."""
         drawn = self._draw(self._name("waterfall", table, station), None, ax, style)
         if highest_order is not None:
             drawn.set_xlim(-highest_order, highest_order)
@@ -316,22 +320,23 @@ class Plots:
         ax: Axes | None = None,
         **style,
     ) -> Axes:
-        """Regimes over two parameters, paler where confidence is low; or a field's numbers. Of a basin the attractors
-        that its starts lead to. Where points have several starts, what most of them lead to.
+        """Draws regimes over two parameters, paler where confidence is low, or a field's numbers; of a basin the
+        attractors to which its starts lead. If points have several starts, a cell shows the motion to which most starts
+        lead.
 
         Parameters
         ----------
         field : str, optional
-            "orbit/max_radius", "lyapunov/largest", ...; regimes without it.
+            "orbit/max_radius", "lyapunov/largest", ...; default: regimes.
         table : str, optional
-            "map" or "basin"; the first that has two parameters.
+            "map" or "basin"; default: the first with two parameters.
         which : int or str
-            Station or contact of the field.
+            Station or contact of the field, by name or index.
         column : int or str
-            Of a field with several columns: "y" of "orbit/mean".
+            Column of a field that has several: "y" of "orbit/mean".
         plane : int
-            Of a map over three parameters, from 0 in the order of the third one's values; of more than 12 planes those
-            are drawn that the figure shows.
+            Plane of a map over three parameters, from 0 in the order of the third parameter's values; of more than 12
+            planes only those of the figure can be drawn.
         """
         table = self._plane(table)
         if not 0 <= plane < table.planes:
@@ -358,7 +363,7 @@ class Plots:
         raise BadInput("the result has no map: 'study: {map: {x: ..., y: ...}}' in a case computes one")
 
     def _field_name(self, table, field, which, column):
-        """ "orbit/mean:disc:y" """
+        """Returns the name of the figure of a field, "orbit/mean:disc:y"."""
         about, words = table._field(field), [field]
         if about.extent == "station":
             words.append(self._station(which))
@@ -385,7 +390,7 @@ def _chosen(which, names, what):
 
 
 def _point(table, point, at):
-    """What the library's figures of points call one: "#3" by its index, "6000 rpm" by a value."""
+    """Returns the name of a point in names of figures: "#3" by its index, "6000 rpm" by a value."""
     if isinstance(point, str) and at is None:
         point, at = None, point
     if (point is None) == (at is None):

@@ -36,7 +36,7 @@ class Parameter:
 
     name: str
     value: float  #: in SI
-    unit: str  #: of SI, "1" for a plain number
+    unit: str  #: SI unit, "1" for a plain number
     text: str  #: text in the case
 
     def __float__(self) -> float:
@@ -45,15 +45,15 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Station:
-    """A place of the machine whose motion is observed."""
+    """A place of the machine whose motion is recorded."""
 
     name: str
     clearance: float  #: clearance of the bearing, in length scales; 0 without a bearing
     gap: float  #: radius at which the station touches a stator, in length scales; 0 without a stator
     x: int  #: index of the coordinate along x in the state
-    y: int  #: likewise
+    y: int  #: index of the coordinate along y
     vx: int  #: index of the velocity along x
-    vy: int  #: likewise along y
+    vy: int  #: index of the velocity along y
     shaft: int = 0  #: number of its shaft of finite elements, from 1; 0 for none
     position: float = 0.0  #: position along that shaft, m
     along_y: int = 0  #: 1 if the station moves along y only; then `x` is the index of that coordinate too
@@ -74,7 +74,8 @@ def value_text(value: float | str) -> str:
 
 
 class _About:
-    """What tables know of their result; they do not hold it, so that memory is free as soon as nobody does."""
+    """The part of a result that its tables need. They do not hold the result itself, so that its memory is freed when
+    the user no longer has it."""
 
     def __init__(self, source: Any) -> None:
         self._source = source
@@ -100,7 +101,7 @@ class _About:
 
     @property
     def clock(self) -> float:
-        """rad/s of the phase that counts revolutions, of the case without parameter changes."""
+        """Rate of the phase that counts revolutions, rad/s, for the case without parameter changes."""
         try:
             rate = float(self.facts.get("keyphasor rate", "").split(" ")[0])
         except ValueError:
@@ -134,8 +135,8 @@ class Result:
 
     def __init__(self, source: Any) -> None:
         self._source, self._about = source, _About(source)
-        self._units = None  # units of figures: "" for those of the case
-        self._whole = None  # of a result in a file, where figures have been drawn
+        self._units = None  # units of figures; "": those of the case
+        self._whole = None  # whole result in memory, once a result in a file was needed for figures
 
     @property
     def title(self) -> str:
@@ -154,17 +155,17 @@ class Result:
 
     @property
     def speed(self) -> float:
-        """Speed of the shaft in rad/s, of the case without parameter changes."""
+        """Speed of the shaft in rad/s, for the case without parameter changes."""
         return self._source.speed
 
     @property
     def length_scale(self) -> float:
-        """m per unit of length."""
+        """Length scale: m per unit of length."""
         return self._source.length_scale
 
     @property
     def force_scale(self) -> float:
-        """N per unit of force."""
+        """Force scale: N per unit of force."""
         return self._source.force_scale
 
     @property
@@ -173,16 +174,16 @@ class Result:
         return self._source.partial
 
     def _rows_of(self, field):
-        """Tables that have points and the field: their names, and its numbers [points][all of a point]."""
+        """Yields tables that have points and the field: name, and numbers [points][numbers of a point]."""
         for name, table in self.tables.items():
             if field in table and len(table.values) > 0:
                 yield name, np.asarray(table[field]).reshape(len(table.values), -1)
 
     @property
     def warnings(self) -> list[str]:
-        """What the library warns of, as ``whirl check`` and ``whirl run`` do: values of the case that a law is not for
-        or that no machine has, ranges without extent; in the units of statements. :func:`whirl.run` shows them as
-        ``UserWarning`` too."""
+        """Warnings of the library, which ``whirl check`` and ``whirl run`` also print: values of the case outside the
+        range of a law or unlike any machine, and empty ranges; in the units of statements. :func:`whirl.run` also shows
+        them as ``UserWarning``."""
         if "warning 1" not in self.facts:
             return []
         from ._library import check, ffi, lib, taken
@@ -193,8 +194,9 @@ class Result:
 
     @property
     def beyond(self) -> list[str]:
-        """The ranges of laws that points of tables have left: which, and how far they went. Field "ranges/left" of a
-        table tells how many a point has left, "ranges/reached" what each came to and where its range ends."""
+        """Validity ranges of laws that points of tables have left, and the values that they reached. The field
+        "ranges/left" of a table has the number of ranges that a point has left, "ranges/reached" the value reached and
+        the end of each range."""
         lines = []
         for name, every in self._rows_of(FIELD.RANGES_REACHED):
             for i in range(every.shape[1] // 2):
@@ -210,8 +212,8 @@ class Result:
 
     @property
     def held(self) -> list[str]:
-        """The contacts against which machines at rest rest, and which small motions leave closed. Field "ranges/held"
-        of a table is the normal force of every contact at every point, 0 where it is open."""
+        """Contacts that are closed in the equilibria of machines at rest, and stay closed in small motions. The field
+        "ranges/held" of a table is the normal force of every contact at every point, 0 for an open one."""
         lines = []
         for name, every in self._rows_of(FIELD.RANGES_HELD):
             for contact, force in zip(self.contacts, self.force_scale * every.T):
@@ -223,9 +225,9 @@ class Result:
 
     @property
     def unfound(self) -> list[str]:
-        """The tables of machines at rest with points where no place of rest was found; their numbers are NaN. Field
-        "ranges/rest" of a table is the share of the static load up to which one could be followed, 1 where there is
-        one."""
+        """Tables of machines at rest that have points without a place of rest; the numbers of these points are NaN. The
+        field "ranges/rest" of a table is the share of the static load up to which an equilibrium could be followed, 1
+        if one was found."""
         lines = []
         for name, share in self._rows_of(FIELD.RANGES_REST):
             missing = ~(share >= 1)
@@ -235,9 +237,10 @@ class Result:
 
     @property
     def elsewhere(self) -> list[str]:
-        """The tables of machines at rest with points that have another place of rest, to which that of the value before
-        or after leads. Field "ranges/elsewhere" of a table has the distance of each station from its place of rest,
-        and "ranges/elsewhere_growth" the largest real part of the eigenvalues there, 1/s: stable below 0."""
+        """Tables of machines at rest that have points with a second place of rest, to which the place of rest of the
+        value before or after leads. The field "ranges/elsewhere" of a table has the distance of each station between
+        both places, "ranges/elsewhere_growth" the largest real part of the eigenvalues at the second one, 1/s: stable
+        below 0."""
         lines = []
         for name, apart in self._rows_of(FIELD.RANGES_ELSEWHERE):
             found = np.isfinite(apart).any(axis=tuple(range(1, apart.ndim)))
@@ -279,20 +282,21 @@ class Result:
         return Case(text=self.case_text, name=self.case_name)
 
     def show_in(self, units: str) -> Result:
-        """Chooses the units of figures, statements and sheets, as ``whirl report --units`` does; else the case's are.
+        """Chooses the units of figures, statements and sheets, as ``whirl report --units`` does; default: those of the
+        case.
 
         Parameters
         ----------
         units : str
-            One word each, in any order, of a length (scale, m, mm, um, in, mil), a speed (rad/s, rpm), and a way to
-            count amplitudes (0-p, p-p, rms): "um, rpm, p-p". Frequencies (order, Hz, cpm) are taken, and change nothing
-            here: spectra stand over orders. "" goes back to units without any choice. A result in memory is saved with
-            its choice; a file that was opened stays as it is.
+            At most one word, in any order, of a length (scale, m, mm, um, in, mil), a speed (rad/s, rpm), and a way to
+            count amplitudes (0-p, p-p, rms): "um, rpm, p-p". Frequencies (order, Hz, cpm) are accepted without an
+            effect, since spectra here are over orders. "" restores the default. A result in memory is saved with its
+            choice; an opened file does not change.
 
         Returns
         -------
         Result
-            This one: ``result.show_in("mil, rpm").plot.bode()``.
+            The same object: ``result.show_in("mil, rpm").plot.bode()``.
         """
         if not isinstance(units, str):
             raise errors.BadInput(f"the units are {units!r}, expected words such as 'um, rpm, p-p'")
@@ -342,13 +346,13 @@ class Result:
 
     @property
     def plot(self) -> Plots:
-        """Figures in Matplotlib as the report draws them, such as ``result.plot.bifurcation()``."""
+        """Functions that draw figures of reports in Matplotlib, such as ``result.plot.bifurcation()``."""
         from .plot import Plots
 
         return Plots(self)
 
     def figures(self) -> dict[str, str]:
-        """Names and titles of the figures that :meth:`figure` draws, those of reports."""
+        """Returns names and titles of the figures of reports, which :meth:`figure` draws."""
         from .figure import names_of
 
         return names_of(self._figured())
@@ -361,18 +365,18 @@ class Result:
         units: str | None = None,
         other: "Result | None" = None,
     ) -> dict[str, Any]:
-        """A figure as data, the document of docs/figures.md: panels with axes and series, in the units shown.
+        """Returns a figure as data, the document of docs/figures.md: panels with axes and series, in the units shown.
 
         Parameters
         ----------
         name : str, optional
-            One of :meth:`figures`; the first one.
+            One of :meth:`figures`; default: the first.
         panels : str or list of str, optional
-            These panels alone: "x,exponent".
+            Names of the panels to include: "x,exponent".
         log : str, optional
             "x", "y" or "xy": axes that shall be logarithmic.
         units : str, optional
-            "um, rpm, Hz, p-p"; those of the result.
+            "um, rpm, Hz, p-p"; default: those of the result.
         other : Result, optional
             A result whose figure of the same name is drawn into this one, dashed: a measured record
             (:func:`whirl.signals.load`) over a model.
@@ -390,7 +394,7 @@ class Result:
         ax: Axes | None = None,
         other: "Result | None" = None,
     ) -> Figure:
-        """Draws a figure of reports in Matplotlib, or one of its panels into axes that are given.
+        """Draws a figure of reports in Matplotlib, or one of its panels into given axes.
 
         ``result.figure("bifurcation-disc", panels="x,exponent").savefig("figure-3.pdf")``; parameters as of
         :meth:`figure_data`. The figure is returned.
@@ -400,26 +404,26 @@ class Result:
         return draw(self.figure_data(name, panels, log, units, other), ax)
 
     def statements(self, units: str | None = None) -> Statements:
-        """What was found of machines at rest, of branches, tori and spectra: a list of :class:`whirl.Statement`.
+        """Returns findings on machines at rest, branches, tori and spectra: a list of :class:`whirl.Statement`.
 
         Parameters
         ----------
         units : str, optional
-            Of the numbers in texts, "um, rpm, Hz, p-p" or "US"; those of the result.
+            Units of the numbers in texts, "um, rpm, Hz, p-p" or "US"; default: those of the result.
         """
         from .findings import statements_of
 
         return statements_of(self._figured(), units)
 
     def sheets(self, units: str | None = None) -> dict[str, Sheet]:
-        """Tables of what was found as documents show them, by their names: "peaks", or "TABLE/peaks" where several
-        tables have one. ``units`` as of :meth:`statements`."""
+        """Returns findings as tables of documents, by their names: "peaks", or "TABLE/peaks" if several tables have
+        such a sheet. ``units`` as in :meth:`statements`."""
         from .findings import sheets_of
 
         return ReadOnly(sheets_of(self._figured(), units), "sheets are what was found")
 
     def sheet(self, name: str, units: str | None = None) -> Sheet:
-        """One of :meth:`sheets`; "TABLE/peaks" is always understood. BadInput for one that is not there."""
+        """Returns one of :meth:`sheets`; "TABLE/peaks" is a valid name of any sheet. An unknown name is BadInput."""
         from .findings import sheet_of
 
         return sheet_of(self._figured(), name, units)
@@ -437,21 +441,21 @@ class Result:
         table: str = "",
         units: str | None = None,
     ) -> Sheet:
-        """Statistics of any number of the points of a study of tolerances, over the parameter: mean, deviation and
-        quantiles with their errors. ``to_pandas()`` of the sheet is a table.
+        """Returns statistics of a number of the points of a study of tolerances, over the parameter: mean, deviation
+        and quantiles with their errors. ``to_pandas()`` of the sheet makes a DataFrame.
 
         Parameters
         ----------
         field : str
             Name of the field, such as "orbit/max_radius".
         column, row, at : optional
-            Its column by name, its row from 1 (the number of a mode), and its station or contact.
+            Column of the field by its name, row from 1 (the number of a mode), and station or contact.
         above, below : float, optional
             Limits in SI.
         what : str
             "spread"; "indices", the parts of the variance that parameters cause; or "probabilities" of the limits.
         table : str, optional
-            Which table of samples, where the result has several.
+            Table of samples, if the result has several.
         """
         from .findings import sheet_of
 
@@ -463,8 +467,8 @@ class Result:
         return sheet_of(self._figured(), " ".join(words), units)
 
     def sheet_text(self, name: str | None = None, format: str = "text", units: str | None = None) -> str:
-        """A sheet as ``whirl table`` writes it: "text", "csv", "latex" (a table with rules of booktabs), "markdown" or
-        "json". All statements and sheets without a name, as "text" or "json"."""
+        """Returns a sheet as ``whirl table`` writes it: "text", "csv", "latex" (a table with rules of booktabs),
+        "markdown" or "json"; without a name all statements and sheets, as "text" or "json"."""
         from .findings import text_of
 
         return text_of(self._figured(), name, units, format)
@@ -483,10 +487,11 @@ class Result:
         return self._whole.handle
 
     def save(self, path: str | os.PathLike, *, overwrite: bool = False) -> None:
-        """Writes the result as the file that `whirl run` writes: to another name first, so that none is left half.
+        """Writes the result as the file that `whirl run` writes, to a temporary name that is renamed at the end, so
+        that no file is ever incomplete.
 
-        A file that is there is kept and FileFailure raised (also a FileExistsError), unless ``overwrite`` is True.
-        BadInput for a name with the ending of another kind of file, "a.csv".
+        Unless ``overwrite`` is True, an existing file stays and FileFailure is raised (also a FileExistsError). A name
+        with the ending of another kind of file, "a.csv", is BadInput.
         """
         from ._library import keep_file, lib, path_bytes
 
@@ -502,7 +507,7 @@ class Result:
         raise TypeError("a result cannot be pickled: save() writes it to a file, and whirl.open() reads that")
 
     def close(self) -> None:
-        """Closes the file of an opened result; afterwards nothing can be read."""
+        """Closes the file of an opened result, which then cannot be read."""
         getattr(self._source, "close", lambda: None)()
 
     def __enter__(self) -> Result:
@@ -518,16 +523,16 @@ class Result:
         *,
         overwrite: bool = False,
     ) -> str | None:
-        """The explorer: a page that shows the result and computes on in the browser.
+        """Makes the explorer: a page that shows the result and computes further motions in the browser.
 
         Parameters
         ----------
         path : path, optional
-            The page to write; without it its text is returned.
+            File of the page; without it, the text of the page is returned.
         template : path, optional
-            The explorer's template; that of the package or of the system where it is not given.
+            The explorer's template; default: that of the package or of the system.
         overwrite : bool
-            Whether a page that is there is replaced; without it that is a FileFailure (also a FileExistsError).
+            Whether an existing page is replaced; otherwise it is a FileFailure (also a FileExistsError).
         """
         from ._library import check, ffi, keep_file, lib, path_bytes
 
@@ -555,7 +560,7 @@ class Result:
             shutil.copyfile(page, path)
 
     def _repr_html_(self) -> str:
-        """In a notebook: the explorer, where its template is there and the page is not too large; else a table."""
+        """Shows the explorer in a notebook, if its template exists and the page is not too large; else a table."""
         if find_template() is not None and self._source.bytes() <= _LARGEST_SHOWN:
             return (
                 f'<iframe srcdoc="{html.escape(self.explorer())}" width="100%" height="720" style="border: 0" '
@@ -574,7 +579,7 @@ class Result:
         )
 
     def __str__(self) -> str:
-        """The summary: warnings, and what was found of each table."""
+        """Returns the summary: warnings, and findings on each table."""
         lines = [self.title or self.case_name or "A result"]
         lines += [f"warning: {words}" for words in self.warnings]
         statements = self.statements()
@@ -601,8 +606,8 @@ _LARGEST_SHOWN = 64 << 20  # bytes of a result: notebooks keep the page in their
 
 
 def find_template() -> str | os.PathLike | None:
-    """The explorer's template: as WHIRL_EXPLORER says, in the package, beside the command ``whirl`` or where the system
-    has it, or built in the checkout that the package is used from; None."""
+    """Returns the explorer's template: that of WHIRL_EXPLORER, in the package, beside the command ``whirl``, in the
+    system's folders, or built in the checkout of this package; None if there is none."""
     command, own = shutil.which("whirl"), Path(__file__).resolve().parent
     beside = Path(command).resolve().parent if command else own
     places = (
@@ -617,11 +622,11 @@ def find_template() -> str | os.PathLike | None:
     return next((place for place in places if place and os.path.exists(place)), None)
 
 
-def open(path: str | os.PathLike) -> Result:  # noqa: A001 (whirl.open reads as one says it)
-    """Opens a result file. Nothing but its outline is read before it is asked for, however large it is.
+def open(path: str | os.PathLike) -> Result:  # noqa: A001 (whirl.open shall have this name)
+    """Opens a result file of any size. Only its outline is read at once, other parts when they are used.
 
-    The file is read by h5py as it stands. For files from untrusted sources there is :func:`read`, which has libwhirl
-    check every part of it first.
+    The file is read by h5py without checks. For files from untrusted sources use :func:`read`, with which libwhirl
+    first checks every part.
     """
     from ._file import FileSource
 

@@ -1,4 +1,4 @@
-"""Runs: from a case to its result, with progress. Ctrl-C stops a run and keeps its finished points."""
+"""Computes the result of a case, with progress. Ctrl-C stops a run and keeps its finished points."""
 
 from __future__ import annotations
 
@@ -30,7 +30,8 @@ _leaving = threading.Event()  # Python is exiting: no new run may begin
 
 
 def _after_fork() -> None:
-    """Forbids the library in a forked child, which lacks the run's threads and has the locks in an arbitrary state."""
+    """Forbids the library in a process that was forked during a run: it lacks the run's threads, and its locks are in
+    an arbitrary state."""
     if _underway:
         _underway.clear()
         forbid(
@@ -55,7 +56,8 @@ def _stop_all() -> None:
 
 
 class _Bar:
-    """A bar of tqdm, or one line on standard error where tqdm is missing; in revolutions, which tell time best."""
+    """A bar of tqdm, or one line on standard error without tqdm. It shows the share of revolutions, which estimates the
+    time best."""
 
     def __init__(self):
         try:
@@ -86,8 +88,8 @@ class _Bar:
 
 @contextmanager
 def _journal(describe, path, resume):
-    """The keeper of a journal at ``path``, of what ``describe`` gives the outline; afterwards it is closed, and removed
-    where all is done."""
+    """Opens a journal at ``path`` of a run whose outline ``describe`` gives, and yields its keeper; afterwards closes
+    it, and removes it if all is done."""
     if path is None:
         yield ffi.NULL, lambda: None
         return
@@ -107,13 +109,13 @@ def _journal(describe, path, resume):
 
 @contextmanager
 def _stopped_by_ctrl_c(job, outcome):
-    """Ctrl-C, however often, asks the job to stop, in the place of an exception wherever this thread is."""
+    """Makes Ctrl-C, also repeated, ask the job to stop, instead of raising an exception in this thread."""
 
     def stop(_number, _frame):
         outcome["interrupted"] = True
         lib.whirl_job_stop(job)
 
-    # Other threads get no signals; a handler that is not Python's could not be put back.
+    # Do nothing in other threads, which get no signals, or if the handler is not Python's and could not be restored.
     if threading.current_thread() is not threading.main_thread() or signal.getsignal(signal.SIGINT) is None:
         yield
         return
@@ -125,11 +127,12 @@ def _stopped_by_ctrl_c(job, outcome):
 
 
 class _Work:
-    """A run on a thread of its own, for Python's handlers of signals wait for calls of the library. The thread owns all
-    that the run works with: whatever is raised where it is waited for, nothing is freed before the run has ended.
+    """A run on a thread of its own, as Python's signal handlers do not run during a call of the library. The thread
+    owns all objects of the run: whatever is raised in the thread that waits for it, nothing is freed before the run
+    has ended.
 
-    Handlers may raise within methods of threading, too, whose locks are then as they happen to be and whose threads
-    pass for ended: what ends a wait is a flag of ours, and a bare lock that is only there to sleep at."""
+    Handlers may also raise within methods of threading, which leaves its locks in an arbitrary state and lets threads
+    seem ended. The wait therefore ends by a flag of this class, and uses a bare lock only to sleep."""
 
     def __init__(self, job, borrowed, describe, journal, resume, started, threads):
         self.job, self.borrowed = job, borrowed
@@ -140,12 +143,12 @@ class _Work:
         self.worker = threading.Thread(target=self._work, name="whirl.run")
 
     def wait(self):
-        """Has the work done, and gives what came of it."""
+        """Runs the job, waits for it, and returns its outcome."""
         try:
             with _stopped_by_ctrl_c(self.job, self.outcome):
                 _thread.start_new_thread(
                     self._begin, ()
-                )  # threads without signal handlers, so that none interrupts a start
+                )  # not threading.Thread, whose start a signal handler could interrupt
                 while not self.over:
                     self.gate.acquire(timeout=0.2)
         except BaseException:  # an exception of another signal's handler
@@ -161,7 +164,7 @@ class _Work:
         while not self.over:
             try:
                 self.gate.acquire(timeout=0.2)
-            except BaseException:  # noqa: B036 (the first one, or the result, is what counts)
+            except BaseException:  # noqa: B036 (the first exception, or the result, matters)
                 pass
 
     def _begin(self):
@@ -242,32 +245,32 @@ def run(
 ) -> Result:
     """Computes the study of a case.
 
-    Ctrl-C ends a run cleanly: what is done comes back as a partial result (``result.partial``) with a warning.
+    Ctrl-C stops a run; its finished points are returned as a partial result (``result.partial``) with a warning.
 
     Parameters
     ----------
     case : Case, or what Case() takes
-        What is computed. Not to be changed by another thread meanwhile.
+        The case to compute. Another thread must not change it meanwhile.
     threads : int
-        0: all cores. No bit of the result depends on it.
+        Number of threads; 0: all cores. No bit of the result depends on it.
     progress : bool or callable, optional
-        True shows a bar, None where standard error is a terminal or in a notebook. A callable is told
-        ``(stage, points_done, points_total, revolutions_done, revolutions_total)`` a few times a second.
+        True shows a bar; None shows it if standard error is a terminal, and in a notebook. A callable gets ``(stage,
+        points_done, points_total, revolutions_done, revolutions_total)`` a few times a second.
     journal : path, optional
-        Finished points are kept there while the run goes on, so that ``resume=True`` goes on from a journal that a run
-        left (also one that was killed). It is removed when all is done.
+        File that keeps finished points during the run, so that ``resume=True`` can continue a run that was stopped or
+        killed. It is removed when all is done.
     resume : bool
-        Whether a journal that is there is gone on with; without it a journal that is there is an error.
+        Whether to continue from an existing journal; otherwise an existing journal is an error.
 
     Returns
     -------
     Result
-        What the library warns of is shown as ``UserWarning``, and stands in ``result.warnings``.
+        Warnings of the library are shown as ``UserWarning``, and are in ``result.warnings``.
 
     Raises
     ------
     BadInput, OutOfMemory, FileFailure, NumericalFailure
-        With the library's sentence.
+        With the library's message.
     """
     case = case if isinstance(case, Case) else Case(case)
     return compute(
@@ -291,8 +294,8 @@ def compute(
     journal: str | os.PathLike | None,
     resume: bool,
 ) -> Result:
-    """The result of a job that ``new_job`` makes, which works with what is ``borrowed``, and of which ``describe``
-    gives the outline; the rest as for run."""
+    """Runs a job that ``new_job`` makes and returns its result. ``borrowed``: objects that must live as long as the
+    job; ``describe`` gives the outline for a journal; other arguments as for run."""
     ensure_allowed()
     started, out = _now(), ffi.new("whirl_job **")
     check(new_job(out))
@@ -309,7 +312,7 @@ def compute(
     try:
         result = work.wait()
     finally:
-        lib.whirl_job_stop(job)  # a signal handler may raise before this line
+        lib.whirl_job_stop(job)  # needed, as a signal handler may raise before this line
         if bar:
             bar.close()
     for words in result.warnings:
@@ -331,7 +334,7 @@ def _finish(source, outcome, started, threads):
 
 
 class _Status:
-    """A status whose message is a text already."""
+    """A status made from a code and a text."""
 
     def __init__(self, code, message):
         self.code, self.message = code, ffi.new("char[]", message.encode())

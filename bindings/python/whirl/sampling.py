@@ -1,4 +1,4 @@
-"""Studies of tolerances: what a drawing allows, and what it costs."""
+"""Studies of tolerances: effects of the deviations that a drawing allows."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ def tolerances(
     indices: bool = False,
     **options: Any,
 ) -> Result:
-    """Runs a case with tolerances: every point of its study, and all of them at samples of the parameters.
+    """Runs a case with tolerances: every point of its study, and each of them at samples of the parameters.
 
     Parameters
     ----------
     case : Case, str or path
-        A case without tolerances of its own.
+        A case that has no tolerances yet.
     parameters : dict
         Names of parameters with their tolerances as a case has them: ``{"c": "0.2 mm +- 5 %", "d": "40 mm H7"}``, or
         the keys of a distribution, ``{"k": {"distribution": "normal", "deviation": "0.05 MN/m"}}``.
@@ -40,13 +40,14 @@ def tolerances(
     samples, seed, indices
         As the keys of ``tolerances`` in a case.
     **options
-        Those of :func:`whirl.run`.
+        Options of :func:`whirl.run`.
 
     Returns
     -------
     Result
         Its table "tolerances" has the samples; its sheets "probabilities", "spread-1", "indices" and "convergence" have
-        what was found (``result.sheet("indices").to_pandas()``); :meth:`Result.spread` has that of any other number.
+        the findings (``result.sheet("indices").to_pandas()``); :meth:`Result.spread` computes statistics of any other
+        number.
     """
     own = case if isinstance(case, Case) else Case(case)
     keys: dict[str, Any] = {"parameters": dict(parameters), "samples": int(samples), "seed": int(seed)}

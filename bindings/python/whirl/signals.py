@@ -1,13 +1,13 @@
-"""Measured signals: the analyses that whirl makes of computed motions, of what was measured at a machine.
+"""Measured signals: applies the analyses of computed motions to signals that were measured at a machine.
 
 >>> time, a, b, keyphasor = numpy.loadtxt("measured.csv", delimiter=",", skiprows=1, unpack=True)
 >>> record = whirl.signals.Record(time, a, b, keyphasor=keyphasor, angles=numpy.radians([45, 135]), unit="um")
->>> record.section()                          # [points][channels], a point a pulse
+>>> record.section()                          # [points][channels], a point for each pulse
 >>> record.full_spectrum().lines              # order, x, y, forward, backward
 >>> record.plot.full_spectrum()
 
-Everything is computed by libwhirl (``whirl/signals.h`` says how). Signals keep their unit, time has any; angles are in
-rad. Gaps, times that do not grow and signals that are too short raise :class:`whirl.BadInput` with one sentence;
+libwhirl computes everything (``whirl/signals.h`` says how). Signals keep their unit, time may have any unit; angles are
+in rad. Gaps, times that do not increase and signals that are too short raise :class:`whirl.BadInput` with one sentence;
 samples, channels and pulses are counted from 0.
 """
 
@@ -64,7 +64,7 @@ class Spectrum(NamedTuple):
     amplitude: np.ndarray  #: [channels][orders]
     lines: tuple  #: for each channel an array [lines][2] of order and amplitude of sinusoids, largest first
     synchronous: np.ndarray  #: [channels] amplitude once a revolution
-    lag: np.ndarray  #: [channels] lag of its peak behind the pulse in degrees; NaN without a synchronous part
+    lag: np.ndarray  #: [channels] degrees by which its peak lags behind the pulse; NaN if the amplitude is 0
 
 
 class FullSpectrum(NamedTuple):
@@ -84,9 +84,9 @@ class Recurrence(NamedTuple):
     """Recurrence of points."""
 
     #: the smallest number of steps, up to 64 (128 where there are three times as many points), after which all points
-    #: return within the tolerance; else that of the nearest return
+    #: return within the tolerance; else the number of steps with the nearest return
     period: int
-    distance: float  #: largest distance of a point from the one that many steps later, over the size of the motion
+    distance: float  #: largest distance of a point from the point ``period`` steps later, over the size of the motion
     rate: float  #: share of the pairs of points that are within the radius
     determinism: float  #: share of these pairs in diagonal lines; NaN without any
     laminarity: float  #: share of the near points in vertical lines
@@ -98,9 +98,9 @@ class Envelopes(NamedTuple):
 
     #: [channels][orders][count] complex, zero to peak: the part of an order is ``real(vectors * exp(1j * phase))``
     vectors: np.ndarray
-    time: np.ndarray  #: [count] of the samples
-    #: [orders][count] True within 1/bandwidth of the ends, where samples are on one side only, and where the frequency
-    #: of an order is below the bandwidth: values are worse there
+    time: np.ndarray  #: [count] times of the samples
+    #: [orders][count] True where values are less accurate: within 1/bandwidth of the ends, where samples are on one
+    #: side only, and where the frequency of an order is below the bandwidth
     doubtful: np.ndarray
 
     @property
@@ -115,13 +115,13 @@ class Envelopes(NamedTuple):
 
 
 class TrackedOrders(NamedTuple):
-    """Orders over the turns of a record, a row for every turn or every few. Amplitudes are zero to peak, in the unit of
-    the signals; a peak lags behind the pulse by the ``lag`` in degrees."""
+    """Orders over the turns of a record, with a row for every block of one or more turns. Amplitudes are zero to peak,
+    in the unit of the signals; a peak lags behind the pulse by the ``lag`` in degrees."""
 
     orders: np.ndarray  #: [orders] multiples of the speed
-    time: np.ndarray  #: [rows] middle of the turns
+    time: np.ndarray  #: [rows] time in the middle of the turns
     speed: np.ndarray  #: [rows] mean over the turns, rad per unit of time
-    vectors: np.ndarray  #: [channels][orders][rows] complex amplitudes, less the slow roll
+    vectors: np.ndarray  #: [channels][orders][rows] complex amplitudes, with the slow roll subtracted
     mean: np.ndarray  #: [channels][rows] mean of the channels over the turns
     slow_roll: np.ndarray  #: [channels][orders] the vectors that were subtracted; 0 without a slow-roll speed
     forward: Optional[np.ndarray]  #: [orders][rows] complex amplitude of the circular motion with the rotation
@@ -139,7 +139,7 @@ class TrackedOrders(NamedTuple):
         return _lag(self.vectors)
 
     def to_pandas(self) -> "pandas.DataFrame":
-        """The rows, with time, speed, and amplitude and lag of every channel and order: ``x 1X amplitude``."""
+        """Returns the rows with time, speed, and amplitude and lag of every channel and order: ``x 1X amplitude``."""
         from .findings import _pandas
 
         columns = {"time": self.time, "speed": self.speed}
@@ -156,11 +156,11 @@ class TrackedOrders(NamedTuple):
 class Spectrogram(NamedTuple):
     """Spectra of windows over time. Amplitudes are zero to peak, in the unit of the signals."""
 
-    time: np.ndarray  #: [rows] middle of the windows
+    time: np.ndarray  #: [rows] time in the middle of the windows
     speed: np.ndarray  #: [rows] mean over the window, rad per unit of time
     frequency: np.ndarray  #: [frequencies] cycles per unit of time
     x: np.ndarray  #: [rows][frequencies]
-    y: Optional[np.ndarray]  #: [rows][frequencies]; None for a single channel, as the next two
+    y: Optional[np.ndarray]  #: [rows][frequencies]; None for a single channel, as are the next two
     forward: Optional[np.ndarray]  #: [rows][frequencies] circular motion with the rotation
     backward: Optional[np.ndarray]  #: [rows][frequencies] and against it
     window: float  #: duration of a window
@@ -169,19 +169,19 @@ class Spectrogram(NamedTuple):
     kept: np.ndarray
 
     def kept_of(self, order: float) -> np.ndarray:
-        """Share [rows] of the amplitude of an order that is left in its line (:func:`sweep_kept`)."""
+        """Returns the share [rows] of the amplitude of an order that is left in its line (:func:`sweep_kept`)."""
         return sweep_kept(float(order) * self.sweep)
 
 
 class Cascade(NamedTuple):
     """Spectra of blocks of turns over the speed, with orders as their axis. Lines of orders stay sharp while the speed
-    changes; those of fixed frequencies do not. Amplitudes are zero to peak, in the unit of the signals."""
+    changes; lines of fixed frequencies do not. Amplitudes are zero to peak, in the unit of the signals."""
 
-    time: np.ndarray  #: [rows] middle of the turns
+    time: np.ndarray  #: [rows] time in the middle of the turns
     speed: np.ndarray  #: [rows] mean over the turns, rad per unit of time
     orders: np.ndarray  #: [orders] multiples of the speed
     x: np.ndarray  #: [rows][orders]
-    y: Optional[np.ndarray]  #: [rows][orders]; None for a single channel, as the next two
+    y: Optional[np.ndarray]  #: [rows][orders]; None for a single channel, as are the next two
     forward: Optional[np.ndarray]  #: [rows][orders] circular motion with the rotation
     backward: Optional[np.ndarray]  #: [rows][orders] and against it
     change: np.ndarray  #: [rows] change of the speed within the turns, over their mean speed
@@ -195,19 +195,19 @@ class RainFlow(NamedTuple):
     cycles: np.ndarray  #: [rows] 1, or 0.5 for half a cycle
 
     def counts(self) -> tuple:
-        """The different ranges, rising, and the cycles of each: two arrays."""
+        """Returns two arrays: the different ranges, from the least, and the cycles of each."""
         ranges, row = np.unique(self.range, return_inverse=True)
         return ranges, np.bincount(row, self.cycles, len(ranges))
 
     def to_pandas(self) -> "pandas.DataFrame":
-        """The rows with the columns range, mean, cycles."""
+        """Returns the rows with the columns range, mean, cycles."""
         from .findings import _pandas
 
         return _pandas().DataFrame(self._asdict())
 
 
 def _lag(vectors: np.ndarray) -> np.ndarray:
-    """Degrees by which peaks of complex amplitudes lag, 0 to 360."""
+    """Returns the degrees by which peaks of complex amplitudes lag, 0 to 360."""
     return np.degrees(-np.angle(vectors)) % 360.0
 
 
@@ -246,7 +246,7 @@ def _whole(value, what: str) -> int:
 
 
 def _points(points: ArrayLike) -> np.ndarray:
-    """Points [count][dimension]; numbers alone are points of one coordinate."""
+    """Returns points [count][dimension]; a list of numbers has points of one coordinate."""
     points = np.asarray(points) if not np.ma.isMaskedArray(points) else points
     return _numbers(points if points.ndim > 1 else points.reshape(-1, 1), "the section", 2)
 
@@ -262,13 +262,14 @@ def load(path: "str | os.PathLike") -> "Result":
     """Reads a record of a run-up or coast-down as a result, with the fields and figures of the study ``runup``.
 
     >>> record = whirl.signals.load("coast-down.csv")
-    >>> whirl.open("model.h5").figure("runup-de", other=record)    # both in one picture
+    >>> whirl.open("model.h5").figure("runup-de", other=record)    # both in one figure
 
     Parameters
     ----------
     path : path
-        Comma-separated values with the headings ``time [s]``, ``keyphasor`` or ``speed [rpm]``, and two probes a
-        station: ``de x [um]`` and ``de y [um]``, or degrees from the x axis in the sense of rotation, ``de 45 [um]``.
+        Comma-separated values with the headings ``time [s]``, ``keyphasor`` or ``speed [rpm]``, and two probes for each
+        station: ``de x [um]`` and ``de y [um]``, or with degrees from the x axis in the sense of rotation, ``de 45
+        [um]``.
     """
     from ._memory import MemorySource
     from .result import Result
@@ -286,16 +287,17 @@ def find_pulses(
     hysteresis: Optional[float] = None,
     edge: str = "rising",
 ) -> np.ndarray:
-    """Instants of a keyphasor's pulses, interpolated between samples.
+    """Returns the instants of a keyphasor's pulses, interpolated between samples.
 
     Parameters
     ----------
     time, voltage : array_like
         [count] of the samples.
     threshold : float, optional
-        Voltage that an edge passes; halfway between the least and the largest one.
+        Voltage that an edge passes; default: halfway between the least and the largest voltage.
     hysteresis : float, optional
-        By how much the voltage goes back beyond the threshold before another pulse counts; a fifth of the range.
+        Voltage by which the signal must go back beyond the threshold before another pulse counts; default: a fifth of
+        the range.
     edge : str
         "rising" or "falling".
     """
@@ -327,9 +329,10 @@ def vold_kalman(
 ) -> Envelopes:
     """Tracks orders by a Vold-Kalman filter of the second generation (Vold and Leuridan 1993), all of them together.
 
-    Orders that cross are separated if their distance is wider than the band in most of the record. Values are worse
-    within 1/bandwidth of the ends, and wrong where an order is slower than the bandwidth: ``doubtful`` marks both. A
-    mean that is large next to the amplitudes leaks into slow orders: subtract it before.
+    Orders that cross are separated if their distance is wider than the band in most of the record. Values are less
+    accurate within 1/bandwidth of the ends, and wrong where the frequency of an order is below the bandwidth:
+    ``doubtful`` marks both. A mean that is large compared with the amplitudes leaks into slow orders: subtract it
+    before.
 
     Parameters
     ----------
@@ -346,8 +349,8 @@ def vold_kalman(
     poles : int
         1 or 2. Two poles are flatter within the band and steeper outside, and follow slopes.
     phases : array_like, optional
-        [others][count] rad: further components with phases of their own, after the orders, such as ``2 * pi * 50 *
-        time``, or an order of another shaft. Errors count orders, then these, from 0.
+        [others][count] rad: phases of further components, such as ``2 * pi * 50 * time`` or an order of another shaft.
+        They come after the orders in the result; messages number orders, then these, from 0.
     """
     values = np.asarray(values) if not np.ma.isMaskedArray(values) else values
     channels = _numbers(values if values.ndim > 1 else values.reshape(1, -1), "the signals", 2)
@@ -384,7 +387,7 @@ def vold_kalman(
 
 
 def vold_kalman_weight(bandwidth: float, rate: float, poles: int = 2) -> float:
-    """Weight r of a Vold-Kalman filter of a full width at -3 dB, in the unit of the rate of samples (Tuma 2005).
+    """Returns the weight r of a Vold-Kalman filter with a full width at -3 dB in the unit of the rate (Tuma 2005).
 
     The gain at a distance f from an order is 1/(1 + r^2 (2 sin(pi f/rate))^(2 poles)).
     """
@@ -394,7 +397,8 @@ def vold_kalman_weight(bandwidth: float, rate: float, poles: int = 2) -> float:
 
 
 def sweep_kept(sweep: ArrayLike) -> "float | np.ndarray":
-    """Share of the amplitude of a sinusoid that its line keeps in a Hann window while its frequency changes.
+    """Returns the share of the amplitude of a sinusoid that its line keeps in a Hann window while its frequency
+    changes.
 
     Parameters
     ----------
@@ -411,22 +415,23 @@ def sweep_kept(sweep: ArrayLike) -> "float | np.ndarray":
 
 
 def motion_size(channels: ArrayLike) -> float:
-    """Half the diagonal of the bounds of channels [channels][count]: what distances are compared with."""
+    """Returns the size of a motion, half the diagonal of the bounds of channels [channels][count], to compare distances
+    with."""
     channels, size = _numbers(channels, "the channels", 2), ffi.new("double *")
     check(lib.whirl_signals_size(_at(channels), channels.shape[1], channels.shape[0], size))
     return size[0]
 
 
 def zero_one(points: ArrayLike, size: Optional[float] = None) -> float:
-    """K of the 0-1 test for chaos (Gottwald and Melbourne 2009) of a section: near 1 in chaos, near 0 in regular
-    motion.
+    """Returns K of the 0-1 test for chaos (Gottwald and Melbourne 2009) of a section: near 1 for chaos, near 0 for
+    regular motion.
 
     Parameters
     ----------
     points : array_like
-        [count] or [count][dimension], 100 at least, of which the last 4000 are looked at.
+        [count] or [count][dimension], at least 100 points, of which the last 4000 are used.
     size : float, optional
-        Of the motion (:func:`motion_size`); that of the points.
+        Size of the motion (:func:`motion_size`); default: that of the points.
 
     Returns
     -------
@@ -445,20 +450,21 @@ def recurrence(
     tolerance: float = 0.05,
     shortest: int = 2,
 ) -> Recurrence:
-    """How the points of a section come back (Marwan, Romano, Thiel and Kurths 2007).
+    """Finds how the points of a section return (Marwan, Romano, Thiel and Kurths 2007).
 
     Parameters
     ----------
     points : array_like
         [count] or [count][dimension], 5 to 20 000.
     size : float, optional
-        Of the motion (:func:`motion_size`); that of the points.
+        Size of the motion (:func:`motion_size`); default: that of the points.
     radius : float
-        Within which points are near each other, over the size.
+        Distance within which points are near each other, over the size.
     tolerance : float
-        Within which a period returns, over the size; it has to be above the noise. Computed motions have 1e-6.
+        Distance within which points return after a period, over the size; it must be above the noise. For computed
+        motions 1e-6 is used.
     shortest : int
-        Points of a line that counts, 2 at least.
+        Least number of points of a line in the recurrence plot, at least 2.
     """
     points = _points(points)
     size, period, numbers = _size_of(points, size), ffi.new("int *"), ffi.new("double[4]")
@@ -471,7 +477,7 @@ def recurrence(
 
 
 def _doubt_teeth(time: np.ndarray, channels: np.ndarray, pulses: np.ndarray) -> None:
-    """Warns where a motion goes once in many pulses and not with each: of a wheel with so many teeth."""
+    """Warns if a motion repeats once in many pulses, as with a keyphasor at a toothed wheel."""
     first = min(len(pulses), 1024)
     turned, samples = np.empty((len(channels), first - 1, 8)), 8
     arrays = _at(time), _at(channels), time.size, len(channels), _at(pulses), first
@@ -490,7 +496,7 @@ def _doubt_teeth(time: np.ndarray, channels: np.ndarray, pulses: np.ndarray) -> 
 
 
 def _spectrum(x: np.ndarray, y: Optional[np.ndarray], samples: int, highest_order: float):
-    """Rows of orders and of lines, and the synchronous part [2][4], of turned signals [count]."""
+    """Returns the rows of orders and of lines, and the synchronous part [2][4], of signals [count] at equal angles."""
     count = lib.whirl_signals_orders(x.size, samples, highest_order)
     orders, lines, synchronous = np.empty((count, _COLUMNS)), np.empty((_LINES, _COLUMNS)), np.empty((2, 4))
     found, second = ffi.new("size_t *"), ffi.NULL if y is None else _at(y)
@@ -500,7 +506,7 @@ def _spectrum(x: np.ndarray, y: Optional[np.ndarray], samples: int, highest_orde
 
 
 def _at_speed(speed: np.ndarray, vectors: np.ndarray, wanted: float) -> np.ndarray:
-    """Vectors [...][rows] at a speed: mean of straight lines between the rows that pass it."""
+    """Returns vectors [...][rows] at a speed: the mean of linear interpolations between all rows that pass it."""
     low, high = np.minimum(speed[:-1], speed[1:]), np.maximum(speed[:-1], speed[1:])
     passed = np.flatnonzero((low <= wanted) & (wanted <= high))
     if len(passed) == 0:
@@ -517,10 +523,11 @@ _SLOW, _STILL, _RESPONDS = 1.1, 0.25, 0.5
 
 
 def _check_slow_roll(speed: np.ndarray, once: np.ndarray, slow_roll: np.ndarray, wanted: float, names) -> None:
-    """Raises :class:`whirl.BadInput` where the slow-roll speed is not below the resonances.
+    """Raises :class:`whirl.BadInput` if the slow-roll speed is not below the resonances.
 
-    Synchronous vectors ``once`` [channels][rows], less the slow roll, may reach a quarter of their largest amplitude up
-    to a tenth above that speed. Channels that hardly change, by less than half of the slow roll, are not judged.
+    Up to 1.1 times that speed, synchronous vectors ``once`` [channels][rows], with the slow roll subtracted, may reach
+    a quarter of their largest amplitude. Channels whose largest amplitude is below half of the slow roll are not
+    judged.
     """
     slow = speed <= _SLOW * wanted
     for name, channel, roll in zip(names, np.abs(once), np.abs(slow_roll)):
@@ -563,7 +570,7 @@ def damage(
     slope : float, optional
         With a single point (range, N): m of N (range of the point/range)^m.
     endurance : float
-        Range up to which cycles do no damage; 0: there is no such limit.
+        Range up to which cycles do no damage; 0: every cycle does damage.
     """
     counted = history if isinstance(history, RainFlow) else rain_flow(history)
     cycles = np.column_stack([_numbers(column, "the cycles") for column in counted])
@@ -587,11 +594,12 @@ _WINDOW, _UNLIKE, _STEADY = 3, 1.5, 0.1
 
 
 def check_pulses(pulses: ArrayLike) -> None:
-    """Raises :class:`whirl.BadInput` where a pulse was missed, or one is false.
+    """Raises :class:`whirl.BadInput` if a pulse was missed, or one is false.
 
-    The time between two pulses is compared with the median of seven around it, which is itself where the speed rises or
-    falls: no shaft turns one and a half times as fast for one revolution as for those before and after. At the ends of
-    a record, where there are fewer on one side, two thirds of them must be within a tenth of their median to say so.
+    The time between two pulses is compared with the median of seven such times around it, which is the time itself
+    while the speed only rises or falls. A ratio above 1.5 is an error, as no shaft changes its speed so much for one
+    revolution. At the ends of a record, where fewer times are on one side, it is an error only if two thirds of the
+    times are within a tenth of their median.
     """
     gaps = np.diff(_numbers(pulses, "pulses"))
     usual, inner = gaps.copy(), range(_WINDOW, len(gaps) - _WINDOW)
@@ -622,27 +630,29 @@ class Record:
     Parameters
     ----------
     time : float or array_like
-        Samples a unit of time, the first one at 0; or the times [count] of the samples, which may be uneven.
+        Samples per unit of time, the first one at 0; or the times [count] of the samples, which may be uneven.
     channels : array_like
-        [count] each; of two probes of a plane x, then y.
+        [count] each; for two probes of a plane x, then y.
     keyphasor : array_like, optional
-        [count] voltage with a pulse per revolution, of which ``threshold``, ``hysteresis`` and ``edge`` say more
-        (:func:`find_pulses`).
+        [count] voltage with a pulse per revolution; for ``threshold``, ``hysteresis`` and ``edge`` see
+        :func:`find_pulses`.
     pulses : array_like, optional
-        In its place: the times of the pulses, one a revolution, within those of the samples.
+        Times of the pulses, in the place of a keyphasor: one in each revolution, within the times of the samples.
     angles : array_like, optional
-        [channels] rad from the x axis in the sense of rotation at which probes stand: 0 and pi/2 in turn without it.
+        [channels] angles of the probes, rad from the x axis in the sense of rotation; default: 0 and pi/2 in turn.
     per_revolution : int
-        Pulses of the keyphasor in a revolution: of a toothed wheel its teeth, of which every so many-th counts.
+        Pulses of the keyphasor in a revolution, such as the teeth of a wheel; only one pulse in each revolution is
+        used.
     uneven : bool
-        Whether the shaft may turn one and a half times as fast from one revolution to the next. Without it such pulses
-        are refused (:func:`check_pulses`).
+        Whether the speed may change by half from one revolution to the next; otherwise such pulses are an error
+        (:func:`check_pulses`).
     names : sequence of str, optional
-        Of the channels; those of Series, else "x", "y" and numbers, or the angles of the probes in degrees.
+        Names of the channels; default: those of Series, else "x", "y" and numbers, or the angles of the probes in
+        degrees.
     unit : str
-        Of the channels, for figures.
+        Unit of the channels, for figures.
     time_unit : str
-        Of time, for figures.
+        Unit of time, for figures.
     """
 
     def __init__(
@@ -702,12 +712,12 @@ class Record:
 
     @property
     def size(self) -> float:
-        """Half the diagonal of the bounds of all channels, with which the analyses of sections compare."""
+        """Half the diagonal of the bounds of all channels, with which analyses of sections compare distances."""
         return motion_size(self.channels)
 
     @property
     def plot(self) -> "Plots":
-        """Figures, in the manner of ``result.plot``."""
+        """Functions that draw figures, as ``result.plot`` does."""
         from ._signals_plot import Plots
 
         return Plots(self)
@@ -716,7 +726,7 @@ class Record:
         return f"<{len(self.names)} channels of {self.time.size} samples, {len(self.speed)} revolutions>"
 
     def channel(self, name: "str | int") -> int:
-        """The index of a channel by its name or number."""
+        """Returns the index of a channel by its name or number."""
         if isinstance(name, str):
             if name not in self.names:
                 raise BadInput(f"there is no channel '{name}', expected one of: {', '.join(self.names)}")
@@ -732,39 +742,39 @@ class Record:
         return speed
 
     def _sampled(self):
-        """Returns the arguments that all calls of the library begin with."""
+        """Returns the first arguments of all functions of the library."""
         count = self.channels.shape[1]
         return _at(self.time), _at(self.channels), count, len(self.names), _at(self.pulses), len(self.pulses)
 
     # ---------------------------------------------------------------- by the angle
 
     def section(self, phase: float = 0.0, order: int = 7) -> np.ndarray:
-        """The section [points][channels]: all channels at every pulse, or at an angle after it.
+        """Returns the section [points][channels]: all channels at every pulse, or at an angle after it.
 
         Parameters
         ----------
         phase : float
-            rad after the pulse, 0 to 2 pi. Above 0 the last pulse, which no other one follows, has no point.
+            Angle after the pulse, 0 to 2 pi rad. Above 0, the last pulse has no point, as no other pulse follows.
         order : int
-            Of the polynomials between samples: 1 (straight lines), 3, 5, 7 or 9.
+            Order of the polynomials between samples: 1 (straight lines), 3, 5, 7 or 9.
         """
         points, found = np.empty((len(self.pulses), len(self.names))), ffi.new("size_t *")
         check(lib.whirl_signals_section(*self._sampled(), float(phase), _whole(order, "the order"), _at(points), found))
         return points[: found[0]]
 
     def resample(self, samples: Optional[int] = None, order: int = 7) -> np.ndarray:
-        """The channels at equal angles [channels][revolutions][samples] (order tracking).
+        """Returns the channels at equal angles [channels][revolutions][samples] (order tracking).
 
-        Sample j stands 2 pi (j + 1)/samples after the pulse of its revolution. ``resample().mean(axis=1)`` is the
+        Sample j is 2 pi (j + 1)/samples after the pulse of its revolution. ``resample().mean(axis=1)`` is the
         average over all revolutions.
 
         Parameters
         ----------
         samples : int, optional
-            Of a revolution; as many as lose none of the record's. With fewer, what is above the order samples/2 folds
-            to lower ones.
+            Samples of a revolution; default: enough to lose no sample of the record. With fewer, orders above samples/2
+            appear as lower ones (aliases).
         order : int
-            Of the polynomials between samples: 1, 3, 5, 7 or 9.
+            Order of the polynomials between samples: 1, 3, 5, 7 or 9.
         """
         time, values, count, channels, pulses, pulse_count = self._sampled()
         if samples is None:
@@ -779,7 +789,7 @@ class Record:
         return turned
 
     def displacements(self, x: "str | int" = 0, y: "str | int" = 1) -> np.ndarray:
-        """Displacements [2][count] along x and y, from two probes of a plane at their angles."""
+        """Returns displacements [2][count] along x and y, from two probes of a plane at their angles."""
         pair = self.channels[[self.channel(x), self.channel(y)]]
         return pair if self.angles is None else self._turned(pair, x, y)
 
@@ -799,7 +809,7 @@ class Record:
         poles: int = 2,
         phases: Optional[ArrayLike] = None,
     ) -> Envelopes:
-        """Orders of all channels at every sample between the first and the last pulse (:func:`vold_kalman`).
+        """Tracks orders of all channels at every sample between the first and the last pulse (:func:`vold_kalman`).
 
         Means of the channels are subtracted. Samples must be equally far apart. ``phases`` are [others][count], at
         every sample of the record.
@@ -826,20 +836,21 @@ class Record:
         samples: Optional[int] = None,
         order: int = 7,
     ) -> TrackedOrders:
-        """Orders over the turns: exact integrals over every turn, or every few, of samples at equal angles.
+        """Tracks orders over the turns, by exact integrals of samples at equal angles over blocks of one or more turns.
 
         Parameters
         ----------
         orders : float or sequence of float
             Multiples of 1/revolutions.
         revolutions : int
-            Turns of a row. More of them resolve fractions of an order and average noise, and follow a change of speed
+            Turns of a row. More turns resolve fractions of an order and average noise, but follow a change of speed
             less well.
         slow_roll : float, optional
-            Speed, rad per unit of time, of which the vectors of every channel and order are subtracted from all others:
-            what probes see of a shaft that does not vibrate. It lies within the record and below the resonances.
+            Speed, rad per unit of time. The vectors of every channel and order at this speed, which show what probes
+            read of a shaft without vibration, are subtracted from those of all rows. It must be within the record and
+            below the resonances.
         x, y : str or int
-            Pair of probes of ``forward`` and ``backward``; none with ``y=None``, or if there is one channel.
+            Two probes for ``forward`` and ``backward``; none with ``y=None``, or if there is one channel.
         samples, order
             As in :meth:`resample`.
         """
@@ -871,14 +882,15 @@ class Record:
         return TrackedOrders(orders, middle, speed, vectors, mean, rolled, forward, backward, tuple(self.names))
 
     def _along(self, pair: np.ndarray, x, y) -> np.ndarray:
-        """Complex vectors of two probes [2][count] along x and y."""
+        """Returns complex vectors of two probes [2][count] along x and y."""
         if self.angles is None:
             return pair
         parts = [self._turned(np.ascontiguousarray(part), x, y) for part in (pair.real, pair.imag)]
         return parts[0] + 1j * parts[1]
 
     def _even(self) -> tuple:
-        """The samples (a slice) from the first to the last pulse, and their time step, which must be constant."""
+        """Returns the samples (a slice) from the first to the last pulse, and their time step, which must be
+        constant."""
         first = int(np.searchsorted(self.time, self.pulses[0], side="left"))
         inside = slice(first, int(np.searchsorted(self.time, self.pulses[-1], side="right")))
         time = self.time[inside]
@@ -894,7 +906,7 @@ class Record:
         return inside, step
 
     def _angle(self, time: np.ndarray) -> np.ndarray:
-        """Angle of the shaft at times within the pulses, rad from the first one."""
+        """Returns the angle of the shaft at times within the pulses, rad from the first pulse."""
         time, angle = np.ascontiguousarray(time), np.empty(len(time))
         check(lib.whirl_signals_angle(_at(self.pulses), len(self.pulses), _at(time), len(time), _at(angle)))
         return angle
@@ -902,7 +914,7 @@ class Record:
     # ---------------------------------------------------------------- spectra
 
     def spectrum(self, highest_order: float = 10.0, samples: Optional[int] = None, order: int = 7) -> Spectrum:
-        """Order spectra of all channels: Hann window over all revolutions, means removed.
+        """Returns order spectra of all channels, with a Hann window over all revolutions and without means.
 
         ``samples`` and ``order`` as in :meth:`resample`. Needs 4 revolutions.
         """
@@ -925,7 +937,7 @@ class Record:
         samples: Optional[int] = None,
         order: int = 7,
     ) -> FullSpectrum:
-        """The full spectrum of two probes of a plane, at their angles: forward and backward whirl.
+        """Returns the full spectrum of two probes of a plane, at their angles: forward and backward whirl.
 
         ``samples`` and ``order`` as in :meth:`resample`. Needs 4 revolutions.
         """
@@ -939,19 +951,19 @@ class Record:
     def spectrogram(
         self, window: float, step: Optional[float] = None, x: "str | int" = 0, y: "str | int | None" = 1
     ) -> Spectrogram:
-        """Spectra of windows over time, from the first to the last pulse: Hann window, mean removed.
+        """Returns spectra of windows over time, from the first to the last pulse, with a Hann window and without means.
 
-        Longer windows separate nearer frequencies, and blur an order while the speed changes: ``kept`` says what is
-        left of 1X. Samples must be equally far apart.
+        Longer windows separate nearer frequencies, but blur an order while the speed changes: ``kept`` is the share of
+        1X that is left. Samples must be equally far apart.
 
         Parameters
         ----------
         window : float
             Duration, in the unit of time.
         step : float, optional
-            Time from one window to the next; a quarter of the window.
+            Time from one window to the next; default: a quarter of the window.
         x, y : str or int
-            Pair of probes of a plane, at their angles; one channel, x, with ``y=None`` or if there is only one.
+            Two probes of a plane, at their angles; one channel, x, with ``y=None`` or if there is only one.
         """
         inside, spacing = self._even()
         pair = self._pair(self.channels[:, inside], x, y)
@@ -967,7 +979,8 @@ class Record:
         out, second = np.empty((rows, bins, 4)), _at(pair[1]) if len(pair) > 1 else ffi.NULL
         check(lib.whirl_signals_spectrogram(_at(pair[0]), second, count, length, apart, _at(out)))
 
-        # Speed by the angle, its change by parabolas through the angle at the ends and the middle of the windows.
+        # Compute the speed from the angle, and its change by parabolas through the angle at the ends and the middle of
+        # windows.
         first, duration = self.time[inside][0] + apart * spacing * np.arange(rows), (length - 1) * spacing
         ends = [self._angle(np.minimum(first + part * duration, self.pulses[-1])) for part in (0.0, 0.5, 1.0)]
         speed = (ends[2] - ends[0]) / duration
@@ -986,18 +999,18 @@ class Record:
         samples: Optional[int] = None,
         order: int = 7,
     ) -> Cascade:
-        """Spectra of blocks of turns, over the speed: order spectra, and full spectra of a pair of probes.
+        """Returns spectra of blocks of turns, over the speed: order spectra, and full spectra of two probes.
 
         Parameters
         ----------
         revolutions : int
-            Turns of a block, 4 at least; orders are 1/revolutions apart.
+            Turns of a block, at least 4; orders are 1/revolutions apart.
         step : int, optional
-            Turns from one block to the next; a quarter of the block.
+            Turns from one block to the next; default: a quarter of the block.
         highest_order : float
             Last order of the rows.
         x, y : str or int
-            Pair of probes of a plane, at their angles; one channel, x, with ``y=None`` or if there is only one.
+            Two probes of a plane, at their angles; one channel, x, with ``y=None`` or if there is only one.
         samples, order
             As in :meth:`resample`.
         """
@@ -1022,7 +1035,7 @@ class Record:
         return Cascade(0.5 * (begins + ends), speed, out[0, :, 0], *_columns(out[..., 1:], len(pair)), change)
 
     def _pair(self, channels: np.ndarray, x, y) -> list:
-        """Displacements along x and y of channels [channels][count]; one channel if there is no pair."""
+        """Returns displacements along x and y of channels [channels][count]; one channel if there is no pair."""
         if y is None or len(self.names) == 1:
             return [np.ascontiguousarray(channels[self.channel(x)])]
         pair = np.ascontiguousarray(channels[[self.channel(x), self.channel(y)]])
@@ -1031,9 +1044,9 @@ class Record:
     # ---------------------------------------------------------------- sections
 
     def zero_one(self, phase: float = 0.0, order: int = 7) -> float:
-        """K of the 0-1 test for chaos of the section (:func:`zero_one`), which needs 100 revolutions.
+        """Returns K of the 0-1 test for chaos of the section (:func:`zero_one`), which needs 100 revolutions.
 
-        A section of a periodic motion holds noise alone, which looks like chaos to the test: see first whether
+        The section of a periodic motion varies only by noise, which the test takes for chaos: see first whether
         :meth:`recurrence` finds a period.
         """
         return zero_one(self.section(phase, order), self.size)
@@ -1041,7 +1054,8 @@ class Record:
     def recurrence(
         self, radius: float = 0.1, tolerance: float = 0.05, shortest: int = 2, phase: float = 0.0, order: int = 7
     ) -> Recurrence:
-        """Recurrence of the section (:func:`recurrence`): period in revolutions, and recurrence quantification."""
+        """Returns the recurrence of the section (:func:`recurrence`): period in revolutions, and recurrence
+        quantification."""
         return recurrence(self.section(phase, order), self.size, radius, tolerance, shortest)
 
 
@@ -1054,16 +1068,16 @@ def bode(
     y: "str | int | None" = 1,
     **record: Any,
 ) -> TrackedOrders:
-    """Amplitude and lag of orders over the speed, from raw signals: :meth:`Record.track` of a :class:`Record`.
+    """Returns amplitude and lag of orders over the speed from raw signals, by :meth:`Record.track`.
 
     ``keyphasor`` (or ``pulses``), ``angles`` and further keywords are those of :class:`Record`. The first two channels
-    are a pair of probes; ``y=None`` says that they are not.
+    are two probes of a plane; with ``y=None`` they are not.
     """
     return Record(time, *channels, **record).track(orders, revolutions, slow_roll, y=y)
 
 
 def _columns(rows: np.ndarray, signals: int) -> list:
-    """The columns x, y, forward, backward of rows [...][4]; None but for x if there is one signal."""
+    """Returns the columns x, y, forward, backward of rows [...][4]; for one signal all but x are None."""
     return [rows[..., i].copy() if i == 0 or signals > 1 else None for i in range(4)]
 
 

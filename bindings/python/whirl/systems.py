@@ -1,4 +1,4 @@
-"""Custom systems: slopes by a Python callable, a Numba ``cfunc``, a function of C or its text.
+"""Custom systems, whose slopes dx/dt a Python callable, a Numba ``cfunc``, a function of C or a text in C computes.
 
 >>> def duffing(t, x, p):
 ...     return x[1], p.gamma * np.cos(p.omega * t) - 0.3 * x[1] + x[0] - x[0] ** 3
@@ -6,7 +6,7 @@
 >>> result = system.sweep("gamma", np.linspace(0.2, 0.65, 200))
 >>> result.plot.bifurcation()
 
-Such a system gets the analyses, verdicts, files and figures of a rotor.
+Such a system has the analyses, verdicts, files and figures of a rotor.
 """
 
 from __future__ import annotations
@@ -52,7 +52,8 @@ def _form(lanes, tangent):
 
 
 def signature(lanes: bool = False, tangent: bool = False) -> Signature:
-    """The signature of a Numba ``cfunc`` for slopes: of one machine, or of many in lanes; or of a tangent.
+    """Returns the signature of a Numba ``cfunc`` for slopes of one machine, of many machines in lanes, or for a
+    tangent.
 
     One machine: ``f(t, x, p, slopes, context)``; many: ``f(count, row, t, x, p, slopes, context)``, where number k of
     machine i is at ``[k * row + i]``; a tangent: ``f(t, x, p, dx, slopes, context)``. Pointers become arrays by
@@ -70,8 +71,8 @@ def signature(lanes: bool = False, tangent: bool = False) -> Signature:
 
 
 def prototype(lanes: bool = False, tangent: bool = False) -> type:
-    """The same form as a type of ctypes: ``prototype()(address)`` declares the form of a function at an address, and
-    ``prototype()(("rates", library))`` that of a function of a library."""
+    """Returns the form of :func:`signature` as a type of ctypes: ``prototype()(address)`` declares a function at an
+    address, ``prototype()(("rates", library))`` a function of a library."""
     return ctypes_prototype(_form(lanes, tangent))
 
 
@@ -82,7 +83,7 @@ class CFunction:
         self, library: ctypes.CDLL, name: str, form: str, folder: tempfile.TemporaryDirectory, identity: str
     ) -> None:
         self._library, self._folder = library, folder  # both must live as long as the function
-        #: its result: "rates", "lanes" or "tangent"
+        #: its form: "rates", "lanes" or "tangent"
         self.form = form
         #: checksum of its text, of included files, of the compiler and its flags
         self.identity = identity
@@ -102,9 +103,9 @@ def compile_c(source: str, name: str = "rates", flags: Sequence[str] = ("-O3", "
         ``int rates(double t, const double *x, const double *p, double *dxdt, void *context) {...}``, which returns 0,
         or the form for lanes or a tangent (:func:`signature`). ``math.h`` and ``stddef.h`` are included before it.
     name : str
-        Of the function.
+        Name of the function.
     flags : sequence of str
-        For the compiler.
+        Flags for the compiler.
 
     Returns
     -------
@@ -113,9 +114,9 @@ def compile_c(source: str, name: str = "rates", flags: Sequence[str] = ("-O3", "
     Raises
     ------
     BadInput
-        With what the compiler said: of a text that does not compile, of a function of another form.
+        If the text does not compile, or the function has another form; with the message of the compiler.
     MissingProgram
-        Where there is no compiler.
+        If there is no compiler.
     """
     compiler = shlex.split(os.environ.get("CC") or "cc")
     flags = shlex.split(flags) if isinstance(flags, str) else flags
@@ -140,7 +141,7 @@ def compile_c(source: str, name: str = "rates", flags: Sequence[str] = ("-O3", "
             raise errors.BadInput(f"the C text does not compile:\n{done.stderr.strip()}")
         return done.stdout
 
-    # The function has the form of the first prototype that the compiler takes before the text.
+    # Find the form of the function: the first one whose prototype the compiler accepts before the text.
     said = {}
     for form in FORMS:
         words = "-shared", "-fPIC", str(text), "-o", str(library), "-lm"
@@ -161,7 +162,7 @@ def compile_c(source: str, name: str = "rates", flags: Sequence[str] = ("-O3", "
     return CFunction(ctypes.CDLL(str(library)), name, form, folder, identity)
 
 
-# Options of branches; the library has this prefix before their names, as in results.
+# Options of branches, and the prefix that their names have in the library and in results.
 _TRACE = "trace_"
 _OF_BRANCHES = (
     *("rest", "revolutions", "longest", "switches", "segments", "points", "step", "rtol"),
@@ -229,7 +230,7 @@ def _did_you_mean(name, names):
 
 
 def _count(number, what):
-    """A whole number from 0 on."""
+    """Returns a whole number from 0 on, or raises BadInput."""
     whole = -1 if isinstance(number, (bool, np.bool_)) else number
     if not isinstance(whole, (int, np.integer)) or not 0 <= whole < 1 << 31:
         raise errors.BadInput(f"{what} is {number!r}, expected a whole number from 0 on")
@@ -237,7 +238,7 @@ def _count(number, what):
 
 
 def _pair(name, pair):
-    """The two coordinates of a station."""
+    """Returns the two coordinates of a station."""
     if not isinstance(pair, (Sequence, np.ndarray)) or len(pair) != 2:
         raise errors.BadInput(f"the station '{name}' is {pair!r}, expected a pair of coordinates")
     return tuple(_count(coordinate, f"a coordinate of the station '{name}'") for coordinate in pair)
@@ -257,7 +258,7 @@ def _identity_of(what, function):
 
 
 def _followed(result):
-    """Checks that some motions of a result have numbers, and reports the ones that failed."""
+    """Returns a result; raises an error if all its motions failed, and warns if some did."""
     for table in result.tables.values():
         if FIELD.REGIME_DIVERGED_AT in table:
             lost = (table[FIELD.REGIME_CODE] == 0) & (table[FIELD.REGIME_DIVERGED_AT] > 0)
@@ -289,7 +290,8 @@ def _numbers(values, name):
 
 @dataclass(frozen=True)
 class Event:
-    """An event of a motion over time: when ``value(t, x, p)`` passes 0, the motion goes on in another state, or ends.
+    """An event of a motion over time: when ``value(t, x, p)`` passes 0, the motion continues from another state, or
+    ends.
 
     >>> bounce = Event(lambda t, x, p: x[0], passing=-1, reset=lambda t, x, p: [x[0], -p.restitution * x[1]])
     """
@@ -310,9 +312,9 @@ class Event:
 class Happening:
     """What happened at an event of a motion."""
 
-    #: of the event
+    #: name of the event
     name: str
-    #: when
+    #: time of the event
     time: float
     #: the states before and after it
     before: np.ndarray
@@ -327,7 +329,7 @@ class Motion:
     times: np.ndarray
     #: the states there [count][n]
     states: np.ndarray
-    #: what happened, in its order
+    #: events that happened, in their order
     events: list[Happening]
     #: "done", "event", "accumulated" (events came faster and faster), "diverged" or "stuck"
     end: str
@@ -371,48 +373,48 @@ class System:
     Parameters
     ----------
     rates : callable, Numba cfunc, CFunction, or function of ctypes or cffi
-        A Python callable ``f(t, x, p)`` gives the slopes, a sequence; x is an array, p has the parameters by their
-        names (``p.gamma``). Anything compiled has the form of :func:`signature` and says so: a function of ctypes has
-        ``argtypes``, an address is declared by :func:`prototype`.
+        A Python callable ``f(t, x, p)`` returns the slopes dx/dt, a sequence; x is an array, p has the parameters by
+        their names (``p.gamma``). A compiled function must declare its form (:func:`signature`): a function of ctypes
+        by ``argtypes``, an address by :func:`prototype`.
     start : sequence of float
-        The state that motions start from.
+        The initial state of motions.
     parameters : mapping of str to float
-        In SI, in the order in which compiled functions see them.
+        Values in SI, in the order that compiled functions get.
     speed : str, optional
-        The parameter that is the angular frequency of what forces the system: the period is 2 pi over it.
+        The parameter that is the angular frequency of the excitation: the period is 2 pi over it.
     period : float, optional
-        ... or the period itself. One of both is given, but for motions over time (:meth:`follow`), which need none.
+        The period, in the place of a speed. One of both is needed, except for motions over time (:meth:`follow`).
     lanes : bool
-        Whether ``rates`` takes many machines at once: a Python callable is then given t [count], x [n][count] and
-        parameters [count]; a compiled one has ``signature(lanes=True)``.
+        Whether ``rates`` computes many machines in one call: a Python callable then gets t [count], x [n][count] and
+        parameters [count]; a compiled function has ``signature(lanes=True)``.
     displacements : int
-        The first so many coordinates are displacements whose slopes are the next so many. Machines then go side by
-        side, which is what makes ``lanes`` quick.
+        Number n of displacements: the first n coordinates, whose slopes are the next n coordinates. The solver then
+        computes many machines in one call, which makes ``lanes`` fast.
     stations : mapping of str to pairs, optional
-        Pairs of coordinates that are looked at together: ``{"disc": (0, 1)}``. The first two without it. Of one
-        displacement alone there is no second one: it is looked at twice, so that radii are sqrt(2) times as large.
+        Pairs of coordinates that are x and y of a station: ``{"disc": (0, 1)}``; default: the first two. If there is
+        only one displacement, it is both x and y, so that radii are sqrt(2) times as large.
     angles : mapping of int to float, optional
-        Coordinates that are angles, with what a turn of each is: ``{0: 2 * numpy.pi}``. They count modulo a turn, in
-        which slopes have to have that period, and stand within half a turn of 0 in sections: a pendulum that goes round
-        and round is then known to move periodically.
+        Coordinates that are angles, with the size of a turn: ``{0: 2 * numpy.pi}``. They count modulo a turn, so that a
+        rotating pendulum moves periodically; sections have values within half a turn of 0. Slopes must have the period
+        of a turn in them.
     scales : mapping of int to float, optional
-        Sizes that coordinates have in motions, in their own units: ``{0: 3e5, 1: 1e-6}`` of a pressure in Pa beside a
-        displacement in m. Tolerances, perturbations, returns and the bound of divergence (``atol``, ``limit``) are
-        counted in them; numbers of results stay in the coordinates' own units. Without it they are 1 or, where motions
-        are below 0.01 or above 100, taken from the first revolutions.
+        Typical sizes of coordinates in their own units: ``{0: 3e5, 1: 1e-6}`` for a pressure in Pa and a displacement
+        in m. Tolerances, perturbations, distances of returns and the bound of divergence (``atol``, ``limit``) are
+        multiples of them; results have the coordinates' own units. Default: 1 or, if motions are below 0.01 or above
+        100, the sizes in the first revolutions.
     tangent : optional
         The derivative of the slopes applied to a perturbation: ``f(t, x, p, dx)``, or compiled with one more pointer
-        after p. Differences are taken without it.
+        after p. Default: finite differences.
     kinked : bool
-        Whether slopes have kinks without jumps, as springs have that touch. Where slopes jump (a contact with a damper,
-        dry friction) it is not set: motions are right without it, and slopes that jump are refused with it.
+        Whether slopes have kinks without jumps, as with a spring that begins to touch. Do not set it if slopes jump (a
+        contact with a damper, dry friction): motions are right without it, and with it slopes that jump are an error.
     units : mapping of str to str, optional
         SI units of parameters, as UDUNITS has them: ``{"omega": "rad/s"}``.
     title : str
-        For results.
+        Title of results.
     identity : str, optional
-        A name and version of what ``rates`` and ``tangent`` compute, by which a journal tells them from others. Without
-        it: checksums of C texts, and of Python's functions with all that they close over.
+        A name and version of the equations, by which a journal identifies them. Default: checksums of C texts, and of
+        Python functions with all objects that they use.
     """
 
     def __init__(
@@ -476,7 +478,7 @@ class System:
         return values if count is None else values.reshape(rows, count)
 
     def _copied(self, pointer, rows, count=None):
-        """Returns copies of numbers that a function may keep: the library's arrays are valid only during the call."""
+        """Returns copies of numbers, which a callable may keep: the library's arrays are valid only during the call."""
         return self._state(pointer, rows, count).copy()
 
     def _python_rates(self, raised):
@@ -548,7 +550,7 @@ class System:
     # ---------------------------------------------------------------- runs
 
     def _build(self, study):
-        """The library's system, with what it borrows: (handle, functions, raised)."""
+        """Makes the library's system; returns it with objects that must live as long: (handle, functions, raised)."""
         out, raised = ffi.new("whirl_user_system **"), {}
         check(lib.whirl_user_system_new(word_bytes(self.title), len(self.start), out))
         handle = ffi.gc(out[0], lib.whirl_user_system_free)
@@ -594,14 +596,14 @@ class System:
         Parameters
         ----------
         vary : mapping of str to sequences of float, optional
-            Parameters that vary, up to three: a sweep, a map, a map with planes.
+            Up to three parameters with their values: a sweep, a map, or a map with planes.
         analyze : sequence of str
-            "poincare", "regime", "lyapunov", "orbit" without it; also "spectrum", "exponents", "floquet", "waveform",
+            Default: "poincare", "regime", "lyapunov", "orbit"; also "spectrum", "exponents", "floquet", "waveform",
             ...
         threads : int, optional
-            0: all cores, which is what compiled functions have without it; Python callables have one.
+            Number of threads; 0: all cores. Default: all cores for compiled functions, 1 for Python callables.
         options
-            Those of case files: ``method="dop853"``, ``rtol=1e-8``, ``transient=500``, ``record=100``,
+            Options of case files: ``method="dop853"``, ``rtol=1e-8``, ``transient=500``, ``record=100``,
             ``confirm=True``, ``carry="up"``, ...
 
         Returns
@@ -612,20 +614,20 @@ class System:
         Raises
         ------
         BadInput, OutOfMemory, FileFailure, NumericalFailure
-            With the library's sentence; what a Python callable raises comes through.
+            With the library's message. Exceptions of a Python callable are raised unchanged.
         """
         return _followed(self._run(_Study(vary or {}, analyze, options), threads, progress, journal, resume))
 
     def follow(self, times: ArrayLike, events: Sequence[Event] = (), **options: str | float) -> Motion:
-        """Follows one motion over time, from ``start`` at the first instant, past events that may set its state anew.
+        """Follows one motion over time, from ``start`` at the first instant, through events that may change its state.
 
         Parameters
         ----------
         times : sequence of float
-            Instants that rise, at which the state is kept.
+            Increasing instants, at which the state is kept.
         events : sequence of Event
-            Found to the last digits. Where events of one kind come ever faster (a ball that comes to rest in infinitely
-            many bounces), the motion ends as "accumulated".
+            Events, whose instants are found to the last digits. If events of one kind come ever faster (a ball that
+            comes to rest in infinitely many bounces), the motion ends as "accumulated".
         options
             ``method="dop853"``, ``rtol=1e-8``, ``atol``, ``limit``.
 
@@ -636,7 +638,7 @@ class System:
         Raises
         ------
         BadInput, OutOfMemory, NumericalFailure
-            With the library's sentence; what a Python callable raises comes through.
+            With the library's message. Exceptions of a Python callable are raised unchanged.
         """
         handle, functions, raised = self._build(_Study(options=options))
         times, pointer = _numbers(times, "times")
@@ -728,29 +730,29 @@ class System:
         Parameters
         ----------
         parameter : str
-            What varies, between the bounds ``from_`` and ``to``.
+            The parameter that varies between the bounds ``from_`` and ``to``.
         at : sequence of float
-            Values at which a motion is let settle, and a branch begins in both directions: ``from_`` without it.
+            Values at which a motion settles and a branch begins in both directions; default: ``from_``.
         rest : bool
-            Follows equilibria in their place, and the orbits that begin at Hopf points, of a system that nothing drives
-            in time. The first is looked for from ``start``.
+            Whether to follow equilibria, and the orbits that begin at Hopf points, of a system without an excitation.
+            The first equilibrium is searched from ``start``.
         curves : (str, float, float), optional
             A second parameter with bounds around its value, over which the special points are followed.
         options
-            Those of a case's ``branch``: ``step=0.02``, ``longest=4``, ``switches=1``, ``rtol=1e-12``, ``tori=True``,
-            ...; and ``transient``, ``record`` and ``method`` of the motions that settle.
+            Options of ``branch`` in a case: ``step=0.02``, ``longest=4``, ``switches=1``, ``rtol=1e-12``,
+            ``tori=True``, ...; and ``transient``, ``record`` and ``method`` of the motions that settle.
         threads, progress, journal, resume
             As for :meth:`run`.
 
         Returns
         -------
         Result
-            With the table "branch", a row for every point, and "curves" and "tori" where they are followed.
+            With the table "branch", a row for every point, and "curves" and "tori" if they are followed.
 
         Raises
         ------
         BadInput, OutOfMemory, FileFailure, NumericalFailure
-            With the library's sentence; what a Python callable raises comes through.
+            With the library's message. Exceptions of a Python callable are raised unchanged.
         """
         named = {_TRACE + name if name in _OF_BRANCHES else name: value for name, value in options.items()}
         if rest:
@@ -758,7 +760,7 @@ class System:
         study = _Study(options=named, branch=(parameter, from_, to, at), curves=curves)
         try:
             return self._run(study, threads, progress, journal, resume)
-        except errors.BadInput as refusal:  # the library's options of branches have longer names
+        except errors.BadInput as refusal:  # suggest a name without the prefix
             for name in named:
                 if str(refusal) == f"there is no option {name}" and _did_you_mean(name, _OF_BRANCHES):
                     raise errors.BadInput(f"{refusal}{_did_you_mean(name, _OF_BRANCHES)}") from None
@@ -789,11 +791,11 @@ class System:
             raise
 
     def response(self, **more: Any) -> Result:
-        """One motion, with the parameters as they are; see :meth:`run`."""
+        """Computes one motion with the parameters of the system; see :meth:`run`."""
         return self.run(**more)
 
     def sweep(self, parameter: str, values: ArrayLike, **more: Any) -> Result:
-        """Motions along a parameter; see :meth:`run`."""
+        """Computes motions along a parameter; see :meth:`run`."""
         return self.run({parameter: values}, **more)
 
     def map(
@@ -803,7 +805,7 @@ class System:
         z: tuple[str, ArrayLike] | None = None,
         **more: Any,
     ) -> Result:
-        """Motions over two parameters or three, each (name, values): rows along x; see :meth:`run`."""
+        """Computes motions over two or three parameters, each (name, values), with rows along x; see :meth:`run`."""
         axes = [x, y] + ([z] if z is not None else [])
         for axis in axes:
             if isinstance(axis, str) or not isinstance(axis, Sequence) or len(axis) != 2:

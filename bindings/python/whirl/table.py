@@ -34,7 +34,7 @@ class Field:
     name: str  #: "orbit/max_radius"
     unit: str  #: "length" and "force" (in the scales of the result), "1", "revolution", "order", ...
     meaning: str  #: meaning in words
-    extent: str  #: one block for each "point", "station" or "contact"
+    extent: str  #: unit that has a block of numbers: "point", "station" or "contact"
     repeat: int  #: number of these blocks
     rows: int  #: rows of each block; 1 for single numbers
     columns: int  #: columns of each row; of signals their samples
@@ -46,14 +46,15 @@ class Field:
 
     @property
     def dimensions(self) -> tuple[str, ...]:
-        """Names of the dimensions behind those of the points."""
+        """Names of the dimensions after those of the points."""
         if self.singles:
             return "channel", "sample"
         sizes = (self.extent, self.extent != "point"), ("row", self.has_rows), ("column", self.columns != 1)
         return tuple(name for name, there in sizes if there)
 
     def _shaped(self, numbers: np.ndarray, points: int) -> np.ndarray:
-        """Returns numbers in the shape of files, after the dimensions of points: a single row is no dimension there."""
+        """Returns numbers in the shape of files: with a dimension of rows if the field has rows, also if there is
+        one."""
         if not self.has_rows or self.rows != 1 or self.singles:
             return numbers
         before = points + (self.extent != "point")
@@ -61,7 +62,7 @@ class Field:
 
 
 def _fixed(numbers):
-    """Returns a read-only array that is kept."""
+    """Makes an array read-only, and returns it."""
     if numbers is not None:
         numbers.flags.writeable = False
     return numbers
@@ -70,17 +71,16 @@ def _fixed(numbers):
 class Table(Mapping):
     """The points of one part of a study: ``table["orbit/max_radius"]`` is an array of a field, points first.
 
-    Arrays of a result in memory are read-only views of the library's own numbers, which live as long as they do; those
-    of a file are read when they are asked for. Numbers are in the scaling of the result (:meth:`si` converts). A map
-    whose points are all there has two dimensions of points, rows and columns; with a third parameter, planes before
-    these.
+    Arrays of a result in memory are read-only views of the library's own numbers, which live as long as the arrays;
+    arrays of a file are read when they are used. Numbers are in the scaling of the result (:meth:`si` converts). A
+    complete map has two dimensions of points, rows and columns; with a third parameter, planes before these.
     """
 
     def __init__(self, about: Any, source: Any) -> None:
         self._about, self._source = about, source
         self.name = source.name  #: "sweep", "map", "branch", ...
-        #: what the points are in the study, whatever the name: "point", "survey", "detail", "map", "basin", "branches",
-        #: "curves", "tori", "motions", "rest", "tolerances" or "records"
+        #: role of the table in the study: "point", "survey", "detail", "map", "basin", "branches", "curves", "tori",
+        #: "motions", "rest", "tolerances" or "records"
         self.role = source.role
         self.parameter = source.parameter  #: the varied parameter, "" for a single point
         self.second = source.second  #: the second parameter of a map or of curves, else ""
@@ -102,39 +102,40 @@ class Table(Mapping):
 
     @cached_property
     def second_values(self) -> np.ndarray | None:
-        """The second parameter at every point of a map, in SI; of curves "trace/second"; None where there is none."""
+        """The second parameter at every point of a map or of curves, in SI; None if there is none."""
         name = FIELD.MAP_SECOND if FIELD.MAP_SECOND in self.fields else FIELD.TRACE_SECOND if self.second else None
         return _fixed(self[name]) if name in self.fields else None
 
     @cached_property
     def third_values(self) -> np.ndarray | None:
-        """The third parameter at every point of a map with planes, in SI; None where there is none."""
+        """The third parameter at every point of a map with planes, in SI; None if there is none."""
         return _fixed(self[FIELD.MAP_THIRD]) if FIELD.MAP_THIRD in self.fields else None
 
     @cached_property
     def branch(self) -> np.ndarray:
-        """+1 at points carried from the first value on, -1 from the last, 0 not carried."""
+        """+1 at points whose motions were carried from the first value on, -1 from the last, 0 not carried."""
         return _fixed(self._source.branch())
 
     @cached_property
     def point(self) -> np.ndarray:
-        """Which point of the study each is, from 1. All of them are there, but where the run was stopped."""
+        """The number of each point in the study, from 1. Numbers are missing only if the run was stopped."""
         return _fixed(self._source.point())
 
     @cached_property
     def place(self) -> np.ndarray:
-        """Where in the study each point is, from 0, row by row and plane by plane of a map; one for several starts."""
+        """The place of each point in the study, from 0, row by row and plane by plane of a map; several starts have one
+        place."""
         return _fixed(self._source.place())
 
     @cached_property
     def length_scale(self) -> np.ndarray:
-        """m per unit of length at every point."""
+        """Length scale at every point: m per unit of length."""
         return _fixed(self._source.length_scale())
 
     @cached_property
     def clock(self) -> np.ndarray:
-        """rad/s at every point of the phase by which sections are taken, a turn of which is a revolution. That is the
-        speed of the shaft, unless the case has another keyphasor. NaN where that is unknown."""
+        """Rate at every point, rad/s, of the phase whose turn is a revolution and by which sections are taken. It is
+        the speed of the shaft, unless the case has another keyphasor; NaN if unknown."""
         return _fixed(self._source.clock(self, self._about.clock))
 
     @cached_property
@@ -162,14 +163,14 @@ class Table(Mapping):
 
     @property
     def attractors(self) -> np.ndarray | None:
-        """The number of the attractor that every point came to rest on, from 1, that of most starts; 0 without a
-        verdict. None where :attr:`has_attractors` is not true."""
+        """The number of the attractor to which every point leads, from 1, which most starts reach; 0 without a verdict.
+        None if :attr:`has_attractors` is false."""
         return self._attractors[0]
 
     @property
     def shares(self) -> np.ndarray | None:
         """The share, from 0 to 1, of the starts (of the basin, or of the point's place) that lead to the attractor of
-        the point; NaN where it has none. None where :attr:`has_attractors` is not true."""
+        the point; NaN if it has none. None if :attr:`has_attractors` is false."""
         return self._attractors[1]
 
     @property
@@ -216,9 +217,10 @@ class Table(Mapping):
         return self._field(name).unit
 
     def si(self, name: str) -> tuple[np.ndarray, str]:
-        """The numbers of a field in SI, and the name of the unit: ``radius, unit = table.si("orbit/max_radius")``.
+        """Returns the numbers of a field in SI, and the name of the unit: ``radius, unit =
+        table.si("orbit/max_radius")``.
 
-        A column of orders beside lengths (``spectrum/lines``) stays as it is.
+        A column of orders beside lengths (``spectrum/lines``) is unchanged.
         """
         field, numbers = self._field(name), self[name]
         factor = np.asarray(field.si_factor)
@@ -229,14 +231,14 @@ class Table(Mapping):
         return numbers * factor, field.si_unit
 
     def _si_factors(self, unit):
-        """Returns the factors to SI of every point, if they differ."""
+        """Returns the factors to SI of every point, for units whose factor may differ."""
         if unit == "length":
             return self.length_scale
         return 2.0 * np.pi / self.clock if unit == "revolution" else self.clock / (2.0 * np.pi)
 
     def at(self, value: float | str) -> int:
-        """Index of the point whose parameter is nearest to a value: a number in SI, or a text with any unit of the
-        parameter, "6000 rpm". BadInput for a value farther beyond all points than the last step there."""
+        """Returns the index of the point whose parameter is nearest to a value: a number in SI, or a text with any unit
+        of the parameter, "6000 rpm". A value that is beyond all points by more than the last step is BadInput."""
         return self._about.nearest(self.parameter, self.values.ravel(), value)
 
     def station(self, name: str | int) -> int:
@@ -249,12 +251,13 @@ class Table(Mapping):
         raise errors.BadInput(f"there is no station '{name}', expected one of: {', '.join(names)}")
 
     def to_pandas(self) -> pandas.DataFrame:
-        """A DataFrame with a line a point: the parameters, the verdict, and every field of one row.
+        """Returns a DataFrame with a line for each point: the parameters, the verdict, and every field that has one
+        row.
 
-        Names are those of the CSV files without units ("orbit/max_radius disc", "orbit/mean disc x"); parameters that
-        are called as a column of every table is ("point", "branch", "verdict", ...) are "parameter point".
-        ``frame.attrs["units"]`` has the unit of every column, ``frame.attrs["meanings"]`` what those of fields are and
-        how lengths are counted ("0-p").
+        Names are those of the CSV files without units ("orbit/max_radius disc", "orbit/mean disc x"). A parameter with
+        the name of another column ("point", "branch", "verdict", ...) is "parameter point". ``frame.attrs["units"]``
+        has the unit of every column, ``frame.attrs["meanings"]`` the meaning of every column of a field and how lengths
+        are counted ("0-p").
         """
         import pandas as pd
 
@@ -298,12 +301,12 @@ class Table(Mapping):
         return found
 
     def to_xarray(self) -> xarray.Dataset:
-        """A Dataset with the fields by their names, dimensions as in the file, units as attributes.
+        """Returns a Dataset with the fields by their names, dimensions as in the file, units as attributes.
 
-        Where every value of the parameter is there once, points are chosen by it:
+        If every value of the parameter occurs once, points can be chosen by it:
         ``data.sel(omega=3.3, method="nearest")``.
 
-        Fields of a file stay there until they are used, where dask is installed.
+        With dask, fields of a file are read only when they are used.
         """
         import xarray as xr
 
