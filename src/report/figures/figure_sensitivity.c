@@ -1,4 +1,5 @@
-// Sensitivity of a number to parameters: lines along the varied parameter, and bars where the number is largest.
+// Draws the sensitivity of a number to parameters: lines along the varied parameter, and bars at the point where the
+// number is largest.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -20,14 +21,14 @@ static void sensitivity_list(figure_list *to, const drawing *of, const whirl_tab
     }
 }
 
-/// Returns the name of the number that a figure shows.
+/// Writes the name of the number that a figure shows.
 static void name_number(const drawing *of, const figure_place *place, char name[SPREAD_NAME]) {
     whirl_spread_of number;
     *name = '\0';
     if (whirl_table_derived(of->result, place->table, place->which, &number)) spread_name(place->table, &number, name);
 }
 
-/// Draws the change of the number along the varied parameter, a line for each parameter.
+/// Adds the panel with the change of the number along the varied parameter, a line for each parameter.
 static void add_lines(whirl_figure *figure, const drawing *of, const figure_place *place) {
     const whirl_table *table = place->table;
     whirl_panel *panel = figure_panel(figure, "changes", 1.0, 6.0);
@@ -52,13 +53,13 @@ static void add_lines(whirl_figure *figure, const drawing *of, const figure_plac
     if (span_has_any(along)) axis_show(&panel->x, along);
 }
 
-/// Draws the changes at one point as bars, the largest at the top.
+/// Adds the panel with the changes at one point as bars, the largest at the top.
 static void add_bars(whirl_figure *figure, const drawing *of, const figure_place *place, size_t point) {
     size_t order[WHIRL_MAX_SENSITIVITIES];
     const size_t known = sensitivity_order(place->table, point, place->which, order);
     whirl_panel *panel = known > 0 ? figure_panel(figure, "bars", 1.0, 1.2 + 0.6 * (double)known) : NULL;
     if (!panel) return;
-    // Label the axis with the place.
+    // Label the axis with the value of the varied parameter at the point.
     const bool along = *place->table->parameter && place->table->count > 1;
     const whirl_unit unit = whirl_shown_parameter(of->units, place->table->parameter);
     char symbol[SYMBOL_SIZE];
@@ -68,7 +69,7 @@ static void add_bars(whirl_figure *figure, const drawing *of, const figure_place
                  place->table->values[point] / unit.size, unit.name);
     else
         snprintf(panel->x.label, sizeof panel->x.label, "change (%% for 1 %%)");
-    // Draw the bars from 0.
+    // Add a bar from 0 for each parameter.
     whirl_series *more = panel_series(figure, panel, WHIRL_BOXES, line_colour(0), 1.0);
     whirl_series *less = panel_series(figure, panel, WHIRL_BOXES, line_colour(1), 1.0);
     span shown = {0.0, 0.0};

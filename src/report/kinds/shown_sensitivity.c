@@ -1,4 +1,4 @@
-// Findings of derivatives: which parameter changes a number most, and a row for every number, point and parameter.
+// Findings on derivatives: the parameters that change a number most, and a row for every number, point and parameter.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -58,7 +58,7 @@ size_t sensitivity_order(const whirl_table *table, size_t point, size_t number, 
     return known;
 }
 
-/// States which parameters change a number most, where it is largest.
+/// States the parameters that change a number most, at the point where the number is largest.
 static void state_number(const finder *of, const whirl_spread_of *own, size_t number) {
     enum { NAMED = 3 };
     size_t order[WHIRL_MAX_SENSITIVITIES];
