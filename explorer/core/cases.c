@@ -109,7 +109,7 @@ void add_scales(text *t, double length_scale, double clock, const char *keyphaso
     json_text(t, keyphasor);
 }
 
-/// Writes the uses of a parameter.
+/// Context of add_use, which writes the uses of a parameter.
 typedef struct use_list {
     const char *parameter;
     text *to;
@@ -165,11 +165,11 @@ static void add_parameter(text *t, const whirl_case *object, const whirl_paramet
     text_add(t, "]}");
 }
 
-/// Keys that the page moves while a run is shown, wherever they stand.
+/// Keys of the case, at any place in it, whose numbers the page can change while a run is shown.
 static const char *const moved_keys[] = {"rate",   "torque",      "load_quadratic", "eccentricity",
                                          "moment", "loss_moment", "friction",       NULL};
 
-/// Writes a number of the case in the form of a parameter, if its key is one that is moved.
+/// Writes a number of the case in the form of a parameter, if its key is in moved_keys.
 static void add_lever(void *context, const whirl_written_number *number) {
     text *t = context;
     const char *const *key = moved_keys;
@@ -266,7 +266,7 @@ static void add_case(text *t, const whirl_case *object, const whirl_result *desc
         add_parameter(t, object, &described->parameters[i]);
     }
     text_add(t, "]");
-    // Write the numbers that the page lets one change.
+    // Write the numbers that the user can change in the page.
     json_name(t, "levers");
     text_add(t, "[");
     whirl_case_numbers(object, add_lever, t);
@@ -281,7 +281,7 @@ static void add_case(text *t, const whirl_case *object, const whirl_result *desc
     }
     text_add(t, "]");
     add_scales(t, described->length_scale, whirl_result_clock(described), whirl_result_keyphasor(described));
-    // Write the batches, and the methods there are.
+    // Write the batches, and the available methods.
     json_name(t, "batches");
     text_add(t, "[");
     whirl_case_study(object, &study);

@@ -1,4 +1,4 @@
-// Running points, carried a revolution at a time.
+// Computes points, one revolution of all running points at a time.
 #include "core.h"
 #include "looks.h"
 #include "whirl/engine/ensemble.h"
@@ -20,7 +20,7 @@ struct job {
     size_t count, begun, oldest; ///< points; points begun; the first one that may not have been taken
     double *values;              ///< [count]
     whirl_machine first;         ///< machine with the structure of the recorder's machines
-    bool unlike;                 ///< the next machine has another structure and needs a new recorder
+    bool unlike;                 ///< true if the next machine has another structure and needs a new recorder
     whirl_machine *machines;     ///< [count] machines of running points
     finished_point *points;      ///< [count]
     double *start;               ///< [dimension] instead of the machines' starts, or NULL
@@ -42,7 +42,7 @@ static whirl_status build_next(job *j) {
     return status.code == WHIRL_OK ? whirl_ensemble_check(j->first.system, machine->system) : status;
 }
 
-/// Gives the next point to the recorder; false if there is none now.
+/// Gives the next point to the recorder; returns false if no point can begin now.
 static bool next_point(job *j, whirl_status *status) {
     if (j->begun == j->count || j->waiting) return false;
     whirl_machine *machine = &j->machines[j->begun];
@@ -60,7 +60,7 @@ static bool next_point(job *j, whirl_status *status) {
     return status->code == WHIRL_OK;
 }
 
-/// Starts a carried point where the last one ended; after a divergence the chain starts from the case's start.
+/// Makes the end of a carried point the start of the next; after a divergence the next point has the case's start.
 static whirl_status carry(job *j, const whirl_record *record) {
     const size_t bytes = j->plan->dimension * sizeof *j->start;
     j->waiting = false;
@@ -147,7 +147,7 @@ EXPORTED void explorer_job_free(job *j) {
     free(j);
 }
 
-/// Carries the points under way, and new ones, over one revolution.
+/// Advances running points, and new ones, by one revolution.
 static whirl_status jobs_revolve(job *j, size_t *turned) {
     whirl_task task;
     whirl_record *record;

@@ -20,7 +20,7 @@ EXPORTED void explorer_plan_look(plan *p, int transient, int record, int steps) 
     l->shorter = sooner || briefer || l->coarser;
     if (!l->shorter) return;
     r->settle = true;
-    r->watch = 0; // was meant for another length
+    r->watch = 0; // its value was for another length
 }
 
 static double number(const plan *p, const double *block, const char *name) {
@@ -28,7 +28,8 @@ static double number(const plan *p, const double *block, const char *name) {
     return field ? block[field->offset] : 0.0;
 }
 
-/// Settled to 1e-11, or diverged: the motion would end likewise in a longer run with the same steps.
+/// Returns true for a motion that settled to 1e-11 or diverged: a longer run with the same steps would end in the same
+/// way.
 static bool ended_by_itself(const plan *p, const double *block) {
     const whirl_record_options *r = &p->batch.record;
     return number(p, block, WHIRL_FIELD_REGIME_REVOLUTIONS) < (double)(r->transient + r->record);

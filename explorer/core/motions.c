@@ -1,4 +1,4 @@
-// One sampled motion, which the page animates.
+// Computes a sampled motion, which the page animates.
 #include "core.h"
 
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 struct motion {
     whirl_machine machine;
     whirl_integrator *integrator;
-    size_t samples, stride, instants; ///< samples in a revolution; instants between samples; instants observed so far
+    size_t samples, stride, instants; ///< samples of a revolution; instants from sample to sample; instants observed
     double *states, *forces;          ///< next sample
     double *x;                        ///< [dimension]
 };

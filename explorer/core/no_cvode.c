@@ -1,4 +1,4 @@
-// The methods of SUNDIALS by name only, so that cases with them can be read; their start fails.
+// Declares the methods of SUNDIALS by name, so that cases with them can be read; their start fails.
 #include "method.h"
 
 static whirl_status no_cvode_start(whirl_integrator *integrator) {

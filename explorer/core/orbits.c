@@ -1,4 +1,4 @@
-// Orbits along branches, stable or not, from the orbits in results.
+// Computes orbits along branches, stable or not, from the nodes in results.
 #include "core.h"
 
 #include <string.h>

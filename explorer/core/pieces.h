@@ -1,4 +1,4 @@
-/// JSON pieces shared by several answers.
+/// Writes pieces of JSON that several answers share.
 #ifndef EXPLORER_PIECES_H
 #define EXPLORER_PIECES_H
 

@@ -36,6 +36,7 @@ EXPORTED const char *explorer_plan_choose(plan *p, const char *known) {
 }
 
 EXPORTED plan *explorer_plan_new(const whirl_case *object, const char *batch, const char *parameter) {
+    // Find the batch.
     plan *p = calloc(1, sizeof *p);
     whirl_status status = p ? whirl_case_study(object, &p->study) : whirl_fail(WHIRL_NO_MEMORY, "no memory");
     const whirl_batch *found = p && status.code == WHIRL_OK ? find_batch(&p->study, batch) : NULL;
@@ -45,12 +46,13 @@ EXPORTED plan *explorer_plan_new(const whirl_case *object, const char *batch, co
         free(p);
         return NULL;
     }
+    // Copy it without values: a plan varies one parameter, the others of a map have the values of the case.
     p->object = object;
     p->batch = *found;
     p->batch.values = p->batch.second_values = p->batch.third_values = NULL;
     p->batch.count = 1;
     p->batch.row = p->batch.plane = p->batch.refine = 0;
-    *p->batch.second = *p->batch.third = '\0'; // of a map: the case has their values
+    *p->batch.second = *p->batch.third = '\0';
     p->batch.carry = WHIRL_CARRY_NONE;
     if (parameter) snprintf(p->batch.parameter, sizeof p->batch.parameter, "%s", parameter);
     status = whirl_study_place(&p->study, &p->batch, &p->placed);
@@ -236,7 +238,7 @@ EXPORTED const char *explorer_verdict(const plan *p, const double *block) {
     json_text(&answer, sentence);
     json_name(&answer, "reason");
     add_reason(p, block, &verdict);
-    // Write how far it can be trusted, and what would help.
+    // Write its confidence, and advice.
     json_name(&answer, "confidence");
     json_text(&answer, whirl_confidence_name(verdict.confidence));
     json_name(&answer, "advice");

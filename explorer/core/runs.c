@@ -1,9 +1,9 @@
-// Run-ups over the time, computed as the study does.
+// Computes run-ups over the time as the study does.
 #include "core.h"
 
 #include "resting_point.h"
 
-/// Spectra of a run whose case has none; largest number of orbits, and of their instants.
+/// Number of spectra of a run whose case has none, largest number of orbits, and largest number of their instants.
 enum { USUAL_SPECTRA = 100, MAX_ORBITS = 1000, MAX_INSTANTS = 1 << 19 };
 
 #if defined(__EMSCRIPTEN__)

@@ -14,7 +14,7 @@ typedef struct text {
 /// Empties a text; its memory is kept.
 void text_clear(text *t);
 
-/// Appends, printf-formatted.
+/// Appends a text, formatted as by printf.
 void text_add(text *t, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 2, 3)))

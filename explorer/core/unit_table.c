@@ -125,7 +125,7 @@ static void add_name(const ut_system *system, const char *name) {
     unit_table_add(&names, text, ut_get_unit_by_name(system, text));
 }
 
-/// Names of two words are also known with an underscore.
+/// Adds a name; one of two words also with an underscore.
 static void add_names(const ut_system *system, char *name) {
     add_name(system, name);
     for (char *c = name; *c; c++)
@@ -173,6 +173,7 @@ int main(void) {
     ut_set_error_message_handler(ut_ignore);
     ut_system *system = ut_read_xml(NULL);
     if (!system) return 1;
+    // Collect prefixes, whose value stands before their names, and units.
     while (fgets(line, sizeof line, stdin)) {
         const char *content = strchr(line, '>');
         if (!content) continue;
@@ -188,6 +189,7 @@ int main(void) {
         else
             add_names(system, text);
     }
+    // Write the tables of units, then those of prefixes.
     write_table("unit_names", &names, by_name);
     write_table("unit_symbols", &symbols, by_symbol);
     for (int kind = 0; kind < 2; kind++) {

@@ -1,4 +1,4 @@
-// Units without UDUNITS-2: products of the names that its database has, with its numbers and its rules.
+// Reads and converts units without UDUNITS-2: products of the names in its database, with its numbers and rules.
 //
 // A unit is scale * (product of powers of base units) above an origin, as in the library. Products, powers and
 // conversions are rounded in the library's order, so that both give the same numbers.
@@ -20,7 +20,7 @@ static const char *const bases[BASE_COUNT] = {"m", "kg", "s", "A", "K", "mol", "
 struct ut_unit {
     double scale, origin;
     int powers[BASE_COUNT];
-    bool logarithmic; ///< known by name only; it cannot be used
+    bool logarithmic; ///< a unit that is known only by its name and cannot be used
 };
 
 typedef struct known_unit {
@@ -160,7 +160,7 @@ typedef struct unit_reader {
     int depth;
 } unit_reader;
 
-/// Superscripts as UTF-8 writes them, in the order of the digits; then minus.
+/// Superscripts in UTF-8: the digits in their order, then minus.
 static const char *const superscripts[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹", "⁻"};
 enum { RAISED_MINUS = 10 };
 
@@ -213,7 +213,8 @@ static bool is_raised_dot(const char *text) {
     return strncmp(text, "·", strlen("·")) == 0;
 }
 
-/// After a name only ¹, ² and ³ are powers; other superscripts belong to the name.
+/// Returns true if a character can be a part of a name. Of superscripts, ¹, ² and ³ are powers after a name; others
+/// belong to it.
 static bool is_name_part(const char *text) {
     const int index = superscript(text);
     if ((unsigned char)*text < 0x80) return isalpha((unsigned char)*text) || *text == '_';
@@ -335,7 +336,7 @@ ut_unit *ut_get_dimensionless_unit_one(const ut_system *system) {
     return unit_new(&one);
 }
 
-/// Does nothing: added names are found before those of the database.
+/// Does nothing, as added names are found before those of the database.
 ut_status ut_unmap_name_to_unit(ut_system *system, const char *name, ut_encoding encoding) {
     (void)system, (void)name, (void)encoding;
     return UT_SUCCESS;

@@ -261,8 +261,7 @@ export class App {
     void this.open();
   }
 
-  /// Restores the state of an address: everything if the machine or parameter is another one, else only the
-  /// differences.
+  /// Restores the state of an address: all of it if the machine or the parameter differs, else only the differences.
   private restore(hash: string): void {
     const { session } = this;
     const address = readAddress(hash, session.address.units);
@@ -324,7 +323,7 @@ export class App {
     if (settled && anyFollows(side.info?.parameters ?? [], parameter)) void side.follow(setting, spoken);
   }
 
-  /// Computes the run of a changed setting; those of the case are stored.
+  /// Computes the run of a changed setting; runs of the case's own settings are stored.
   private wantRun(side: SideModel, settled: boolean): void {
     const { session } = this;
     const { assignments, value } = side.choice;
@@ -397,7 +396,7 @@ export class App {
     void this.refreshSide(side, settled);
   }
 
-  /// Sets the value along the diagram from a text in a unit that only the engine knows.
+  /// Sets the value along the diagram from a text with a unit that only the engine can read.
   private async speak(name: SideName, text: string): Promise<void> {
     const value = await this.session.spokenValue(name, text);
     // Show the typed value in the page's unit.
@@ -435,7 +434,7 @@ export class App {
     const { session } = this;
     session.sights.stop();
     const before = session.address.parameter;
-    // In a map both values are kept.
+    // Keep both values in a map.
     const kept = Object.values(session.sides).map((side) =>
       session.map?.axis(before) ? session.valueOf(side, before) : NaN,
     );
@@ -536,7 +535,7 @@ export class App {
   private key(event: KeyboardEvent): void {
     const typing = event.target instanceof HTMLInputElement || event.target instanceof HTMLSelectElement;
     if (event.key === '?' && !typing) this.page.openHelp();
-    // A field with the focus has the browser's own undo.
+    // Leave undo to the browser while the user types in a field.
     const command = (event.ctrlKey || event.metaKey) && !event.altKey && !isTyping();
     const key = event.key.toLowerCase();
     if (command && (key === 'z' || key === 'y')) {

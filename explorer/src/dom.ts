@@ -21,8 +21,8 @@ export function el<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/// Makes a button. Its accessible name is its visible text, for speech control; a button with only a sign is named by
-/// `label`.
+/// Makes a button. Its accessible name is its visible text, which speech control uses; a button with only a sign has
+/// the name `label`.
 export function button(
   text: string,
   label: string,
@@ -58,7 +58,7 @@ export function setChoices(list: HTMLSelectElement, choices: readonly Choice[], 
   list.value = value;
 }
 
-/// A row of buttons, one of which is pressed.
+/// A row of buttons of which one is pressed.
 export class Segments {
   readonly root: HTMLElement;
   private readonly buttons: readonly HTMLButtonElement[];

@@ -28,13 +28,13 @@ ut_status ut_unmap_name_to_unit(ut_system *system, const char *name, ut_encoding
 ut_status ut_map_name_to_unit(const char *name, ut_encoding encoding, const ut_unit *unit);
 ut_unit *ut_divide(const ut_unit *numerator, const ut_unit *denominator);
 ut_unit *ut_scale(double factor, const ut_unit *unit);
-/// Returns whether a unit is dimensionless; angles are.
+/// Returns 1 for a dimensionless unit, which includes angles, else 0.
 int ut_is_dimensionless(const ut_unit *unit);
 /// Writes the unit in base units, "0.001 m2.kg.s-3". Returns the number of bytes, like snprintf.
 int ut_format(const ut_unit *unit, char *text, size_t size, unsigned options);
 void ut_free(ut_unit *unit);
 
-/// ut_get_converter: converts numbers in `from` to numbers in `to`; NULL if the units are of different kinds. Free it
+/// Returns a converter from numbers in `from` to numbers in `to`, or NULL if the units are of different kinds. Free it
 /// with cv_free.
 cv_converter *ut_get_converter(ut_unit *from, ut_unit *to);
 double cv_convert_double(const cv_converter *converter, double value);

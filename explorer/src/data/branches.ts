@@ -21,7 +21,7 @@ export interface Change {
   readonly kind: Special;
 }
 
-/// Periods and nodes of orbits, one after the other, and the index where each begins; -1: not in the page.
+/// Periods and nodes of orbits, one orbit after the other, and the index at which each begins; -1: the page lacks it.
 interface Nodes {
   readonly numbers: Float64Array;
   readonly begins: Int32Array;
@@ -79,8 +79,8 @@ export class Branches {
     );
   }
 
-  /// Returns the point of a branch `steps` orbits further, in the direction from the end at lower values to the end at
-  /// higher ones, through folds; at an end the last point.
+  /// Returns the point of a branch `steps` orbits further, or the last point if the branch ends before. The direction
+  /// is from the end at lower values to the end at higher values, through folds.
   along(point: number, steps: number): number {
     const mine = this.stored((other) => this.numberOf(other) === this.numberOf(point));
     const { values } = this.diagram;
@@ -130,7 +130,7 @@ function piecesOf(diagram: Diagram, special: (point: number) => number): Piece[]
   return pieces;
 }
 
-/// Returns the count of numbers of a point's nodes.
+/// Returns how many numbers the nodes of a point have.
 function nodeNumbers(diagram: Diagram, point: number, segments: number): number {
   const dimension = diagram.column(FIELD.TRACE_MULTIPLIERS)?.rows ?? 0;
   const round = Math.max(1, diagram.number(point, FIELD.TRACE_REVOLUTIONS));

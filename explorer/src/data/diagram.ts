@@ -76,7 +76,7 @@ export class Diagram {
     if (table.length_scales) made.lengthScales.set(float64Of(table.length_scales));
     else made.lengthScales.fill(lengthScale);
     for (const stored of table.fields) {
-      // The section of orbits along branches has the name of that of motions.
+      // Give the section of orbits along branches the name of the section of motions.
       const field = stored.name === FIELD.TRACE_SECTION ? { ...stored, name: SECTION } : stored;
       made.fields.set(field.name, field);
       const all = float32Of(field.data);
@@ -267,7 +267,7 @@ export class Diagram {
     return best;
   }
 
-  /// Names verdicts by regime and period alone; equal ones share a text.
+  /// Names verdicts by regime and period; equal verdicts share a text.
   private nameVerdicts(): void {
     const names = new Map<number, readonly [string, string]>();
     for (let point = 0; point < this.count; point++) {

@@ -6,7 +6,7 @@ import { nearestOn, type Cell, type MapAxis } from './parameter_map';
 /// Cells of an axis: the first, and the one after the last.
 export type Cells = readonly [number, number];
 
-/// Returns an axis whose cells are divided into `parts` of equal size; of equal ratio on a logarithmic axis.
+/// Returns an axis whose cells are divided into `parts` of equal size, or of equal ratio on a logarithmic axis.
 function finerAxis({ parameter, edges, logarithmic }: MapAxis, [first, end]: Cells, parts: number): MapAxis {
   const count = (end - first) * parts;
   const at = (place: number) => {

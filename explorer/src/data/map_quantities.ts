@@ -6,7 +6,7 @@ import type { ParameterMap } from './parameter_map';
 import { quantitiesOf, quantityOf, type Quantity } from './quantities';
 import { FIELD } from './fields';
 
-/// Limit of the colour scale: stronger growth and decay have the same colours.
+/// Limit of the colour scale of exponents: stronger growth and decay have the colours of its ends.
 const MAX_EXPONENT = 0.5;
 const PERIODIC = 1;
 
@@ -15,12 +15,12 @@ export interface MapNumbers {
   readonly label: string;
   /// [points], NaN for points without a number.
   readonly numbers: Float64Array;
-  /// For numbers that rise, or that lie around zero.
+  /// 'rising' for numbers from low to high, 'around' for numbers around zero.
   readonly palette: 'rising' | 'around';
-  /// The number at the lower end of the palette; `high` is at its upper end.
+  /// The numbers at the lower and the upper end of the palette.
   readonly low: number;
   readonly high: number;
-  /// Colours change with the logarithm of the number.
+  /// True if colours change with the logarithm of the number.
   readonly logarithmic: boolean;
 }
 
@@ -28,7 +28,7 @@ export const REGIME: Quantity = { id: 'regime', text: 'Regime', perStation: fals
 export const ATTRACTOR: Quantity = { id: 'attractor', text: 'Attractor', perStation: false };
 const PERIOD: Quantity = { id: 'period', text: 'Period', perStation: false };
 
-/// Names in addresses; fields have their own names.
+/// Names of quantities in addresses; other quantities have the names of fields.
 export const MAP_QUANTITIES: readonly string[] = [ATTRACTOR.id, REGIME.id, PERIOD.id];
 
 /// Returns the quantity that a map shows by default.

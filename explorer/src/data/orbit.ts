@@ -6,7 +6,7 @@ import { FIELD } from './fields';
 export interface Multiplier {
   readonly real: number;
   readonly imaginary: number;
-  /// True for the multiplier 1 of an autonomous orbit, for shifts along the orbit.
+  /// True for the multiplier 1 of an autonomous orbit, which belongs to shifts along the orbit.
   readonly own: boolean;
 }
 
@@ -90,7 +90,7 @@ export class OrbitOfBranch {
     return `branch ${this.branch}: ${this.verdict} (${this.evidence})${here}`;
   }
 
-  /// Multipliers by falling modulus; for equilibria eigenvalues by falling real part.
+  /// Multipliers, the largest modulus first; for equilibria eigenvalues, the largest real part first.
   get multipliers(): readonly Multiplier[] {
     const [real, imaginary] = [0, 1].map((column) => this.diagram.column(FIELD.TRACE_MULTIPLIERS, 0, column));
     if (!real || !imaginary) return [];

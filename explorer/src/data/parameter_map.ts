@@ -1,4 +1,4 @@
-// A stored map: points over two parameters, one cell for each. Cells are counted along rising values.
+// A stored map: points over two parameters, one cell for each. Cells are numbered along rising values.
 import { Diagram } from './diagram';
 import { OTHER_PERIODS } from './regimes';
 import { float64Of, type Attractor, type Run, type StoredMap, type StoredTable } from './run';
@@ -18,7 +18,7 @@ export interface Cell {
   readonly row: number;
 }
 
-/// Fills in values of columns or rows without points, evenly between known ones or beyond them.
+/// Fills in the values of columns or rows without points, at even steps between known values or beyond them.
 function fillGaps(values: Float64Array): void {
   const known = Array.from(values.keys()).filter((i) => Number.isFinite(values[i]));
   if (known.length < 2) {
@@ -168,7 +168,7 @@ export class ParameterMap {
     return [this.x, this.y].find((axis) => axis.parameter === parameter);
   }
 
-  /// Returns the other axis than that of a parameter.
+  /// Returns the axis that is not that of a parameter.
   across(parameter: string): MapAxis {
     return parameter === this.y.parameter ? this.x : this.y;
   }
@@ -178,7 +178,7 @@ export class ParameterMap {
     return this.own[row * this.columns + column]! >= 0;
   }
 
-  /// Points of cells that were computed.
+  /// The points that were computed.
   get computed(): readonly number[] {
     return Array.from(this.own).filter((point) => point >= 0 && this.diagram.done[point]);
   }

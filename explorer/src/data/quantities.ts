@@ -10,7 +10,7 @@ export interface Quantity {
   readonly text: string;
   /// True for a quantity of one station, false for one of the whole machine.
   readonly perStation: boolean;
-  /// The field of the quantity, for a better name than the field's.
+  /// The field that the quantity shows under a better name.
   readonly field?: string;
   /// True if the quantity needs spectra; diagrams are computed without spectra unless it is shown.
   readonly spectra?: boolean;
@@ -30,7 +30,7 @@ export const QUANTITIES: readonly Quantity[] = [
   { id: '1ylag', text: '1X phase lag of y', perStation: true, spectra: true },
 ];
 
-/// Name of a quantity that is a column of a field not in the list: "orbit/min_radius", "orbit/mean:1".
+/// Pattern of the name of a quantity that is a column of a field not in the list: "orbit/min_radius", "orbit/mean:1".
 export const OF_A_FIELD = /^[a-z_]{1,40}\/[a-z_0-9]{1,40}(:\d)?$/;
 
 /// "mean x", "min radius".
@@ -84,7 +84,7 @@ function shownLengths(
   return { column: { rows: column.rows, data }, factor };
 }
 
-/// Returns all rows of a field of lengths of a station, in the shown unit.
+/// Returns a column of a field of lengths of a station, with all rows, in the shown unit.
 export function lengthsOf(diagram: Diagram, field: string, station: number, column: number, units: Units) {
   const found = diagram.column(field, station, column);
   return found && shownLengths(diagram, found, units);

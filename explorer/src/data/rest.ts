@@ -1,12 +1,12 @@
-// Stored results of machines at rest: modes of small motions, or the response to unbalance, over a parameter. Only
-// views of the same numbers are derived here: ellipses, and their signals at a probe.
+// Stored results of machines at rest: modes of small motions, or the response to unbalance, over a parameter. This file
+// computes only other forms of the stored numbers: ellipses, and their signals at a probe.
 import type { StationInfo } from '../engine/protocol';
 import { Diagram } from './diagram';
 import type { StoredLines } from './contents';
 import { float32Of, float64Of, type Run } from './run';
 import { FIELD } from './fields';
 
-/// A harmonic motion of a station: x = xc cos t + xs sin t, y alike.
+/// A harmonic motion of a station: x = xc cos t + xs sin t, y = yc cos t + ys sin t.
 export interface Sway {
   readonly xc: number;
   readonly xs: number;
@@ -59,7 +59,7 @@ export const CRITICAL_TEXT: Readonly<Record<Critical['kind'], string>> = {
 };
 
 const KINDS = [undefined, 'critical', 'onset', 'recovery'] as const;
-/// Damping, over the frequency, that is rounding.
+/// Damping over the frequency below which it is a rounding error.
 export const ROUNDING = 1e-10;
 /// Damping ratio above which a mode is overdamped and on no curve (WHIRL_OVERDAMPED_RATIO).
 export const OVERDAMPED = 0.9;
@@ -154,7 +154,7 @@ export class AtRest {
     const { mode_names: names, mode_lines: of } = table;
     const lines = names && of ? { names, of: float32Of(of) } : undefined;
     const probe = (table.probe_angle ?? 0) / RADIAN;
-    // Points of a thinned table have other numbers.
+    // Skip the lines of a thinned table, whose points have other numbers.
     const bent = table.count === table.points ? run.lines?.find((each) => each.table === table.name) : undefined;
     return new AtRest(kind, diagram, run.stations, critical, probe, lines, run.contacts, bent);
   }
@@ -195,12 +195,12 @@ export class AtRest {
     return this.diagram.number(point, FIELD.MODES_STABILITY);
   }
 
-  /// Returns 1 if a mode grows, -1 if all decay, 0 if the largest growth is rounding.
+  /// Returns 1 if a mode grows, -1 if all decay, 0 if the largest growth is a rounding error.
   growing(point: number): number {
     return Math.sign(this.stability(point));
   }
 
-  /// Returns the rad/s modulo which frequencies are known; NaN if they are known exactly.
+  /// Returns the frequency in rad/s modulo which frequencies are known; NaN if they are known exactly.
   modulo(point: number): number {
     return this.diagram.number(point, FIELD.MODES_MODULO);
   }

@@ -54,7 +54,7 @@ export interface StoredTable {
   readonly record: number;
   /// Values of the points, float64, little-endian, base64; absent for maps.
   readonly values?: string;
-  /// Metres per unit of length at every point, float64, if the parameter changes them.
+  /// Length scale at every point in m, float64, if the parameter changes it.
   readonly length_scales?: string;
   readonly map?: StoredMap;
   /// Attractors of a basin; and the number of each point's attractor, from 1 (0: unknown).
@@ -135,7 +135,7 @@ export function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
-// Returns an array of float32. Stored arrays are little-endian, as are all machines with current browsers.
+// Returns an array of float32. Stored arrays are little-endian, as is every machine with a current browser.
 export function float32Of(base64: string): Float32Array {
   return new Float32Array(bytesOf(base64).buffer);
 }

@@ -10,10 +10,10 @@ const RADIAN = Math.PI / 180;
 const NOTHING = new Float64Array(0);
 
 export interface RunOrbit {
-  /// s and rad/s of its turn; NaN before the first turn.
+  /// Time (s) and speed (rad/s) of its turn; NaN before the first turn.
   readonly time: number;
   readonly speed: number;
-  /// From the mark on over one turn, not closed, in length scales.
+  /// One turn from the mark on, without a last point that closes it, in length scales.
   readonly x: Float64Array;
   readonly y: Float64Array;
   /// True if these are samples; false: the sum of the mean and of orders 1 to 4.
@@ -34,16 +34,16 @@ type Read = (field: string, which: number, column: number) => Float64Array;
 
 export class RunUp {
   private readonly known = new Map<string, Float64Array>();
-  /// s of every row; NaN for rows without a turn.
+  /// Time of every row, s; NaN for rows without a turn.
   readonly time: Float64Array;
-  /// rad/s of every row.
+  /// Speed of every row, rad/s.
   readonly speed: Float64Array;
   /// Rows with a turn, in the order of the time.
   readonly rows: readonly number[];
 
   private constructor(
     private readonly read: Read,
-    /// Length of the run in s, as planned.
+    /// Planned length of the run, s.
     readonly duration: number,
     readonly lengthScale: number,
     readonly stations: readonly StationInfo[],
@@ -69,7 +69,7 @@ export class RunUp {
     return new RunUp(read, end, diagram.lengthScales[point] ?? run.length_scale, run.stations, run.contacts);
   }
 
-  /// Returns a run of the engine, which may be still under way.
+  /// Returns a run of the engine, which may not be complete.
   static computed({ layout, block, duration, lengthScale, stations }: RunResult, contacts: readonly string[]): RunUp {
     const read: Read = (name, which, column) => {
       const field = findField(layout, name);
@@ -77,7 +77,7 @@ export class RunUp {
       const first = field.offset + which * field.rows * field.columns + column;
       return Float64Array.from({ length: field.rows }, (_, row) => block[first + row * field.columns]!);
     };
-    // A run whose length follows from a table is as long as it is.
+    // Take the time reached as the length of a run whose length is unknown before it ends.
     const reached = read(FIELD.RUNUP_TIME, 0, 0).reduce((most, time) => (time > most ? time : most), 0);
     return new RunUp(read, duration > 0 ? duration : reached, lengthScale, stations, contacts);
   }
@@ -110,7 +110,7 @@ export class RunUp {
     return nearestOf(this.rows, (row) => Math.abs(this.time[row]! - time));
   }
 
-  /// Returns the row at a passage of a speed: of several the one that is nearest in time to `time`.
+  /// Returns the row at which the run passes a speed; if it does so several times, the row nearest to `time`.
   rowAtSpeed(speed: number, time: number): number {
     const { rows } = this;
     const away = (i: number) => (i in rows ? Math.abs(this.speed[rows[i]!]! - speed) : Infinity);
@@ -124,7 +124,7 @@ export class RunUp {
     );
   }
 
-  /// Returns the orbit at a time: samples of the turn where the run has them.
+  /// Returns the orbit at a time: samples of the turn if the run has them, else a sum of orders.
   orbitAt(station: number, time: number): RunOrbit | undefined {
     const times = this.column(FIELD.RUNUP_ORBIT_TIME);
     const found = nearestOf(
@@ -132,7 +132,7 @@ export class RunUp {
       (orbit) => Math.abs(times[orbit]! - time),
     );
     const row = this.rowAt(time);
-    // An orbit of another time is worse than the sum of a few orders of this one.
+    // Use samples only of this time: those of another time are worse than the sum of a few orders.
     const apart = row < 0 ? 0 : Math.abs((times[found] ?? NaN) - this.time[row]!);
     if (found >= 0 && apart <= this.duration / Math.max(this.time.length, 1))
       return this.sampledOrbit(station, found, times[found]!);
@@ -165,7 +165,7 @@ export class RunUp {
     return { time: this.time[row]!, speed: this.speed[row]!, x: axis(0), y: axis(1), sampled: false };
   }
 
-  /// s of every spectrum; NaN where there is none.
+  /// Time of every spectrum, s; NaN if there is none.
   get spectrumTimes(): Float64Array {
     return this.column(FIELD.RUNUP_SPECTRUM_TIME);
   }

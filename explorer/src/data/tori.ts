@@ -48,7 +48,7 @@ export class Tori {
     return this.diagram.number(point, FIELD.TORUS_UNSTABLE) === 0;
   }
 
-  /// Returns the parameter value after a point at which the radius vanishes; undefined if it does not.
+  /// Returns the parameter value at which the radius vanishes after a point; undefined if it does not vanish.
   vanishesAt(point: number): number | undefined {
     return this.diagram.number(point, FIELD.TORUS_END) === SHRINKS
       ? this.diagram.number(point, FIELD.TORUS_LIMIT)

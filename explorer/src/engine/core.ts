@@ -1,4 +1,4 @@
-// Typed interface of the C core: handles, texts and numbers. Its functions are those of explorer/core/core.h.
+// Typed interface of the C core: handles, texts and numbers. explorer/core/core.h describes its functions.
 import createCore, { type CoreModule } from 'whirl-core-glue';
 import type { CaseInfo, Layout, Look, Options, StationInfo, Verdict } from './protocol';
 import type { Refusal } from './wire';
@@ -181,7 +181,7 @@ export class Core {
 
   // -------------------------------------------------------------- points
 
-  /// Starts a job for some values, which are copied; `start` may be 0.
+  /// Starts a job for some values, which it copies; `start` may be 0 (no start).
   jobNew(plan: number, values: number, count: number, carried: boolean, start: number): number {
     return this.good(this.module._explorer_job_new(plan, values, count, carried ? 1 : 0, start));
   }
@@ -190,7 +190,7 @@ export class Core {
     this.module._explorer_job_free(job);
   }
 
-  /// Carries a job on; returns the revolutions done, 0 at the end.
+  /// Advances a job; returns the number of revolutions computed, 0 at the end.
   jobTurn(job: number): number {
     const turned = this.module._explorer_job_turn(job);
     if (turned < 0) throw this.refused();

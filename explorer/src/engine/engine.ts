@@ -26,14 +26,14 @@ import type { FromWorker, PartLayout, PartPoints, Refusal, Task, ToWorker } from
 
 const STALE = { ok: false, why: 'stale' } as const;
 const MAX_WORKERS = 16;
-/// Priority of sweeps, below all requests with a waiting user.
+/// Priority of sweeps: after all requests for which the user waits.
 const SWEEP_PRIORITY = 10;
 
 function failed(message: string): { ok: false; why: 'failed'; message: string; problems: [] } {
   return { ok: false, why: 'failed', message, problems: [] };
 }
 
-/// A task that was sent, with its callbacks.
+/// A task that was sent to a worker, with its callbacks.
 interface Pending {
   readonly id: number;
   readonly task: Task;
@@ -92,7 +92,7 @@ class Pool implements Engine {
   private readonly url: string;
   private readonly core: Uint8Array;
   private readonly broken: ((why: string) => void) | undefined;
-  /// The worker of run-ups: a run is computed in one piece, and ends with its worker.
+  /// The worker of run-ups. It computes a run in one piece; ending the worker ends the run.
   private runner: Seat | undefined;
   private nextId = 0;
   private closed = false;
@@ -131,8 +131,8 @@ class Pool implements Engine {
     pending.settle(message.kind === 'done' ? { ok: true, value: message.value } : refused(message.refusal));
   }
 
-  /// Handles a broken worker. If its core failed in a task it is replaced and its tasks fail; a worker that could not
-  /// start is not replaced.
+  /// Handles a broken worker. If its core failed in a task, its tasks fail and a new worker replaces it; a worker that
+  /// could not start is not replaced.
   private lose(seat: Seat, message: string, started: boolean): void {
     if (seat === this.runner) return this.dropRunner(failed(message));
     const at = this.seats.indexOf(seat);

@@ -125,8 +125,8 @@ export interface CaseInfo {
   readonly version: string;
   readonly title: string;
   readonly parameters: readonly ParameterInfo[];
-  /// Other numbers of the case that the page moves while it shows a run: rates, unbalances, torques, friction. Their
-  /// names are those of `whirl run --set`.
+  /// Other numbers of the case that the user can change while the page shows a run: rates, unbalances, torques,
+  /// friction. Their names are those of `whirl run --set`.
   readonly levers: readonly ParameterInfo[];
   readonly stations: readonly StationInfo[];
   readonly contacts: readonly string[];
@@ -210,7 +210,7 @@ export interface MotionResult {
   /// The element with that phase, "" for the shaft.
   readonly keyphasor: string;
   readonly stations: readonly StationInfo[];
-  /// Samples of the waveform in a revolution; the last one is at the once-per-revolution mark.
+  /// Samples of the waveform in a revolution; the last sample is at the once-per-revolution mark.
   readonly samplesPerRevolution: number;
   readonly options: Options;
   /// Wall-clock seconds in the worker.
@@ -248,7 +248,7 @@ export interface SweepRequest {
   readonly carry?: Carry;
   /// As in PointRequest.
   readonly batch?: string;
-  /// True to compute fields of spectra too ("spectrum/synchronous", ...), which takes a tenth to a fifth more work.
+  /// True to compute fields of spectra too ("spectrum/synchronous", ...), which takes 10 to 20 % more time.
   readonly spectra?: boolean;
 }
 
@@ -299,13 +299,13 @@ export interface TransientResult {
   /// State after the last revolution, for the next request.
   readonly state: Float64Array;
   /// State [dimension] at every sample, oldest first; StationInfo has the indices of coordinates. Samples are
-  /// equidistant; the last one of a revolution is at the mark.
+  /// equidistant in time; the last sample of a revolution is at the mark.
   readonly samples: Float64Array;
   /// [samples][contacts] normal forces, 0 while open.
   readonly forces: Float64Array;
   readonly dimension: number;
   readonly contacts: number;
-  /// May exceed the request: the next divisor of the steps.
+  /// The next divisor of the number of steps, which may be above the request.
   readonly samplesPerRevolution: number;
   /// Whole revolutions done: fewer than requested if the motion diverged.
   readonly revolutions: number;
@@ -322,11 +322,11 @@ export interface RunRequest {
   readonly batch?: string;
 }
 
-/// A run-up over the time, as fields of its study; while it is computed, up to a time.
+/// A run-up over the time, as fields of its study. While it is being computed, it is filled in up to `time`.
 export interface RunResult {
   readonly layout: Layout;
   readonly block: Float64Array;
-  /// s: up to which the block is filled in, and length of the run as planned.
+  /// Time up to which the block is filled in, and planned length of the run, s.
   readonly time: number;
   readonly duration: number;
   readonly lengthScale: number;
@@ -377,8 +377,8 @@ export interface Engine {
   orbit(request: OrbitRequest, manner?: Manner): Promise<Outcome<MotionResult>>;
   sweep(request: SweepRequest, listener?: SweepListener, manner?: Manner): Promise<Outcome<SweepResult>>;
   transient(request: TransientRequest, manner?: Manner): Promise<Outcome<TransientResult>>;
-  /// Computes a run in a worker of its own; `part` receives what is there so far. A new run ends the one before, and so
-  /// does endRun: their outcomes are stale.
+  /// Computes a run in a worker of its own; `part` receives the part of the run that is computed. A new run, or endRun,
+  /// ends the earlier run, whose outcome is stale.
   run(request: RunRequest, part?: (so_far: RunResult) => void): Promise<Outcome<RunResult>>;
   endRun(): void;
   /// Writes values into the text of a case, keeps comments and layout, and checks the result. Missing keys are added to
@@ -394,7 +394,7 @@ export interface Engine {
 export interface EngineParts {
   readonly worker: string;
   readonly core: Uint8Array;
-  /// Number of workers; absent: as many as the computer has cores.
+  /// Number of workers; absent: one for each core of the computer.
   readonly workers?: number;
   /// Called with the reason once no worker can start.
   readonly broken?: (why: string) => void;

@@ -7,17 +7,18 @@ export interface Part {
   readonly carried: boolean;
 }
 
-/// Number of points that fill the lanes of the core once.
+/// Number of points of a part: as many as the core computes at the same time.
 const PART_SIZE = 16;
 
 const range = (count: number) => Array.from({ length: count }, (_, index) => index);
 
-/// Divides the points into parts: points that follow one another are one part, others are taken in their order.
+/// Divides the points into parts. Carried points, each of which starts from the one before, are one part; other points
+/// are divided in their order.
 export function partsOf(count: number, carry: 'none' | 'forward' | 'reverse' | 'both'): Part[] {
   const chain = (slots: number[]) => ({ slots: Uint32Array.from(slots), carried: true });
   if (carry === 'forward') return [chain(range(count))];
   if (carry === 'reverse') return [chain(range(count).reverse())];
-  // The way back has its own slots after the others, in the order of the values.
+  // Give the way back slots of its own after the others, in the order of the values.
   if (carry === 'both')
     return [
       chain(range(count)),

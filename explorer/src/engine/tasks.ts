@@ -31,8 +31,8 @@ export class Tasks {
   private readonly cases = new Map<string, number>();
   /// Cases in use by running jobs, with the number of these jobs.
   private readonly inUse = new Map<number, number>();
-  /// Recent choices of `auto`, by setting and batch, and by the text alone. A choice takes some revolutions, so parts
-  /// of a diagram and previews reuse it.
+  /// Recent choices of the method `auto`, by setting and batch, and by the text of the case. A choice takes the time of
+  /// some revolutions, so that parts of a diagram and previews reuse it.
   private readonly methods = new Map<string, string>();
 
   constructor(
@@ -99,7 +99,7 @@ export class Tasks {
     this.inUse.set(object, (this.inUse.get(object) ?? 0) + 1);
     try {
       const options: Record<string, Options[string] | undefined> = { ...setting.options };
-      // The observed revolutions of the case were meant for another length of the motion.
+      // Let the engine choose the observed revolutions, since those of the case were for another length of the motion.
       if (options['transient'] !== undefined || options['record'] !== undefined) options['watch'] ??= 0;
       for (const [option, value] of Object.entries(options))
         if (value !== undefined) this.core.planOption(plan, option, value);
@@ -150,7 +150,7 @@ export class Tasks {
     const began = performance.now();
     const core = this.core;
     const value = request.value ?? NaN;
-    // Without a value the case's own value applies, and nothing is varied.
+    // Without a value, use that of the case, and vary nothing.
     const parameter = request.value === undefined ? '' : request.parameter;
     return yield* this.withPlan(request.setting, request.batch, parameter, function* (plan) {
       core.planEverything(plan, request.setting.options?.waveform_revolutions ?? USUAL_WAVEFORM);
@@ -229,7 +229,7 @@ export class Tasks {
 
   // -------------------------------------------------------------- orbits along branches
 
-  /// Without yields: an orbit takes about as long as its few revolutions.
+  /// Computes an orbit without yields, as it takes only a few revolutions.
   private *orbit(request: OrbitRequest): Steps {
     const began = performance.now();
     const { core } = this;
@@ -263,7 +263,7 @@ export class Tasks {
 
   // -------------------------------------------------------------- run-ups
 
-  /// In one piece: the engine ends the worker to stop it.
+  /// Computes a run in one piece; the engine ends the worker to stop it.
   private *runUp(id: number, request: RunRequest): Steps {
     const began = performance.now();
     const { core, post } = this;

@@ -42,7 +42,7 @@ export type ToWorker =
   | { readonly kind: 'task'; readonly id: number; readonly priority: number; readonly task: Task }
   | { readonly kind: 'stop'; readonly id: number };
 
-/// Finished points of a part; `indices` count the values of the part.
+/// Finished points of a part; `indices` are indices of the part's values.
 export interface PartPoints {
   readonly indices: Uint32Array;
   readonly blocks: Float64Array;

@@ -51,7 +51,8 @@ function drawLines(pen: Pen, lines: BranchLines, frame: Frame, colours: Theme): 
   pen.setLineDash([]);
 }
 
-/// Draws marks of special points on every line; the first mark has a label with kind and value, if there is room.
+/// Draws marks of special points on every line; the first mark of a point has a label with kind and value, if there is
+/// room.
 function drawChanges(pen: Pen, lines: BranchLines, frame: Frame, colours: Theme): void {
   const size = 10 * frame.ratio;
   const taken: { x: number; y: number; width: number }[] = [];

@@ -49,8 +49,8 @@ export function drawCells(pen: Pen, sheet: Sheet, frame: Frame): void {
   drawBoundaries(pen, sheet, across, up);
 }
 
-/// Draws rectangles. Neighbours of one colour in a row are one piece, which overlaps the next slightly to hide the
-/// seam.
+/// Draws rectangles. Neighbours of one colour in a row are one rectangle, which overlaps the next one slightly to hide
+/// the seam.
 function drawRectangles(pen: Pen, sheet: Sheet, across: Seen, up: Seen, seam: number): void {
   const { x, y, columns, rows } = sheet;
   for (let row = up[0]; row < up[1]; row++)

@@ -38,11 +38,11 @@ export interface ChartSpec {
   /// Layers below and above grid and lines.
   readonly under?: Layer;
   readonly over?: Layer;
-  /// Layer drawn last and not clipped: marks whose middles lie inside (isInside).
+  /// Layer that is drawn last and not clipped: marks whose middles are in the frame (isInside).
   readonly marks?: Layer;
   /// True to omit labels of the horizontal axis, if a chart below has the same axis.
   readonly bareX?: boolean;
-  /// Texts of ticks on the horizontal axis (a full spectrum counts in both directions).
+  /// Returns the text of a tick on the horizontal axis (in a full spectrum orders count in both directions).
   readonly xText?: (value: number, step: number) => string;
   /// Ticks of the vertical axis in place of round numbers, if at least two of them are visible.
   readonly yTicks?: readonly number[];
@@ -135,8 +135,8 @@ export class Chart implements Figure {
     return this.part ?? this.whole;
   }
 
-  /// Shows the vertical range between two positions, in CSS pixels from the top of the plotting area; the whole range
-  /// if it is as large.
+  /// Shows the vertical range between two positions, in CSS pixels from the top of the plotting area, but at most the
+  /// whole range.
   enlarge(top: number, bottom: number): void {
     const [low, high] = [this.heightAt(bottom), this.heightAt(top)];
     const sizeOf = (range: Range) => (range[1] - range[0]) / (this.whole[1] - this.whole[0]);
@@ -416,7 +416,7 @@ function decades(low: number, high: number, wanted: number): Ticks {
   const [first, last] = [Math.ceil(Math.log10(low) - 1e-9), Math.floor(Math.log10(high) + 1e-9)];
   if (last - first < 2 && wanted >= 3) {
     const few = within(low, high);
-    // A range below a decade is nearly linear.
+    // Use linear ticks for a range below a decade.
     return few.length > 1
       ? { at: few, text: few.map((value) => tickText(value, 10 ** Math.floor(Math.log10(value)))) }
       : linear(low, high, wanted);

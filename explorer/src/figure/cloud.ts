@@ -33,7 +33,7 @@ function visit(cloud: Cloud, frame: Frame, visitor: (x: number, y: number, kind:
   const [y0, y1] = [frame.y(frame.yRange[0]), frame.y(frame.yRange[1])];
   const yScale = ((y1 - y0) / (frame.yRange[1] - frame.yRange[0])) * factor;
   const yBase = y0 - ((y1 - y0) / (frame.yRange[1] - frame.yRange[0])) * frame.yRange[0];
-  // A margin, so that rounding does not lose the points at the ends.
+  // Widen the range slightly, so that rounding does not lose the points at the ends.
   const [left, right] = [frame.left - 0.01, frame.left + frame.width + 0.01];
   const [top, bottom] = [frame.top, frame.top + frame.height];
   for (let point = 0; point < diagram.count; point++) {
@@ -58,10 +58,10 @@ function pointsInside(cloud: Cloud, frame: Frame): number {
   return count;
 }
 
-/// Returns the side of a dot in pixels: about a column of the diagram, within limits.
+/// Returns the side of a dot in pixels: about the width of a column of the diagram, within limits.
 function dotSize(cloud: Cloud, frame: Frame): number {
   const column = frame.width / Math.max(1, pointsInside(cloud, frame));
-  // Dots grow with the page's text on large screens.
+  // Enlarge dots with the text of the page on large screens.
   const unit = (frame.ratio * textSize()) / 10.5;
   const least = cloud.column.rows === 1 ? 2.4 : 1;
   return Math.max(1, Math.round(Math.min(Math.max(column, least * unit), 2.6 * unit)));
@@ -128,7 +128,7 @@ function drawShapes(pen: Pen, cloud: Cloud, frame: Frame, colours: Theme): void 
   });
 }
 
-/// Draws the cloud; `shapes`: as shapes rather than a picture, unless there are too many.
+/// Draws the cloud: as shapes if `shapes` is true and they are not too many, else as a picture.
 export function drawCloud(pen: Pen, cloud: Cloud, frame: Frame, colours: Theme, shapes: boolean): void {
   if (shapes && pointsInside(cloud, frame) * cloud.column.rows <= MAX_SHAPES) {
     drawShapes(pen, cloud, frame, colours);

@@ -1,4 +1,4 @@
-// Draws figures described by the library (docs/figures.md) as SVG: panels, axes and series, whatever their names.
+// Draws figures that the library describes (docs/figures.md) as SVG, by panels, axes and series.
 import { escaped, FONT } from './pen';
 import type { Picture } from './figure';
 
@@ -72,7 +72,7 @@ export interface Described {
   readonly scale?: DescribedScale;
 }
 
-/// Pixels of a centimetre and of a point, 1.6 times as large as on paper: screens are further away.
+/// Pixels of a centimetre and of a point, 1.6 times as large as on paper, as screens are farther away.
 const CM = (1.6 * 96) / 2.54;
 const PT = (1.6 * 96) / 72;
 
@@ -179,7 +179,7 @@ function markAt(x: number, y: number, series: DescribedSeries, least = 0): strin
   return `<circle cx="${short(x)}" cy="${short(y)}" r="${short(r)}" ${look}/>`;
 }
 
-/// Returns a path from point to point, broken at missing points.
+/// Returns a path through points, broken at missing points.
 function lineThrough(points: readonly (readonly [number, number])[]): string {
   let path = '';
   let open = false;
@@ -196,7 +196,7 @@ function rectangle(x: number, y: number, width: number, height: number, look: st
   return `<rect x="${left}" y="${top}" width="${right}" height="${up}" ${look}/>`;
 }
 
-/// Returns the attributes of lines (with a least width in points) and of areas.
+/// Returns the attributes of a line, with a least width in points.
 function drawnAs({ colour, opacity, size, dashed }: DescribedSeries, least = 0): string {
   const dashes = dashed ? ` stroke-dasharray="${short(4 * PT)} ${short(2.5 * PT)}"` : '';
   const width = short(Math.max(least, size) * PT);
@@ -385,7 +385,7 @@ function drawSpots(place: Place, { spots = [] }: DescribedPanel): string {
 
 export const hasSpots = ({ panels }: Described) => panels.some(({ spots }) => spots && spots.length > 0);
 
-/// Returns the picture of a figure on white; with `touched` its hot spots too.
+/// Returns the picture of a figure on white; `touched`: with its hot spots.
 export function pictureOfDescribed(figure: Described, touched = false): Picture {
   const [width, height, font] = [figure.width_cm * CM, figure.height_cm * CM, figure.font_pt * PT];
   const clips = figure.panels.map((panel, i) => {
@@ -398,7 +398,7 @@ export function pictureOfDescribed(figure: Described, touched = false): Picture 
     const texts = panel.series.filter(({ shape }) => shape === 'texts');
     const rest = panel.series.filter(({ shape }) => shape !== 'texts');
     const clip = `clip-path="url(#${escaped(figure.name)}-${i})"`;
-    // Marks are not clipped at the frame; everything else is.
+    // Clip all series at the frame, except marks and texts.
     const drawn = (list: readonly DescribedSeries[]) =>
       list
         .map((series) => {

@@ -23,7 +23,7 @@ export function setDark(dark: boolean): void {
   current = dark ? DARK : LIGHT;
 }
 
-/// Returns the size of small text in CSS pixels, which grows with the page's.
+/// Returns the size of small text in CSS pixels, which grows with the text of the page.
 export function textSize(): number {
   return 0.74 * Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
 }

@@ -37,8 +37,8 @@ export function skyline(frame: Frame, at: Float64Array, curves: readonly Float64
   return top;
 }
 
-/// Returns the possible places of a peak's label, free of curves and inside the frame: above it, to either side, next
-/// to its tip, or a line higher.
+/// Returns the possible places of a peak's label, free of curves and inside the frame: above the peak, to either side,
+/// next to its tip, or a line higher.
 function places(x: number, y: number, half: number, size: number, frame: Frame, top: Float64Array): Place[] {
   const gap = 0.3 * size;
   const roof = (centre: number) => {
@@ -53,7 +53,7 @@ function places(x: number, y: number, half: number, size: number, frame: Frame, 
     .filter((centre) => centre === inside(centre))
     .map((centre) => ({ centre, half, bottom: Math.min(roof(centre) - 0.2 * size, y + 0.6 * size) }));
   const higher = above.map((place) => ({ ...place, bottom: place.bottom - 1.15 * size }));
-  // A label far from its peak is useless.
+  // Leave out places far from the peak.
   return [...above, ...beside, ...higher].filter(({ bottom }) => bottom >= frame.top + size && y - bottom < 2.2 * size);
 }
 

@@ -1,5 +1,5 @@
-// Colours of numbers, suitable for all kinds of colour vision: viridis for rising numbers, blue to vermilion around
-// zero; reports have the light variants.
+// Colours of numbers, for all kinds of colour vision: viridis for rising numbers, blue to vermilion around zero.
+// Reports have the colours of the light theme.
 import type { Theme } from './theme';
 
 const RISING = ['#440154', '#46327e', '#365c8d', '#277f8e', '#1fa187', '#4ac16d', '#a0da39', '#fde725'];
@@ -28,7 +28,8 @@ export function colourAt(palette: Palette, part: number, theme: Theme): string {
   return mixed(stops[from]!, stops[from + 1]!, at - from);
 }
 
-/// Okabe and Ito's colours, in an order in which neighbours differ in lightness, too; whirl's reports have the same.
+/// The colours of Okabe and Ito, in an order in which neighbours also differ in lightness; whirl's reports have the
+/// same.
 const OF_ATTRACTORS = ['#0072b2', '#e69f00', '#56b4e9', '#009e73', '#cc79a7', '#d55e00', '#f0e442'];
 
 /// Returns the colour of an attractor by its number, from 1; for 0 (unknown) a muted colour.

@@ -211,7 +211,7 @@ export class SvgPen implements Pen {
   }
 }
 
-/// Converts an SVG to a PNG of at least double resolution and 1200 pixels width.
+/// Converts an SVG to a PNG of at least twice its size and at least 1200 pixels wide.
 export async function pngOf(svg: string, width: number, height: number): Promise<Blob> {
   const address = URL.createObjectURL(new Blob([svg], { type: 'image/svg+xml' }));
   try {

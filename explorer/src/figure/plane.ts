@@ -1,4 +1,4 @@
-// A plane with two axes, with one scale if both are lengths.
+// Draws a plane with two axes, with one scale on both if both are lengths.
 import { textSize } from './figure';
 import { font, type Pen } from './pen';
 import type { Theme } from './theme';

@@ -1,6 +1,6 @@
 // Colours of figures; the style sheet has the same for other elements, and takes the colours of regimes from here. Any
-// two regimes differ by at least 16 (CIEDE2000) in every colour vision, by lightness if not by hue; reports have the
-// light variants (tests/colours.test.mjs).
+// two regimes differ by at least 16 (CIEDE2000) for every kind of colour vision, by lightness if not by hue. Reports
+// have the colours of the light theme (tests/colours.test.mjs).
 
 export interface Theme {
   readonly dark: boolean;

@@ -59,7 +59,7 @@ function fill(pen: Pen, band: readonly BandAt[], frame: Frame): void {
   pen.globalAlpha = 1;
 }
 
-/// Draws both edges, solid along stable tori, dashed along others.
+/// Draws both edges, solid along stable tori, dashed along unstable ones.
 function outline(pen: Pen, band: readonly BandAt[], frame: Frame): void {
   pen.lineWidth = 1.2 * frame.ratio;
   for (const stable of [true, false])

@@ -1,7 +1,7 @@
 // Parameters whose values follow from others.
 import type { ParameterInfo } from '../engine/protocol';
 
-/// Returns true if any parameter depends on the one of a name.
+/// Returns true if any parameter depends on the parameter with a name.
 export function anyFollows(parameters: readonly ParameterInfo[], name: string): boolean {
   const follows = ({ expression, written }: ParameterInfo): boolean =>
     expression &&

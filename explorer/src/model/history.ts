@@ -1,5 +1,5 @@
 // Undo and redo: actions of the user are entries of the browser's history, whose addresses contain the setting. A drag
-// is one entry; so are keys and wheel turns that change the same things within a second.
+// is one entry; keys and wheel turns that change the same things within a second are one entry, too.
 const PAUSE = 250; // ms without a change before the address is written
 const SAME = 1000; // ms in which a change of the same things belongs to the previous entry
 
@@ -11,7 +11,7 @@ function difference(one: string, other: string): string {
   return [...keys]
     .flatMap((key) => {
       const [before, after] = [parts(a!, key), parts(b!, key)];
-      // For parameters the set of names counts, not their values.
+      // Compare the names of changed parameters, not their values.
       const changed = [
         ...before.filter((text) => !after.includes(text)),
         ...after.filter((text) => !before.includes(text)),
@@ -26,7 +26,7 @@ export class History {
   private step: number;
   private newest: number;
   private written = location.hash;
-  /// Input of the user since the address was written; changes by the page itself make no entry.
+  /// Kind of the user's input since the address was written; '': none, so that a change makes no entry.
   private acted: '' | 'keys' | 'pointer' = '';
   private pressed = false;
   private last = { keys: '', time: -Infinity };

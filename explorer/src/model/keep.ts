@@ -9,8 +9,8 @@ function inUnit(value: number, unit: string): string {
   return unit === '1' || unit === 'SI' || unit === '' ? number : `${number} ${unit}`;
 }
 
-/// Edits that make a sweep over the view, with as many points as the case's sweep. Other keys of values are removed: a
-/// list, a step, and a logarithmic scale if the view is linear.
+/// Returns the edits that make a sweep over the view, with as many points as the case's sweep. They remove other keys
+/// that choose values: a list, a step, and a logarithmic scale if the view is linear.
 function sweepEdits(parameter: string, unit: string, sweep: CaseInfo['batches'][number], view: Range): Edit[] {
   const falling = (sweep.values[0] ?? 0) > (sweep.values.at(-1) ?? 0);
   const [from, to] = falling ? [view[1], view[0]] : view;
@@ -24,8 +24,8 @@ function sweepEdits(parameter: string, unit: string, sweep: CaseInfo['batches'][
   return edits;
 }
 
-/// Returns the edits that turn the case into one of this setting: the view becomes the sweep, the cursor's value its
-/// first detail.
+/// Returns the edits that turn the case into a case with this setting: the view becomes the sweep, the cursor's value
+/// its first detail.
 export function caseEdits(original: CaseInfo, address: Address, side: Side, view: Range, whole: Range): Edit[] {
   const edits: Edit[] = [];
   const { parameter, computation } = address;
@@ -36,7 +36,7 @@ export function caseEdits(original: CaseInfo, address: Address, side: Side, view
   if (sweep) {
     if (sweep.parameter !== parameter || view[0] !== whole[0] || view[1] !== whole[1])
       edits.push(...sweepEdits(parameter, unit, sweep, view));
-    // Values of the case's detail belong to its swept parameter; for another parameter they are removed.
+    // Replace the values of the case's detail, which belong to its swept parameter.
     const detail = original.batches.find(({ name }) => name === 'detail');
     if (detail && detail.parameter !== parameter)
       put('study.detail.at', `[${inUnit(Number.isFinite(side.value) ? side.value : (view[0] + view[1]) / 2, unit)}]`);

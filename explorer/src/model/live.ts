@@ -1,5 +1,5 @@
-// Motions on demand: while the cursor moves, one request at a time, the newest next; when it stops, the whole
-// computation.
+// Requests motions for the cursor: while it moves, one request at a time, always the newest next; when it stops, the
+// whole computation.
 import type { Engine, MotionResult, OrbitRequest, Outcome, PointRequest } from '../engine/protocol';
 import type { Side } from './setting';
 

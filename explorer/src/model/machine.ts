@@ -1,4 +1,4 @@
-// Machines of the page: runs stored by a report, and presets of the gallery, which the page computes.
+// Machines of the page: runs that a report stored, and presets, which the page computes.
 import jeffcott from '../../../cases/jeffcott-rub.yaml';
 import paperDerived from '../../../cases/paper-derived.yaml';
 import paperLiteral from '../../../cases/paper-literal.yaml';
@@ -139,7 +139,7 @@ export function shortName(machine: Machine): string {
   return baseName(machine.caseName) || machine.name;
 }
 
-/// Finds the meaning of the length scale from the walls of the stations.
+/// Returns the scales, with a symbol of the length scale if it is the clearance or gap of a station.
 export function scalesOf(
   length: number,
   speed: number,

@@ -1,4 +1,4 @@
-// A row or column of a map as a diagram: the other parameter is assigned.
+// A row or column of a map as a diagram, in which the map's other parameter has an assigned value.
 import type { Diagram } from '../data/diagram';
 import { nearestOn, type ParameterMap } from '../data/parameter_map';
 
@@ -12,7 +12,7 @@ export interface Cut {
   readonly assignments: readonly string[];
 }
 
-/// Relative difference below which numbers count as equal: the last digits of a text.
+/// Relative difference below which numbers count as equal, for the last digits of a text.
 const SAME = 1e-9;
 
 /// Returns a value as an assignment with all digits: "0.08", "650 rad/s".
@@ -49,7 +49,7 @@ export function cutOf(map: ParameterMap, along: string, place: MapPlace): Cut {
     if (!meets) texts.set(name, plainText(value, place.unitOf(name)));
     else if (text !== undefined) texts.set(name, text);
   }
-  // In the order of the user's assignments.
+  // Keep the order of the user's assignments.
   const order = [...place.assignments.keys(), ...texts.keys()].filter((name, i, all) => all.indexOf(name) === i);
   const assignments = order.flatMap((name) => (texts.has(name) ? [`${name}=${texts.get(name)!}`] : []));
   const of = constant.map(({ parameter: name, value }) => {

@@ -5,7 +5,7 @@ import type { Engine, Setting } from '../engine/protocol';
 import { plainText } from './map_cut';
 import { coarseToFine } from './recompute';
 
-/// Cells along each axis: least number of the finest grid, and most of the refined part.
+/// Number of cells along each axis: the least of the finest grid, and the largest of a part that can be refined.
 export const FINE = 64;
 
 /// The visible cells.
@@ -35,7 +35,7 @@ export interface MapRefinementWish {
   readonly unit: string;
   /// Revolutions of every motion: before the record, and in it.
   readonly revolutions: readonly [number, number];
-  /// True if motions of the map have more revolutions.
+  /// True if motions of the stored map have more revolutions.
   readonly shorter: boolean;
   /// Returns a rejection of the engine in the words of the page.
   say(refused: string): string;
@@ -96,7 +96,7 @@ export class MapRefinement {
     this.changed();
   }
 
-  /// Computes as many rows at a time as there are workers, spread over the grid.
+  /// Computes the rows of a grid, coarse to fine, as many at a time as there are workers.
   private async fill(grid: MapGrid): Promise<void> {
     const rows = coarseToFine(grid.rows);
     const work = async () => {

@@ -12,8 +12,8 @@ export interface Plan {
   readonly batch: BatchInfo | undefined;
   /// True to compute fields of spectra too.
   readonly spectra: boolean;
-  /// Requested points of the diagram, in the case's order along the parameter, followed by those of the way back;
-  /// absent: all.
+  /// Requested points of the diagram, in the case's order along the parameter, followed by the points of the way back;
+  /// absent: all points.
   readonly places?: readonly number[];
 }
 
@@ -60,7 +60,7 @@ export function coarseToFine(count: number): number[] {
 /// Makes the diagram that a plan will fill, with points in the order of the case's sweep.
 export function awaitedDiagram(plan: Plan): Diagram {
   const { low, high, points } = plan;
-  // For the case's sweep use exactly the case's values.
+  // Use exactly the case's values for the case's sweep.
   const swept = plan.batch?.parameter === plan.parameter ? [...plan.batch.values].sort((a, b) => a - b) : [];
   const own = swept.length === points && swept[0] === low && swept.at(-1) === high;
   const even = (i: number) => (points > 1 ? low + ((high - low) * i) / (points - 1) : low);
@@ -83,8 +83,8 @@ function along(plan: Plan, rising: readonly number[]): { values: Float64Array; b
   };
 }
 
-/// Returns the diagram with the missing points of a plan in its range. These are at halves, quarters, ... of the
-/// diagram's own range, so that other zooms find them again. Undefined if nothing is missing, or the whole range is
+/// Returns the diagram with the missing points of a plan in its range added. They divide the diagram's own range into
+/// halves, quarters, ..., so that other zooms find them again. Undefined if nothing is missing, or the whole range is
 /// visible.
 export function finerDiagram(
   plan: Plan,
@@ -143,7 +143,7 @@ function orderOf(plan: Plan, pass: Pass, diagram: Diagram): readonly number[] {
   const chained = carryOf(plan) !== 'none';
   if (pass.coarse) return spread(places).slice(0, COARSE);
   if (!chained) return pass.doubtful ? doubtfulFirst(diagram, places) : spread(places);
-  // Carried points are computed together.
+  // Compute carried points together.
   const open = (point: number) => !diagram.done[point] || diagram.provisional[point] === 1;
   const back = carryOf(plan) === 'both' ? places.map((place) => place + places.length) : [];
   return !pass.doubtful || [...places, ...back].some(open) ? places : [];

@@ -1,10 +1,10 @@
-// The run of a run-up at the user's setting: computed by the engine, the newest wish first.
+// The run of a run-up at the user's setting. The engine computes the newest requested setting.
 import { RunUp } from '../data/runup';
 import type { Engine, Outcome, RunRequest, RunResult } from '../engine/protocol';
 
-/// Milliseconds that a run may go on after a newer wish.
+/// Milliseconds that a run may continue after a newer request.
 const PATIENCE = 400;
-/// Seconds of a run above which looks while a slider moves are coarser, and their tolerance.
+/// Computing time of a run in s above which runs during the move of a slider are coarser, and their tolerance.
 const LONG = 1;
 const QUICK_RTOL = 1e-5;
 
@@ -18,14 +18,14 @@ export interface RunModelListener {
 }
 
 export class RunModel {
-  /// The newest run, which may be still under way.
+  /// The newest run, which may not be complete.
   run: RunUp | undefined;
   /// Its result.
   result: RunResult | undefined;
-  /// True if the tolerance of the result is that of a quick look.
+  /// True if the result has the coarser tolerance (QUICK_RTOL).
   quick = false;
   trouble = '';
-  /// Share of the present computation that is done; undefined: none is under way.
+  /// Computed share of the current run; undefined: none is being computed.
   progress: number | undefined;
   private next: Wish | undefined;
   private timer = 0;
@@ -36,7 +36,7 @@ export class RunModel {
     private readonly listener: RunModelListener,
   ) {}
 
-  /// Requests a run; `settled`: the user has let go of the slider.
+  /// Requests a run; `settled`: the user has released the slider.
   want(request: RunRequest, contacts: readonly string[], settled: boolean): void {
     if (!this.engine) return;
     this.next = { request, settled };
@@ -44,7 +44,7 @@ export class RunModel {
     else if (!this.timer) this.timer = window.setTimeout(() => this.engine?.endRun(), PATIENCE);
   }
 
-  /// Ends the computation; what is there stays.
+  /// Ends the computation; the computed part stays.
   stop(): void {
     this.next = undefined;
     this.engine?.endRun();

@@ -25,7 +25,7 @@ type Range = readonly [number, number];
 
 export type SideName = 'a' | 'b';
 
-/// Part to be redrawn: everything, a side, new points of the diagram, or of the map, the cursor of a run-up.
+/// Part to be redrawn: everything, a side, new points of the diagram or of the map, or the cursor of a run-up.
 export type Change = 'all' | SideName | 'grow' | 'map' | 'run';
 
 export interface SessionListener {
@@ -137,7 +137,7 @@ export class Session {
     return this.part?.run ?? this.machine.run;
   }
 
-  /// True if motions are shown, which the engine computes.
+  /// True if the page shows motions, which the engine computes.
   get moves(): boolean {
     return !this.atRest && !this.runsUp && (this.part?.view ?? 'motions') === 'motions';
   }
@@ -213,8 +213,8 @@ export class Session {
     return this.refined?.map === this.map ? this.refined : undefined;
   }
 
-  /// Computes finer cells of a part of the map, which replace earlier ones; without a part it stops. Cells are of the
-  /// unchanged machine, by the method of the run.
+  /// Computes finer cells of a part of the map, which replace earlier ones; without a part it stops the computation.
+  /// The cells have the unchanged machine and the method of the run.
   refineMap(part: MapPart | undefined): void {
     const { map, engine, mapTable: table } = this;
     this.refined?.stop();
@@ -272,7 +272,7 @@ export class Session {
     side.choice = { assignments, value };
   }
 
-  /// The map's cut at the active side; undefined if the diagram's parameter is none of the map's.
+  /// The map's cut at the active side; undefined if the map does not have the diagram's parameter.
   private get cut(): Cut | undefined {
     const { map, side } = this;
     const { parameter } = this.address;
@@ -316,7 +316,7 @@ export class Session {
     return orbit === undefined || assignments.size > 0 ? undefined : this.branches?.orbit(orbit);
   }
 
-  /// Drops orbits of an address that do not exist.
+  /// Removes orbits from the choices if they do not exist.
   checkOrbits(): void {
     for (const side of Object.values(this.sides)) {
       const { assignments, value } = side.choice;
@@ -401,8 +401,8 @@ export class Session {
     };
   }
 
-  /// Lets the engine read a text of the diagram's parameter. Returns the value in SI, the sentence of a rejection, or
-  /// undefined if a newer request has overtaken this one.
+  /// Makes the engine read a text as a value of the diagram's parameter. Returns the value in SI, the message of a
+  /// rejection, or undefined if a newer request has overtaken this one.
   async spokenValue(name: SideName, text: string): Promise<number | string | undefined> {
     const { parameter } = this.address;
     const setting = this.settingOf(this.sides[name]);

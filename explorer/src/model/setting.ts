@@ -1,4 +1,5 @@
-// Settings of the user in the address of the page. Contents of an address are checked: it may come from anywhere.
+// Settings of the user in the address of the page. The contents of an address are checked, as anybody may have written
+// it.
 import { MAP_QUANTITIES } from '../data/map_quantities';
 import { OF_A_FIELD, QUANTITIES } from '../data/quantities';
 import type { Units } from './units';

@@ -14,7 +14,7 @@ export class SideModel {
   choice: Side = { assignments: new Map(), value: NaN };
   /// The case with the assignments in force.
   info: CaseInfo | undefined;
-  /// Values of parameters in SI, if some of them depend on the one along the diagram.
+  /// Values of parameters in SI, if some of them depend on the parameter along the diagram.
   following: ReadonlyMap<string, number> = new Map();
   result: MotionResult | undefined;
   /// True if the result is a preview.
@@ -143,7 +143,7 @@ export class SideModel {
     this.listener.changed();
   }
 
-  /// Asks the engine again for the message of a failed request with the value in the shown unit, since the request was
+  /// Gets the message of a failed request again from the engine with the value in the shown unit, since the request was
   /// in SI.
   private async speak({ request, of, spoken }: Wish): Promise<void> {
     const answer = spoken ? await this.describeAt(request.setting, spoken, 'speak') : undefined;

@@ -63,7 +63,7 @@ export class Sights {
   /// Progress of the diagram that is being computed.
   progress: SweepProgress | undefined;
   private stack: Sight[] = [];
-  /// Sights left by going back, for going forward.
+  /// Sights after the visible one, to which the user can go forward.
   private left: Sight[] = [];
   private sweeping: AbortController | undefined;
   /// True while finer points of a diagram are being computed.
@@ -123,7 +123,7 @@ export class Sights {
     this.left = [...this.stack.splice(from).reverse(), ...this.left].slice(0, MAX_LEFT);
   }
 
-  /// Shows an earlier range: the diagram of that sight, else that part of the present diagram.
+  /// Shows an earlier range: the sight with that range if the history has it, else that part of the present diagram.
   restore(range: Range, whole: Range): void {
     const shows = (sight: Sight) =>
       sight.range.every((end, i) => Math.abs(end - range[i]!) < 1e-6 * (range[1] - range[0]));

@@ -1,6 +1,6 @@
 // Units of displayed numbers. The engine uses length scales, orders and SI; the user chooses the units.
 
-/// `own`: the unit that the report chose, which the page does not offer by itself.
+/// `own`: the unit that the report chose, if it is none of the page's own units.
 export type LengthUnit = 'um' | 'mil' | 'scale' | 'own';
 export type SpeedUnit = 'rpm' | 'rad/s';
 export type FrequencyUnit = 'order' | 'Hz' | 'own';
@@ -22,18 +22,19 @@ export interface Unit {
   readonly size: number;
 }
 
-/// Units that a report or its case chose (`write_units` of src/report/explorer.c); what is absent is left to the page.
+/// Units that a report or its case chose (`write_units` of src/report/explorer.c); the page chooses the units that are
+/// absent.
 export interface ShownUnits {
   readonly amplitude: AmplitudeUnit;
   readonly length?: Unit;
-  /// Lengths are over the length scale.
+  /// True if lengths are multiples of the length scale.
   readonly scale: boolean;
-  /// Of places along a shaft.
+  /// Unit of positions along a shaft.
   readonly position?: Unit;
   readonly speed?: Unit;
   /// Its size is in Hz.
   readonly frequency?: Unit;
-  /// By the SI unit of a parameter.
+  /// Units of parameters by their SI units.
   readonly parameters: Readonly<Record<string, Unit>>;
 }
 
@@ -61,7 +62,7 @@ export function unitsFor(
     : { length: 'um', speed: 'rpm', frequency, amplitude };
 }
 
-/// Units of the page that are those of a report.
+/// Returns the units that a report chose, as units of the page.
 export function unitsOfReport(shown: ShownUnits | undefined): Partial<Units> {
   if (!shown) return {};
   const { length, speed, frequency, amplitude } = shown;
@@ -94,12 +95,12 @@ export function lengthMeasure(units: Units, scales: Scales): Measure {
   }
 }
 
-/// Returns the measure of amplitudes given zero to peak, from that of the displacements.
+/// Returns the measure of amplitudes, which are given zero to peak, from the measure of displacements.
 export function amplitudeOf({ factor, unit }: Measure, { amplitude }: Units): Measure {
   return { factor: factor * { '0-p': 1, 'p-p': 2, rms: Math.SQRT1_2 }[amplitude], unit: `${unit} ${amplitude}` };
 }
 
-/// Returns the measure of a component's amplitude given zero to peak.
+/// Returns the measure of the amplitude of a component, which is given zero to peak.
 export function amplitudeMeasure(units: Units, scales: Scales): Measure {
   return amplitudeOf(lengthMeasure(units, scales), units);
 }
@@ -112,7 +113,7 @@ export function fieldMeasure(meaning: string, units: Units, scales: Scales): Mea
   return { factor, unit: meaning.includes('0-p') ? `${unit} 0-p` : unit };
 }
 
-/// Hz, or the unit that the report chose for frequencies; undefined: orders.
+/// Returns Hz or the unit that the report chose for frequencies; undefined for orders.
 function hertz(units: Units): Unit | undefined {
   if (units.frequency === 'order') return undefined;
   return (units.frequency === 'own' && units.shown?.frequency) || { unit: 'Hz', size: 1 };
@@ -139,13 +140,13 @@ export function parameterMeasure(unit: string, units: Units): Measure {
     : { factor: 1, unit: unit === '1' || unit === 'SI' ? '' : unit };
 }
 
-/// Of places along a shaft.
+/// Returns the measure of positions along a shaft.
 export function positionMeasure({ shown }: Units): Measure {
   const { unit, size } = shown?.position ?? { unit: 'mm', size: 1e-3 };
   return { factor: 1 / size, unit };
 }
 
-/// The unit that the report chose for parameters of an SI unit.
+/// Returns the unit that the report chose for parameters with an SI unit.
 export function chosenUnit(unit: string, { shown }: Units): Unit | undefined {
   return shown && Object.hasOwn(shown.parameters, unit) ? shown.parameters[unit] : undefined;
 }
@@ -165,7 +166,7 @@ export function shown(value: number, digits = 4): string {
   return plain.replace('-', '\u2212');
 }
 
-/// As `shown`, but with all digits before the point, for speeds.
+/// Returns a number as `shown` does, but with all digits before the point, for speeds.
 export function shownWhole(value: number, digits = 4): string {
   return shown(value, Math.max(digits, Math.min(9, Math.ceil(Math.log10(Math.abs(value) || 1)))));
 }
@@ -175,7 +176,7 @@ export function readable(sentence: string): string {
   return sentence.replaceAll('+-', '\u00b1');
 }
 
-/// As `shown` for texts that programs read: with an ASCII minus.
+/// Returns a number as a text that programs can read, with an ASCII minus.
 export function written(value: number, digits = 9): string {
   return String(Number(value.toPrecision(digits)));
 }

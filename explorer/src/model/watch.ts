@@ -18,7 +18,7 @@ interface Sample {
 
 export class Watch {
   private readonly samples: Sample[] = [];
-  /// Number of samples dropped at the front, the index of the first kept one.
+  /// Number of samples dropped at the front, which is the index of the first sample kept.
   private dropped = 0;
   private state: Float64Array | undefined;
   private per = SAMPLES;
@@ -34,7 +34,7 @@ export class Watch {
 
   constructor(
     private readonly engine: Engine,
-    /// Request with the initial state; without one the case's start.
+    /// Request with the initial state; absent: the case's start.
     private readonly request: Omit<TransientRequest, 'revolutions' | 'samplesPerRevolution'>,
     private readonly station: StationInfo,
     private readonly contactNames: readonly string[],
@@ -111,7 +111,7 @@ export class Watch {
     const marks: number[] = [];
     for (let i = first; i <= now; i++) if ((i + this.dropped + 1) % this.per === 0) marks.push(i - first);
     const revolution = Math.floor(this.at / this.per);
-    // Contacts between two frames are shown too.
+    // Include contacts between the last frame and this one.
     const fresh = this.samples.slice(Math.max(first, Math.min(now, this.shown + 1 - this.dropped)), now + 1);
     this.shown = Math.floor(this.at);
     return {

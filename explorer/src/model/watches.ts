@@ -31,7 +31,7 @@ export class Watches {
     const side = this.session.sides[name];
     const { parameter } = this.session.address;
     const { value } = side.choice;
-    // The animation of an orbit begins on the orbit; a motion leaves it if it is unstable.
+    // Begin the animation on the orbit of a branch; the motion leaves it if it is unstable.
     const nodes = this.session.orbitOf(side.choice)?.nodes;
     this.listener.playing(name, true);
     this.running[name] = new Watch(

@@ -1,4 +1,4 @@
-// Rejections of the engine in the words of the page: the engine names places and keys of a file, the page has controls.
+// Converts rejections of the engine, which name places and keys of a file, to messages about controls of the page.
 import type { ParameterInfo } from '../engine/protocol';
 import { LENGTHS_OF_RUNS } from './setting';
 

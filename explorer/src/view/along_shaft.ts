@@ -1,6 +1,6 @@
 // The machine in one harmonic motion: orbits of its stations along the shaft, and both displacements over the position.
-// Stations of shafts of finite elements are at their positions; the others follow with even spacing. Between stations
-// shafts bend as their elements do, where the result has that; else lines are straight.
+// Stations of shafts of finite elements are at their positions; other stations follow with even spacing. Between
+// stations, shafts have the bent shape of their elements if the result has it; else lines are straight.
 import { largestOf, reachOf, senseOf, swayAt, whirlOf, WHIRL_TEXT, type ShaftLine, type Sway } from '../data/rest';
 import type { StationInfo } from '../engine/protocol';
 import { Chart, type Frame, type Range } from '../figure/chart';
@@ -14,7 +14,7 @@ import { Panel, type Table } from './panel';
 import { whirlColour, type RestSubject } from './rest_subject';
 import { key } from './waveform';
 
-/// A motion of all stations, drawn with the largest displacement at full size.
+/// A motion of all stations; the drawing scales it by its largest displacement.
 export interface Motion {
   readonly sways: readonly Sway[];
   /// Factor to shown sizes: "1" for a shape, micrometres for a response.
@@ -41,12 +41,12 @@ export interface SwaySubject extends RestSubject {
 
 /// Positions of stations along the drawing.
 interface Layout {
-  /// [station] m, or a count without shafts.
+  /// [station] positions, m; without shafts the number of the station.
   readonly at: readonly number[];
   /// Stations of each shaft, along it.
   readonly lines: readonly (readonly number[])[];
   readonly range: Range;
-  /// m; stations beyond it are on no shaft.
+  /// Position of the last station on a shaft, m; stations beyond it are on no shaft.
   readonly end: number;
 }
 
@@ -106,7 +106,7 @@ export class ShapePanel extends Panel<SwaySubject> {
     const slant = 0.42;
     const middle = 0.5 * height - 0.4 * size;
     const across = (at: number) => 0.5 * reach + ((width - reach) * (at - low)) / (high - low);
-    // x comes out of the plane of the drawing, to the left and down.
+    // Draw x out of the plane of the drawing, to the left and down.
     const placeAt = (at: number, [x, y]: readonly [number, number]) =>
       [across(at) - slant * scale * x, middle - scale * y + 0.6 * slant * scale * x] as const;
     const place = (station: number, xy: readonly [number, number]) => placeAt(layout.at[station]!, xy);
@@ -210,7 +210,7 @@ function drawTriad(pen: Pen, [x, y]: readonly [number, number], size: number, co
   }
 }
 
-/// Returns the stations, and then the places of shafts between them.
+/// Returns a table with the stations, then the places of shafts between them.
 function tableOf({ rest, motion }: SwaySubject): Table {
   const unit = motion.unit ? ` (${motion.unit})` : '';
   const row = (name: string, shaft: number, position: number, sway: Sway) => {
@@ -227,7 +227,7 @@ function tableOf({ rest, motion }: SwaySubject): Table {
   };
 }
 
-/// Both displacements over the position, at the peak of the largest one and a quarter of a period later.
+/// Both displacements over the position, when the largest displacement has its peak and a quarter of a period later.
 export class DisplacementsPanel extends Panel<SwaySubject> {
   readonly figure: Chart;
   private stations: readonly StationInfo[] = [];
@@ -345,7 +345,7 @@ function drawDot(pen: Pen, [x, y]: readonly [number, number], radius: number, op
   pen.fillStyle = ink;
 }
 
-/// Returns the text of the largest displacement, which follows a text such as "forward, 104.2 Hz".
+/// Returns the text of the largest displacement, to follow a text such as "forward, 104.2 Hz".
 export function sizeText({ sways, factor, unit }: Omit<Motion, 'text' | 'line'>): string {
   return `largest ${shown(reachOfAll(sways) * factor, 4)} ${unit}`.trim();
 }

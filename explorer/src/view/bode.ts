@@ -1,4 +1,4 @@
-// Bode's diagram: amplitude and lag of the response to unbalance over a parameter, at two probes of one station.
+// The Bode diagram: amplitude and lag of the response to unbalance over a parameter, at two probes of one station.
 import { largestOf, reachOf, seenBy } from '../data/rest';
 import { select, setChoices } from '../dom';
 import { Chart, isInside, type Frame } from '../figure/chart';

@@ -1,4 +1,4 @@
-// Campbell's diagram: natural frequencies over a parameter, and their damping below.
+// The Campbell diagram: natural frequencies over a parameter, and their damping below.
 import {
   CRITICAL_TEXT,
   largestOf,
@@ -33,7 +33,8 @@ import { Stack, type StackListener } from './stack';
 
 /// Largest frequency shown over the highest speed, unless all modes are shown.
 const ORDERS = 2;
-/// Largest damping ratio on the axis: above it an unbalance response has no peak (amplification below 2.5, API 617).
+/// Largest damping ratio on the axis. Above it, the response to unbalance counts as having no peak (amplification below
+/// 2.5, API 617).
 const MAX_RATIO = 0.25;
 /// CSS pixels between marks on a curve.
 const APART = 16;
@@ -174,7 +175,7 @@ export class CampbellView implements RestChart {
     const seen = rest.curves
       .flatMap((curve) => curve.map(({ mode }) => mode))
       .filter(({ frequency }) => frequency <= top);
-    // If all modes are damped more, they are shown.
+    // Extend the range if all modes have more damping.
     const most = Math.max(
       MAX_RATIO,
       -1.5 *
@@ -280,7 +281,7 @@ export class CampbellView implements RestChart {
   private drawPoints(pen: Pen, frame: Frame, colours: Theme, heightOf: (mode: Mode) => number): void {
     const { rest } = this.subject!;
     const place = this.placer(frame, heightOf);
-    // Marks of modes that were not followed keep a distance, by the number of the mode.
+    // Keep a distance between marks of modes that were not followed, separately for each number of a mode.
     const lasts = new Map<number, number>();
     for (const curve of rest.curves) {
       let last = -Infinity;
@@ -343,8 +344,8 @@ export class CampbellView implements RestChart {
     drawLabels(pen, [...marks.reverse(), ...this.lineEnds(frame, heightOf)], frame, size, colours);
   }
 
-  /// Returns the ends of lines at the right edge, from above; of two lines that end together the upper one has its name
-  /// above.
+  /// Returns the ends of lines at the right edge, from above. If two lines end at the same place, the name of the upper
+  /// one is above it.
   private lineEnds(frame: Frame, heightOf: (mode: Pick<Mode, 'frequency'>) => number): Marked[] {
     const { rest } = this.subject!;
     const place = this.placer(frame, heightOf);

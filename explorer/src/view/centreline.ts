@@ -8,7 +8,8 @@ import { lengthMeasure, shown } from '../model/units';
 import { Panel, type Subject, type Table } from './panel';
 import { FIELD } from '../data/fields';
 
-/// Angle of the line of centres from the load (downwards), in the sense of rotation, degrees from -180 to 180.
+/// Returns the angle of the line of centres from the load (downwards), in the sense of rotation, degrees from -180 to
+/// 180.
 export function attitude(x: number, y: number, clockwise: boolean): number {
   return (Math.atan2(clockwise ? -x : x, -y) * 180) / Math.PI;
 }
@@ -50,7 +51,7 @@ export class CentrelinePanel extends Panel {
       ],
       rows: Array.from(diagram?.values ?? [], (value, i) => {
         const [mx, my] = [x?.data[i] ?? NaN, y?.data[i] ?? NaN];
-        // Numbers of each point are in the length scale of its own machine.
+        // Use the length scale of the machine of each point.
         const { factor } = lengthMeasure(units, { ...scales, length: diagram!.lengthScales[i]! });
         return [
           value,
@@ -118,7 +119,8 @@ export class CentrelinePanel extends Panel {
     diagram.values.forEach((_, point) => {
       const [mx, my] = [x.data[point]!, y.data[point]!];
       if (!diagram.done[point] || !Number.isFinite(mx)) return;
-      // In length units a point has its true size; in length scales it is relative to its own machine.
+      // With length units, draw the true size of a point; with length scales, the size over the scale of its own
+      // machine.
       const size = units.length === 'scale' ? 1 : diagram.lengthScales[point]! / scales.length;
       const [px, py] = place(mx * size, my * size);
       pen.fillStyle = colours.classes[diagram.classes[point]!]!;

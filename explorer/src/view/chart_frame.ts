@@ -1,4 +1,4 @@
-// The frame of a card with charts: title, choices of the charts, menu to save; and what dragging does in them.
+// The frame of a card with charts: title, choices of the charts, menu to save, and buttons for the effect of dragging.
 import { el, Segments } from '../dom';
 import { fileName, saveMenu } from './panel';
 import type { RestChart } from './rest_subject';
@@ -7,7 +7,8 @@ import type { Mode, Stack } from './stack';
 /// Charts in a frame.
 export type FramedChart = Pick<RestChart, 'title' | 'stack' | 'tools' | 'picture' | 'table'>;
 
-/// What dragging does in charts; `point`: what it shows at the cursor.
+/// Makes buttons for the effect of dragging in charts; `point`: the object that charts show at the cursor, for the
+/// title.
 export function dragModes(stack: Stack, point: string): Segments {
   return new Segments(
     'What dragging does',
@@ -21,7 +22,7 @@ export function dragModes(stack: Stack, point: string): Segments {
   );
 }
 
-/// A card with charts; `name`: what saved files are named after, `content`: below the head.
+/// Makes a card with charts; `name`: returns the stem of names of saved files, `content`: elements below the head.
 export function chartFrame(chart: FramedChart, name: () => string, ...content: readonly HTMLElement[]): HTMLElement {
   const { title, stack, tools } = chart;
   const figure = { root: stack.root, redraw: () => stack.redraw(), picture: () => chart.picture() };

@@ -1,4 +1,4 @@
-// Statements, sheets and figures of a part of a result, whatever their names, and the list of contents.
+// Statements, sheets and figures of a part of a result, and the list of contents.
 import { headingOf, piecesOf, type Part, type Sheet, type Statement } from '../data/contents';
 import { button, download, el } from '../dom';
 import { hasSpots, pictureOfDescribed, tableOfDescribed, type Described } from '../figure/described';
@@ -11,12 +11,12 @@ export interface DocumentListener {
   station(name: string): void;
 }
 
-/// Returns the station of the drawing's part at an event.
+/// Returns the station of the hot spot of a drawing at an event.
 function stationAt({ target }: Event): string | undefined {
   return target instanceof Element ? target.closest<SVGElement>('[data-station]')?.dataset['station'] : undefined;
 }
 
-/// Makes parts of a drawing that show stations act as buttons.
+/// Makes the hot spots of a drawing act as buttons.
 function listen(frame: HTMLElement, chosen: (station: string) => void): void {
   frame.addEventListener('click', (event) => {
     const station = stationAt(event);
@@ -139,7 +139,7 @@ export class DocumentView {
     ]);
     const statementCards = found.length > 0 ? [card(FOUND, [], statements)] : [];
     const figures = part.figures.map((figure) => figureCard(figure, (station) => this.listener.station(station)));
-    // Drawings precede the findings.
+    // Place drawings of the machine before its findings.
     const sheets = part.sheets.map(sheetCard);
     const cards = machine ? [...figures, ...statementCards, ...sheets] : [...statementCards, ...sheets, ...figures];
     this.root.classList.toggle('of-machine', machine);

@@ -108,7 +108,7 @@ export class Help {
     });
   }
 
-  /// Opens the help; `facts`: origin of the shown run, none if it is computed here.
+  /// Opens the help; `facts`: origin of the shown run, empty if the page computed it.
   open(facts: Facts): void {
     const rows = (entries: readonly (readonly [string, string])[]) =>
       entries.flatMap(([term, text]) => [el('dt', {}, term), el('dd', {}, text)]);

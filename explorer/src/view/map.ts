@@ -90,13 +90,14 @@ export class MapView {
     this.refresh();
   }
 
-  /// Sets the branch points of settings A and B, the point of the active setting, and whether it may choose others.
+  /// Sets the branch points of settings A and B, the point of the active setting, and whether the user may choose other
+  /// points.
   setOrbits(both: readonly (number | undefined)[], active: number | undefined, free: boolean): void {
     this.chosen = active;
     this.marks.choose(both, free);
   }
 
-  /// Shows the quantity of the diagram; an awaited diagram gets its columns and their scale with its first points.
+  /// Shows the quantity of the diagram; a diagram that is being computed has columns and scale with its first points.
   private showQuantity(subject: MapSubject): void {
     const { diagram } = subject;
     this.quantity =
@@ -380,7 +381,7 @@ export class MapView {
     const { diagram } = subject ?? {};
     if (!subject || !diagram) return;
     const factor = parameterMeasure(subject.unit, subject.units).factor;
-    // The attractor with most starts is drawn last, over the others.
+    // Draw the attractor with most starts last, over the others.
     for (const branch of [...new Set(diagram.branch)].sort((a, b) => b - a)) {
       const mine = order.filter((point) => diagram.branch[point] === branch && diagram.done[point]);
       const place = (i: number) => frame.x(diagram.values[mine[i]!]! * factor);

@@ -170,7 +170,7 @@ export class MapCard {
     this.showLegend();
   }
 
-  /// After points have come in.
+  /// Shows points that have arrived.
   grow(): void {
     this.showQuantities();
     this.map.refresh();

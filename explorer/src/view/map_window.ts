@@ -1,4 +1,4 @@
-// The visible part of a map, changed by wheel, keys and brush; it contains the cursor's cell.
+// The visible part of a map, which contains the cursor's cell. The user changes it by wheel, keys and brush.
 import type { MapAxis } from '../data/parameter_map';
 import type { Range } from '../figure/chart';
 
@@ -27,7 +27,8 @@ export class MapSpan {
     this.range = undefined;
   }
 
-  /// Zooms by a factor about a value, which keeps its position; at least MIN_CELLS cells and at most all stay visible.
+  /// Zooms by a factor about a value, which keeps its position. At least MIN_CELLS cells, and at most all cells, stay
+  /// visible.
   zoom(by: number, about: number): void {
     const [low, high] = this.shown.map(this.to) as [number, number];
     const at = this.to(about);

@@ -14,19 +14,19 @@ import { Panel, type Table } from './panel';
 
 /// Modulus beyond which multipliers are drawn at the rim, so that the unit circle stays large.
 const RIM = 2;
-/// Most rows of the table on the page; saved data have all.
+/// Largest number of rows of the table on the page; saved data have all rows.
 const MAX_ROWS = 8;
 
 function modulus({ real, imaginary }: Multiplier): number {
   return Math.hypot(real, imaginary);
 }
 
-/// Degrees.
+/// Returns the angle in degrees.
 function angle({ real, imaginary }: Multiplier): number {
   return (Math.atan2(imaginary, real) * 180) / Math.PI;
 }
 
-/// "\u22120.46 \u00b1 0.12i"
+/// Returns "\u22120.46 \u00b1 0.12i".
 function textOf({ real, imaginary }: Multiplier): string {
   return imaginary === 0 ? shown(real, 4) : `${shown(real, 4)} \u00b1 ${shown(Math.abs(imaginary), 4)}i`;
 }
@@ -55,7 +55,7 @@ export class MultipliersPanel extends Panel {
       ? 'eigenvalues per radian: unstable to the right of the axis'
       : `Floquet multipliers: unstable outside the circle${left > 0 ? `; ${left} smaller ones are in the data` : ''}`;
     this.figure.description = `${this.note.textContent}; ${orbit.label}`;
-    // The first of a complex pair represents both.
+    // Show only the first multiplier of a complex pair.
     const rows = all.slice(0, MAX_ROWS).filter(({ imaginary }) => !(imaginary < 0));
     this.rows.replaceChildren(
       numbersTable(
@@ -115,7 +115,7 @@ export class MultipliersPanel extends Panel {
     pen.stroke();
   }
 
-  /// Draws the multipliers; those that make the orbit unstable have their own form, colour and label.
+  /// Draws the multipliers; multipliers that make the orbit unstable have their own form, colour and label.
   private drawPoints(pen: Pen, { x, y, area }: Plane, orbit: OrbitOfBranch, accent: string, colours: Theme): void {
     const labels: Marked[] = [];
     for (const each of orbit.multipliers) {

@@ -11,7 +11,7 @@ import { Panel, type Subject, type Table } from './panel';
 import { textSize } from '../figure/figure';
 import { FIELD } from '../data/fields';
 
-/// Conversion from lengths to the pen's pixels, y upwards.
+/// Conversion of lengths, with y upwards, to the pen's pixels.
 interface Place {
   readonly x: (value: number) => number;
   readonly y: (value: number) => number;
@@ -278,7 +278,7 @@ function drawCircles(pen: Pen, place: Place, subject: Subject, touching: boolean
   }
 }
 
-/// Returns the revolutions drawn: a few periods of a periodic motion, all available ones of others.
+/// Returns the number of revolutions to draw: a period of a periodic motion, at most MAX_REVOLUTIONS of other motions.
 function revolutionsShown(period: number, available: number): number {
   return Math.min(available, period > 0 ? period : MAX_REVOLUTIONS);
 }
@@ -290,9 +290,9 @@ function drawOrbit(pen: Pen, place: Place, subject: Subject, colours: Theme): vo
   const available = Math.floor(x.length / per);
   const revolutions = motion.orbit?.rests ? Math.min(1, available) : revolutionsShown(motion.period, available);
   if (revolutions === 0) return;
-  // An autonomous orbit is drawn slightly more than once around.
+  // Draw an autonomous orbit slightly more than once around.
   const first = Math.max(1, x.length - Math.ceil(revolutions * per));
-  // The trace has a gap before the mark, which shows the direction.
+  // Leave a gap before the mark, which shows the direction.
   const blank = revolutions <= 8 ? Math.max(1, Math.round(per / 28)) : 0;
   const accent = subject.accent(colours);
   pen.strokeStyle = accent;
@@ -300,7 +300,7 @@ function drawOrbit(pen: Pen, place: Place, subject: Subject, colours: Theme): vo
   pen.lineWidth = revolutions > 8 ? 0.9 : 1.6;
   pen.lineJoin = 'round';
   pen.beginPath();
-  // The sample before the first one is at the mark, where the trace begins.
+  // Begin with the sample before the first one, which is at the mark.
   let down = false;
   for (let i = Math.max(0, first - 1); i < x.length; i++) {
     const toMark = (x.length - 1 - i) % per;

@@ -40,7 +40,7 @@ export class OrbitMarks {
     this.place();
   }
 
-  /// Sets the points of settings A and B, and whether others can be chosen.
+  /// Sets the points of settings A and B, and whether the user may choose other points.
   choose(chosen: readonly (number | undefined)[], free: boolean): void {
     this.chosen = chosen;
     this.free = free;
@@ -52,7 +52,7 @@ export class OrbitMarks {
     return this.free ? this.lines?.branches : undefined;
   }
 
-  /// Returns the point selected at a spot, the nearer end of the segment there; -1 without one.
+  /// Returns the point that a spot selects, which is the nearer end of the nearest segment; -1 without one.
   at(spot: Spot): number {
     const { lines } = this;
     if (!lines || !this.free) return -1;

@@ -136,7 +136,7 @@ export class Page {
     map.setOrbits(
       [orbits[0]?.point, comparing ? orbits[1]?.point : undefined],
       session.orbitOf(session.side.choice)?.point,
-      // Branches belong to the unchanged machine.
+      // Orbits can be chosen only for the unchanged machine, to which branches belong.
       session.side.choice.assignments.size === 0,
     );
   }
@@ -252,7 +252,8 @@ export class Page {
   private showPane(name: SideName): void {
     const side = this.session.sides[name];
     const { result } = side;
-    // The choice of the result, which may be older than the side's present choice; without an engine the present one.
+    // Take the choice of the result, which may be older than the side's present choice; without an engine take the
+    // present one.
     const of = this.session.engine ? side.resultOf : side.choice;
     const orbit = of && !result?.verdict ? this.session.orbitOf(of) : undefined;
     this.panes[name].show({
@@ -281,7 +282,7 @@ export class Page {
     return `Below: the last setting that could be computed${parts.length ? `, ${parts.join('; ')}` : ''}.`;
   }
 
-  /// Returns the stored verdict of the nearest point, if nothing can be computed.
+  /// Returns the stored verdict of the nearest point, for a page that cannot compute.
   private storedVerdict(value: number): string {
     const { diagram } = this.session.sight;
     const point = diagram?.nearest(value) ?? -1;

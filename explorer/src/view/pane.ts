@@ -29,7 +29,7 @@ import { FIELD } from '../data/fields';
 
 export interface PaneSubject {
   readonly result: MotionResult | undefined;
-  /// The orbit of the result, if it is not a motion.
+  /// The orbit of a branch that the result shows; undefined for a motion.
   readonly orbit: OrbitOfBranch | undefined;
   readonly parameter: string;
   readonly unit: string;
@@ -51,7 +51,7 @@ export interface PaneSubject {
 
 export interface PaneListener {
   value(side: SideName, value: number): void;
-  /// Called with a text in a unit that only the engine knows: "50 Hz".
+  /// Called with a text whose unit only the engine knows: "50 Hz".
   spoken(side: SideName, text: string): void;
   /// Called after a text was typed that is not a value.
   refused(side: SideName, sentence: string): void;
@@ -196,7 +196,7 @@ export class Pane {
     const seen: Subject = {
       motion: subject.result && new Motion(subject.result, subject.orbit),
       station: subject.station,
-      // Gap and clearance of the result's machine: a parameter may have changed them.
+      // Take gap and clearance from the result's machine, as a parameter may change them.
       info: subject.result?.stations[subject.station] ?? info,
       units: subject.units,
       scales: subject.result
@@ -204,7 +204,7 @@ export class Pane {
         : subject.scales,
       accent: (colours) => colours[this.side],
       diagram: subject.diagram,
-      // Label of the result, which may be older than the setting.
+      // Name the value of the result, which may be older than the setting.
       label: `${subject.parameter} ${shown((subject.result?.value ?? subject.value) * measure.factor, 6)}`,
     };
     for (const panel of this.panels) panel.update(seen);

@@ -10,7 +10,7 @@ import type { Scales, Units } from '../model/units';
 
 /// Data shown by a panel.
 export interface Subject {
-  /// undefined before the first result.
+  /// The motion; undefined before the first result.
   readonly motion: Motion | undefined;
   readonly station: number;
   readonly info: StationInfo;
@@ -85,7 +85,7 @@ export function saveMenu(title: string, name: () => string, figure: () => Figure
   return menu;
 }
 
-/// Data that every panel needs: words for file names.
+/// Data that every panel needs for file names.
 interface Named {
   readonly info: { readonly name: string };
   readonly label: string;

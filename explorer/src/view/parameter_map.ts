@@ -50,13 +50,13 @@ export interface ParameterMapListener {
   cell(spot: Spot, settled: boolean): void;
   /// Called while the pointer hovers over a cell; undefined after it has left the map.
   hover(spot: Spot | undefined): void;
-  /// Called to turn the cut to the other parameter.
+  /// Called to cut along the other parameter.
   turn(): void;
   /// Called after zooming; `part`: only a part of the map is visible.
   zoomed(part: boolean): void;
 }
 
-/// A layer of cells: those of the run, or finer ones.
+/// A layer of cells: the cells of the run, or finer cells.
 type Grid = ParameterMap | MapGrid;
 
 /// A cell in its layer.
@@ -66,10 +66,10 @@ interface Found {
   readonly live: boolean;
 }
 
-/// Difference, over the size of a cell, below which values are equal: the last digits of a text.
+/// Difference, over the size of a cell, below which values count as equal, for the last digits of a text.
 const SAME = 1e-6;
 
-/// Returns true if a spot has the values of the cell's own point, which finer cells may have at a corner.
+/// Returns true if a spot has the values of the cell's own point, which may be at a corner of finer cells.
 function isOwn({ grid, cell }: Found, [x, y]: Spot): boolean {
   const meets = ({ values, edges }: MapAxis, i: number, value: number) =>
     Math.abs(value - values[i]!) <= SAME * (edges[i + 1]! - edges[i]!);
@@ -79,7 +79,7 @@ function isOwn({ grid, cell }: Found, [x, y]: Spot): boolean {
 /// A point in the plane of the two parameters, in SI.
 export type Spot = readonly [number, number];
 
-/// Strength of a regime's colour by confidence: low, fair, high.
+/// Share of a regime's colour by confidence: low, fair, high.
 const STRENGTH = [0.4, 0.8, 1];
 
 /// Number of colours for numbers.
@@ -165,7 +165,7 @@ export class ParameterMapView {
     if (this.subject) this.look();
   }
 
-  /// Sets the positions of settings A and B, and the parameter of the active one's cut ("": none).
+  /// Sets the positions of settings A and B, and the parameter of the cut at the active setting ("": none).
   setCursors(a: Spot, b: Spot | undefined, active: 'a' | 'b', along: string): void {
     this.spot = active === 'b' && b ? b : a;
     this.marks.a.set(a, active === 'a' ? along : '');
@@ -190,13 +190,13 @@ export class ParameterMapView {
     return this.subject && Number.isFinite(x + y) ? this.subject.map.nearest(x, y) : undefined;
   }
 
-  /// Finer cells that are drawn, for quantities that they have.
+  /// Finer cells that are drawn: all, unless the map shows attractors, which they do not have.
   private get live(): readonly MapGrid[] {
     const { live, quantity } = this.subject!;
     return quantity === ATTRACTOR.id ? [] : live;
   }
 
-  /// Returns the cell whose own values a spot has, else the finest cell drawn there.
+  /// Returns the cell with the values of a spot, else the finest cell drawn there.
   private find([x, y]: Spot): Found {
     const { map } = this.subject!;
     const all: Found[] = [{ grid: map, cell: map.nearest(x, y), live: false }];
@@ -318,8 +318,8 @@ export class ParameterMapView {
     return mapNumbersOf(diagram, quantity, station, stations, units, scales.symbol);
   }
 
-  /// Returns a function for the colour of a point; undefined leaves its cell blank. Numbers have one of SHADES colours;
-  /// finer cells use the colour scale of the map.
+  /// Returns a function for the colour of a point; undefined leaves its cell blank. Numbers have one of SHADES colours,
+  /// also in finer cells by the colour scale of the map.
   private colouring(grid: Grid, colours: Theme): (point: number) => string | undefined {
     const { map, quantity } = this.subject!;
     const { diagram } = grid;
@@ -352,7 +352,7 @@ export class ParameterMapView {
     const { map, lines } = this.subject!;
     const [mx, my] = this.measures();
     const colourOf = this.colouring(grid, colours);
-    // Blank finer cells hide the cells below them.
+    // Draw blank finer cells, which hide the cells below them.
     const blank = grid === map ? undefined : colours.paper;
     const kindOf = (point: number) => (grid === map ? map.kindOf(point) : regimeKind(grid.diagram, point));
     const sheet: Sheet = {
@@ -539,7 +539,7 @@ export class ParameterMapView {
     this.zoom(Math.exp(Math.max(-80, Math.min(80, event.deltaY)) / 300), this.spotAt(event));
   }
 
-  /// Moves the cursor at once: keys may come faster than frames, and the next key continues from here.
+  /// Moves the cursor at once: keys may come faster than frames, and the next key starts from the new spot.
   private go(spot: Spot, settled: boolean): void {
     this.spot = spot;
     if (this.window!.zoomed) {

@@ -12,7 +12,7 @@ export interface ParameterMapCardListener {
   cell(spot: Spot, settled: boolean): void;
   mapQuantity(id: string): void;
   mapLines(shown: boolean): void;
-  /// Called to show another plane, by its number among rising values.
+  /// Called to show another plane; `index`: its number, from 0, along rising values of the third parameter.
   plane(index: number): void;
   /// Called to compute finer cells of a part; undefined: stop.
   refine(part: MapPart | undefined): void;
@@ -22,7 +22,7 @@ export interface ParameterMapCardListener {
 }
 
 export interface ParameterMapCardSubject extends ParameterMapSubject {
-  /// Parameter of the cut; it may be none of the map's.
+  /// Parameter of the cut, which may be none of the map's parameters.
   readonly along: string;
   /// Number of the shown plane, and the SI unit of the third parameter.
   readonly plane: number;
@@ -174,7 +174,8 @@ export class ParameterMapCard {
     this.slider.setAttribute('aria-valuetext', value);
   }
 
-  /// Enables refinement if few cells are visible, and the quantity exists for single points.
+  /// Enables refinement if few cells are visible and the quantity is not that of attractors, which finer cells do not
+  /// have.
   private allowFiner(): void {
     const { refining, quantity } = this.subject!;
     this.finer.hidden = refining === undefined;
@@ -190,7 +191,7 @@ export class ParameterMapCard {
     this.finer.disabled = !refining && (quantity === ATTRACTOR.id || !canRefine(this.map.part));
   }
 
-  /// Shows the data of the cell under the pointer, else of the setting's cell.
+  /// Shows the data of the cell under the pointer or, without a pointer, of the setting's cell.
   private tell(): void {
     const spot = this.subject && (this.hovered ?? this.map.cursor);
     if (!spot) return;

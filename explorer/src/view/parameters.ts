@@ -11,7 +11,7 @@ export interface ParametersSubject {
   /// The case with the assignments.
   readonly current: CaseInfo;
   readonly assignments: Assignments;
-  /// The parameter along the diagram: its value is the cursor's.
+  /// The parameter along the diagram, whose value the cursor shows.
   readonly swept: string;
   readonly units: Units;
   /// Problem of the setting, or "".
@@ -51,7 +51,7 @@ interface Bounds {
 }
 
 /// Returns the range of the slider in SI: the sweep's range, else from 0 to twice the value, within the range of the
-/// keys.
+/// keys that use the parameter.
 function sliderBounds(parameter: ParameterInfo, info: CaseInfo): Bounds {
   const swept = info.batches.find((batch) => batch.parameter === parameter.name && batch.values.length > 1);
   let [low, high] =
@@ -153,7 +153,7 @@ class Row {
   show(now: ParameterInfo, changed: boolean, units: Units, swept: boolean, trouble: string): void {
     this.notation = notationOf(now, units);
     this.value = now.value;
-    // A value that follows from other parameters is locked until the user unlocks it.
+    // Lock a value that follows from other parameters; the user can unlock it.
     this.lock(now.expression && !swept ? now.written : '');
     this.refused &&= trouble !== '';
     markField(this.field, this.refused);

@@ -184,7 +184,7 @@ export class SynchronousOrbitPanel extends Panel<SwaySubject> {
     );
     clipped(pen, plane, () => {
       const sway = subject.rest.response(subject.point, subject.station);
-      // The gap and the bright end show the direction of whirl, as in orbits of motions.
+      // Draw a gap and a bright end, which show the direction of whirl.
       stroke(pen, plane, path.slice(0, -6), whirlColour(whirlOf(senseOf(sway)), colours));
       pen.fillStyle = colours.keyphasor;
       drawMark(pen, 'dot', plane.x(path[0]![0]), plane.y(path[0]![1]), 4.5);
@@ -220,7 +220,7 @@ export class RestPanel extends Panel<SwaySubject> {
     const { rest, point, info, units, scales, station } = this.subject!;
     const [x, y] = rest.rest(point, station);
     const { factor, unit } = lengthMeasure(units, scales);
-    // Rounding residues are shown as 0.
+    // Show rounding errors as 0.
     const part = (value: number) => shown(Math.abs(value) > 1e-12 * Math.hypot(x, y) ? value * factor : 0, 4);
     const ratio = info.clearance > 0 ? `eccentricity ratio ${shown(Math.hypot(x, y) / info.clearance, 3)}, ` : '';
     this.note.textContent = Number.isFinite(x) ? `${ratio}at rest (${part(x)}, ${part(y)}) ${unit}` : '';
@@ -261,7 +261,7 @@ export class RestPanel extends Panel<SwaySubject> {
             [wall, wall],
           ]
         : path;
-    // A path much smaller than its distance from the centre is drawn as a point.
+    // Choose extents in which a path that is much smaller than its distance from the centre is a point.
     const size = largestOf(path.map(([x, y]) => Math.hypot(x, y)));
     const least = size > 0 ? 0.02 * size : 1;
     const plane = drawPlane(
@@ -298,7 +298,7 @@ export class RestPanel extends Panel<SwaySubject> {
   }
 }
 
-/// Returns the texts of amplitudes and lags of a station for a table.
+/// Returns the texts of amplitudes and lags of a station, as probes see them, for a table.
 export function seenTexts(subject: RestSubject, station: number): string[] {
   const { rest, point, units, scales } = subject;
   const sway = rest.response(point, station);

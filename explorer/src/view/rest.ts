@@ -1,4 +1,4 @@
-// The page of a machine at rest: Campbell's diagram and the shapes of modes, or the response to unbalance.
+// The page of a machine at rest: the Campbell diagram and the shapes of modes, or the response to unbalance.
 import { ROUNDING, whirlOf, WHIRL_TEXT, type AtRest, type Mode } from '../data/rest';
 import { button, el, isTouched } from '../dom';
 import { shortName } from '../model/machine';
@@ -198,7 +198,7 @@ export class RestView {
       'log. decrement',
       'growth (1/s)',
     ];
-    // The table omits the same modes as the diagram.
+    // Leave out the modes that the diagram leaves out.
     const top = topOf(subject);
     const rows = modes.map(row).filter((_, i) => modes[i]!.frequency <= top || i <= chosen);
     return numbersTable(title, heading, rows, chosen);
@@ -219,7 +219,7 @@ function stationsTable(subject: RestSubject, title: string): HTMLElement {
   return numbersTable(title, heading, rows, station);
 }
 
-/// Returns the shown mode: the chosen one, within the existing modes.
+/// Returns the shown mode: the chosen mode, or the last one if there are fewer modes.
 function modeOf({ rest, point, choice }: RestSubject): number {
   return Math.min(choice.mode, Math.max(0, rest.modes(point).length - 1));
 }

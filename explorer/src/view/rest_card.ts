@@ -49,14 +49,14 @@ export class RestCard {
     this.name = subject.name;
     this.back.disabled = depth === 0;
     this.status.textContent = subject.status;
-    // A single point has no diagram.
+    // Hide the diagram of a single point.
     const drawn = subject.parameter !== '' && range[1] > range[0];
     this.chart.stack.root.hidden = this.legend.hidden = this.tools.hidden = !drawn;
     if (drawn) this.draw(subject);
     this.critical.hidden = rest.kind !== 'modes' || !drawn;
   }
 
-  /// Redraws only if the picture changes; the cursor moves over it.
+  /// Redraws only if the picture changes, not for the cursor, which is an element above it.
   private draw(subject: RestSubject): void {
     const { rest, range, parameter, units, station, choice } = subject;
     const text = JSON.stringify([range, parameter, units, station, { ...choice, mode: 0 }]);

@@ -1,4 +1,4 @@
-// The page of a run-up: what moves it, the run over time and speed, and its turn at the cursor, which plays.
+// The page of a run-up: its parameters, the run over time and speed, and the turn at the cursor, which can play.
 import { FIELD } from '../data/fields';
 import type { RunUp } from '../data/runup';
 import { button, el, isTouched, select, setChoices } from '../dom';
@@ -23,14 +23,14 @@ export interface RunListener {
   time(seconds: number): void;
   /// Called after another run of several was chosen, by the value of their parameter.
   run(value: number): void;
-  /// Computes the run at the present setting; ends that.
+  /// Compute the run at the present setting, and end that computation.
   compute(): void;
   stop(): void;
 }
 
-/// Seconds of a run that pass in a second of the clock.
+/// Speeds of playing: seconds of the run in a second of real time.
 const RATES = [0.1, 0.25, 0.5, 1, 2, 4, 8, 16, 32, 64];
-/// Seconds of the clock that a whole run should take at first.
+/// Seconds in which a whole run plays by default.
 const USUAL = 20;
 
 export class RunView {
@@ -197,7 +197,7 @@ export class RunView {
       if (!this.playing || !of || at === undefined) return;
       const next = at + ((now - before) / 1000) * this.rateOf(of);
       before = now;
-      // A run that is still computed is played as far as it is.
+      // Play a run that is being computed as far as it is computed.
       const done = next >= of.duration;
       this.listener.time(Math.min(next, Math.max(of.reached, at)));
       if (done || (next >= of.reached && this.bar.hidden)) this.setPlaying(false);
@@ -272,7 +272,7 @@ export class RunView {
     const speed = parameterMeasure('rad/s', units);
     this.state.textContent = row < 0 ? '' : `${shown(run.speed[row]! * speed.factor, 5)} ${speed.unit}`;
     for (const chart of [this.overTime, this.overSpeed]) chart.cursor(subject);
-    // A station that twists has neither an orbit nor spectra of one.
+    // Hide orbit and spectra of a station that only twists, which has none.
     for (const panel of this.panels) {
       panel.root.hidden = subject.info.twists;
       if (!subject.info.twists) panel.update(subject);
@@ -296,7 +296,8 @@ function firstTime(run: RunUp): number {
   return run.time[best] ?? 0;
 }
 
-/// Makes a table of the stations that only twist, or of the others; none without such stations.
+/// Makes a table of the stations that only twist (`twists`), or of the other stations; returns no table if there are
+/// none.
 function stationsTable({ run, row, station, units, scales }: RunSubject, twists: boolean): HTMLElement[] {
   const which = Array.from(run.stations.keys()).filter((i) => run.stations[i]!.twists === twists);
   if (which.length === 0) return [];
@@ -337,7 +338,7 @@ function contactsTable({ run, row }: RunSubject): HTMLElement[] {
   return [numbersTable('Contacts at the cursor', ['contact', 'now', 'largest force (N)', 'of the turn (%)'], rows)];
 }
 
-/// Turns so far, and the torques where the run has them: with a rate it has none.
+/// Makes a table of the turns so far, and of the torques, which a run with a prescribed rate does not have.
 function turnTable({ run, row, units }: RunSubject): HTMLElement {
   const torque = parameterMeasure('N m', units);
   const torques = ['motor', 'load', 'friction', 'unbalance and weight', 'films and seals'].flatMap((name, i) => {
@@ -412,7 +413,8 @@ class ChartCard {
     this.legend.replaceChildren(...keyElements(this.chart.keys()));
   }
 
-  /// Shows a range of the axis, within the whole; `moved`: in place of the present view.
+  /// Shows a range of the axis, within the whole range; `moved`: it replaces the present view, without a step to go
+  /// back.
   view([low, high]: Range, moved = false): void {
     const [from, to] = this.whole;
     const size = Math.min(high - low, to - from);

@@ -1,4 +1,4 @@
-// A run over the time, and over the speed: pairs of charts with cursors that belong together.
+// A run over the time, and over the speed: pairs of charts whose cursors move together.
 import { FIELD } from '../data/fields';
 import type { RunUp } from '../data/runup';
 import { el, select, setChoices, type Choice } from '../dom';
@@ -40,8 +40,8 @@ function keyOf({ text, dash, colour }: Curve, index: number): Key {
   return lineKey(SIGNS[style]!, KINDS[style]!, text, dash, colour);
 }
 
-/// Largest radius, and amplitudes of x and y at the speed, of a station; of one that twists its largest twist, and the
-/// twist's amplitude.
+/// Returns the curves of a station: largest radius, and amplitudes of x and y at the speed; for a station that twists
+/// its largest twist, and the twist's amplitude at the speed.
 function motionCurves({ run, station, info, units, scales }: RunSubject): readonly Curve[] {
   const { length, amplitude } = motionMeasures(info, units, scales);
   const at = (axis: number) => scaled(run.column(FIELD.RUNUP_AMPLITUDE, station, axis), amplitude.factor);
@@ -55,12 +55,12 @@ function motionCurves({ run, station, info, units, scales }: RunSubject): readon
   ];
 }
 
-/// The label of the chart of motions.
+/// Returns the label of the chart of motions.
 function motionLabel({ info, units, scales }: RunSubject): string {
   return labelled(info.twists ? 'twist' : 'motion', motionMeasures(info, units, scales).length.unit);
 }
 
-/// What the lower chart over the time shows.
+/// A quantity of the lower chart over the time.
 interface Below {
   readonly id: string;
   readonly text: string;
@@ -127,7 +127,7 @@ abstract class RunPair implements RunChart {
   protected upperCurves: readonly Curve[] = [];
   protected lowerCurves: readonly Curve[] = [];
   abstract readonly tools: readonly HTMLElement[];
-  /// Where the run is on its first line: a speed may be passed several times.
+  /// Dot at the cursor's row on the first line, as the run may pass a speed several times.
   private readonly dot = el('div', { class: 'run-dot', hidden: true });
 
   constructor(
@@ -158,12 +158,12 @@ abstract class RunPair implements RunChart {
     );
   }
 
-  /// The axis in shown units, by rows.
+  /// Returns the values on the axis in shown units, by rows.
   protected abstract along(subject: RunSubject): Float64Array;
-  /// Draws what lies below the lines.
+  /// Draws what is below the lines.
   protected drawUnder(_pen: Pen, _frame: Frame, _colours: Theme): void {}
   abstract whole(run: RunUp): Range;
-  /// Value of the cursor on the axis, in SI.
+  /// Returns the value of the cursor on the axis, in SI.
   protected abstract placeOf(subject: RunSubject): number;
 
   cursor(subject: RunSubject): void {
@@ -355,7 +355,7 @@ function stepped({ run }: RunSubject, time: number, steps: number): number {
   return run.time[run.rows[Math.min(run.rows.length - 1, Math.max(0, at))] ?? -1] ?? time;
 }
 
-/// Words of a slider in addition to its value.
+/// Returns the text of the slider in addition to its value.
 function wordsOf({ run, row, station, info, units, scales }: RunSubject): string {
   if (row < 0) return '';
   const { factor, unit } = motionMeasures(info, units, scales).amplitude;

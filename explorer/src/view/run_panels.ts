@@ -1,4 +1,5 @@
-// Pictures of a run at its cursor: the orbit of the turn, its spectrum, and the place of that in the waterfall.
+// Pictures of a run at its cursor: the orbit of the turn, the nearest spectrum, and the place of the spectrum in the
+// waterfall.
 import type { RunOrbit } from '../data/runup';
 import { button } from '../dom';
 import { Chart, type Frame } from '../figure/chart';
@@ -71,7 +72,7 @@ export class RunOrbitPanel extends Panel<RunSubject> {
     const [x, y] = [scaled(orbit.x, factor), scaled(orbit.y, factor)];
     const radius = x.reduce((most, value, i) => Math.max(most, Math.hypot(value, y[i]!)), 0);
     const walls = [subject.info.gap, subject.info.clearance].map((wall) => wall * factor);
-    // A wall that is far away would hide the orbit.
+    // Leave out walls that are far away, with which the orbit would be too small.
     const near = walls.filter((wall) => wall > 0 && wall < 3 * radius);
     const reach = 1.04 * Math.max(radius, ...near, 1e-300);
     const names = [`x (${unit})`, `y (${unit})`] as const;
@@ -115,7 +116,7 @@ function drawTurn(pen: Pen, plane: Plane, x: Float64Array, y: Float64Array, colo
   pen.fill();
 }
 
-/// Frequencies of orders of a speed: orders, or Hz.
+/// Returns the measure of orders at a speed: orders, or Hz.
 function frequencyOf(units: Units, speed: number): { readonly factor: number; readonly unit: string } {
   if (units.frequency === 'order') return { factor: 1, unit: 'orders' };
   const own = (units.frequency === 'own' && units.shown?.frequency) || { unit: 'Hz', size: 1 };
@@ -146,7 +147,7 @@ export class RunSpectrumPanel extends Panel<RunSubject> {
     const frequency = frequencyOf(units, of.speed);
     const amplitude = amplitudeMeasure(units, scales);
     const bins = index < 0 ? 0 : of.order.length;
-    // Backward whirl to the left, forward whirl to the right.
+    // Place backward whirl to the left, forward whirl to the right.
     const order = Float64Array.from({ length: Math.max(0, 2 * bins - 1) }, (_, i) => i - bins + 1);
     this.lines = [
       order.map((bin) => Math.sign(bin) * of.order[Math.abs(bin)]! * frequency.factor),
@@ -171,7 +172,7 @@ export class RunSpectrumPanel extends Panel<RunSubject> {
   }
 }
 
-/// Height of the tallest peak over the length of the time axis.
+/// Height of the tallest peak as a share of the time axis.
 const TALL = 0.16;
 
 /// Spectra over the time, one above the other; the one nearest to the cursor stands out.
@@ -191,7 +192,7 @@ export class RunWaterfallPanel extends Panel<RunSubject> {
   protected refresh(): void {
     const { run, station, time, units } = this.subject!;
     const of = JSON.stringify([station, units, run.spectrumNear(time)]);
-    // The picture changes with the spectrum under the cursor, not with each frame.
+    // Redraw only if another spectrum is at the cursor.
     if (this.shownFor?.run === run && this.shownFor.of === of) return;
     this.shownFor = { run, of };
     const order = run.spectrum(station, 0).order.at(-1) ?? 5;

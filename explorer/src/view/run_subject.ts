@@ -5,13 +5,13 @@ import type { Frame } from '../figure/chart';
 import type { Pen } from '../figure/pen';
 import { amplitudeOf, lengthMeasure, type Measure, type Scales, type Units } from '../model/units';
 
-/// The measures of a station's displacements and amplitudes: lengths, or angles of a station that only twists.
+/// Returns the measures of a station's displacements and amplitudes: lengths, or angles of a station that only twists.
 export function motionMeasures(
   { twists }: StationInfo,
   units: Units,
   scales: Scales,
 ): { readonly length: Measure; readonly amplitude: Measure } {
-  // A twist is the displacement of a point 1 m from the axis: a metre is a radian.
+  // Convert twists, which are displacements of a point 1 m from the axis, so that a metre is a radian.
   const length = twists ? { factor: (scales.length * 180) / Math.PI, unit: '\u00b0' } : lengthMeasure(units, scales);
   return { length, amplitude: amplitudeOf(length, units) };
 }
@@ -61,7 +61,7 @@ export function scaled(values: Float64Array, factor: number): Float64Array {
   return values.map((value) => value * factor);
 }
 
-/// Returns the least and the largest of numbers, with room; ignores NaN.
+/// Returns the least and the largest of numbers, with a margin; ignores NaN.
 export function spanOf(lists: readonly ArrayLike<number>[], fromZero = true): readonly [number, number] {
   let [low, high] = fromZero ? [0, 0] : [Infinity, -Infinity];
   for (const values of lists)

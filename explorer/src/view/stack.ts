@@ -52,7 +52,7 @@ const KEYBOARD_STEPS = 200;
 const ZOOM = 0.7;
 /// CSS pixels of vertical movement from which a drag selects a vertical range too.
 const UPRIGHT = 24;
-/// Least distance of two fingers that is used for zooming.
+/// Distance of two fingers below which zooming does not change further.
 const APART = 20;
 
 /// Returns the horizontal and vertical range of a drag; undefined: all.
@@ -87,7 +87,7 @@ export class Stack {
   readonly root: HTMLElement;
   private dragging: Mode = 'point';
   private along: Along | undefined;
-  /// Key of the present vertical range.
+  /// Key of the quantities to which the present vertical range belongs.
   private heightsOf = '';
   private value = NaN;
   private words = '';
@@ -98,7 +98,7 @@ export class Stack {
     private readonly main: Chart,
     private readonly lower: Chart,
     private readonly listener: StackListener,
-    /// Returns the value `steps` key presses from a value.
+    /// Returns the value that is `steps` key presses from a value.
     private readonly walk: (value: number, steps: number, range: Range) => number = evenly,
   ) {
     this.cursors = [new CursorLine('a'), new CursorLine('b')];
@@ -108,7 +108,7 @@ export class Stack {
     }
     main.root.classList.add('map-main');
     lower.root.classList.add('map-exponent');
-    // The charts contain a slider, which the role of a picture would hide from assistive programs.
+    // Make groups of the charts, which contain a slider: the role of a picture would hide it from assistive programs.
     for (const chart of [main, lower]) chart.root.setAttribute('role', 'group');
     this.root = el('div', { class: 'map' }, main.root, lower.root);
     for (const chart of [main, lower]) {
@@ -368,7 +368,7 @@ export class Stack {
     }
     const step = (steps: number) => go(this.walk(now, steps * many, along.range));
     const now = Number.isFinite(this.value) ? this.value : (low + high) / 2;
-    // Move the cursor at once: keys may come faster than frames, and the next key continues from here.
+    // Move the cursor at once: keys may come faster than frames, and the next key starts from the new value.
     const go = (value: number) => {
       this.value = Math.min(high, Math.max(low, value));
       this.listener.cursor(this.value, true);

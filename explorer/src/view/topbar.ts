@@ -121,7 +121,7 @@ export class Topbar {
     this.amplitude.value = units.amplitude;
     this.compare.setAttribute('aria-pressed', String(comparing));
     this.compare.hidden = atRest;
-    // For machines at rest frequencies have the unit of the speed, not orders of it.
+    // Give frequencies of machines at rest the unit of the speed in the place of orders.
     this.frequency.rename('order', atRest ? units.speed : 'X');
   }
 

@@ -34,7 +34,7 @@ export class WaveformPanel extends Panel {
     const wave = motion?.waveform(station) ?? { x: new Float64Array(0), y: new Float64Array(0) };
     const per = motion?.samplesPerRevolution ?? 1;
     const revolutions = revolutionsShown(motion?.period ?? 0, Math.floor(wave.x.length / per));
-    // One sample more: the mark at which the first revolution begins.
+    // Include one sample more: the mark at which the first revolution begins.
     const first = Math.max(0, wave.x.length - revolutions * per - 1);
     const unit = this.timeUnit(subject);
     this.time = Float64Array.from(
