@@ -73,7 +73,7 @@ static void add_count(const paragraph *p) {
     if (done < whirl_table_planned(p->table)) paragraph_add(p, " (of %zu points)", whirl_table_planned(p->table));
 }
 
-/// Reports how many motions without a verdict ended early.
+/// Adds the number of motions without a verdict that ended early.
 static void add_lost(const paragraph *p) {
     size_t first;
     const size_t lost = motions_lost(p->table, &first);
@@ -82,7 +82,8 @@ static void add_lost(const paragraph *p) {
                       lost == 1 ? "it" : "them");
 }
 
-/// Reports starts without a verdict, and places where none has one: these have no motion in the table.
+/// Adds the number of starts without a verdict, and of points all of whose starts lack one: the table has no motion of
+/// these.
 static void add_untold(const paragraph *p) {
     const whirl_table *const source = p->table->source;
     size_t done = 0, untold = 0;

@@ -61,11 +61,11 @@ double rub_share(const whirl_table *table, size_t point, size_t contact_count);
 /// Returns true if the table has fields of contacts.
 bool has_rub(const whirl_table *table, size_t contact_count);
 
-/// Returns true for a motion without any number: it left its bounds, or the solver could not go on. Motions with a
-/// verdict have that number at least.
+/// Returns true for a motion without any number: it left its bounds, or the solver could not go on. A motion with a
+/// verdict has at least the numbers of the verdict.
 bool motion_lost(const whirl_table *table, size_t point);
 
-/// Returns the number of such motions in a table of motions, and the first of them.
+/// Returns the number of motions without any number in a table, and the first of them.
 size_t motions_lost(const whirl_table *table, size_t *first);
 
 /// Returns the table whose points are shown one by one: "detail", else "response"; NULL if there is neither.

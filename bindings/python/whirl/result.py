@@ -270,7 +270,8 @@ class Result:
 
     @cached_property
     def tables(self) -> dict[str, Table]:
-        """Tables of points by name, such as "sweep", "map", "branch"; those that documents show are :meth:`sheets`."""
+        """Tables of points by name, such as "sweep", "map", "branch". Tables as documents show them are
+        :meth:`sheets`."""
         tables = {name: Table(self._about, table) for name, table in self._source.tables().items()}
         return ReadOnly(tables, "tables are those of the result")
 

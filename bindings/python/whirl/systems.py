@@ -171,7 +171,7 @@ _OF_BRANCHES = (
 
 
 def _given(function, what, values, shape):
-    """Returns what a function in Python gave, as numbers of that shape."""
+    """Returns the result of a Python function as an array; raises BadInput unless it has the shape."""
     try:
         found = np.asarray(values)
         if found.dtype.kind == "O":

@@ -1,5 +1,5 @@
-/// Derivatives from central differences at steps h, h/2, h/4, ..., extrapolated to a step of 0 (Richardson 1911); the
-/// best level is the one that differs least from its neighbours (Ridders 1982).
+/// Computes derivatives by central differences at steps h, h/2, h/4, ..., extrapolated to a step of 0 (Richardson
+/// 1911). Of the extrapolations it takes the one that differs least from its neighbours (Ridders 1982).
 #ifndef BASE_RICHARDSON_H
 #define BASE_RICHARDSON_H
 
@@ -8,20 +8,20 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/// Most steps.
+/// Largest number of levels, each with half the step of the one before.
 enum { RICHARDSON_LEVELS = 7 };
 
-/// Returns the step of a level, from 0.
+/// Returns the step of level `level`, from 0; `reach` is the step of level 0.
 static inline double richardson_step(double reach, size_t level) {
     return ldexp(reach, -(int)level);
 }
 
-/// Adds level k, with the numbers a step above and below, to Neville's table, whose last line is
-/// `line` [RICHARDSON_LEVELS]. Keeps the derivative, and in `off` its error: a NaN leaves both as they are. Returns
-/// true if the error is rounding, so that further levels add nothing.
+/// Adds level k to Neville's table, of which `line` [RICHARDSON_LEVELS] is the last line; `above` and `below` are the
+/// function's values a step above and below. Updates the derivative and its error (`off`); a NaN changes neither.
+/// Returns true if the error is a rounding error, so that further levels cannot reduce it.
 static inline bool richardson_add(double above, double below, double step, size_t k, double line[RICHARDSON_LEVELS],
                                   double *derivative, double *off) {
-    // The first column has differences over twice the step; rounding limits what they can show.
+    // Compute the first entry, a difference over twice the step, and its rounding error.
     const double rounding = 8.0 * DBL_EPSILON * fmax(fabs(above), fabs(below)) / step;
     double before = line[0], entry = (above - below) / (2.0 * step);
     line[0] = entry;
@@ -40,7 +40,7 @@ static inline bool richardson_add(double above, double below, double step, size_
         before = line[j];
         line[j] = entry = next;
     }
-    // Without a finite estimate take the last entry.
+    // Take the last entry if no level gave a finite error.
     if (k + 1 == RICHARDSON_LEVELS && !isfinite(*off)) *derivative = entry;
     return *off <= 2.0 * rounding;
 }

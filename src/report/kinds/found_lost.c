@@ -1,4 +1,5 @@
-// Motions that ended before their last revolution, in tables whose analyses have no regime that says so.
+// Finding on motions that ended before their last revolution, for tables without the analysis regime, whose verdicts
+// show them.
 #include "quantities.h"
 #include "shown_kinds.h"
 

@@ -83,7 +83,7 @@ void find_derivatives(const finder *of) {
     const size_t parameters = sensitivity_parameters(table);
     whirl_spread_of own;
     if (parameters == 0) return;
-    // State the numbers that the case asks for, or some of the usual ones.
+    // State the numbers that the case requests or, if it requests none, some usual numbers.
     enum { STATED = 4 };
     const bool asked = *whirl_result_fact(of->result, "derived 1") != '\0';
     for (size_t i = 0; (asked || i < STATED) && whirl_table_derived(of->result, table, i, &own); i++)

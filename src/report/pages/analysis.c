@@ -259,7 +259,7 @@ static void write_chapter(const page *to, const chapter *own, size_t index) {
     fputs("</section>\n", to->stream);
 }
 
-/// Writes a chapter with all tables that no other one has, if there are any; returns whether there are.
+/// Writes a chapter with all tables that no other chapter has. Returns false, and writes nothing, if there are none.
 static bool write_others(const page *to, const analysis_document *document, size_t index) {
     chapter_state state = {.kind = NULL};
     if (found_each(to, is_of_no_chapter, document, NULL, NULL) == 0) return false;
