@@ -1,4 +1,4 @@
-// Findings on derivatives: the parameters that change a number most, and a row for every number, point and parameter.
+// Findings on derivatives: the parameters that change a number most, and a row for every number and point.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
