@@ -6,6 +6,7 @@
 
 #include "exhausted.h"
 #include "linear_status.h"
+#include "load_path.h"
 #include "matrix.h"
 #include "mean.h"
 #include "mean_rest.h"
@@ -330,12 +331,13 @@ static bool place_journals(const search *s, const double *start, double part, do
     return mean_settle(s->mean, at);
 }
 
+/// Places of the journals from which a search begins: parts of their clearances, and angles from their loads.
+static const double parts[] = {0.3, 0.6, 0.8, 0.9, 0.96}, angles[] = {0.0, 0.2, -0.2, 0.4, -0.4, 0.8, -0.8, 1.4, -1.4};
+
 /// Replaces an equilibrium that is unstable, or none (`found` false), by a stable one, which is searched from other
 /// places of the journals. If there was no equilibrium, takes an unstable one, too. Pads, and therefore machines on
 /// them, have several balances. Returns true if x is an equilibrium.
 static bool prefer_stable(search *s, bool found, const double *start, double *x, double *at) {
-    static const double parts[] = {0.3, 0.6, 0.8, 0.9, 0.96},
-                        angles[] = {0.0, 0.2, -0.2, 0.4, -0.4, 0.8, -0.8, 1.4, -1.4};
     const size_t n = s->mean->count, d = s->mean->system->dimension;
     double *room = malloc((n * (n + 2) + 1) * sizeof *room);
     double growth = !room ? 0.0 : found ? growth_at(s, x, room) : (double)INFINITY;
@@ -355,6 +357,32 @@ static bool prefer_stable(search *s, bool found, const double *start, double *x,
         }
     free(room);
     return found;
+}
+
+/// Returns the largest clearance of a journal; 0 if there is none.
+static double largest_clearance(const whirl_system *system) {
+    double largest = 0.0;
+    for (size_t p = 0; p < system->probe_count; p++) largest = fmax(largest, system->probes[p].clearance);
+    return largest;
+}
+
+/// Finds an equilibrium in all coordinates at once, over the share of the load from the same places. A pad on a spring
+/// may pass from a tilt that it keeps before a journal that is held to one that it only keeps together with a journal
+/// that gives way. Of several equilibria the one with the least growth is taken.
+static bool search_paths(search *s, const double *start, double *x, double *at) {
+    const size_t n = s->mean->count, d = s->mean->system->dimension;
+    const double unit = largest_clearance(s->mean->system);
+    double *room = malloc((n * (n + 2) + 1) * sizeof *room), least = (double)INFINITY;
+    for (size_t a = 0; a < sizeof angles / sizeof *angles && unit > 0.0; a++)
+        for (size_t p = 0; p < sizeof parts / sizeof *parts && room && least > 0.0; p++) {
+            if (!place_journals(s, start, parts[p], angles[a], at) || !load_path_follow(s->mean, unit, at)) continue;
+            const double growth = balances(s, at) ? growth_at(s, at, room) : (double)INFINITY;
+            if (!(growth < least)) continue;
+            memcpy(x, at, d * sizeof *x);
+            least = growth;
+        }
+    free(room);
+    return isfinite(least);
 }
 
 // ---------------------------------------------------------------- the whole
@@ -405,7 +433,10 @@ static whirl_status rest_follow(mean_system *m, double *x, double *share) {
         if (found) memcpy(x, at, d * sizeof *x);
     }
     if (found) regain_films(&s, x, at);
-    if (starts && m->system->settle) found = prefer_stable(&s, found && balances(&s, x), begin, x, at);
+    if (starts && m->system->settle) {
+        found = prefer_stable(&s, found && balances(&s, x), begin, x, at);
+        found = found || search_paths(&s, begin, x, at);
+    }
     free(block);
     if (found) return whirl_ok();
     if (!starts)

@@ -408,7 +408,18 @@ static double left_at(const whirl_rotor *rotor, const double *rest) {
     return left / weight;
 }
 
-/// Pads on springs. Every place that is told is a rest: no force is left there. The order in which pads are listed
+/// Places of rest in which a pad has a tilt that it keeps only together with a journal that gives way, by another
+/// search: Newton's method in all coordinates from every combination of the pads' balances, stable or not, before
+/// journals on a grid of 0.05 clearances. Of several places the one with the least growth.
+static const struct {
+    size_t bearing;
+    double place[2];
+} together[] = {{9, {0.34610, -0.59844}},  {17, {0.77657, -0.57070}}, {19, {0.52745, -0.62721}},
+                {21, {0.33160, -0.39494}}, {23, {0.27380, -0.44155}}, {41, {0.39325, -0.77891}},
+                {49, {0.79540, -0.77366}}, {51, {0.51664, -0.80434}}, {53, {0.41587, -0.57726}},
+                {55, {0.26845, -0.60580}}, {61, {0.59647, -0.56775}}, {63, {0.44697, -0.59893}}};
+
+/// Pads on springs. Every bearing has a place of rest: no force is left there. The order in which pads are listed
 /// changes no bit. A journal that is pushed off a rest that is told stable comes back.
 static void listed(void **unused) {
     static const double preloads[] = {0.0, 0.2}, stiffness[] = {500.0, 2000.0, 8000.0, 30000.0},
@@ -429,11 +440,15 @@ static void listed(void **unused) {
             snprintf(name, sizeof name, "%s, m %g, %g N m/rad, %g kg", of->name, preload, tilt.stiffness, mass);
             whirl_rotor_complete(rotor, start);
             const whirl_status status = whirl_modes_new(system, start, &modes);
-            assert_int_equal(status.code, modes ? WHIRL_OK : WHIRL_NUMERICAL_FAILURE);
-            if (modes && k == 0) {
+            require_ok(status);
+            if (k == 0) {
                 rests++;
                 memcpy(first, modes->rest, system->dimension * sizeof *first);
                 check_within("Pads at rest", words("%s: force left", name), 0.0, left_at(rotor, first), 1e-6);
+                for (size_t t = 0; t < sizeof together / sizeof *together; t++)
+                    if (together[t].bearing == i)
+                        check_within("Pads at rest", words("%s: place by another search", name), 0.0,
+                                     hypot(first[0] - together[t].place[0], first[1] - together[t].place[1]), 2e-5);
                 memcpy(start, first, sizeof start);
                 start[0] += 1e-4;
                 if (mass < 1000.0 && modes->growth < -0.1) {
@@ -442,13 +457,12 @@ static void listed(void **unused) {
                                  hypot(start[0] - first[0], start[1] - first[1]), 1e-7);
                 }
             }
-            if (modes) assert_memory_equal(first, modes->rest, system->dimension * sizeof *first);
+            assert_memory_equal(first, modes->rest, system->dimension * sizeof *first);
             whirl_modes_free(modes);
             whirl_rotor_free(rotor);
         }
     }
-    print_message("%zu of 64 bearings rest\n", rests);
-    assert_true(rests >= 48);
+    assert_int_equal(rests, 64);
 }
 
 int main(void) {

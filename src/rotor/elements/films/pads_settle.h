@@ -110,6 +110,16 @@ static bool pads_follow_tilt(pads_rest *at, const double ends[2], bracket *found
     return true;
 }
 
+/// Returns true if a pad has a balance at at->begin from which its moment leads away: only with the journal that moves,
+/// too, it may stay there.
+static bool pads_are_held(pads_rest *at, const double ends[2]) {
+    const double aside = 1e-6 * (ends[1] - ends[0]), rounding = 1e-8;
+    if (!(at->begin - aside > ends[0] && at->begin + aside < ends[1])) return false;
+    const double above = pads_moment_at(at, at->begin + aside), below = pads_moment_at(at, at->begin - aside);
+    const double moment = pads_moment_at(at, at->begin);
+    return above < below && fabs(moment) <= rounding * fabs(at->view->number[PADS_TILT_SPRING] * at->begin);
+}
+
 /// Finds the pad's equilibrium tilt, at->tilt, and its film's force. A pad with a spring has an equilibrium even
 /// without a film: it is followed from its present tilt, so that the tilt does not jump while the journal moves. *idle
 /// becomes true if there is no film at this tilt. Returns false if the pad touches the journal at every tilt.
@@ -118,6 +128,10 @@ static bool pads_settle_tilt(pads_rest *at, bool *idle) {
     bracket between;
     if (!pads_free_tilts(at, ends)) return false;
     const bool follows = at->view->number[PADS_TILT_SPRING] != 0.0 && isfinite(at->begin);
+    if (follows && pads_are_held(at, ends)) {
+        *idle = !(at->size > pads_no_film);
+        return true;
+    }
     const bool found = (follows && pads_follow_tilt(at, ends, &between)) ||
                        pads_bracket_tilt(at, ends, false, &between) || pads_bracket_tilt(at, ends, true, &between);
     for (int k = 0; k < 200 && found; k++) {
