@@ -87,6 +87,9 @@ void asked_check(case_reader *reader, asked_parts *asked, const whirl_batch *bat
         if (!lacks && derived && whirl_analysis_kind(batch->analyses)->moves && !whirl_motion_is_derived(of->field))
             lacks = "asks for a field of motions without derivatives, expected orbit/max_radius, orbit/min_radius, "
                     "orbit/mean, spectrum/synchronous, spectrum/synchronous_lag or floquet/modulus";
+        if (!lacks && derived && whirl_analysis_kind(batch->analyses)->found &&
+            strcmp(of->field, WHIRL_FIELD_TRACE_SPECIAL) != 0)
+            lacks = "asks for a field of branches without derivatives, expected trace/special";
         const char *unit = lacks ? "1" : whirl_column_unit(at.field, at.index % at.field->columns);
         const char *si = strcmp(unit, "length") == 0 ? "m" : strcmp(unit, "force") == 0 ? "N" : unit;
         const bool plain = strcmp(asked->units[i], "1") == 0;

@@ -8,8 +8,8 @@
 /// Reads the parameters, and the numbers that are asked for.
 void sensitivity_read(case_reader *reader, plan_parts *parts);
 
-/// Asks for the derivatives at every point of the batches that have some: of responses, sweeps and studies of machines
-/// at rest.
+/// Asks for the derivatives at every point of the batches that have some: of responses, sweeps, branches and studies of
+/// machines at rest.
 void sensitivity_make(case_reader *reader, const valuation *v, const plan_parts *parts, study_plan *result);
 
 #endif

@@ -84,9 +84,10 @@ static const whirl_key study_keys[] = {
     CHOICE_KEY("tolerances", OPTIONAL, "",
                "parameters with distributions: every point of a response or sweep, of motions, and of studies of "
                "machines at rest is computed at many samples of them, too: see tolerances"),
-    CHOICE_KEY("sensitivity", OPTIONAL, "",
-               "derivatives of the numbers of every point of a response, a sweep and studies of machines at rest by "
-               "parameters: see sensitivity"),
+    CHOICE_KEY(
+        "sensitivity", OPTIONAL, "",
+        "derivatives of the numbers of every point of a response, a sweep and studies of machines at rest, and of "
+        "special points of a branch, by parameters: see sensitivity"),
     CHOICE_KEY("dataset", OPTIONAL, "", "labelled records of machines with faults, as sensors see them: see dataset"),
     CHOICE_KEY("integrate", OPTIONAL, "", "method and length of the integration: see integrate"),
     CHOICE_KEY("keep", OPTIONAL, "", "parts of waveforms and spectra that are kept: see keep"),

@@ -294,6 +294,57 @@ static void test_chaos_has_none(void **state) {
     whirl_result_free(result);
 }
 
+// ---------------------------------------------------------------- special points of branches
+
+/// The first special point of a kind in a table of branches; fails without one.
+static size_t special_row(const whirl_table *table, whirl_special kind) {
+    for (size_t i = 0; i < table->count; i++)
+        if ((int)table_number(table, i, WHIRL_FIELD_TRACE_SPECIAL, 0) == (int)kind) return i;
+    fail_msg("there is no special point of kind %d", (int)kind);
+    return 0;
+}
+
+/// Compares the derivative of a special point's value by the parameter "p" with differences of branches at p +- h and
+/// p +- 2 h, where it is located to 1e-10 of the branch's span.
+static void compare_special(const char *what, const char *format, double p, whirl_special kind, double h,
+                            double within) {
+    double change = NAN, values[5];
+    for (int i = -2; i <= 2; i++) {
+        whirl_result *result = study_at(format, p * (1.0 + i * h));
+        const whirl_table *table = whirl_result_table(result, "branch");
+        const size_t row = special_row(table, kind);
+        values[2 + i] = table->values[row];
+        if (i == 0) change = change_of(table, row, 0, 0, within);
+        whirl_result_free(result);
+    }
+    const double expected = (values[0] - 8.0 * values[1] + 8.0 * values[3] - values[4]) / (12.0 * h * values[2]);
+    check_within("Derived", what, expected, change, within * fmax(1.0, fabs(expected)));
+}
+
+/// A journal in the short film that begins to whirl at a speed, by its load; and the rotor of jeffcott-rub.yaml by its
+/// damping, between speeds.
+static const char whirling[] = "whirl: 1\nparameters: {s: 1.5, p: %s}\nrotor:\n  speed: 1 rad/s\n  length_scale: 1 m\n"
+                               "  stations: {journal: {mass: 1 kg}}\n  elements:\n"
+                               "    - film: {at: journal, clearance: 1 m, load: = p/s^2}\n    - gravity: = 1/s^2\n"
+                               "study:\n  branch: {parameter: s, from: 1.5, to: 3, rest: yes, points: 200}\n"
+                               "  initial: {journal: {x: 0.1, y: -0.1}}\n  sensitivity: {parameters: [p]}\n";
+#define RUBBING(range)                                                                                                 \
+    "whirl: 1\nparameters: {omega: 1.5 rad/s, p: %s}\nrotor:\n  speed: = omega\n  length_scale: 1 m\n"                 \
+    "  stations: {disc: {mass: 1 kg, damping: = 2*p, eccentricity: 0.9}}\n  elements:\n"                               \
+    "    - shaft: {between: [disc, ground], k1: 1 N/m, k2: 1 N/m}\n"                                                   \
+    "    - rub: {at: disc, gap: 1 m, stiffness: 10, friction: 0.05, law: paper}\n    - gravity: 0.5\n"                 \
+    "study:\n  initial: {disc: {x: 0.1, y: -0.2}}\n  integrate: {transient: 400, record: 100}\n"                       \
+    "  branch: {parameter: omega, " range ", switches: 0}\n  sensitivity: {parameters: [p]}\n"
+
+static void test_special_points(void **state) {
+    (void)state;
+    compare_special("speed at which a journal begins to whirl, by its load", whirling, 1.0, WHIRL_HOPF, 1e-3, 1e-8);
+    compare_special("speed of a fold of a rotor that rubs, by its damping", RUBBING("from: 3.25, to: 3.3, at: [3.26]"),
+                    0.1, WHIRL_FOLD, 1e-3, 1e-8);
+    compare_special("speed of a doubling of a rotor that rubs, by its damping", RUBBING("from: 1.5, to: 4, at: [1.8]"),
+                    0.1, WHIRL_DOUBLING, 1e-3, 1e-8);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_a_disc_on_a_spring),
@@ -301,6 +352,7 @@ int main(void) {
         cmocka_unit_test(test_springs_in_place_of_bearings),
         cmocka_unit_test(test_a_motion_that_rubs),
         cmocka_unit_test(test_chaos_has_none),
+        cmocka_unit_test(test_special_points),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,6 +12,7 @@
 static void sensitivity_list(figure_list *to, const drawing *of, const whirl_table *table) {
     figure_place place = {.kind = &sensitivity_figure, .table = table, .point = NO_POINT};
     whirl_spread_of number;
+    if (whirl_layout_field(&table->layout, WHIRL_FIELD_TRACE_SPECIAL)) return; // special points are listed
     for (; whirl_table_derived(of->result, table, place.which, &number); place.which++) {
         char name[SPREAD_NAME], file[SPREAD_NAME];
         if (sensitivity_largest(table, place.which) == table->count) continue;

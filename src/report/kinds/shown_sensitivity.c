@@ -58,13 +58,12 @@ size_t sensitivity_order(const whirl_table *table, size_t point, size_t number, 
     return known;
 }
 
-/// States the parameters that change a number most, at the point where the number is largest.
-static void state_number(const finder *of, const whirl_spread_of *own, size_t number) {
+/// States the parameters that change a number most at a point.
+static void state_at(const finder *of, const whirl_spread_of *own, size_t number, size_t point) {
     enum { NAMED = 3 };
     size_t order[WHIRL_MAX_SENSITIVITIES];
     char name[SPREAD_NAME];
-    const size_t point = sensitivity_largest(of->table, number);
-    const size_t known = point < of->table->count ? sensitivity_order(of->table, point, number, order) : 0;
+    const size_t known = sensitivity_order(of->table, point, number, order);
     if (known == 0) return;
     spread_name(of->table, own, name);
     whirl_statement *statement = find_statement(of, "sensitivity");
@@ -78,16 +77,29 @@ static void state_number(const finder *of, const whirl_spread_of *own, size_t nu
     }
 }
 
+/// States the numbers that the case asks for, or some of the usual ones, where each is largest; or special points.
+static void state_numbers(const finder *of) {
+    enum { STATED = 4, POINTS = 8 };
+    const whirl_table *table = of->table;
+    const bool asked = *whirl_result_fact(of->result, "derived 1") != '\0';
+    whirl_spread_of own;
+    size_t stated = 0;
+    for (size_t i = 0; (asked || i < STATED) && whirl_table_derived(of->result, table, i, &own); i++) {
+        if (whirl_layout_field(&table->layout, WHIRL_FIELD_TRACE_SPECIAL)) {
+            for (size_t p = 0; p < table->count && stated < POINTS; p++)
+                if (isfinite(sensitivity_of(table, p, i, 0).number) && ++stated) state_at(of, &own, i, p);
+        } else if (sensitivity_largest(table, i) < table->count) {
+            state_at(of, &own, i, sensitivity_largest(table, i));
+        }
+    }
+}
+
 void find_derivatives(const finder *of) {
     const whirl_table *table = of->table;
     const size_t parameters = sensitivity_parameters(table);
     whirl_spread_of own;
     if (parameters == 0) return;
-    // State the numbers that the case requests or, if it requests none, some usual numbers.
-    enum { STATED = 4 };
-    const bool asked = *whirl_result_fact(of->result, "derived 1") != '\0';
-    for (size_t i = 0; (asked || i < STATED) && whirl_table_derived(of->result, table, i, &own); i++)
-        state_number(of, &own, i);
+    state_numbers(of);
     // Set up a column for each parameter.
     whirl_sheet *sheet = find_sheet(of, "sensitivity", "Sensitivity to parameters");
     sheet->about = "Change of a number if the parameter of the column grows by 1 %, all others as they are. The result "

@@ -19,6 +19,7 @@ static const struct {
     {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, "forward", "forward 1X"},
     {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, "backward", "backward 1X"},
     {WHIRL_FIELD_FLOQUET_MODULUS, "", "largest multiplier"},
+    {WHIRL_FIELD_TRACE_SPECIAL, "", "value of the special point"},
 };
 
 void spread_name(const whirl_table *table, const whirl_spread_of *of, char text[SPREAD_NAME]) {

@@ -558,3 +558,125 @@ whirl_status derived_of_motion(const whirl_study *study, const whirl_batch *batc
     whirl_orbit_free(m.orbit);
     return derived_is_missing(&status) ? whirl_ok() : status;
 }
+
+// ---------------------------------------------------------------- special points of branches
+
+/// A special point at which a multiplier crosses the unit circle, or an eigenvalue the imaginary axis.
+typedef struct derived_crossing {
+    derived *of;
+    const whirl_branch_point *point;
+    const whirl_multiplier *own; ///< this multiplier or eigenvalue
+    size_t parameter;            ///< which one changes; ALONG: the branch's own
+    whirl_orbit_options options;
+} derived_crossing;
+
+/// Returns the function that is 0 at the point: how far the multiplier is outside the circle, or the eigenvalue's real
+/// part.
+static double crossing_measure(const whirl_orbit *orbit, const whirl_multiplier *m) {
+    return orbit->period == 0.0 ? m->real : hypot(m->real, m->imaginary) - 1.0;
+}
+
+static whirl_status derived_crossing_number(const void *of, double h, double *number) {
+    const derived_crossing *c = of;
+    const derived *d = c->of;
+    const whirl_orbit *own = c->point->orbit;
+    derived_given given;
+    double value = d->value + (c->parameter == ALONG ? h : 0.0);
+    const whirl_batch batch = c->parameter == ALONG
+                                  ? *d->batch
+                                  : derived_batch(d, c->parameter, d->parameters[c->parameter] + h, given, &value);
+    whirl_machine machine = {.system = NULL};
+    whirl_orbit *orbit = NULL;
+    whirl_status status = d->study->machine(d->study->family, &batch, value, &machine);
+    if (status.code == WHIRL_OK)
+        status = own->period == 0.0
+                     ? whirl_orbit_rest(machine.system, own->nodes, &c->options, &orbit)
+                     : whirl_orbit_find(machine.system, own->nodes, own->revolutions, &c->options, &orbit);
+    // Take the multiplier nearest to the point's own.
+    double nearest = INFINITY;
+    for (size_t i = 0; status.code == WHIRL_OK && i < orbit->multiplier_count; i++) {
+        const whirl_multiplier *m = &orbit->multipliers[i];
+        const double away = hypot(m->real - c->own->real, fabs(m->imaginary) - fabs(c->own->imaginary));
+        if (away < nearest) *number = crossing_measure(orbit, m);
+        nearest = fmin(nearest, away);
+    }
+    whirl_orbit_free(orbit);
+    if (machine.release) machine.release(machine.owner);
+    return status;
+}
+
+/// Derives the value of a doubling, Neimark-Sacker or Hopf point by one parameter: -g_p/g_v.
+static whirl_status derived_by_crossing(derived_crossing *c, size_t parameter, double *slope, double *error) {
+    const derived *d = c->of;
+    const double reach[2] = {fabs(d->parameters[parameter]) / 1024.0, fabs(d->value) / 1024.0};
+    double by[2] = {NAN, NAN}, off[2] = {NAN, NAN};
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < 2 && status.code == WHIRL_OK; i++) {
+        c->parameter = i == 0 ? parameter : ALONG;
+        status = derived_extrapolate(reach[i], 1, derived_crossing_number, c, &by[i], &off[i]);
+    }
+    *slope = 0.0 - by[0] / by[1];
+    *error = (off[0] + fabs(*slope) * off[1]) / fabs(by[1]);
+    return status;
+}
+
+/// Derives the value of a fold of forced orbits by all parameters, and notes it. Near a fold the derivatives of the
+/// orbit by a parameter and by the branch's own one grow along the same direction, the null vector; the value keeps the
+/// fold if their sum along it stays finite, dv/dp = -s_p/s_v.
+static whirl_status derived_fold(derived *d, const whirl_branch_point *point, const whirl_orbit_options *options) {
+    const size_t parameters = d->by->parameter_count, all = parameters + 1, n = point->orbit->dimension;
+    whirl_sensitivity *by[WHIRL_MAX_SENSITIVITIES] = {NULL};
+    whirl_extended *extended = NULL;
+    whirl_orbit_sensitivity *slopes = NULL;
+    if (all > WHIRL_MAX_SENSITIVITIES) return whirl_ok();
+    whirl_status status = whirl_ok();
+    for (size_t p = 0; p < all && status.code == WHIRL_OK; p++) {
+        derived_given given;
+        const whirl_batch batch = p < parameters ? varied_batch(d, p, given) : *d->batch;
+        status = whirl_sensitivity_new(d->study, &batch, p < parameters ? d->parameters[p] : d->value, 0.0, &by[p]);
+    }
+    if (status.code == WHIRL_OK) status = whirl_extended_new(all, by, &extended);
+    if (status.code == WHIRL_OK) status = whirl_orbit_sensitivity_new(extended, point->orbit, options, 4, &slopes);
+    double square = 0.0;
+    const double *along = slopes ? slopes->slopes + parameters * n : NULL;
+    for (size_t i = 0; along && i < n; i++) square += along[i] * along[i];
+    for (size_t p = 0; along && p < parameters; p++) {
+        double product = 0.0;
+        for (size_t i = 0; i < n; i++) product += slopes->slopes[p * n + i] * along[i];
+        const double slope = 0.0 - product / square;
+        // What is not along the null vector is of the size 1, where the rest grows without limit.
+        derived_note(d, 0, p, slope, fabs(slope) / sqrt(square));
+    }
+    whirl_orbit_sensitivity_free(slopes);
+    whirl_extended_free(extended);
+    for (size_t p = 0; p < all; p++) whirl_sensitivity_free(by[p]);
+    return status;
+}
+
+whirl_status derived_of_special(const whirl_study *study, const whirl_batch *batch, const whirl_system *system,
+                                const whirl_branch_point *point, const whirl_layout *layout, double *block) {
+    derived d;
+    if (!derived_begin(&d, study, batch, point->value, system, layout, block)) return whirl_ok();
+    const whirl_orbit *orbit = point->orbit;
+    const bool forced = orbit->revolutions > 0, crosses = point->special == WHIRL_DOUBLING ||
+                                                          point->special == WHIRL_NEIMARK_SACKER ||
+                                                          point->special == WHIRL_HOPF;
+    if (point->special == WHIRL_REGULAR || d.count != 1) return whirl_ok();
+    d.found[0] = point->value;
+    const whirl_orbit_options options = whirl_batch_orbits(batch);
+    whirl_status status = whirl_ok();
+    if (point->special == WHIRL_FOLD && forced) status = derived_fold(&d, point, &options);
+    if (crosses && (forced || orbit->period == 0.0)) {
+        // The multiplier or eigenvalue that crosses is the nearest one.
+        derived_crossing c = {.of = &d, .point = point, .own = orbit->multipliers, .options = options};
+        for (size_t i = 1; i < orbit->multiplier_count; i++)
+            if (fabs(crossing_measure(orbit, &orbit->multipliers[i])) < fabs(crossing_measure(orbit, c.own)))
+                c.own = &orbit->multipliers[i];
+        for (size_t p = 0; p < d.by->parameter_count && status.code == WHIRL_OK && orbit->multiplier_count > 0; p++) {
+            double slope, error;
+            status = derived_by_crossing(&c, p, &slope, &error);
+            if (status.code == WHIRL_OK) derived_note(&d, 0, p, slope, error);
+        }
+    }
+    return derived_is_missing(&status) ? whirl_ok() : status;
+}

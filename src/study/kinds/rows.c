@@ -1,4 +1,5 @@
 #include "rows.h"
+#include "derived.h"
 #include "pass.h"
 #include "run_journal.h"
 #include "study_run.h"
@@ -142,8 +143,10 @@ whirl_status rows_keep(rows *r, size_t first, bool ended) {
 }
 
 static whirl_status add_row(rows *r, const whirl_trace *trace) {
-    const whirl_status status =
-        whirl_analyze_trace(trace, &r->pass->record, &r->table->layout, rows_block(r, r->count));
+    whirl_status status = whirl_analyze_trace(trace, &r->pass->record, &r->table->layout, rows_block(r, r->count));
+    if (status.code == WHIRL_OK)
+        status = derived_of_special(r->run->study, r->batch, r->machine.system, &trace->point, &r->table->layout,
+                                    rows_block(r, r->count));
     if (status.code == WHIRL_OK) rows_take(r, trace->point.value);
     return status;
 }

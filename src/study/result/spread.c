@@ -468,12 +468,19 @@ static const struct {
     size_t rows;
     bool derived; ///< only of derivatives
 } usual[] = {
-    {WHIRL_FIELD_ORBIT_MAX_RADIUS, "", 1, false},   {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, "forward", 1, true},
-    {WHIRL_FIELD_FLOQUET_MODULUS, "", 1, true},     {WHIRL_FIELD_UNBALANCE_AXES, "major", 1, false},
-    {WHIRL_FIELD_MODES_FREQUENCY, "", 4, false},    {WHIRL_FIELD_MODES_DAMPING_RATIO, "", 4, false},
-    {WHIRL_FIELD_MODES_CRITICAL, "value", 1, true}, {WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, "", 4, false},
-    {WHIRL_FIELD_STABILITY_COMPLETE, "", 1, false}, {WHIRL_FIELD_STATICS_ECCENTRICITY, "", 1, false},
-    {WHIRL_FIELD_TORSION_ANGLE_SUM, "", 1, false},  {WHIRL_FIELD_RUNUP_PEAK, "", 1, false},
+    {WHIRL_FIELD_ORBIT_MAX_RADIUS, "", 1, false},
+    {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, "forward", 1, true},
+    {WHIRL_FIELD_FLOQUET_MODULUS, "", 1, true},
+    {WHIRL_FIELD_UNBALANCE_AXES, "major", 1, false},
+    {WHIRL_FIELD_TRACE_SPECIAL, "", 1, true},
+    {WHIRL_FIELD_MODES_FREQUENCY, "", 4, false},
+    {WHIRL_FIELD_MODES_DAMPING_RATIO, "", 4, false},
+    {WHIRL_FIELD_MODES_CRITICAL, "value", 1, true},
+    {WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, "", 4, false},
+    {WHIRL_FIELD_STABILITY_COMPLETE, "", 1, false},
+    {WHIRL_FIELD_STATICS_ECCENTRICITY, "", 1, false},
+    {WHIRL_FIELD_TORSION_ANGLE_SUM, "", 1, false},
+    {WHIRL_FIELD_RUNUP_PEAK, "", 1, false},
 };
 
 bool spread_usual(const whirl_layout *layout, bool derived, size_t index, whirl_spread_of *of, size_t *which) {
