@@ -41,8 +41,8 @@ prove    = @$(PHASE) --begin && $(MAKE) --no-print-directory $(1) && $(PHASE) --
 LEAVE := long
 WIDE  := avx2
 
-test:           ## everything is built, run and proved but for the tests that are long (10 minutes on two cores)
-	@echo "make test: 10 minutes on two cores, and 5 more for packages where they are missing"
+test:           ## everything is built, run and proved but for the tests that are long (15 minutes on two cores)
+	@echo "make test: 15 minutes on two cores, and 5 more for packages where they are missing"
 	$(call prove,test-steps)
 
 test-all:       ## all tests, those of units and commands under the sanitizers, too (two hours on two cores)
