@@ -37,7 +37,8 @@ typedef struct whirl_status {
 /// Returns the status of success.
 whirl_status whirl_ok(void);
 
-/// Returns a status with a printf-formatted sentence, cut at WHIRL_MESSAGE_SIZE - 1 bytes.
+/// Returns a status with a printf-formatted sentence; one above WHIRL_MESSAGE_SIZE - 1 bytes is cut and ends with
+/// "...".
 whirl_status whirl_fail(whirl_code code, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 2, 3)))

@@ -59,11 +59,18 @@ whirl_status whirl_ok(void) {
     return (whirl_status){.code = WHIRL_OK, .message = ""};
 }
 
+/// Ends a sentence that was cut with "...", behind its last whole character of UTF-8.
+static void status_end_cut(char text[WHIRL_MESSAGE_SIZE]) {
+    size_t end = WHIRL_MESSAGE_SIZE - sizeof "...";
+    while (end > 0 && ((unsigned char)text[end] & 0xC0U) == 0x80U) end--;
+    memcpy(text + end, "...", sizeof "...");
+}
+
 whirl_status whirl_fail(whirl_code code, const char *format, ...) {
     char text[WHIRL_MESSAGE_SIZE];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
+    if (vsnprintf(text, sizeof text, format, arguments) >= (int)sizeof text) status_end_cut(text);
     va_end(arguments);
     return (whirl_status){.code = code, .message = status_keep(text)};
 }

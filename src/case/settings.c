@@ -43,6 +43,11 @@ static size_t key_names(const whirl_group *group, const char *names[SETTINGS_MAX
     return count;
 }
 
+/// Returns the name of a group as a case has it: groups of parts of `fit` have names of their own in the reference.
+static const char *name_in_case(const whirl_group *group) {
+    return group == &schema_fit_data ? "fit.data" : group == &schema_fit_unknown ? "fit.unknown" : group->name;
+}
+
 static void report_unknown(case_reader *reader, const file_node *member, const whirl_group *group) {
     const char *names[SETTINGS_MAX];
     char advice[WHY_SIZE], shown[SHOWN_SIZE];
@@ -52,8 +57,8 @@ static void report_unknown(case_reader *reader, const file_node *member, const w
         return;
     }
     describe_names(member->key, names, key_names(group, names), advice);
-    problem_at_key(reader->problems, member, "%s has no key %s, %s", group->name, text_shown(member->key, shown),
-                   advice);
+    problem_at_key(reader->problems, member, "%s has no key %s, %s", name_in_case(group),
+                   text_shown(member->key, shown), advice);
 }
 
 /// Returns true if a required key was misspelt: it is reported as unknown, not also as missing.

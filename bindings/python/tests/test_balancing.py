@@ -496,9 +496,7 @@ def test_readings_in_a_table_and_the_least_largest(tmp_path):
 
 def test_stations_of_the_model(tmp_path):
     file = model_file(tmp_path, vibration=GOOD["vibration"], planes=[{"name": "s3"}, {"name": "hub", "station": "s99"}])
-    with pytest.raises(
-        whirl.BadInput, match="plane 'hub' is at station 's99', which the model lacks, did you mean s9"
-    ):
+    with pytest.raises(whirl.BadInput, match="plane 'hub' is at station 's99', which the model lacks, did you mean s9"):
         whirl.balance(file)
 
 

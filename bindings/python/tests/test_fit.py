@@ -70,3 +70,13 @@ def test_bad_input(tmp_path):
     )
     with pytest.raises(whirl.BadInput, match="cannot read"):
         whirl.run(str(tmp_path / "a.yaml"))
+
+
+def test_keys_are_named_as_a_case_has_them():
+    """Not by the names that parts of a fit have in the reference."""
+    for fit, words in (
+        ({"unknown": {"k": {"fron": 1, "to": 2}}, "data": ["a.csv"]}, "k.fron: fit.unknown has no key fron, did you"),
+        ({"unknown": {"k": {}}, "data": [{"file": "a.csv", "sped": 3}]}, r"sped: fit.data has no key sped, expected"),
+    ):
+        with pytest.raises(whirl.BadInput, match=words):
+            whirl.Case({**SPRING, "study": {"fit": fit}})

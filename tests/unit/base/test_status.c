@@ -29,7 +29,27 @@ static void sentences_are_cut(void **state) {
     const whirl_status status = whirl_fail(WHIRL_IO_ERROR, "%s", longest);
     assert_int_equal(status.code, WHIRL_IO_ERROR);
     assert_int_equal(strlen(status.message), WHIRL_MESSAGE_SIZE - 1);
-    assert_memory_equal(status.message, longest, WHIRL_MESSAGE_SIZE - 1);
+    assert_memory_equal(status.message, longest, WHIRL_MESSAGE_SIZE - 4);
+    assert_string_equal(status.message + WHIRL_MESSAGE_SIZE - 4, "...");
+    // One of just that length is whole.
+    longest[WHIRL_MESSAGE_SIZE - 1] = '\0';
+    assert_string_equal(whirl_fail(WHIRL_IO_ERROR, "%s", longest).message, longest);
+    // No character of several bytes is cut, wherever it stands.
+    static const char *const characters[] = {"\u00b5", "\u20ac", "\U0001F600"};
+    for (size_t i = 0; i < 3; i++)
+        for (size_t before = 0; before < 4; before++) {
+            const size_t width = strlen(characters[i]);
+            memset(longest, 'x', before);
+            size_t used = before;
+            for (; used + width < sizeof longest; used += width) memcpy(longest + used, characters[i], width);
+            longest[used] = '\0';
+            const char *said = whirl_fail(WHIRL_IO_ERROR, "%s", longest).message;
+            const size_t kept = strlen(said) - 3;
+            assert_string_equal(said + kept, "...");
+            assert_memory_equal(said, longest, kept);
+            assert_int_equal((kept - before) % width, 0);
+            assert_true(kept + width > WHIRL_MESSAGE_SIZE - 4);
+        }
 }
 
 static void equal_sentences_are_one(void **state) {
