@@ -77,10 +77,13 @@ void sensitivity_make(case_reader *reader, const valuation *v, const plan_parts 
     }
     memcpy(numbers, own->asked.spreads, own->asked.count * sizeof *numbers);
     *derivatives = (whirl_derivatives){own->count, given, own->asked.count, numbers};
-    // The batches.
+    // The batches; folds of branches need one more derivative, by the branch's own parameter.
     bool any = false;
     for (size_t b = 0; b < result->batch_count; b++) {
         if (!sensitivity_fits(&result->batches[b])) continue;
+        if (result->batches[b].role == WHIRL_ROLE_BRANCHES && own->count == WHIRL_MAX_SENSITIVITIES)
+            problem_at(reader->problems, own->places[own->count - 1],
+                       "is one parameter too many for a branch, expected at most %d", WHIRL_MAX_SENSITIVITIES - 1);
         result->batches[b].derivatives = derivatives;
         any = true;
     }

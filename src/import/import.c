@@ -99,6 +99,7 @@ static whirl_status convert(import_reader *reader, value *root, whirl_imported *
     const whirl_status good = check_case(reader->file, out);
     if (good.code != WHIRL_OK) return good;
     if (has_frequencies(&rotor)) note_in_time(&reader->notes, out, reader->file);
+    if (reader->notes.no_memory) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the notes on a rotor");
     return take_notes(&reader->notes, out);
 }
 

@@ -349,7 +349,9 @@ static void put_film(FILE *out, const ross_rotor *rotor, const ross_bearing *bea
     static const char *const units[] = {"m", "m", "m", "Pa s"};
     char text[QUANTITY_SIZE];
     page_quantity(bearing->film->load, "N", text);
-    fprintf(out, "    # computed from this short film under %s, which can replace it in motions with gravity\n", text);
+    fprintf(out,
+            "    # coefficients of the short film below under %s; in motions with gravity it can replace the bearing\n",
+            text);
     fprintf(out, "    # - film: {at: %s", ross_station_at(rotor, bearing->node)->name);
     if (bearing->link >= 0) fprintf(out, ", from: %s", ross_station_at(rotor, bearing->link)->name);
     fputs(", law: short", out);

@@ -9,9 +9,9 @@ from conftest import COMMAND, ROOT, command
 
 import whirl
 
-# A shaft with a disc in the middle on equal bearings: in half of the modes the disc moves without tilting, whose
-# frequencies gyroscopic moments leave as they are, in the others it tilts on the spot. Backward ones of these fall
-# through the former.
+# A shaft with a disc in the middle on equal bearings: in half of the modes the disc moves without tilting:
+# gyroscopic moments do not change their frequencies. In the other half it tilts without moving. As the speed grows,
+# frequencies of backward tilting modes fall and cross those of the moving ones.
 CASE = """
 whirl: 1
 parameters: {omega: 3000 rpm, k: 5 MN/m}
@@ -38,7 +38,7 @@ def case(first, last, points):
 
 
 def named(text, tmp_path):
-    """Frequencies, decrements and whether the disc moves, of modes by their names, [points]; NaN where one is not."""
+    """Frequency, decrement and motion of the disc [3][points] of each name of a mode; NaN at points without it."""
     path = tmp_path / "case.yaml"
     path.write_text(text)
     points = json.loads(command("run", path, "--json").stdout)["points"]
@@ -61,7 +61,7 @@ def test_names_stay_with_shapes_through_crossings(first, last, points, tmp_path)
     assert moving | tilting == set(whole) and len(moving) >= 4 and len(tilting) >= 2
     lowest = sorted(moving, key=lambda name: whole[name][0, 0])[:2]
     assert {name[-1] for name in lowest} == {"F", "B"}
-    for name in lowest:  # but for the rotary inertia of the shaft itself
+    for name in lowest:  # constant, except for the effect of the shaft's own rotary inertia
         assert np.ptp(whole[name][0]) < 5e-3 * whole[name][0, 0]
     backward = min((name for name in tilting if name[-1] == "B"), key=lambda name: whole[name][0].min())
     slow, fast = np.sort(whole[backward][0])[[0, -1]]
@@ -98,7 +98,7 @@ def test_decrement_has_the_lines(tmp_path):
 
 @pytest.mark.parametrize("shards", [("1/3", "3/3"), ("1/3", "2/3"), ("2/3", "3/3")])
 def test_lines_end_where_a_result_has_gaps(shards, tmp_path):
-    """What is merged of some shards has no values between, over which no line goes: its shape would change."""
+    """A result of some shards lacks speeds. A mode is not followed across a gap: its shape may change there."""
     path, merged = tmp_path / "case.yaml", tmp_path / "r.h5"
     path.write_text(case(200, 9000, 90))
     for shard in shards:
@@ -119,7 +119,7 @@ def test_one_mode_has_one_name(tmp_path):
     path = tmp_path / "case.yaml"
     path.write_text(case(200, 9000, 5).replace("count: 8", "count: 1"))
     points = json.loads(command("run", path, "--json").stdout)["points"]
-    assert all(point["modes"]["name"] in ("1F", "1B", "2B") for point in points)  # a word, as its frequency is a number
+    assert all(point["modes"]["name"] in ("1F", "1B", "2B") for point in points)  # no list, as there is one mode
 
 
 def test_modes_of_one_frequency_go_on(tmp_path):

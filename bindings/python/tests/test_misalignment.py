@@ -1,4 +1,4 @@
-"""cases/misalignment.yaml: what each of the three senses does to the fan, and what probes read with runout."""
+"""cases/misalignment.yaml: what each of three kinds of misalignment does to the fan, and what probes read."""
 
 import copy
 
@@ -42,7 +42,8 @@ def test_each_sense_has_its_order():
     straight = lines(at(bend="0")[0], FAN)
     assert straight.get(2, 0.0) < 0.01 * fan[2] and straight[1] == pytest.approx(fan[1], rel=0.02)
 
-    # In proportion to T tan b, where the steady part leaves the seat at the same stiffness.
+    # The 2X line is in proportion to T tan b. The torque changes by little only, so that its steady part leaves the
+    # stiffness of the cubic seat as it is.
     more = lines(at(torque="152 N m")[0], FAN)
     assert more[2] / fan[2] == pytest.approx(152 / 150, rel=2e-3)
 

@@ -11,8 +11,9 @@ from conftest import COMMAND, ROOT
 
 import whirl
 
-# Keys that the mirror changes, by the kind of the element: angles from the x axis become 180 degrees less them (with
-# what they are where they are absent), signs turn round. Gravity and seats, along y, stay.
+# Keys that the mirror changes, by the kind of the element: an angle a from the x axis becomes 180 degrees - a (the
+# number here is that of an absent key; None: an absent key stays absent), numbers with a sense change their sign.
+# Gravity and seats, along y, stay.
 ANGLES = {
     "disc": {"eccentricity_angle": 0},
     "unbalance": {"angle": 0},
@@ -133,7 +134,7 @@ def test_a_clockwise_machine_is_the_mirror_image(path):
         "poincare/section": lambda a: a * np.tile(sign, 2),
     }.items():
         if path.stem == "magnetic-drop" and name.startswith("winding/"):
-            continue  # before the drop its retainer goes up and down on a line, round nothing
+            continue  # before the drop the retainer moves on a line: its winding is not defined
         found, expected = np.asarray(theirs[name]), mirror(np.asarray(ours[name]))
         size = np.nanmax(np.abs(expected), initial=1e-300)
         assert np.allclose(found, expected, rtol=0, atol=1e-6 * size, equal_nan=True), name

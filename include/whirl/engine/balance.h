@@ -71,7 +71,7 @@ typedef struct whirl_balance_vibration {
     int run;                     ///< number of the run
     double speed;                ///< rad/s
     char probe[WHIRL_NAME_SIZE]; ///< its name
-    double vibration[2];         ///< as above
+    double vibration[2];         ///< A exp(-i l), see the head of this file
     double weight;               ///< factor of its square
 } whirl_balance_vibration;
 
@@ -147,7 +147,7 @@ typedef struct whirl_balance_row {
 /// Reasons for the size of a proposed trial weight.
 typedef enum whirl_trial_reason {
     WHIRL_TRIAL_BY_FORCE,  ///< its force is a tenth of the load on the bearing
-    WHIRL_TRIAL_BY_LEAST,  ///< a tenth would hardly be visible: a probe changes by 30 %, and 5 times its repeatability
+    WHIRL_TRIAL_BY_LEAST,  ///< a tenth is hardly visible: the weight changes a probe by 30 % and 5 repeatabilities
     WHIRL_TRIAL_BY_MOST,   ///< a tenth would change a probe by more than 100 %
     WHIRL_TRIAL_BY_LIMIT,  ///< more would exceed the limit of a probe
     WHIRL_TRIAL_BY_NOTHING ///< no weight: no reading near its speed has a vibration
@@ -158,7 +158,7 @@ typedef struct whirl_balance_proposal {
     double moment[2];          ///< kg m, for a set as in whirl_balance_trial
     whirl_trial_reason reason; ///< reason for its size
     double speed, load;        ///< rad/s, N: speed and bearing load that set its force; load NaN: not known
-    size_t bearing;            ///< plane of that bearing
+    size_t bearing;            ///< index of the plane next to that bearing
     size_t row;                ///< row of the correction that limits the weight, or else changes most
     double change;             ///< change of that row's vibration, relative to it
     bool unclear;              ///< no probe changes by 30 % and 5 times its repeatability
@@ -166,7 +166,8 @@ typedef struct whirl_balance_proposal {
     double predicted[2];       ///< predicted vibration of that row, or else of `row`
 } whirl_balance_proposal;
 
-/// The correction without the least significant plane or set.
+/// The correction without one plane or set that is hardly significant: of several, the one whose removal leaves the
+/// least vibration.
 typedef struct whirl_balance_reduced {
     bool there;                         ///< true if one plane or set acts nearly as the others do
     size_t without;                     ///< index of the plane, or of the set if there are modes
@@ -211,10 +212,11 @@ void whirl_balance_free(whirl_balance *balance);
 /// Returns the groups of keys of such a file, as whirl_case_groups for cases; static, ended by NULL.
 const whirl_group *const *whirl_balance_groups(void);
 
-/// Computes the model of the file, a case relative to the folder of `path`, the file's own: small motions about the
-/// equilibrium at each speed, static loads, and modes: those with the largest response to weights in the planes at
-/// their speeds. *model is NULL if the file names none. Problems are those of the case. WHIRL_BAD_INPUT with a
-/// sentence. Freed by whirl_balance_model_free.
+/// Computes the model of the balancing file: the case that it names, relative to the folder of that file (`path`). The
+/// model has influence coefficients, from small motions about the equilibrium at each speed, static loads of bearings,
+/// and for each mode without a shape the mode that responds most to weights in the planes at its speed. *model is NULL
+/// if the file names none. Problems are those of the case. WHIRL_BAD_INPUT with a sentence. Freed by
+/// whirl_balance_model_free.
 whirl_status whirl_balance_consult(const whirl_balance *balance, const char *path, struct whirl_problems *problems,
                                    whirl_balance_model **model);
 
@@ -249,9 +251,9 @@ double whirl_balance_allowed(const whirl_balance *balance);
 /// runs; NaN if either are missing.
 double whirl_balance_difference(const whirl_balance *balance, const whirl_correction *correction);
 
-/// Builds findings, in the units of `units` (NULL: of the file; whirl_shown_units_alone); amplitudes are of the file's
-/// kind unless a unit sets it. Borrows nothing. Freed by whirl_findings_free. WHIRL_NO_MEMORY, WHIRL_BAD_INPUT for
-/// words that are not units.
+/// Builds findings in the units that the words `units` choose, as in whirl_shown_units_alone (NULL: those of the file);
+/// amplitudes are of the file's kind unless a unit sets it. Borrows nothing. Freed by whirl_findings_free.
+/// WHIRL_NO_MEMORY, WHIRL_BAD_INPUT for words that are not units.
 whirl_status whirl_balance_findings(const whirl_balance *balance, const whirl_balance_model *model,
                                     const whirl_correction *correction, const char *units,
                                     struct whirl_findings **findings);

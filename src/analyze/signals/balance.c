@@ -254,8 +254,8 @@ static whirl_status find_within(const whirl_balance *of, const whirl_correction 
     return found ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to balance a rotor");
 }
 
-/// Finds the best weights of the unknowns at index, within the limits of planes: amounts [count]. *determined: the rows
-/// determine them; otherwise there are none. WHIRL_NO_MEMORY.
+/// Finds the best weights of the unknowns at index, within the limits of planes: amounts [count].
+/// *determined is false if the rows do not determine them; amounts are then not set. WHIRL_NO_MEMORY.
 static whirl_status best_weights(const whirl_balance *of, const whirl_correction *out, const size_t *index,
                                  size_t count, double complex *amounts, bool *determined) {
     const balance_normal equations = equations_of(of, out, index, count);
@@ -288,7 +288,8 @@ static double left_with(const whirl_balance *of, const whirl_correction *out, co
     return of->least_max ? largest : sqrt(sum / weights);
 }
 
-/// Reports unknowns that act nearly alike, and the correction without the least significant of these.
+/// Reports the significance of the unknowns. Tries the correction without each one that is hardly significant, and
+/// keeps the trial that leaves the least vibration.
 static whirl_status balance_reduce(const whirl_balance *of, whirl_correction *out, const size_t *index, size_t count) {
     double significance[BALANCE_UNKNOWNS];
     whirl_status status = whirl_ok();

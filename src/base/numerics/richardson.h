@@ -17,7 +17,8 @@ static inline double richardson_step(double reach, size_t level) {
 }
 
 /// Adds level k to Neville's table, of which `line` [RICHARDSON_LEVELS] is the last line; `above` and `below` are the
-/// function's values a step above and below. Updates the derivative and its error (`off`); a NaN changes neither.
+/// function's values a step above and below. Updates the derivative and its error (`off`); a NaN changes neither after
+/// the first level.
 /// Returns true if the error is a rounding error, so that further levels cannot reduce it.
 static inline bool richardson_add(double above, double below, double step, size_t k, double line[RICHARDSON_LEVELS],
                                   double *derivative, double *off) {

@@ -19,7 +19,8 @@ whirl_status source_load(const char *path, whirl_problems *problems, char **text
     return whirl_fail(WHIRL_BAD_INPUT, "%.240s cannot be read: %s", path, in.reason);
 }
 
-/// Reports characters that no case needs: those that control a terminal, or reverse the direction of text.
+/// Reports a byte that is not UTF-8, and a character that controls a terminal or reverses the direction of text.
+/// Returns true if there was one.
 static bool report_character(const char *text, size_t bytes, int line, int column, whirl_problems *problems) {
     const unsigned char c = (unsigned char)text[0];
     if (bytes == 0)

@@ -20,11 +20,11 @@ typedef struct file_node {
     bool quoted;              ///< the text was quoted
     const char *key;          ///< key of a mapping's member, else NULL
     int key_line, key_column; ///< place of that key
-    size_t from, to; ///< characters of the file before the value, and up to its end (of a list or mapping: of its first
-                     ///< character)
-    size_t key_from; ///< characters before the key
-    bool flow;       ///< the list or mapping is written with brackets
-    size_t index;    ///< index of a list's item, from 1
+    /// Numbers of characters before the value, and up to and with its last one (of a list or mapping: its first one).
+    size_t from, to;
+    size_t key_from;          ///< characters before the key
+    bool flow;                ///< the list or mapping is written with brackets
+    size_t index;             ///< index of a list's item, from 1
     struct file_node *parent; ///< NULL for the root
     struct file_node *first, *last, *next;
     size_t count; ///< number of items or members

@@ -1,4 +1,5 @@
-// The axes of shafts between their nodes, by the shape functions of elements and the reduction of shafts.
+// The bent centre lines of shafts between their nodes, from the shape functions of elements and the reduction of
+// shafts.
 #include "whirl/engine/line.h"
 
 #include <stdlib.h>
@@ -46,8 +47,9 @@ static whirl_status line_lay(const mesh *from, whirl_shaft_line *out, line_place
     return whirl_ok();
 }
 
-/// Adds to `share` [degrees] the effect of a unit of every coordinate on one coordinate before the reduction, by
-/// `follow`; NULL: there is no reduction.
+/// A place moves by `moved` per unit of `coordinate`, a coordinate of the unreduced shaft. Adds to `share` [degrees]
+/// how far each coordinate of the rotor moves the place. `follow` [unreduced][degrees]: unreduced coordinates by those
+/// of the rotor; NULL: the shaft is not reduced.
 static void line_add(const assembly *of, const double *follow, size_t coordinate, double moved, double *share) {
     if (coordinate == NO_COORDINATE) return;
     if (!follow) share[coordinate] += moved * of->unit[coordinate];

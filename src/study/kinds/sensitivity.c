@@ -110,7 +110,8 @@ static double time_factor(const whirl_sensitivity *s, size_t index) {
     return system_of(s, index)->period / system_of(s, 0)->period;
 }
 
-/// Computes the slope of machine `index` at the phase of its period that t has in the first one's, into its row.
+/// Writes the slope of machine `index`, per time of the first machine, to its row: at the fraction of its period that t
+/// is of the first machine's period.
 static void slope_of(const whirl_sensitivity *s, size_t index, double t, const double *x, const double *sides) {
     const whirl_system *system = system_of(s, index);
     const double longer = time_factor(s, index);

@@ -282,12 +282,13 @@ static void test_magnets(void **state) {
 /// A film whose dimensions the file has stands in a comment beside its coefficients.
 static void test_film(void **state) {
     (void)state;
-    expect_line("BearingElement_Support\"]\n",
-                "CylindricalBearing_Support\"]\nweight = 525.0\nbearing_length = 0.03\njournal_diameter = 0.1\n"
-                "radial_clearance = 1e-4\noil_viscosity = 0.1\n",
-                "    # computed from this short film under 525 N, which can replace it in motions with gravity\n"
-                "    # - film: {at: pedestal, law: short, radius: 0.05 m, length: 0.03 m, clearance: 0.0001 m, "
-                "viscosity: 0.1 Pa s}\n");
+    expect_line(
+        "BearingElement_Support\"]\n",
+        "CylindricalBearing_Support\"]\nweight = 525.0\nbearing_length = 0.03\njournal_diameter = 0.1\n"
+        "radial_clearance = 1e-4\noil_viscosity = 0.1\n",
+        "    # coefficients of the short film below under 525 N; in motions with gravity it can replace the bearing\n"
+        "    # - film: {at: pedestal, law: short, radius: 0.05 m, length: 0.03 m, clearance: 0.0001 m, "
+        "viscosity: 0.1 Pa s}\n");
 }
 
 /// Refused with a sentence, or a case that is good.

@@ -12,7 +12,7 @@ extern "C" {
 
 /// A case converted from a rotor file. Starts as {0}; freed by whirl_imported_free.
 typedef struct whirl_imported {
-    char *text;        ///< the case, ready for whirl_case_parse, with the notes as comments
+    char *text;        ///< the case, ready for whirl_case_parse, with the notes on the file as comments
     size_t length;     ///< bytes of the text
     size_t note_count; ///< number of notes
     char **notes;      ///< omissions, choices, and differences in computation: one sentence each, safe on a terminal
