@@ -173,7 +173,7 @@ static void model_and_measurement_in_one_picture(void **state) {
     whirl_status status =
         whirl_figure_new(computed, "runup-spectrogram-de", &(whirl_figure_options){.with = record}, &none);
     assert_int_equal(status.code, WHIRL_BAD_INPUT);
-    assert_non_null(strstr(status.message, "cannot lie in one picture"));
+    assert_non_null(strstr(status.message, "cannot share one picture"));
     assert_null(none);
     status = whirl_figure_new(computed, "runup-waveform-de", &(whirl_figure_options){.with = record}, &none);
     assert_int_equal(status.code, WHIRL_BAD_INPUT);
