@@ -91,7 +91,10 @@ static void add_bars(whirl_figure *figure, const drawing *of, const figure_place
 static void sensitivity_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     char name[SPREAD_NAME];
     name_number(of, place, name);
-    const bool along = *place->table->parameter && place->table->count > 1;
+    size_t known = 0;
+    for (size_t i = 0; i < place->table->count; i++)
+        known += whirl_table_done(place->table, i) && isfinite(sensitivity_of(place->table, i, place->which, 0).number);
+    const bool along = *place->table->parameter && known > 1;
     if (along) add_lines(figure, of, place);
     const size_t point = sensitivity_largest(place->table, place->which);
     if (point < place->table->count) add_bars(figure, of, place, point);
