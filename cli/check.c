@@ -68,8 +68,9 @@ static error_t check_parse(int key, char *argument, struct argp_state *state) {
 }
 
 enum {
-    LOOKED_AT = 3,  ///< number of values of a batch that are tried: the first, the middle and the last
-    MAX_SECONDS = 1 ///< processor time for a trial, s
+    LOOKED_AT = 3,    ///< number of values of a batch that are tried: the first, the middle and the last
+    MAX_SECONDS = 1,  ///< processor time for a trial of motions, s
+    STUDY_SECONDS = 3 ///< processor time for the trial of the study's first points, s
 };
 
 /// Machines at some values of a batch, with states [dimension] of their motions.
@@ -293,7 +294,7 @@ static whirl_status count_tables(const whirl_study *study, size_t *missing) {
 static whirl_status try_study(const whirl_case *object, const whirl_study *study, bool ready, whirl_result *outline) {
     whirl_status status = whirl_case_describe_result(object, outline);
     if (status.code != WHIRL_OK || !ready) return status;
-    status = whirl_study_try(study, limit_begin(MAX_SECONDS));
+    status = whirl_study_try(study, limit_begin(STUDY_SECONDS));
     limit_end();
     return status;
 }
