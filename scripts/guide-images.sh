@@ -14,4 +14,4 @@ awk '/^# tested: rig.yaml/ { inside = 1; next } /^```/ { inside = 0 } inside' "$
 mkdir -p "$root/docs/images/guide"
 cp report/rig/bifurcation-disc.png report/rig/omega-8000rpm-disc.png "$root/docs/images/guide"
 "$whirl" run "$root/cases/tolerances.yaml" --quiet -o tolerances.h5
-"$whirl" figure tolerances.h5 tolerances-major-of-unbalance-axes-at-wheel -o "$root/docs/images/guide/tolerances.png" --force
+"$whirl" figure tolerances.h5 tolerances-largest-response-at-wheel -o "$root/docs/images/guide/tolerances.png" --force
