@@ -9,8 +9,7 @@
 #include "derived_fields.h"
 #include "resting_point.h"
 #include "richardson.h"
-
-static const double two_pi = 6.283185307179586476925;
+#include "two_pi.h"
 
 /// A point, the numbers that are derived there, and where the derivatives go.
 typedef struct derived {
@@ -53,7 +52,8 @@ static bool derived_begin(derived *d, const whirl_study *study, const whirl_batc
     return true;
 }
 
-/// Notes a derivative. A change of the number by less than NOISE of the parameter's own is rounding, and counts as 0.
+/// Notes a derivative. A change of the number by less than 1e-9 of it for the whole parameter is rounding: it is noted
+/// as 0.
 static void derived_note(derived *d, size_t number, size_t parameter, double slope, double error) {
     const double noise = 1e-9 * fabs(d->found[number] / d->parameters[parameter]);
     double *row = d->slopes + 2 * (number * d->by->parameter_count + parameter);
@@ -64,11 +64,14 @@ static void derived_note(derived *d, size_t number, size_t parameter, double slo
 /// Room for the parameters that a batch gives, and one more.
 typedef whirl_given derived_given[WHIRL_MAX_GIVEN + 1];
 
+/// In place of the index of a parameter: the batch's own parameter.
+enum { ALONG = WHIRL_MAX_SENSITIVITIES };
+
 /// Returns a batch whose machines have a parameter at `x`, where `*value`, that of the batch's own parameter, is
 /// replaced if it is the same one.
 static whirl_batch derived_batch(const derived *d, size_t parameter, double x, derived_given given, double *value) {
     whirl_batch batch = *d->batch;
-    const char *name = d->by->parameters[parameter].name;
+    const char *name = parameter == ALONG ? batch.parameter : d->by->parameters[parameter].name;
     if (strcmp(batch.parameter, name) == 0) {
         *value = x;
         return batch;
@@ -79,6 +82,11 @@ static whirl_batch derived_batch(const derived *d, size_t parameter, double x, d
     given[batch.given_count++] = (whirl_given){name, x};
     batch.given = given;
     return batch;
+}
+
+/// Returns the value of a parameter at the point.
+static double derived_value(const derived *d, size_t parameter) {
+    return parameter == ALONG ? d->value : d->parameters[parameter];
 }
 
 /// Returns true for a failure of one machine, which leaves its derivative missing.
@@ -120,28 +128,48 @@ static whirl_status derived_levels(double reach, size_t count, derived_fn *compu
 /// less than 1e-8: a number that is not smooth a little further away, as near a double mode, is smooth here.
 static whirl_status derived_extrapolate(double reach, size_t count, derived_fn *compute, const void *of, double *slopes,
                                         double *errors) {
-    enum { TRIES = 7 };
-    whirl_status status = whirl_ok();
-    bool found = false, again = true;
+    enum { NEARER = 7 };
     for (size_t i = 0; i < count; i++) {
         slopes[i] = NAN;
         errors[i] = INFINITY;
     }
-    for (int tries = 0; tries < TRIES && again; tries++) {
-        status = derived_levels(reach, count, compute, of, slopes, errors);
+    for (int tries = 0; tries < NEARER; tries++, reach *= 0.25) {
+        whirl_status status = derived_levels(reach, count, compute, of, slopes, errors);
+        if (derived_is_missing(&status)) continue;
+        bool good = true;
+        for (size_t i = 0; i < count; i++) good = good && !(errors[i] > 1e-8 * fabs(slopes[i]));
+        if (status.code == WHIRL_OK && !good && tries + 1 < NEARER)
+            status = derived_levels(0.0625 * reach, count, compute, of, slopes, errors);
         if (status.code != WHIRL_OK && !derived_is_missing(&status)) return status;
-        again = !found;
-        if (status.code == WHIRL_OK) {
-            again = false;
-            for (size_t i = 0; i < count && !found; i++) again = again || errors[i] > 1e-8 * fabs(slopes[i]);
-            found = true;
-            reach *= 0.25;
-        }
-        reach *= 0.25;
+        break;
     }
     for (size_t i = 0; i < count; i++)
         if (isinf(errors[i])) errors[i] = NAN;
     return whirl_ok();
+}
+
+/// A value v at which g(v, p) = 0, and g as numbers of a parameter.
+typedef struct derived_implicit {
+    derived_fn *compute; ///< computes g [1]
+    void *of;
+    size_t *parameter; ///< which parameter `of` changes
+    double by, off;    ///< g_v and its error
+} derived_implicit;
+
+/// Derives g by one parameter.
+static whirl_status implicit_by(const derived_implicit *g, size_t parameter, double reach, double *by, double *off) {
+    *g->parameter = parameter;
+    return derived_extrapolate(reach, 1, g->compute, g->of, by, off);
+}
+
+/// Derives v by one parameter: -g_p/g_v.
+static whirl_status implicit_slope(const derived_implicit *g, size_t parameter, double reach, double *slope,
+                                   double *error) {
+    double by = NAN, off = NAN;
+    const whirl_status status = implicit_by(g, parameter, reach, &by, &off);
+    *slope = 0.0 - by / g->by;
+    *error = (off + fabs(*slope) * g->off) / fabs(g->by);
+    return status;
 }
 
 // ---------------------------------------------------------------- machines at rest
@@ -154,8 +182,6 @@ typedef struct derived_rest {
     double *block;              ///< [layout->size] workspace
 } derived_rest;
 
-enum { ALONG = WHIRL_MAX_SENSITIVITIES };
-
 /// Another machine, with its batch.
 typedef struct derived_other {
     whirl_batch batch;
@@ -167,12 +193,8 @@ typedef struct derived_other {
 static whirl_status derived_machine(const derived_rest *r, double h, derived_other *out) {
     const derived *d = r->of;
     double value = r->own->value;
-    if (r->parameter == ALONG) {
-        out->batch = *d->batch;
-        value += h;
-    } else {
-        out->batch = derived_batch(d, r->parameter, d->parameters[r->parameter] + h, out->given, &value);
-    }
+    const double at = r->parameter == ALONG ? value : d->parameters[r->parameter];
+    out->batch = derived_batch(d, r->parameter, at + h, out->given, &value);
     out->machine = (resting_machine){.value = value};
     if (!r->own->modes) return d->study->machine(d->study->family, &out->batch, value, &out->machine.machine);
     const whirl_status status = resting_new(d->study, &out->batch, value, &out->machine);
@@ -249,26 +271,24 @@ static whirl_status derived_zero_number(const void *of, double h, double *number
     return status;
 }
 
-/// Derives the value of a critical speed or threshold, a row of the field modes/critical, by one parameter.
-static whirl_status derived_critical(derived *d, const double *row, size_t parameter, double *slope, double *error) {
+/// Derives the value of a critical speed or threshold, a row of the field modes/critical, by all parameters, and notes
+/// it.
+static whirl_status derived_critical(derived *d, size_t number, const double *row) {
     // The machine there, and the mode whose function is 0.
     resting_machine own;
-    *slope = *error = NAN;
     whirl_status status = resting_new(d->study, d->batch, row[1], &own);
     if (status.code != WHIRL_OK) return derived_is_missing(&status) ? whirl_ok() : status;
     derived_zero z = {.rest = {.of = d, .own = &own}, .growth = row[0] == WHIRL_ONSET || row[0] == WHIRL_RECOVERY};
     for (size_t i = 1; i < own.modes->count; i++)
         if (fabs(zero_of(&z, &own, i)) < fabs(zero_of(&z, &own, z.mode))) z.mode = i;
-    // g_p at the parameter, g_v along the batch's own one.
-    double by[2] = {NAN, NAN}, off[2] = {NAN, NAN};
     if (own.modes->count > 0 && own.modes->period == 0.0) {
-        const double reach[2] = {0.125 * fabs(d->parameters[parameter]), 0.125 * fabs(row[1])};
-        for (size_t i = 0; i < 2 && status.code == WHIRL_OK; i++) {
-            z.rest.parameter = i == 0 ? parameter : ALONG;
-            status = derived_extrapolate(reach[i], 1, derived_zero_number, &z, &by[i], &off[i]);
+        derived_implicit g = {.compute = derived_zero_number, .of = &z, .parameter = &z.rest.parameter};
+        status = implicit_by(&g, ALONG, 0.125 * fabs(row[1]), &g.by, &g.off);
+        for (size_t p = 0; p < d->by->parameter_count && status.code == WHIRL_OK; p++) {
+            double slope, error;
+            status = implicit_slope(&g, p, 0.125 * fabs(d->parameters[p]), &slope, &error);
+            if (status.code == WHIRL_OK) derived_note(d, number, p, slope, error);
         }
-        *slope = 0.0 - by[0] / by[1];
-        *error = (off[0] + fabs(*slope) * off[1]) / fabs(by[1]);
     }
     resting_free(&own);
     return status;
@@ -292,12 +312,14 @@ whirl_status derived_at_rest(const whirl_study *study, const whirl_batch *batch,
         double slopes[WHIRL_MAX_DERIVED], errors[WHIRL_MAX_DERIVED];
         r.parameter = p;
         status = derived_extrapolate(0.125 * fabs(d.parameters[p]), d.count, derived_rest_numbers, &r, slopes, errors);
-        for (size_t i = 0; i < d.count && status.code == WHIRL_OK; i++) {
-            const whirl_spread_at *at = &d.numbers[i];
-            if (derived_is_critical(at) && isfinite(d.found[i]))
-                status = derived_critical(&d, block + at->field->offset + at->index - 1, p, &slopes[i], &errors[i]);
-            if (isfinite(d.found[i])) derived_note(&d, i, p, slopes[i], errors[i]);
-        }
+        for (size_t i = 0; i < d.count && status.code == WHIRL_OK; i++)
+            if (isfinite(d.found[i]) && !derived_is_critical(&d.numbers[i]))
+                derived_note(&d, i, p, slopes[i], errors[i]);
+    }
+    for (size_t i = 0; i < d.count && status.code == WHIRL_OK; i++) {
+        const whirl_spread_at *at = &d.numbers[i];
+        if (isfinite(d.found[i]) && derived_is_critical(at))
+            status = derived_critical(&d, i, block + at->field->offset + at->index - 1);
     }
     free(r.block);
     return status;
@@ -473,40 +495,48 @@ static whirl_status derived_multiplier_number(const void *of, double h, double *
 /// Returns the batch with a parameter in place of its own one, which all machines then have at its value.
 static whirl_batch varied_batch(const derived *d, size_t parameter, derived_given given) {
     double value = d->value;
-    whirl_batch batch = derived_batch(d, parameter, d->parameters[parameter], given, &value);
-    if (batch.given == given) {
-        // The parameter itself comes last.
-        batch.given_count--;
-        if (*batch.parameter) given[batch.given_count++] = (whirl_given){d->batch->parameter, d->value};
-    }
+    whirl_batch batch = derived_batch(d, parameter, derived_value(d, parameter), given, &value);
+    if (batch.given != given) return batch; // the parameter is the batch's own
+    // The parameter itself comes last.
+    batch.given_count--;
+    if (*batch.parameter) given[batch.given_count++] = (whirl_given){d->batch->parameter, d->value};
     snprintf(batch.parameter, sizeof batch.parameter, "%s", d->by->parameters[parameter].name);
     return batch;
 }
 
+/// Derives the states of an orbit by all parameters and, `along`, by the batch's own one after these. `lengths`, if not
+/// NULL, gets the metres of a unit of displacement and their derivatives.
+static whirl_status derived_orbit(const derived *d, bool along, const whirl_orbit *orbit,
+                                  const whirl_orbit_options *options, size_t instants, double *lengths,
+                                  whirl_orbit_sensitivity **out) {
+    const size_t parameters = d->by->parameter_count, all = parameters + along;
+    whirl_sensitivity *by[WHIRL_MAX_SENSITIVITIES + 1] = {NULL};
+    whirl_extended *extended = NULL;
+    whirl_status status = whirl_ok();
+    for (size_t p = 0; p < all && status.code == WHIRL_OK; p++) {
+        derived_given given;
+        const size_t parameter = p < parameters ? p : ALONG;
+        const whirl_batch batch = varied_batch(d, parameter, given);
+        status = whirl_sensitivity_new(d->study, &batch, derived_value(d, parameter), 0.0, &by[p]);
+        if (status.code == WHIRL_OK && lengths) lengths[1 + p] = whirl_sensitivity_length(by[p], &lengths[0]);
+    }
+    if (status.code == WHIRL_OK) status = whirl_extended_new(all, by, &extended);
+    if (status.code == WHIRL_OK) status = whirl_orbit_sensitivity_new(extended, orbit, options, instants, out);
+    whirl_extended_free(extended);
+    for (size_t p = 0; p < all; p++) whirl_sensitivity_free(by[p]);
+    return status;
+}
+
 /// Finds the orbit of the motion, and derives its states by all parameters.
 static whirl_status motion_derive(derived_motion *m, const whirl_system *system, const double *end, size_t period) {
-    enum { MOST_INSTANTS = 512, LEAST_INSTANTS = 128, ROOM = 1 << 25 };
-    derived *d = m->of;
-    const size_t parameters = d->by->parameter_count;
-    whirl_sensitivity *by[WHIRL_MAX_SENSITIVITIES] = {NULL};
-    whirl_extended *extended = NULL;
-    whirl_status status = whirl_orbit_find(system, end, period, &m->options, &m->orbit);
-    for (size_t p = 0; p < parameters && status.code == WHIRL_OK; p++) {
-        derived_given given;
-        const whirl_batch batch = varied_batch(d, p, given);
-        status = whirl_sensitivity_new(d->study, &batch, d->parameters[p], 0.0, &by[p]);
-        if (status.code == WHIRL_OK) m->lengths[1 + p] = whirl_sensitivity_length(by[p], &m->lengths[0]);
-    }
-    if (status.code == WHIRL_OK) status = whirl_extended_new(parameters, by, &extended);
+    enum { MAX_INSTANTS = 512, MIN_INSTANTS = 128, ROOM = 1 << 25 };
     // Large machines have fewer instants, so that their perturbations fit in memory.
-    size_t instants = MOST_INSTANTS;
-    const size_t numbers = system->dimension * (system->dimension + parameters) * period;
-    while (instants > LEAST_INSTANTS && numbers * instants > ROOM) instants /= 2;
-    if (status.code == WHIRL_OK)
-        status = whirl_orbit_sensitivity_new(extended, m->orbit, &m->options, instants, &m->slopes);
-    whirl_extended_free(extended);
-    for (size_t p = 0; p < parameters; p++) whirl_sensitivity_free(by[p]);
-    return status;
+    size_t instants = MAX_INSTANTS;
+    const size_t numbers = system->dimension * (system->dimension + m->of->by->parameter_count) * period;
+    while (instants > MIN_INSTANTS && numbers * instants > ROOM) instants /= 2;
+    const whirl_status status = whirl_orbit_find(system, end, period, &m->options, &m->orbit);
+    if (status.code != WHIRL_OK) return status;
+    return derived_orbit(m->of, false, m->orbit, &m->options, instants, m->lengths, &m->slopes);
 }
 
 /// Fills in all numbers of a motion.
@@ -581,10 +611,8 @@ static whirl_status derived_crossing_number(const void *of, double h, double *nu
     const derived *d = c->of;
     const whirl_orbit *own = c->point->orbit;
     derived_given given;
-    double value = d->value + (c->parameter == ALONG ? h : 0.0);
-    const whirl_batch batch = c->parameter == ALONG
-                                  ? *d->batch
-                                  : derived_batch(d, c->parameter, d->parameters[c->parameter] + h, given, &value);
+    double value = d->value;
+    const whirl_batch batch = derived_batch(d, c->parameter, derived_value(d, c->parameter) + h, given, &value);
     whirl_machine machine = {.system = NULL};
     whirl_orbit *orbit = NULL;
     whirl_status status = d->study->machine(d->study->family, &batch, value, &machine);
@@ -605,18 +633,22 @@ static whirl_status derived_crossing_number(const void *of, double h, double *nu
     return status;
 }
 
-/// Derives the value of a doubling, Neimark-Sacker or Hopf point by one parameter: -g_p/g_v.
-static whirl_status derived_by_crossing(derived_crossing *c, size_t parameter, double *slope, double *error) {
-    const derived *d = c->of;
-    const double reach[2] = {fabs(d->parameters[parameter]) / 1024.0, fabs(d->value) / 1024.0};
-    double by[2] = {NAN, NAN}, off[2] = {NAN, NAN};
-    whirl_status status = whirl_ok();
-    for (size_t i = 0; i < 2 && status.code == WHIRL_OK; i++) {
-        c->parameter = i == 0 ? parameter : ALONG;
-        status = derived_extrapolate(reach[i], 1, derived_crossing_number, c, &by[i], &off[i]);
+/// Derives the value of a doubling, Neimark-Sacker or Hopf point by all parameters, and notes it.
+static whirl_status derived_by_crossing(derived *d, const whirl_branch_point *point,
+                                        const whirl_orbit_options *options) {
+    // The multiplier or eigenvalue that crosses is the nearest one.
+    const whirl_orbit *orbit = point->orbit;
+    derived_crossing c = {.of = d, .point = point, .own = orbit->multipliers, .options = *options};
+    for (size_t i = 1; i < orbit->multiplier_count; i++)
+        if (fabs(crossing_measure(orbit, &orbit->multipliers[i])) < fabs(crossing_measure(orbit, c.own)))
+            c.own = &orbit->multipliers[i];
+    derived_implicit g = {.compute = derived_crossing_number, .of = &c, .parameter = &c.parameter};
+    whirl_status status = implicit_by(&g, ALONG, fabs(d->value) / 1024.0, &g.by, &g.off);
+    for (size_t p = 0; p < d->by->parameter_count && status.code == WHIRL_OK; p++) {
+        double slope, error;
+        status = implicit_slope(&g, p, fabs(d->parameters[p]) / 1024.0, &slope, &error);
+        if (status.code == WHIRL_OK) derived_note(d, 0, p, slope, error);
     }
-    *slope = 0.0 - by[0] / by[1];
-    *error = (off[0] + fabs(*slope) * off[1]) / fabs(by[1]);
     return status;
 }
 
@@ -624,19 +656,9 @@ static whirl_status derived_by_crossing(derived_crossing *c, size_t parameter, d
 /// orbit by a parameter and by the branch's own one grow along the same direction, the null vector; the value keeps the
 /// fold if their sum along it stays finite, dv/dp = -s_p/s_v.
 static whirl_status derived_fold(derived *d, const whirl_branch_point *point, const whirl_orbit_options *options) {
-    const size_t parameters = d->by->parameter_count, all = parameters + 1, n = point->orbit->dimension;
-    whirl_sensitivity *by[WHIRL_MAX_SENSITIVITIES] = {NULL};
-    whirl_extended *extended = NULL;
+    const size_t parameters = d->by->parameter_count, n = point->orbit->dimension;
     whirl_orbit_sensitivity *slopes = NULL;
-    if (all > WHIRL_MAX_SENSITIVITIES) return whirl_ok();
-    whirl_status status = whirl_ok();
-    for (size_t p = 0; p < all && status.code == WHIRL_OK; p++) {
-        derived_given given;
-        const whirl_batch batch = p < parameters ? varied_batch(d, p, given) : *d->batch;
-        status = whirl_sensitivity_new(d->study, &batch, p < parameters ? d->parameters[p] : d->value, 0.0, &by[p]);
-    }
-    if (status.code == WHIRL_OK) status = whirl_extended_new(all, by, &extended);
-    if (status.code == WHIRL_OK) status = whirl_orbit_sensitivity_new(extended, point->orbit, options, 4, &slopes);
+    const whirl_status status = derived_orbit(d, true, point->orbit, options, 4, NULL, &slopes);
     double square = 0.0;
     const double *along = slopes ? slopes->slopes + parameters * n : NULL;
     for (size_t i = 0; along && i < n; i++) square += along[i] * along[i];
@@ -648,8 +670,6 @@ static whirl_status derived_fold(derived *d, const whirl_branch_point *point, co
         derived_note(d, 0, p, slope, fabs(slope) / sqrt(square));
     }
     whirl_orbit_sensitivity_free(slopes);
-    whirl_extended_free(extended);
-    for (size_t p = 0; p < all; p++) whirl_sensitivity_free(by[p]);
     return status;
 }
 
@@ -666,17 +686,7 @@ whirl_status derived_of_special(const whirl_study *study, const whirl_batch *bat
     const whirl_orbit_options options = whirl_batch_orbits(batch);
     whirl_status status = whirl_ok();
     if (point->special == WHIRL_FOLD && forced) status = derived_fold(&d, point, &options);
-    if (crosses && (forced || orbit->period == 0.0)) {
-        // The multiplier or eigenvalue that crosses is the nearest one.
-        derived_crossing c = {.of = &d, .point = point, .own = orbit->multipliers, .options = options};
-        for (size_t i = 1; i < orbit->multiplier_count; i++)
-            if (fabs(crossing_measure(orbit, &orbit->multipliers[i])) < fabs(crossing_measure(orbit, c.own)))
-                c.own = &orbit->multipliers[i];
-        for (size_t p = 0; p < d.by->parameter_count && status.code == WHIRL_OK && orbit->multiplier_count > 0; p++) {
-            double slope, error;
-            status = derived_by_crossing(&c, p, &slope, &error);
-            if (status.code == WHIRL_OK) derived_note(&d, 0, p, slope, error);
-        }
-    }
+    if (crosses && orbit->multiplier_count > 0 && (forced || orbit->period == 0.0))
+        status = derived_by_crossing(&d, point, &options);
     return derived_is_missing(&status) ? whirl_ok() : status;
 }
