@@ -1,4 +1,4 @@
-#include "page.h"
+#include "field.h"
 
 #include <math.h>
 #include <stdarg.h>

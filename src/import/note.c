@@ -1,4 +1,4 @@
-#include "page.h"
+#include "note.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -9,6 +9,7 @@
 
 #include <stdio.h>
 
+#include "field.h"
 #include "page.h"
 
 typedef struct ross_material {

@@ -51,9 +51,3 @@ whirl_status document_print(const char *program, const char *folder, const char 
     free(found);
     return status;
 }
-
-// ---------------------------------------------------------------- program
-
-char *program_found(const char *program) {
-    return strchr(program, '/') ? realpath(program, NULL) : strdup(program);
-}
