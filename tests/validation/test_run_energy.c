@@ -1,0 +1,402 @@
+// Energy of the run-ups of the gallery: what motors give, less what loads, dampers, films and friction take, is in the
+// motion. Energies and powers are written out here from the numbers of the cases.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/integrate.h"
+#include "whirl/engine/linear.h"
+#include "whirl/engine/running.h"
+#include "whirl/engine/study.h"
+
+#include <dirent.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
+
+enum { MAX_STATE = 64, STATIONS = 4, TORQUES = 8 };
+
+static const double pi = 3.14159265358979323846, gravity = 9.81;
+
+/// A state in SI: displacements and velocities of stations; speed and angle of the shaft; torques that are watched, and
+/// speeds of stations that twist.
+typedef struct seen {
+    double x[STATIONS], y[STATIONS], vx[STATIONS], vy[STATIONS];
+    double speed, angle;
+    double torque[TORQUES], turning[STATIONS];
+    bool after; ///< the blade is lost and the motor has tripped
+} seen;
+
+/// Energy of a motion, J; power, W, that the motor gives and that all others take; and that of friction in contacts.
+typedef struct account {
+    double energy, given, taken, rubbing;
+} account;
+
+/// A machine with its account: the last two numbers of a state are the work that the motor gave, and that of all
+/// others, in J.
+typedef struct ledger {
+    double length; ///< m, length scale of the case
+    whirl_running *running;
+    whirl_system system;
+    bool after; ///< as in `seen`
+    void (*find)(const seen *at, account *out);
+} ledger;
+
+// ---------------------------------------------------------------- work along with a motion
+
+static account ledger_account(const ledger *own, const double *x) {
+    // See the state in SI.
+    const whirl_running *running = own->running;
+    const whirl_system *inner = running->by_time;
+    const size_t d = inner->dimension;
+    double placed[MAX_STATE];
+    account found;
+    seen at = {.speed = x[d - 3] * running->unit, .angle = x[d - 1], .after = own->after};
+    for (size_t p = 0; p < inner->probe_count; p++) {
+        const whirl_probe *probe = &inner->probes[p];
+        at.x[p] = own->length * whirl_probe_value(probe, x, 0);
+        at.y[p] = own->length * whirl_probe_value(probe, x, 1);
+        at.vx[p] = own->length * running->unit * whirl_probe_value(probe, x, 2);
+        at.vy[p] = own->length * running->unit * whirl_probe_value(probe, x, 3);
+    }
+    memcpy(placed, x, d * sizeof *placed);
+    running->to_angle(running, placed);
+    running->speeds(running, placed, at.turning);
+    if (running->in_time) running->watch(running, placed, at.angle, at.torque);
+    own->find(&at, &found);
+    return found;
+}
+
+static void ledger_add(const ledger *own, const double *x, double *dxdt) {
+    const size_t next = own->running->by_time->dimension;
+    const account found = ledger_account(own, x);
+    dxdt[next] = found.given / own->running->unit;
+    dxdt[next + 1] = found.taken / own->running->unit;
+}
+
+static void ledger_rhs(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
+    const ledger *own = model;
+    const whirl_system *inner = own->running->by_time;
+    inner->rhs(inner->model, t, forcing, x, dxdt);
+    ledger_add(own, x, dxdt);
+}
+
+static void ledger_rhs_on_sides(const void *model, double t, const double *forcing, const double *x,
+                                const double *sides, double *dxdt) {
+    const ledger *own = model;
+    const whirl_system *inner = own->running->by_time;
+    inner->rhs_on_sides(inner->model, t, forcing, x, sides, dxdt);
+    ledger_add(own, x, dxdt);
+}
+
+static void ledger_switches(const void *model, double t, const double *x, double *values) {
+    const whirl_system *inner = ((const ledger *)model)->running->by_time;
+    inner->switches(inner->model, t, x, values);
+}
+
+static void ledger_gradient(const void *model, double t, const double *x, size_t index, double *gradient,
+                            double *by_time) {
+    const whirl_system *inner = ((const ledger *)model)->running->by_time;
+    inner->switch_gradient(inner->model, t, x, index, gradient, by_time);
+    gradient[inner->dimension] = gradient[inner->dimension + 1] = 0.0;
+}
+
+static bool ledger_touches(const void *model, size_t index) {
+    const whirl_system *inner = ((const ledger *)model)->running->by_time;
+    return inner->switch_touches(inner->model, index);
+}
+
+/// Makes machines of a case at any speed.
+typedef struct made_at {
+    const whirl_study *study;
+    double value;
+} made_at;
+
+static whirl_status make_at(const void *context, double speed, whirl_machine *machine) {
+    const made_at *at = context;
+    whirl_batch batch = at->study->batches[0];
+    batch.variant = WHIRL_AS_GIVEN;
+    batch.speed = speed;
+    return at->study->machine(at->study->family, &batch, at->value, machine);
+}
+
+/// Opens the machine of a case, driven by its torques from rest on, at its equilibrium: x, the state.
+static void ledger_open(ledger *own, const made_at *at, double *x) {
+    whirl_machine machine;
+    require_ok(at->study->machine(at->study->family, &at->study->batches[0], at->value, &machine));
+    const double highest = machine.drive_speed;
+    machine.release(machine.owner);
+    require_ok(whirl_running_new(make_at, at, 0.0, highest, true, &own->running));
+    require_ok(make_at(at, highest / 256.0, &machine));
+    memcpy(x, machine.start, machine.system->dimension * sizeof *x);
+    require_ok(whirl_equilibrium(machine.system, x));
+    machine.release(machine.owner);
+    own->running->turn(own->running, &(whirl_turning){.driven = true});
+    // Add the account to the equations.
+    const whirl_system *inner = own->running->by_time;
+    own->system = *inner;
+    own->system.dimension += 2;
+    own->system.rhs = ledger_rhs;
+    own->system.rhs_on_sides = ledger_rhs_on_sides;
+    own->system.switches = ledger_switches;
+    own->system.switch_gradient = ledger_gradient;
+    if (inner->switch_touches) own->system.switch_touches = ledger_touches;
+    own->system.model = own;
+    assert_true(own->system.dimension <= MAX_STATE && inner->probe_count <= STATIONS);
+    assert_true(own->running->watched_count <= TORQUES);
+}
+
+/// Sums over a run: the work of the motor, J, what is missing in the balance, J, and the largest power of friction, W.
+typedef struct sums {
+    double given, missing, rubbing;
+} sums;
+
+/// Carries a state over `seconds` in parts of at most a turn at the highest speed, and adds to the sums.
+static void ledger_carry(ledger *own, double seconds, double rtol, double *x, sums *to) {
+    whirl_integrate_options options = whirl_integrate_default();
+    whirl_integrator *integrator;
+    const size_t next = own->running->by_time->dimension;
+    const size_t parts = (size_t)ceil(seconds * own->running->unit / (2.0 * pi));
+    strcpy(options.method, "dop853");
+    options.steps_per_revolution = 1;
+    options.rtol = rtol;
+    options.atol = 1e-3 * rtol;
+    options.limit = 1e300;
+    x[next] = x[next + 1] = 0.0;
+    const double before = ledger_account(own, x).energy;
+    own->running->part(own->running, 0.0, seconds * own->running->unit / (double)parts);
+    own->system.period = own->running->by_time->period;
+    require_ok(whirl_integrator_new(&own->system, &options, &integrator));
+    for (size_t part = 0; part < parts; part++) {
+        assert_int_equal(whirl_integrator_revolve(integrator, x, NULL, NULL), WHIRL_BOUNDED);
+        to->rubbing = fmax(to->rubbing, ledger_account(own, x).rubbing);
+    }
+    whirl_integrator_free(integrator);
+    to->given += x[next];
+    to->missing += x[next] - x[next + 1] - (ledger_account(own, x).energy - before);
+}
+
+// ---------------------------------------------------------------- energies and powers of the cases
+
+/// Energy of a disc with an unbalance U at angle 0 whose shaft has the inertia J about axes through centres of mass:
+/// kinetic energy of both, and potential energy in the weight.
+static double disc_energy(const seen *at, size_t p, double mass, double moment, double inertia, double weight) {
+    const double c = cos(at->angle), s = sin(at->angle), w = at->speed;
+    const double vx = at->vx[p] - moment / mass * w * s, vy = at->vy[p] + moment / mass * w * c;
+    return 0.5 * mass * (vx * vx + vy * vy) + 0.5 * inertia * w * w + weight * (mass * at->y[p] + moment * s);
+}
+
+static double square(double x, double y) {
+    return x * x + y * y;
+}
+
+/// Adds a rub of friction f and radius R: the energy of its spring, and the power of N that slides at w R + v_t.
+static void add_rub(const seen *at, size_t p, double gap, double stiffness, double friction, double radius,
+                    account *out) {
+    const double r = hypot(at->x[p], at->y[p]), normal = stiffness * (r - gap);
+    if (!(normal > 0.0)) return;
+    const double slip = at->speed * radius + (at->x[p] * at->vy[p] - at->y[p] * at->vx[p]) / r;
+    out->energy += 0.5 * normal * normal / stiffness;
+    out->rubbing += friction * normal * slip;
+    out->taken += friction * normal * slip;
+}
+
+/// Adds a motor with a line of torque over the speed, and the square of a load.
+static void add_drive(const seen *at, double torque, double no_load, double quadratic, account *out) {
+    const double w = at->speed;
+    if (!at->after) out->given += torque * (1.0 - w / no_load) * w;
+    out->taken += quadratic * w * fabs(w) * w;
+}
+
+/// A point of Gauss's quadrature over half a turn: cosine and sine of its angle, and its weight.
+typedef struct half_turn {
+    double cosine, sine, weight;
+} half_turn;
+
+enum { PIECES = 16, POINTS = 8, HALF_TURN = PIECES * POINTS };
+
+static half_turn half[HALF_TURN];
+
+static void fill_half_turn(void) {
+    static const double place[] = {.1834346424956498, .5255324099163290, .7966664774136267, .9602898564975363};
+    static const double weight[] = {.3626837833783620, .3137066458778873, .2223810344533745, .1012285362903763};
+    for (size_t i = 0; i < HALF_TURN; i++) {
+        const size_t k = i % POINTS / 2;
+        const double angle = pi / PIECES * ((double)(i / POINTS) + 0.5 + (i % 2 ? 0.5 : -0.5) * place[k]);
+        half[i] = (half_turn){cos(angle), sin(angle), 0.5 * pi / PIECES * weight[k]};
+    }
+}
+
+/// Power in a short film, W: shear all around, and flow where the pressure of the film is above 0, which is exactly
+/// half of the circumference.
+static double film_power(const seen *at, size_t p, double clearance, double radius, double length, double viscosity) {
+    // h = c - x cos - y sin of the angle; the wedge w h'/2 + dh/dt = a cos + b sin of it, and below 0 behind `first`.
+    const double x = at->x[p], y = at->y[p], w = at->speed;
+    const double a = -0.5 * w * y - at->vx[p], b = 0.5 * w * x - at->vy[p];
+    const double first = atan2(b, a) + 0.5 * pi, cosine = cos(first), sine = sin(first), slide = w * radius;
+    double flow = 0.0;
+    for (size_t i = 0; i < HALF_TURN; i++) {
+        const double c = cosine * half[i].cosine - sine * half[i].sine;
+        const double s = sine * half[i].cosine + cosine * half[i].sine;
+        const double h = clearance - x * c - y * s, wedge = a * c + b * s;
+        flow += half[i].weight * wedge * wedge / (h * h * h);
+    }
+    const double shear = 2.0 * pi * slide * slide / sqrt(clearance * clearance - x * x - y * y);
+    return viscosity * radius * length * (length * length * flow + shear);
+}
+
+static void rub_run_up(const seen *at, account *out) {
+    *out = (account){.energy = disc_energy(at, 0, 2.0, 40e-6, 0.004, gravity) + 1e5 * square(at->x[0], at->y[0]),
+                     .taken = 40.0 * square(at->vx[0], at->vy[0])};
+    add_rub(at, 0, 0.2e-3, 1e6, 0.1, 0.04, out);
+    add_drive(at, 0.8, 300.0 * pi, 1e-7, out);
+}
+
+static void sommerfeld(const seen *at, double torque, account *out) {
+    *out = (account){.energy = disc_energy(at, 0, 10.0, 5e-3, 0.5, 0.0) + 5e4 * square(at->x[0], at->y[0]),
+                     .taken = 40.0 * square(at->vx[0], at->vy[0])};
+    add_drive(at, torque, 100.0 * pi, 0.0, out);
+}
+static void sommerfeld_weak(const seen *at, account *out) {
+    sommerfeld(at, 0.7, out);
+}
+static void sommerfeld_strong(const seen *at, account *out) {
+    sommerfeld(at, 1.2, out);
+}
+
+/// Torques of the motor and of both couplings are watched; a coupling's is k d + c d' of the twist d between its ends.
+static void motor_start(const seen *at, account *out) {
+    static const double inertia[] = {0.089, 0.02, 0.002, 0.05};
+    static const struct {
+        size_t first, second;
+        double stiffness, damping;
+    } couplings[] = {{0, 1, 1500.0, 0.2}, {2, 3, 600.0, 0.05}};
+    const double *w = at->turning, load = w[3];
+    *out = (account){.given = at->torque[0] * w[0], .taken = 3.5e-5 * load * fabs(load) * load};
+    for (size_t s = 0; s < COUNT_OF(inertia); s++) out->energy += 0.5 * inertia[s] * w[s] * w[s];
+    for (size_t k = 0; k < COUNT_OF(couplings); k++) {
+        const double rate = w[couplings[k].first] - w[couplings[k].second];
+        const double spring = at->torque[1 + k] - couplings[k].damping * rate;
+        out->energy += 0.5 * spring * spring / couplings[k].stiffness;
+        out->taken += couplings[k].damping * rate * rate;
+    }
+}
+
+static void fan(const seen *at, account *out) {
+    enum { LEFT, FAN, RIGHT };
+    static const size_t ends[] = {LEFT, RIGHT};
+    *out = (account){.energy = disc_energy(at, FAN, 40.0, 120e-6 + (at->after ? 4e-3 : 0.0), 0.6, gravity)};
+    for (size_t i = 0; i < COUNT_OF(ends); i++) {
+        const size_t end = ends[i];
+        out->energy += disc_energy(at, end, 4.0, 0.0, 0.0, gravity);
+        out->energy += 4e6 * square(at->x[FAN] - at->x[end], at->y[FAN] - at->y[end]);
+        out->taken += film_power(at, end, 0.1e-3, 0.03, 0.015, 0.02);
+    }
+    add_rub(at, FAN, 0.2e-3, 2e7, 0.1, 0.25, out);
+    add_drive(at, 60.0, 300.0 * pi, 5e-5, out);
+}
+
+// ---------------------------------------------------------------- the gallery
+
+/// A run of a case of the gallery.
+typedef struct run_of {
+    const char *what, *file;
+    size_t point;        ///< of the case
+    bool rubs;           ///< a contact closes
+    double length, from; ///< m, length scale; rad/s, speed at the beginning
+    double seconds;      ///< its length
+    double after;        ///< s after which blade and motor are lost; 0: never
+    void (*find)(const seen *at, account *out);
+} run_of;
+
+static const run_of runs[] = {
+    {"run-up with a rub", "rub-run-up", 0, true, 1e-4, 0.0, 4.0, 0.0, rub_run_up},
+    {"motor that sticks at the critical speed", "sommerfeld", 0, false, 1e-3, 0.0, 30.0, 0.0, sommerfeld_weak},
+    {"motor that passes it", "sommerfeld", 1, false, 1e-3, 0.0, 60.0, 0.0, sommerfeld_strong},
+    {"start of a geared compressor", "motor-start", 0, false, 1e-3, 0.0, 2.0, 0.0, motor_start},
+    {"fan in films, from rest", "run-up", 0, false, 1e-4, 0.0, 1.0, 0.0, fan},
+    {"fan in films, blade loss, trip and rub", "run-up", 0, true, 1e-4, 560.0, 0.1, 0.02, fan}};
+
+/// Checks the balance of a run, of which a share of the work and of the energy at its beginning may be missing.
+static void check_balance(const run_of *run, double rtol) {
+    whirl_problems problems = {0};
+    whirl_case *object;
+    whirl_study study;
+    double x[MAX_STATE] = {0.0};
+    sums found = {.given = 0.0};
+    // Open the machine at the speed of its beginning.
+    require_ok(whirl_case_load(words("%s/%s.yaml", WHIRL_CASES, run->file), &problems, &object));
+    require_ok(whirl_case_study(object, &study));
+    const whirl_batch *batch = &study.batches[0];
+    const made_at at = {&study, batch->values ? batch->values[run->point] : NAN};
+    ledger own = {.length = run->length, .find = run->find};
+    ledger_open(&own, &at, x);
+    x[own.running->by_time->dimension - 3] = run->from / own.running->unit;
+    const double stored = fmax(ledger_account(&own, x).energy, 0.0);
+    // Carry it, up to the loss of its blade and beyond.
+    ledger_carry(&own, run->after > 0.0 ? run->after : run->seconds, rtol, x, &found);
+    if (run->after > 0.0) {
+        const whirl_placed lost = {1, 4e-3, 0.0};
+        own.after = true;
+        own.running->lose(own.running, 1, &lost);
+        own.running->turn(own.running, &(whirl_turning){.driven = true, .tripped = true, .lost = true});
+        ledger_carry(&own, run->seconds - run->after, rtol, x, &found);
+    }
+    check_within("Run energy", words("%s, rtol %g: share missing", run->what, rtol), 0.0,
+                 found.missing / (found.given + stored), 1e-2 * rtol + 1e-12);
+    if (run->rubs) check_holds("Run energy", words("%s: friction takes power", run->what), found.rubbing > 1.0);
+    own.running->release(own.running);
+    whirl_case_free(object);
+    whirl_problems_free(&problems);
+}
+
+/// Returns true if the study of a case runs up.
+static bool runs_up(const char *file) {
+    char line[256];
+    bool found = false;
+    FILE *from = fopen(words("%s/%s", WHIRL_CASES, file), "r");
+    assert_non_null(from);
+    while (!found && fgets(line, sizeof line, from)) found = strncmp(line, "  runup:", 8) == 0;
+    fclose(from);
+    return found;
+}
+
+/// Every case of the gallery that runs up is in the list.
+static void whole_gallery(void **state) {
+    size_t count = 0;
+    DIR *folder = opendir(WHIRL_CASES);
+    (void)state;
+    assert_non_null(folder);
+    for (const struct dirent *entry; (entry = readdir(folder)) != NULL;) {
+        const char *end = strstr(entry->d_name, ".yaml");
+        size_t i = 0;
+        if (!end || !runs_up(entry->d_name)) continue;
+        const size_t length = (size_t)(end - entry->d_name);
+        while (i < COUNT_OF(runs) && strncmp(runs[i].file, entry->d_name, length) != 0) i++;
+        check_holds("Run energy", words("%s has a balance", entry->d_name), i < COUNT_OF(runs));
+        count++;
+    }
+    check_holds("Run energy", "the gallery has four cases at least", count >= 4);
+    closedir(folder);
+}
+
+static void balance_of_energy(void **state) {
+    (void)state;
+    fill_half_turn();
+    for (size_t i = 0; i < COUNT_OF(runs); i++) {
+        check_balance(&runs[i], 1e-7);
+        check_balance(&runs[i], 1e-10);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(whole_gallery), cmocka_unit_test(balance_of_energy)};
+    return cmocka_run_group_tests_name("energy of runs", tests, NULL, NULL);
+}
