@@ -10,6 +10,7 @@
 #include "resting_point.h"
 #include "richardson.h"
 #include "two_pi.h"
+#include "varied.h"
 
 /// A point, the numbers that are derived there, and where the derivatives go.
 typedef struct derived {
@@ -61,27 +62,12 @@ static void derived_note(derived *d, size_t number, size_t parameter, double slo
     row[1] = fabs(slope) <= noise && error > 0.0 ? fmax(error, noise) : error;
 }
 
-/// Room for the parameters that a batch gives, and one more.
-typedef whirl_given derived_given[WHIRL_MAX_GIVEN + 1];
-
 /// In place of the index of a parameter: the batch's own parameter.
 enum { ALONG = WHIRL_MAX_SENSITIVITIES };
 
-/// Returns a batch whose machines have a parameter at `x`, where `*value`, that of the batch's own parameter, is
-/// replaced if it is the same one.
-static whirl_batch derived_batch(const derived *d, size_t parameter, double x, derived_given given, double *value) {
-    whirl_batch batch = *d->batch;
-    const char *name = parameter == ALONG ? batch.parameter : d->by->parameters[parameter].name;
-    if (strcmp(batch.parameter, name) == 0) {
-        *value = x;
-        return batch;
-    }
-    batch.given_count = 0;
-    for (size_t i = 0; i < d->batch->given_count; i++)
-        if (strcmp(d->batch->given[i].name, name) != 0) given[batch.given_count++] = d->batch->given[i];
-    given[batch.given_count++] = (whirl_given){name, x};
-    batch.given = given;
-    return batch;
+/// Returns the name of a parameter.
+static const char *derived_name(const derived *d, size_t parameter) {
+    return parameter == ALONG ? d->batch->parameter : d->by->parameters[parameter].name;
 }
 
 /// Returns the value of a parameter at the point.
@@ -185,7 +171,7 @@ typedef struct derived_rest {
 /// Another machine, with its batch.
 typedef struct derived_other {
     whirl_batch batch;
-    derived_given given;
+    varied_given given;
     resting_machine machine;
 } derived_other;
 
@@ -194,7 +180,7 @@ static whirl_status derived_machine(const derived_rest *r, double h, derived_oth
     const derived *d = r->of;
     double value = r->own->value;
     const double at = r->parameter == ALONG ? value : d->parameters[r->parameter];
-    out->batch = derived_batch(d, r->parameter, at + h, out->given, &value);
+    out->batch = varied_batch(d->batch, derived_name(d, r->parameter), at + h, out->given, &value);
     out->machine = (resting_machine){.value = value};
     if (!r->own->modes) return d->study->machine(d->study->family, &out->batch, value, &out->machine.machine);
     const whirl_status status = resting_new(d->study, &out->batch, value, &out->machine);
@@ -473,9 +459,10 @@ static whirl_status derived_multiplier_number(const void *of, double h, double *
     const derived *d = m->of->of;
     const whirl_orbit *own = m->of->orbit;
     const size_t n = own->dimension;
-    derived_given given;
+    varied_given given;
     double value = d->value;
-    const whirl_batch batch = derived_batch(d, m->parameter, d->parameters[m->parameter] + h, given, &value);
+    const whirl_batch batch =
+        varied_batch(d->batch, derived_name(d, m->parameter), d->parameters[m->parameter] + h, given, &value);
     whirl_machine machine = {.system = NULL};
     whirl_orbit *orbit = NULL;
     double *x = calloc(n + 1, sizeof *x);
@@ -492,39 +479,18 @@ static whirl_status derived_multiplier_number(const void *of, double h, double *
     return status;
 }
 
-/// Returns the batch with a parameter in place of its own one, which all machines then have at its value.
-static whirl_batch varied_batch(const derived *d, size_t parameter, derived_given given) {
-    double value = d->value;
-    whirl_batch batch = derived_batch(d, parameter, derived_value(d, parameter), given, &value);
-    if (batch.given != given) return batch; // the parameter is the batch's own
-    // The parameter itself comes last.
-    batch.given_count--;
-    if (*batch.parameter) given[batch.given_count++] = (whirl_given){d->batch->parameter, d->value};
-    snprintf(batch.parameter, sizeof batch.parameter, "%s", d->by->parameters[parameter].name);
-    return batch;
-}
-
 /// Derives the states of an orbit by all parameters and, `along`, by the batch's own one after these. `lengths`, if not
 /// NULL, gets the metres of a unit of displacement and their derivatives.
 static whirl_status derived_orbit(const derived *d, bool along, const whirl_orbit *orbit,
                                   const whirl_orbit_options *options, size_t instants, double *lengths,
                                   whirl_orbit_sensitivity **out) {
-    const size_t parameters = d->by->parameter_count, all = parameters + along;
-    whirl_sensitivity *by[WHIRL_MAX_SENSITIVITIES + 1] = {NULL};
-    whirl_extended *extended = NULL;
-    whirl_status status = whirl_ok();
-    for (size_t p = 0; p < all && status.code == WHIRL_OK; p++) {
-        derived_given given;
-        const size_t parameter = p < parameters ? p : ALONG;
-        const whirl_batch batch = varied_batch(d, parameter, given);
-        status = whirl_sensitivity_new(d->study, &batch, derived_value(d, parameter), 0.0, &by[p]);
-        if (status.code == WHIRL_OK && lengths) lengths[1 + p] = whirl_sensitivity_length(by[p], &lengths[0]);
+    varied_parameter all[WHIRL_MAX_SENSITIVITIES + 1];
+    const size_t count = d->by->parameter_count;
+    for (size_t p = 0; p < count + along; p++) {
+        const size_t parameter = p < count ? p : ALONG;
+        all[p] = (varied_parameter){derived_name(d, parameter), derived_value(d, parameter), 0.0};
     }
-    if (status.code == WHIRL_OK) status = whirl_extended_new(all, by, &extended);
-    if (status.code == WHIRL_OK) status = whirl_orbit_sensitivity_new(extended, orbit, options, instants, out);
-    whirl_extended_free(extended);
-    for (size_t p = 0; p < all; p++) whirl_sensitivity_free(by[p]);
-    return status;
+    return varied_orbit(d->study, d->batch, d->value, count + along, all, orbit, options, instants, lengths, out);
 }
 
 /// Finds the orbit of the motion, and derives its states by all parameters.
@@ -574,14 +540,9 @@ whirl_status derived_of_motion(const whirl_study *study, const whirl_batch *batc
     const whirl_verdict verdict = whirl_block_verdict(layout, block);
     if (verdict.regime != WHIRL_PERIODIC || verdict.period < 1) return whirl_ok();
     // Tolerances are as fine for the batch's smallest lengths as usual ones are for the unit.
-    derived_motion m = {.of = &d, .options = whirl_orbit_default()};
+    const bool stiff = strcmp(batch->integrate.method, "rodas5p") == 0;
+    derived_motion m = {.of = &d, .options = varied_orbit_options(batch->integrate.method, stiff ? 1e-10 : 1e-13)};
     if (batch->integrate.atol < 1e-9) m.options.integrate.atol *= batch->integrate.atol / 1e-9;
-    if (strcmp(batch->integrate.method, "rodas5p") == 0) {
-        strcpy(m.options.integrate.method, "rodas5p");
-        m.options.integrate.rtol = 1e-10;
-        m.options.integrate.atol *= 1e3;
-        m.options.tolerance = 1e-9;
-    }
     whirl_status status = motion_derive(&m, machine->system, end, (size_t)verdict.period);
     if (status.code == WHIRL_OK) status = motion_fill(&m, machine->system);
     whirl_orbit_sensitivity_free(m.slopes);
@@ -610,9 +571,10 @@ static whirl_status derived_crossing_number(const void *of, double h, double *nu
     const derived_crossing *c = of;
     const derived *d = c->of;
     const whirl_orbit *own = c->point->orbit;
-    derived_given given;
+    varied_given given;
     double value = d->value;
-    const whirl_batch batch = derived_batch(d, c->parameter, derived_value(d, c->parameter) + h, given, &value);
+    const whirl_batch batch =
+        varied_batch(d->batch, derived_name(d, c->parameter), derived_value(d, c->parameter) + h, given, &value);
     whirl_machine machine = {.system = NULL};
     whirl_orbit *orbit = NULL;
     whirl_status status = d->study->machine(d->study->family, &batch, value, &machine);

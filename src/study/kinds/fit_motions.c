@@ -1,5 +1,6 @@
 #include "fit_motions.h"
 #include "two_pi.h"
+#include "varied.h"
 
 #include <math.h>
 #include <omp.h>
@@ -55,11 +56,7 @@ static void place_make(fit_place *p, const fit_motions *of, size_t index, const 
     p->batch.given = p->given;
     p->batch.given_count = count;
     p->batch.speed = p->motion->speed;
-    p->options = whirl_orbit_default();
-    strcpy(p->options.integrate.method, fit->method);
-    p->options.integrate.atol *= fit->rtol / p->options.integrate.rtol;
-    p->options.integrate.rtol = fit->rtol;
-    p->options.tolerance = fmax(p->options.tolerance, 10.0 * fit->rtol);
+    p->options = varied_orbit_options(fit->method, fit->rtol);
 }
 
 static whirl_status place_machine(const fit_place *p, whirl_machine *machine) {
@@ -98,33 +95,18 @@ static whirl_status place_find(const fit_place *p, const whirl_machine *machine,
 }
 
 /// Derives the orbit by all unknowns. `lengths` gets the metres of a unit of displacement and their derivatives.
-static whirl_status place_derive(fit_place *p, const whirl_orbit *orbit, whirl_orbit_sensitivity **out,
+static whirl_status place_derive(const fit_place *p, const whirl_orbit *orbit, whirl_orbit_sensitivity **out,
                                  double lengths[1 + WHIRL_MAX_UNKNOWNS]) {
+    varied_parameter unknowns[WHIRL_MAX_UNKNOWNS];
     const size_t count = p->of->fit->unknown_count;
-    whirl_sensitivity *by[WHIRL_MAX_UNKNOWNS] = {NULL};
-    whirl_extended *extended = NULL;
-    whirl_status status = whirl_ok();
-    // Vary one unknown after the other as the batch's parameter; the others keep their values.
-    for (size_t u = 0; u < count && status.code == WHIRL_OK; u++) {
-        const whirl_fit_unknown *unknown = &p->of->fit->unknowns[u];
-        const size_t own = p->motion->given_count + u;
-        const whirl_given kept = p->given[own];
-        const double reach = p->values[u] == 0.0 ? 1e-3 * (unknown->high - unknown->low) : 0.0;
-        snprintf(p->batch.parameter, sizeof p->batch.parameter, "%s", unknown->name);
-        p->given[own] = p->given[p->batch.given_count - 1];
-        p->batch.given_count--;
-        status = whirl_sensitivity_new(p->of->study, &p->batch, p->values[u], isfinite(reach) ? reach : 1e-3, &by[u]);
-        p->batch.given_count++;
-        p->given[own] = kept;
-        if (status.code == WHIRL_OK) lengths[1 + u] = whirl_sensitivity_length(by[u], &lengths[0]);
+    for (size_t u = 0; u < count; u++) {
+        const whirl_fit_unknown *own = &p->of->fit->unknowns[u];
+        const double reach = 1e-3 * (own->high - own->low);
+        unknowns[u] = (varied_parameter){.name = own->name, .value = p->values[u]};
+        if (p->values[u] == 0.0) unknowns[u].reach = isfinite(reach) ? reach : 1e-3;
     }
-    *p->batch.parameter = '\0';
-    if (status.code == WHIRL_OK) status = whirl_extended_new(count, by, &extended);
-    if (status.code == WHIRL_OK)
-        status = whirl_orbit_sensitivity_new(extended, orbit, &p->options, p->motion->instants, out);
-    whirl_extended_free(extended);
-    for (size_t u = 0; u < count; u++) whirl_sensitivity_free(by[u]);
-    return status;
+    return varied_orbit(p->of->study, &p->batch, NAN, count, unknowns, orbit, &p->options, p->motion->instants, lengths,
+                        out);
 }
 
 // ---------------------------------------------------------------- measured numbers

@@ -5,17 +5,13 @@
 #include <string.h>
 
 #include "turns.h"
+#include "varied.h"
 #include "whirl/engine/linear.h"
 
 whirl_orbit_options whirl_batch_orbits(const whirl_batch *batch) {
     const whirl_trace_options *trace = &batch->record.trace;
-    whirl_orbit_options options = whirl_orbit_default();
-    whirl_integrate_options *integrate = &options.integrate;
-    if (strcmp(batch->integrate.method, "rodas5p") == 0) strcpy(integrate->method, "rodas5p");
-    integrate->atol *= trace->rtol / integrate->rtol;
-    integrate->rtol = trace->rtol;
+    whirl_orbit_options options = varied_orbit_options(batch->integrate.method, trace->rtol);
     options.segments = trace->segments;
-    options.tolerance = fmax(options.tolerance, 10.0 * trace->rtol);
     return options;
 }
 
