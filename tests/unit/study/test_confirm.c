@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "follower.h"
-#include "memory_keeper.h"
+#include "memory_store.h"
 #include "sweep_study.h"
 
 enum { POINTS = 9, WRONG = 4, STEPS = 64, REVOLUTIONS = 80 };
@@ -230,13 +230,13 @@ static void test_threads_change_no_bit(void **state) {
     }
 }
 
-/// Whatever a keeper knows of any pass, the result is that of a run that knew nothing.
+/// Whatever a store knows of any pass, the result is that of a run that knew nothing.
 static void test_recalled_points_change_no_bit(void **state) {
     (void)state;
     for (int carry = WHIRL_CARRY_NONE; carry <= WHIRL_CARRY_BOTH; carry++) {
         const whirl_study s = study((whirl_carry)carry, 1e6);
         whirl_result *whole = run(&s, 1);
-        memory_keeper *memory = keeper_new(2 * POINTS, 1);
+        memory_store *memory = store_new(2 * POINTS, 1);
         whirl_result_free(run_kept(&s, memory, WHIRL_OK));
         for (unsigned step = 2; step <= 16; step *= 2) {
             int known = 0;
@@ -280,8 +280,8 @@ static bool recall_nothing(void *context, size_t pass, size_t slot, double *bloc
 static void expect_partial(double budget, size_t pass, const char *sentence) {
     const whirl_study s = study(WHIRL_CARRY_NONE, budget);
     stopper own = {.pass = pass};
-    const whirl_keeper keeper = {.keep = stop_at_pass, .recall = recall_nothing, .context = &own};
-    const whirl_run_options options = {.threads = 1, .stop = &own.stop, .keeper = &keeper};
+    const whirl_point_store store = {.keep = stop_at_pass, .recall = recall_nothing, .context = &own};
+    const whirl_run_options options = {.threads = 1, .stop = &own.stop, .store = &store};
     whirl_result *result;
     size_t done, total;
     const whirl_status status = whirl_study_run(&s, &options, &result);

@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "memory_keeper.h"
+#include "memory_store.h"
 #include "pitchfork_study.h"
 
 enum { RUNS = 4, LARGEST = 5 };
@@ -18,7 +18,7 @@ enum { RUNS = 4, LARGEST = 5 };
 /// The runs, one after the other, the one that gathers last; each is dealt every so many pieces, so that all get some.
 typedef struct table {
     const whirl_study *study;
-    memory_keeper *keepers[RUNS];
+    memory_store *stores[RUNS];
     bool known[2][MAX_SLOTS]; ///< before the runs begin, at the first tolerance and the second
     size_t dealt[2];          ///< pieces of both passes
     size_t run;               ///< which one is at it
@@ -45,11 +45,11 @@ static size_t claim(void *context, size_t batch, size_t count, size_t *first) {
 
 static whirl_status gather(void *context) {
     table *all = context;
-    memory_keeper *own = all->keepers[RUNS - 1];
+    memory_store *own = all->stores[RUNS - 1];
     for (size_t run = 0; run + 1 < RUNS; run++)
         for (size_t pass = 0; pass < 2; pass++)
             for (size_t slot = 0; slot < own->slots; slot++) {
-                const memory_keeper *other = all->keepers[run];
+                const memory_store *other = all->stores[run];
                 if (!other->known[pass][slot]) continue;
                 assert_false(own->known[pass][slot]); // no point is computed twice
                 own->known[pass][slot] = true;
@@ -62,11 +62,11 @@ static whirl_status gather(void *context) {
 
 /// What a run gives; `stop` ends it.
 static whirl_result *run_one(table *all, size_t number, const whirl_stop *stop, whirl_status *status) {
-    const whirl_keeper keeper = {.keep = memory_keep, .recall = memory_recall, .context = all->keepers[number]};
+    const whirl_point_store store = {.keep = memory_keep, .recall = memory_recall, .context = all->stores[number]};
     const bool last = number + 1 == RUNS;
     const whirl_dealer dealer = {
         .threads = 2 * RUNS, .open = open_point, .claim = claim, .gather = last ? gather : NULL, .context = all};
-    const whirl_run_options options = {.threads = 2, .keeper = &keeper, .dealer = &dealer, .stop = stop};
+    const whirl_run_options options = {.threads = 2, .store = &store, .dealer = &dealer, .stop = stop};
     whirl_result *result = NULL;
     all->run = number;
     all->left[0] = all->left[1] = SIZE_MAX;
@@ -74,9 +74,9 @@ static whirl_result *run_one(table *all, size_t number, const whirl_stop *stop, 
     return result;
 }
 
-static size_t count_known(const memory_keeper *keeper, size_t pass) {
+static size_t count_known(const memory_store *store, size_t pass) {
     size_t count = 0;
-    for (size_t slot = 0; slot < keeper->slots; slot++) count += keeper->known[pass][slot];
+    for (size_t slot = 0; slot < store->slots; slot++) count += store->known[pass][slot];
     return count;
 }
 
@@ -91,12 +91,12 @@ static void run_others(table *all) {
     }
 }
 
-/// Whose keepers have what a run before has left, of every third point or nothing.
+/// Whose stores have what a run before has left, of every third point or nothing.
 static void begin(table *all, const whirl_study *s, bool resumed) {
     *all = (table){.study = s};
-    for (size_t i = 0; i < RUNS; i++) all->keepers[i] = keeper_new(slots_of(s), 1);
+    for (size_t i = 0; i < RUNS; i++) all->stores[i] = store_new(slots_of(s), 1);
     if (!resumed) return;
-    memory_keeper *own = all->keepers[RUNS - 1];
+    memory_store *own = all->stores[RUNS - 1];
     whirl_result_free(run_kept(s, own, WHIRL_OK));
     for (size_t slot = 0; slot < own->slots; slot++) {
         for (size_t pass = 0; pass < 2; pass++) {
@@ -108,11 +108,11 @@ static void begin(table *all, const whirl_study *s, bool resumed) {
     }
     // Whoever is dealt a chain goes on with it.
     for (size_t i = 0; i + 1 < RUNS && s->batches[0].carry != WHIRL_CARRY_NONE; i++)
-        memcpy(all->keepers[i], own, sizeof *own);
+        memcpy(all->stores[i], own, sizeof *own);
 }
 
 static void end(table *all) {
-    for (size_t i = 0; i < RUNS; i++) free(all->keepers[i]);
+    for (size_t i = 0; i < RUNS; i++) free(all->stores[i]);
 }
 
 static void expect_the_whole(const whirl_study *s) {
@@ -122,7 +122,7 @@ static void expect_the_whole(const whirl_study *s) {
     table all;
     begin(&all, s, false);
     run_others(&all);
-    const size_t others = count_known(all.keepers[0], 0);
+    const size_t others = count_known(all.stores[0], 0);
     whirl_result *gathered = run_one(&all, RUNS - 1, NULL, &status);
     assert_int_equal(status.code, WHIRL_OK);
     assert_true(all.gathered && !whirl_result_partial(gathered, &done, &total));
@@ -179,17 +179,17 @@ static void test_a_stop_of_the_one_that_gathers(void **state) {
     begin(&all, &s, false);
     run_others(&all);
     whirl_result *gathered = run_one(&all, RUNS - 1, &stop, &status);
-    const memory_keeper *keeper = all.keepers[RUNS - 1];
+    const memory_store *store = all.stores[RUNS - 1];
     assert_int_equal(status.code, WHIRL_STOPPED);
     assert_non_null(strstr(status.message, "stopped after"));
     assert_true(all.gathered && whirl_result_partial(gathered, &done, &total));
-    assert_int_equal(done, count_known(keeper, 0));
-    assert_true(count_known(keeper, 1) >= 30 && count_known(keeper, 1) < POINTS);
+    assert_int_equal(done, count_known(store, 0));
+    assert_true(count_known(store, 1) >= 30 && count_known(store, 1) < POINTS);
     // Confirmations are looked at when all points are there.
     for (size_t slot = 0; slot < POINTS; slot++) {
         const double *expected =
-            done == POINTS && keeper->known[1][slot] ? one->blocks + slot * size : keeper->blocks[0][slot];
-        if (keeper->known[0][slot])
+            done == POINTS && store->known[1][slot] ? one->blocks + slot * size : store->blocks[0][slot];
+        if (store->known[0][slot])
             assert_memory_equal(expected, gathered->tables[0].blocks + slot * size, size * sizeof(double));
     }
     whirl_result_free(gathered);

@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "lorenz.h"
-#include "memory_keeper.h"
+#include "memory_store.h"
 #include "sweep_study.h"
 
 typedef struct lorenz {
@@ -69,7 +69,7 @@ static void test_chaos_that_ends_is_doubted(void **state) {
     assert_int_equal(lasting.later_regime, WHIRL_CHAOTIC);
     assert_true(ended > 0);
     expect_same_blocks(result, alone);
-    memory_keeper *memory = keeper_new(4, 3);
+    memory_store *memory = store_new(4, 3);
     whirl_result_free(run_kept(&s, memory, WHIRL_OK));
     const int kept = memory->kept;
     whirl_result *recalled = run_kept(&s, memory, WHIRL_OK);

@@ -10,9 +10,9 @@
 #include <cmocka.h>
 
 enum { POINTS = 41, STARTS = 2, SLOTS = POINTS * (STARTS + 16) };
-#define KEEPER_SLOTS SLOTS
+#define STORE_SLOTS SLOTS
 
-#include "memory_keeper.h"
+#include "memory_store.h"
 #include "sweep_study.h"
 
 /// x' = p + x - x^3 + cos(2 pi t)/2: about two stable rests where |p| < 2/(3 sqrt 3), about one elsewhere. The motion
@@ -133,10 +133,10 @@ static void expect_same(const whirl_result *one, const whirl_result *other) {
     }
 }
 
-static whirl_result *run_with(const whirl_study *s, memory_keeper *memory, whirl_run_options options) {
+static whirl_result *run_with(const whirl_study *s, memory_store *memory, whirl_run_options options) {
     whirl_result *result;
-    memory->keeper = (whirl_keeper){.keep = memory_keep, .recall = memory_recall, .context = memory};
-    options.keeper = &memory->keeper;
+    memory->store = (whirl_point_store){.keep = memory_keep, .recall = memory_recall, .context = memory};
+    options.store = &memory->store;
     memory->kept = memory->recalled = 0;
     assert_int_equal(whirl_study_run(s, &options, &result).code, WHIRL_OK);
     return result;
@@ -149,9 +149,9 @@ static void no_bit_depends_on_how_it_is_computed(void **state) {
     (void)state;
     for (size_t kept = 0; kept < 2; kept++) {
         whirl_study s = study(values, 100);
-        s.batches[0].confirm = !kept; // else blocks do not stay with the keeper
+        s.batches[0].confirm = !kept; // else blocks do not stay with the store
         whirl_result *whole = run(&s, 1);
-        memory_keeper *memory = keeper_new(SLOTS, 1);
+        memory_store *memory = store_new(SLOTS, 1);
         for (size_t number = 1; number <= 3; number++)
             whirl_result_free(
                 run_with(&s, memory, (whirl_run_options){.threads = 2, .share = {number, 3}, .memory = kept}));

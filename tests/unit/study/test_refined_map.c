@@ -1,5 +1,5 @@
 // Refined maps: what is computed has the bits of the whole grid, what is not the labels that it would have; and
-// threads, shares, stops and keepers change nothing.
+// threads, shares, stops and stores change nothing.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -10,8 +10,8 @@
 
 #include <cmocka.h>
 
-#define KEEPER_SLOTS 1024
-#include "memory_keeper.h"
+#define STORE_SLOTS 1024
+#include "memory_store.h"
 #include "sweep_study.h"
 
 enum { COLUMNS = 37, ROWS = 25, POINTS = COLUMNS * ROWS, SQUARE = 8 };
@@ -154,11 +154,11 @@ static void expect_same(const whirl_result *one, const whirl_result *other) {
     }
 }
 
-static whirl_result *run_with(const plane *s, memory_keeper *memory, whirl_run_options options, whirl_code expected) {
+static whirl_result *run_with(const plane *s, memory_store *memory, whirl_run_options options, whirl_code expected) {
     whirl_result *result;
-    memory->keeper = (whirl_keeper){.keep = memory_keep, .recall = memory_recall, .context = memory};
+    memory->store = (whirl_point_store){.keep = memory_keep, .recall = memory_recall, .context = memory};
     options.threads = 2;
-    options.keeper = &memory->keeper;
+    options.store = &memory->store;
     memory->kept = memory->recalled = 0;
     assert_int_equal(whirl_study_run(&s->study, &options, &result).code, expected);
     return result;
@@ -170,7 +170,7 @@ static void expect_two_attractors(const whirl_result *result) {
     assert_int_equal(count, 2);
 }
 
-/// Three shares, gathered, with blocks in memory and left with the keeper; a gathering before the last share says that
+/// Three shares, gathered, with blocks in memory and left with the store; a gathering before the last share says that
 /// points are missing, and computes none.
 static void shares_make_the_whole(void **state) {
     (void)state;
@@ -179,7 +179,7 @@ static void shares_make_the_whole(void **state) {
             plane s;
             make(&s, "basin", SQUARE, confirm);
             whirl_result *whole = run(&s.study, 1);
-            memory_keeper *kept = keeper_new(POINTS, 1);
+            memory_store *kept = store_new(POINTS, 1);
             for (size_t number = 1; number <= 3; number++) {
                 const whirl_run_options gather = {.gather = true, .memory = memory};
                 const whirl_run_options share = {.share = {number, 3}, .memory = memory};
@@ -203,7 +203,7 @@ static void shares_make_the_whole(void **state) {
 
 /// First squares that are dealt out among two runs, the second of which gathers.
 typedef struct dealt {
-    memory_keeper *keepers[2];
+    memory_store *stores[2];
     size_t squares, most; ///< dealt so far; that may be dealt to this run
 } dealt;
 
@@ -224,8 +224,8 @@ static size_t claim(void *context, size_t batch, size_t count, size_t *first) {
 /// Points on edges between two first squares are computed by both runs, with the same bits.
 static whirl_status gather(void *context) {
     const dealt *d = context;
-    const memory_keeper *one = d->keepers[0];
-    memory_keeper *own = d->keepers[1];
+    const memory_store *one = d->stores[0];
+    memory_store *own = d->stores[1];
     size_t both = 0;
     for (size_t pass = 0; pass < 2; pass++)
         for (size_t slot = 0; slot < POINTS; slot++) {
@@ -247,21 +247,21 @@ static void squares_may_be_dealt_out(void **state) {
         plane s;
         make(&s, "map", SQUARE, confirm);
         whirl_result *whole = run(&s.study, 1);
-        dealt d = {.keepers = {keeper_new(POINTS, 1), keeper_new(POINTS, 1)}, .most = 8};
+        dealt d = {.stores = {store_new(POINTS, 1), store_new(POINTS, 1)}, .most = 8};
         whirl_dealer dealer = {.threads = 4, .open = is_open, .claim = claim, .context = &d};
-        whirl_result_free(run_with(&s, d.keepers[0], (whirl_run_options){.dealer = &dealer}, WHIRL_OK));
+        whirl_result_free(run_with(&s, d.stores[0], (whirl_run_options){.dealer = &dealer}, WHIRL_OK));
         assert_int_equal(d.squares, 8);
         d.most = POINTS;
         dealer.gather = gather;
-        whirl_result *gathered = run_with(&s, d.keepers[1], (whirl_run_options){.dealer = &dealer}, WHIRL_OK);
+        whirl_result *gathered = run_with(&s, d.stores[1], (whirl_run_options){.dealer = &dealer}, WHIRL_OK);
         expect_same(whole, gathered);
         whirl_result_free(gathered);
         whirl_result_free(whole);
-        for (size_t i = 0; i < 2; i++) free(d.keepers[i]);
+        for (size_t i = 0; i < 2; i++) free(d.stores[i]);
     }
 }
 
-/// A keeper that is full stops the run wherever that is; what it knows then changes no bit of the next one.
+/// A store that is full stops the run wherever that is; what it knows then changes no bit of the next one.
 static void stops_change_nothing(void **state) {
     static const int limits[] = {1, 20, 24, 60, 200, 300};
     plane s;
@@ -269,7 +269,7 @@ static void stops_change_nothing(void **state) {
     make(&s, "map", SQUARE, true);
     whirl_result *whole = run(&s.study, 1);
     for (size_t i = 0; i < sizeof limits / sizeof *limits; i++) {
-        memory_keeper *kept = keeper_new(POINTS, 1);
+        memory_store *kept = store_new(POINTS, 1);
         kept->limit = limits[i];
         assert_null(run_with(&s, kept, (whirl_run_options){0}, WHIRL_IO_ERROR));
         kept->limit = -1;

@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "memory_keeper.h"
+#include "memory_store.h"
 #include "sweep_study.h"
 
 /// x' = p + x - x^3: for |p| < 2/(3 sqrt 3) two stable rests, which a carried sweep follows until they vanish.
@@ -176,7 +176,7 @@ static void test_a_stop_leaves_what_is_done(void **state) {
     whirl_result_free(whole);
 }
 
-// ---------------------------------------------------------------- keepers
+// ---------------------------------------------------------------- stores
 
 /// Whatever points are known, with gaps in carried branches too, the result is that of a run that knew none.
 static void test_recalled_points_change_no_bit(void **state) {
@@ -186,7 +186,7 @@ static void test_recalled_points_change_no_bit(void **state) {
         const whirl_study s = study(values, (whirl_carry)carry);
         const int count = carry == WHIRL_CARRY_BOTH ? 2 * POINTS : POINTS;
         whirl_result *whole = run(&s, 1);
-        memory_keeper *memory = keeper_new(POINTS * 2, 1);
+        memory_store *memory = store_new(POINTS * 2, 1);
         whirl_result_free(run_kept(&s, memory, WHIRL_OK));
         assert_int_equal(memory->kept, count);
         for (int step = 2; step <= 8; step *= 2) {
@@ -208,13 +208,13 @@ static void test_recalled_points_change_no_bit(void **state) {
     }
 }
 
-/// Where a table is large its blocks stay with the keeper: to be asked for one by one, the same to the bit.
-static void test_blocks_may_stay_with_the_keeper(void **state) {
+/// Where a table is large its blocks stay with the store: to be asked for one by one, the same to the bit.
+static void test_blocks_may_stay_with_the_store(void **state) {
     double values[POINTS];
     const whirl_study s = study(values, WHIRL_CARRY_BOTH);
-    memory_keeper *memory = keeper_new(2 * POINTS, 1);
-    const whirl_keeper keeper = {.keep = memory_keep, .recall = memory_recall, .context = memory};
-    const whirl_run_options options = {.threads = 2, .keeper = &keeper, .memory = 1};
+    memory_store *memory = store_new(2 * POINTS, 1);
+    const whirl_point_store store = {.keep = memory_keep, .recall = memory_recall, .context = memory};
+    const whirl_run_options options = {.threads = 2, .store = &store, .memory = 1};
     whirl_result *whole = run(&s, 1), *kept;
     (void)state;
     assert_int_equal(whirl_study_run(&s, &options, &kept).code, WHIRL_OK);
@@ -246,7 +246,7 @@ static void test_a_carried_branch_goes_on_after_a_divergence(void **state) {
     // The start, 0.1, is within the limit; the rests beyond the fold are not, so that some points diverge.
     s.batches[0].integrate.limit = 1.2;
     whirl_result *whole = run(&s, 1);
-    memory_keeper *memory = keeper_new(POINTS * 2, 1);
+    memory_store *memory = store_new(POINTS * 2, 1);
     whirl_result_free(run_kept(&s, memory, WHIRL_OK));
     int diverged = 0;
     for (int i = 0; i < POINTS; i++) diverged += isnan(memory->ends[0][i][0]) != 0;
@@ -259,10 +259,10 @@ static void test_a_carried_branch_goes_on_after_a_divergence(void **state) {
     free(memory);
 }
 
-static void test_a_keeper_that_fails_ends_the_run(void **state) {
+static void test_a_store_that_fails_ends_the_run(void **state) {
     double values[POINTS];
     const whirl_study s = study(values, WHIRL_CARRY_NONE);
-    memory_keeper *memory = keeper_new(POINTS * 2, 1);
+    memory_store *memory = store_new(POINTS * 2, 1);
     (void)state;
     memory->limit = 7;
     assert_null(run_kept(&s, memory, WHIRL_IO_ERROR));
@@ -312,9 +312,9 @@ int main(void) {
         cmocka_unit_test(test_progress_ends_complete),
         cmocka_unit_test(test_a_stop_leaves_what_is_done),
         cmocka_unit_test(test_recalled_points_change_no_bit),
-        cmocka_unit_test(test_blocks_may_stay_with_the_keeper),
+        cmocka_unit_test(test_blocks_may_stay_with_the_store),
         cmocka_unit_test(test_a_carried_branch_goes_on_after_a_divergence),
-        cmocka_unit_test(test_a_keeper_that_fails_ends_the_run),
+        cmocka_unit_test(test_a_store_that_fails_ends_the_run),
         cmocka_unit_test(test_an_outline_has_all_but_the_points),
         cmocka_unit_test(test_empty_studies_are_refused),
     };

@@ -9,13 +9,13 @@
 
 #include <cmocka.h>
 
-#include "memory_keeper.h"
+#include "memory_store.h"
 #include "pitchfork_study.h"
 
-static whirl_result *run_share(const whirl_study *s, memory_keeper *memory, whirl_share share, bool gather,
+static whirl_result *run_share(const whirl_study *s, memory_store *memory, whirl_share share, bool gather,
                                whirl_status *status) {
-    const whirl_keeper keeper = {.keep = memory_keep, .recall = memory_recall, .context = memory};
-    const whirl_run_options options = {.threads = 1, .keeper = &keeper, .share = share, .gather = gather};
+    const whirl_point_store store = {.keep = memory_keep, .recall = memory_recall, .context = memory};
+    const whirl_run_options options = {.threads = 1, .store = &store, .share = share, .gather = gather};
     whirl_result *result;
     memory->kept = memory->recalled = 0;
     *status = whirl_study_run(s, &options, &result);
@@ -27,8 +27,8 @@ static bool is_partial(const whirl_result *result) {
     return whirl_result_partial(result, &done, &total);
 }
 
-/// Points of the study that a keeper knows, at the first tolerance.
-static size_t known_points(const memory_keeper *memory) {
+/// Points of the study that a store knows, at the first tolerance.
+static size_t known_points(const memory_store *memory) {
     size_t known = 0;
     for (size_t i = 0; i < memory->slots; i++) known += memory->known[0][i];
     return known;
@@ -40,10 +40,10 @@ static size_t points_of(const whirl_study *s, whirl_share share) {
     return count;
 }
 
-/// The keeper refuses a point that it has, so that none is computed twice.
+/// The store refuses a point that it has, so that none is computed twice.
 static void expect_shares_make_the_whole(const whirl_study *s, size_t count) {
     whirl_result *whole = run(s, 1);
-    memory_keeper *memory = keeper_new(slots_of(s), 1);
+    memory_store *memory = store_new(slots_of(s), 1);
     const size_t passes = s->batches[0].confirm ? 2 : 1;
     whirl_status status;
     for (size_t number = count; number > 0; number--) {
@@ -102,7 +102,7 @@ static void test_shares_are_even(void **state) {
 static void test_shares_that_are_none_are_refused(void **state) {
     double values[POINTS];
     const whirl_study s = study(values, WHIRL_CARRY_NONE, false);
-    memory_keeper *memory = keeper_new(POINTS, 1);
+    memory_store *memory = store_new(POINTS, 1);
     whirl_status status;
     (void)state;
     assert_null(run_share(&s, memory, (whirl_share){0, 3}, false, &status));

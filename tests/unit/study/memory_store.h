@@ -1,30 +1,30 @@
-/// A keeper that keeps points in memory, for studies of one batch. Include after cmocka.h.
-#ifndef STUDY_MEMORY_KEEPER_H
-#define STUDY_MEMORY_KEEPER_H
+/// A store that keeps points in memory, for studies of one batch. Include after cmocka.h.
+#ifndef STUDY_MEMORY_STORE_H
+#define STUDY_MEMORY_STORE_H
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "whirl/engine/study.h"
 
-#ifndef KEEPER_SLOTS
-#define KEEPER_SLOTS 128 // a test that needs more says so
+#ifndef STORE_SLOTS
+#define STORE_SLOTS 128 // a test that needs more says so
 #endif
 
-enum { MAX_SLOTS = KEEPER_SLOTS, MAX_PASSES = 4 * (WHIRL_MAX_ROUNDS + 1), BLOCK = 512, MAX_DIMENSION = 4 };
+enum { MAX_SLOTS = STORE_SLOTS, MAX_PASSES = 4 * (WHIRL_MAX_ROUNDS + 1), BLOCK = 512, MAX_DIMENSION = 4 };
 
 /// `limit` is how many points it takes before it fails, -1: all.
-typedef struct memory_keeper {
+typedef struct memory_store {
     size_t slots, dimension;
     int kept, recalled, limit;
     bool known[MAX_PASSES][MAX_SLOTS];
     double blocks[MAX_PASSES][MAX_SLOTS][BLOCK], ends[MAX_PASSES][MAX_SLOTS][MAX_DIMENSION];
-    whirl_keeper keeper; ///< of a run whose result may ask it for blocks
-} memory_keeper;
+    whirl_point_store store; ///< of a run whose result may ask it for blocks
+} memory_store;
 
 static inline whirl_status memory_keep(void *context, size_t pass, size_t slot, const double *block, size_t size,
                                        const double *end, size_t dimension) {
-    memory_keeper *memory = context;
+    memory_store *memory = context;
     assert_true(pass < MAX_PASSES && slot < memory->slots && size <= BLOCK && !memory->known[pass][slot]);
     assert_true(dimension == (pass == 0 ? memory->dimension : 0));
     if (memory->kept == memory->limit) return whirl_fail(WHIRL_IO_ERROR, "there is no room");
@@ -37,7 +37,7 @@ static inline whirl_status memory_keep(void *context, size_t pass, size_t slot, 
 
 static inline bool memory_recall(void *context, size_t pass, size_t slot, double *block, size_t size, double *end,
                                  size_t dimension) {
-    memory_keeper *memory = context;
+    memory_store *memory = context;
     assert_true(pass < MAX_PASSES && slot < memory->slots && dimension == (pass == 0 ? memory->dimension : 0));
     if (!memory->known[pass][slot]) return false;
     memcpy(block, memory->blocks[pass][slot], size * sizeof *block);
@@ -46,8 +46,8 @@ static inline bool memory_recall(void *context, size_t pass, size_t slot, double
     return true;
 }
 
-static inline memory_keeper *keeper_new(size_t slots, size_t dimension) {
-    memory_keeper *memory = calloc(1, sizeof *memory);
+static inline memory_store *store_new(size_t slots, size_t dimension) {
+    memory_store *memory = calloc(1, sizeof *memory);
     assert_non_null(memory);
     assert_true(slots <= MAX_SLOTS && dimension <= MAX_DIMENSION);
     memory->slots = slots;
@@ -56,12 +56,12 @@ static inline memory_keeper *keeper_new(size_t slots, size_t dimension) {
     return memory;
 }
 
-/// Runs with the keeper; the result belongs to the caller.
-static inline whirl_result *run_kept(const whirl_study *study, memory_keeper *memory, whirl_code expected) {
-    const whirl_keeper keeper = {.keep = memory_keep, .recall = memory_recall, .context = memory};
+/// Runs with the store; the result belongs to the caller.
+static inline whirl_result *run_kept(const whirl_study *study, memory_store *memory, whirl_code expected) {
+    const whirl_point_store store = {.keep = memory_keep, .recall = memory_recall, .context = memory};
     whirl_result *result;
     memory->kept = memory->recalled = 0;
-    assert_int_equal(whirl_study_run(study, &(whirl_run_options){.threads = 2, .keeper = &keeper}, &result).code,
+    assert_int_equal(whirl_study_run(study, &(whirl_run_options){.threads = 2, .store = &store}, &result).code,
                      expected);
     return result;
 }
