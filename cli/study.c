@@ -22,15 +22,12 @@ enum { PATH_SIZE = 4096 };
 
 // ---------------------------------------------------------------- computing
 
-static int set_budget(const study_arguments *arguments, whirl_case *object) {
-    const whirl_budget *budget = &arguments->budget;
-    const whirl_status status = whirl_case_spend(object, budget->revolutions, budget->seconds);
-    return status.code == WHIRL_OK ? EXIT_DONE : complain_of(&status);
-}
-
+/// Loads the case, with the budget of --refine.
 static int load(const study_arguments *arguments, whirl_case **object) {
     const int outcome = load_case(&arguments->given, object);
-    return outcome == EXIT_DONE && arguments->refine ? set_budget(arguments, *object) : outcome;
+    if (outcome != EXIT_DONE || !arguments->refine) return outcome;
+    const whirl_status status = whirl_case_spend(*object, arguments->budget.revolutions, arguments->budget.seconds);
+    return status.code == WHIRL_OK ? EXIT_DONE : complain_of(&status);
 }
 
 /// Reports why a run ended early.
@@ -62,7 +59,7 @@ static int compute(const study_arguments *arguments, const whirl_case *object, r
         .progress = arguments->quiet ? NULL : progress_show,
         .context = &view,
         .stop = interrupt_watch(),
-        .keeper = journal->journal ? whirl_journal_keeper(journal->journal) : NULL,
+        .store = journal->journal ? whirl_journal_store(journal->journal) : NULL,
         // Points that are in a journal need not be in memory, too.
         .memory = whole ? 0 : LITTLE,
         .share = arguments->share,

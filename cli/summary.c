@@ -8,7 +8,7 @@ static const char *plural(double count) {
 }
 
 /// Prints the limits of a batch that follows branches.
-static void print_room(const whirl_batch *batch) {
+static void summary_print_limits(const whirl_batch *batch) {
     const double points = (double)batch->count;
     printf("%s%s: at most %d points, from ", *batch->second ? " and " : "", batch->second, batch->record.trace.points);
     const char *begins = whirl_analysis_kind(batch->analyses)->begins;
@@ -20,7 +20,7 @@ static void print_room(const whirl_batch *batch) {
 
 /// Prints the points and starts of a batch: ": 25 points from 48 starts each, and from neighbours in up to 20 rounds,
 /// 8100 revolutions a start".
-static void print_starts(const whirl_batch *batch, double revolutions) {
+static void summary_print_starts(const whirl_batch *batch, double revolutions) {
     printf(": %zu point%s from %zu starts each, ", batch->count, plural((double)batch->count), batch->starts);
     if (batch->neighbours > 0)
         printf("and from neighbours in up to %zu round%s, ", batch->neighbours, plural((double)batch->neighbours));
@@ -55,11 +55,11 @@ void summarize_study(const whirl_study *study) {
             continue;
         }
         if (whirl_analysis_kind(batch->analyses)->found) {
-            print_room(batch);
+            summary_print_limits(batch);
             continue;
         }
         if (batch->starts > 1)
-            print_starts(batch, revolutions);
+            summary_print_starts(batch, revolutions);
         else
             printf(": %s%.0f point%s, %.0f revolution%s each", batch->refine > 0 ? "at most " : "", points,
                    plural(points), revolutions, plural(revolutions));

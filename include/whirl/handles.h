@@ -27,7 +27,7 @@ typedef struct whirl_result whirl_result;
 typedef struct whirl_table whirl_table;
 
 /// Storage for finished points outside of a run (whirl/engine/study.h, whirl/engine/journal.h).
-typedef struct whirl_keeper whirl_keeper;
+typedef struct whirl_point_store whirl_point_store;
 
 /// Reads a result file. WHIRL_BAD_INPUT with a sentence for a file of another kind.
 whirl_status whirl_result_read(const char *path, whirl_result **result);

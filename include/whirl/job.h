@@ -60,7 +60,7 @@ typedef struct whirl_job whirl_job;
 typedef void (*whirl_job_progress_fn)(void *context, const char *stage, double points_done, double points_total,
                                       double revolutions_done, double revolutions_total, double seconds);
 
-/// Creates a job of a case, on all cores and without a keeper. The case must outlive the job and stay unchanged.
+/// Creates a job of a case, on all cores and without a store. The case must outlive the job and stay unchanged.
 /// WHIRL_NO_MEMORY. Freed by whirl_job_free, also if it has not run.
 whirl_status whirl_job_new(const whirl_case *object, whirl_job **job);
 void whirl_job_free(whirl_job *job); ///< Frees a job that is not running; accepts NULL.
@@ -71,8 +71,8 @@ whirl_status whirl_job_threads(whirl_job *job, int threads);
 /// Sets the function that receives progress; NULL: none.
 void whirl_job_progress(whirl_job *job, whirl_job_progress_fn tell, void *context);
 
-/// Sets the keeper of finished points (whirl_journal_keeper), which must live as long as the job runs; NULL: none.
-void whirl_job_keep(whirl_job *job, const whirl_keeper *keeper);
+/// Sets the store of finished points (whirl_journal_store), which must live as long as the job runs; NULL: none.
+void whirl_job_keep(whirl_job *job, const whirl_point_store *store);
 
 /// Asks the present run and all later runs of the job to end early. May be called from any thread and from a signal
 /// handler.

@@ -53,9 +53,9 @@ bool input_read(const char *path, size_t most, input_file *in, char **text, size
     *length = 0;
     if (!input_open(path, in)) return false;
     // A file may grow meanwhile, and those of /proc have no size.
-    const size_t room = in->size > 0 && in->size < most ? (size_t)in->size + 1 : most;
-    char *bytes = malloc(room + 1);
-    const ssize_t got = bytes ? read_up_to(in->descriptor, bytes, room < most ? room : most) : 0;
+    const size_t capacity = in->size > 0 && in->size < most ? (size_t)in->size + 1 : most;
+    char *bytes = malloc(capacity + 1);
+    const ssize_t got = bytes ? read_up_to(in->descriptor, bytes, capacity < most ? capacity : most) : 0;
     if (!bytes || got < 0) {
         const int error = bytes ? errno : ENOMEM;
         free(bytes);

@@ -168,11 +168,11 @@ static const file_node *items_of(case_reader *reader, const setting_list *file, 
     return NULL;
 }
 
-static void *room_for(case_reader *reader, const setting_list *file, const char *name, size_t size) {
+static void *balance_array(case_reader *reader, const setting_list *file, const char *name, size_t size) {
     const setting *given = settings_find(file, name);
-    void *room = calloc((given ? given->place->count : 0) + 1, size);
-    reader->no_memory = reader->no_memory || !room;
-    return room;
+    void *array = calloc((given ? given->place->count : 0) + 1, size);
+    reader->no_memory = reader->no_memory || !array;
+    return array;
 }
 
 /// Returns the sense of angles on the rotor: 1, or -1 against the rotation.
@@ -318,7 +318,7 @@ static double radius_of(case_reader *reader, const setting *mass, const whirl_ba
 
 static void read_trials(case_reader *reader, const setting_list *file, whirl_balance *out) {
     bool tried[WHIRL_MAX_PLANES] = {false};
-    out->trials = room_for(reader, file, "trials", sizeof *out->trials);
+    out->trials = balance_array(reader, file, "trials", sizeof *out->trials);
     const file_node *first = out->trials ? items_of(reader, file, "trials", MAX_ROWS) : NULL;
     for (const file_node *at = first; at; at = at->next) {
         setting_list item;
@@ -425,7 +425,7 @@ static bool read_vibration(case_reader *reader, const setting_list *file, whirl_
 
 /// Subtracts slow roll from all readings.
 static void read_slow_roll(case_reader *reader, const setting_list *file, whirl_balance *out) {
-    out->slow_rolls = room_for(reader, file, "slow_roll", sizeof *out->slow_rolls);
+    out->slow_rolls = balance_array(reader, file, "slow_roll", sizeof *out->slow_rolls);
     const file_node *first = out->slow_rolls ? items_of(reader, file, "slow_roll", MAX_ROWS) : NULL;
     // Read the slow roll of each probe; a probe has one.
     for (const file_node *at = first; at; at = at->next) {
@@ -451,7 +451,7 @@ static void read_slow_roll(case_reader *reader, const setting_list *file, whirl_
 }
 
 static void read_coefficients(case_reader *reader, const setting_list *file, whirl_balance *out) {
-    out->coefficients = room_for(reader, file, "coefficients", sizeof *out->coefficients);
+    out->coefficients = balance_array(reader, file, "coefficients", sizeof *out->coefficients);
     const file_node *first = out->coefficients ? items_of(reader, file, "coefficients", MAX_ROWS) : NULL;
     for (const file_node *at = first; at; at = at->next) {
         setting_list item;

@@ -16,14 +16,14 @@
 
 static const double moment = 1e-6; // unbalance of the responses, kg m
 
-/// State of consulting the model.
-typedef struct consulting {
+/// A model that is being computed, and its case.
+typedef struct modelling {
     const whirl_balance *balance;
     whirl_balance_model *model;
     whirl_study study;
     whirl_batch batch; ///< a batch without a parameter
     size_t station[WHIRL_MAX_PLANES];
-} consulting;
+} modelling;
 
 /// Responses to 1 kg m in each plane at a speed, about one equilibrium.
 typedef struct responses {
@@ -33,19 +33,19 @@ typedef struct responses {
     double *response; ///< [planes][dimension][2]
 } responses;
 
-static void balance_model_release(const whirl_machine *machine) {
+static void model_release(const whirl_machine *machine) {
     if (machine->release) machine->release(machine->owner);
 }
 
-static void let_go(responses *of) {
-    balance_model_release(&of->machine);
+static void responses_free(responses *of) {
+    model_release(&of->machine);
     free(of->rest);
     free(of->response);
     *of = (responses){.rest = NULL};
 }
 
-static whirl_status machine_with(const consulting *c, double speed, whirl_variant variant, const whirl_placed *placed,
-                                 whirl_machine *out) {
+static whirl_status model_machine(const modelling *c, double speed, whirl_variant variant, const whirl_placed *placed,
+                                  whirl_machine *out) {
     whirl_batch batch = c->batch;
     batch.speed = speed;
     batch.variant = variant;
@@ -56,11 +56,11 @@ static whirl_status machine_with(const consulting *c, double speed, whirl_varian
 }
 
 /// Computes the response to an unbalance in a plane.
-static whirl_status respond_to(const consulting *c, double speed, size_t plane, responses *out) {
+static whirl_status model_respond_plane(const modelling *c, double speed, size_t plane, responses *out) {
     const whirl_placed placed = {.station = c->station[plane], .moment = moment};
-    balance_model_release(&out->machine);
+    model_release(&out->machine);
     out->machine = (whirl_machine){.system = NULL};
-    whirl_status status = machine_with(c, speed, WHIRL_AS_GIVEN, &placed, &out->machine);
+    whirl_status status = model_machine(c, speed, WHIRL_AS_GIVEN, &placed, &out->machine);
     if (status.code != WHIRL_OK) return status;
     const size_t d = out->dimension = out->machine.system->dimension;
     if (!out->rest) {
@@ -74,10 +74,10 @@ static whirl_status respond_to(const consulting *c, double speed, size_t plane, 
     return status;
 }
 
-static whirl_status respond(const consulting *c, double speed, responses *out) {
+static whirl_status model_respond(const modelling *c, double speed, responses *out) {
     whirl_status status = whirl_ok();
     for (size_t p = 0; p < c->balance->plane_count && status.code == WHIRL_OK; p++)
-        status = respond_to(c, speed, p, out);
+        status = model_respond_plane(c, speed, p, out);
     if (status.code == WHIRL_BAD_INPUT || status.code == WHIRL_NUMERICAL_FAILURE)
         status = whirl_fail(WHIRL_BAD_INPUT, "the model at %.6g rpm: %.300s", speed * 60.0 / two_pi, status.message);
     return status;
@@ -86,8 +86,8 @@ static whirl_status respond(const consulting *c, double speed, responses *out) {
 // ---------------------------------------------------------------- stations
 
 /// Finds the index of a station of the model; `what` and `name` are for the message.
-static whirl_status find_station(const whirl_system *system, const char *station, const char *what, const char *name,
-                                 size_t *index) {
+static whirl_status model_find_station(const whirl_system *system, const char *station, const char *what,
+                                       const char *name, size_t *index) {
     const char *names[WHIRL_MAX_PROBES];
     char advice[WHY_SIZE];
     for (*index = 0; *index < system->probe_count; ++*index)
@@ -99,7 +99,7 @@ static whirl_status find_station(const whirl_system *system, const char *station
 }
 
 /// Returns the probe of that name; by default along x, at the station of that name.
-static whirl_balance_probe probe_of(const whirl_balance *of, const char *name) {
+static whirl_balance_probe model_probe(const whirl_balance *of, const char *name) {
     whirl_balance_probe own = {.limit = INFINITY};
     for (size_t i = 0; i < of->probe_count; i++)
         if (strcmp(of->probes[i].name, name) == 0) return of->probes[i];
@@ -111,11 +111,11 @@ static whirl_balance_probe probe_of(const whirl_balance *of, const char *name) {
 // ---------------------------------------------------------------- rows
 
 /// Computes the vibration at a probe by 1 kg m in each plane: amplitudes as in the file, phases from the probe's mark.
-static whirl_status see(const consulting *c, const responses *at, const char *name, double (*out)[2]) {
-    const whirl_balance_probe own = probe_of(c->balance, name);
+static whirl_status model_vibration(const modelling *c, const responses *at, const char *name, double (*out)[2]) {
+    const whirl_balance_probe own = model_probe(c->balance, name);
     const whirl_system *system = at->machine.system;
     size_t station;
-    const whirl_status status = find_station(system, own.station, "probe", name, &station);
+    const whirl_status status = model_find_station(system, own.station, "probe", name, &station);
     if (status.code != WHIRL_OK) return status;
     const whirl_probe *probe = &system->probes[station];
     const double complex turned = cexp(I * whirl_probe_way(probe) * c->balance->keyphasor);
@@ -134,24 +134,25 @@ static whirl_status see(const consulting *c, const responses *at, const char *na
 
 /// Fills in all rows at this speed. They also have the influence for critical speeds that are lower, and higher, than
 /// the model's by its error.
-static whirl_status see_at_speed(const consulting *c, double speed) {
+static whirl_status model_fill_speed(const modelling *c, double speed) {
     whirl_status status = whirl_ok();
     for (int shift = -1; shift <= 1 && status.code == WHIRL_OK; shift++) {
         // If the machine's critical speeds are higher than the model's by a fraction, it behaves like the model at a
         // speed lower by that fraction.
         responses at = {.rest = NULL};
-        status = respond(c, speed * (1.0 - shift * c->balance->model_error), &at);
+        status = model_respond(c, speed * (1.0 - shift * c->balance->model_error), &at);
         for (size_t r = 0; r < c->model->row_count && status.code == WHIRL_OK; r++) {
             whirl_modelled_row *row = &c->model->rows[r];
             if (row->speed == speed)
-                status = see(c, &at, row->probe, shift == 0 ? row->influence : row->shifted[shift > 0 ? 0 : 1]);
+                status =
+                    model_vibration(c, &at, row->probe, shift == 0 ? row->influence : row->shifted[shift > 0 ? 0 : 1]);
         }
-        let_go(&at);
+        responses_free(&at);
     }
     return status;
 }
 
-static whirl_status find_rows(consulting *c) {
+static whirl_status model_find_rows(modelling *c) {
     whirl_balance_model *model = c->model;
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < c->balance->vibration_count; i++) {
@@ -166,7 +167,7 @@ static whirl_status find_rows(consulting *c) {
     for (size_t r = 0; r < model->row_count && status.code == WHIRL_OK; r++) {
         bool known = false;
         for (size_t k = 0; k < r; k++) known = known || model->rows[k].speed == model->rows[r].speed;
-        if (!known) status = see_at_speed(c, model->rows[r].speed);
+        if (!known) status = model_fill_speed(c, model->rows[r].speed);
     }
     return status;
 }
@@ -179,7 +180,7 @@ typedef struct both_sides {
     double *real, *imaginary, *right, *other_real, *other_imaginary, *left;
 } both_sides;
 
-static bool decompose(const double *jacobian, both_sides *of) {
+static bool model_decompose(const double *jacobian, both_sides *of) {
     const size_t n = of->n;
     double *work = calloc(n * n + 1, sizeof *work);
     if (!work) return false;
@@ -193,7 +194,7 @@ static bool decompose(const double *jacobian, both_sides *of) {
 }
 
 /// Returns the left eigenvector [n][2] of eigenvalue `value`.
-static const double *left_of(const both_sides *of, size_t value) {
+static const double *model_left_vector(const both_sides *of, size_t value) {
     size_t best = 0;
     double least = INFINITY;
     for (size_t i = 0; i < of->n; i++) {
@@ -204,7 +205,7 @@ static const double *left_of(const both_sides *of, size_t value) {
     return of->left + 2 * of->n * best;
 }
 
-static double complex product(size_t n, const double *a, const double *b) {
+static double complex model_product(size_t n, const double *a, const double *b) {
     double complex sum = 0.0;
     for (size_t i = 0; i < n; i++) sum += (a[2 * i] + a[2 * i + 1] * I) * (b[2 * i] + b[2 * i + 1] * I);
     return sum;
@@ -212,16 +213,16 @@ static double complex product(size_t n, const double *a, const double *b) {
 
 /// Extracts the mode with the largest part in the responses. With z and q its left and right vectors, |q| = 1, that
 /// part of a response r is q (z r)/(z q); z r is the excitation of the mode by each plane.
-static void take_mode(const consulting *c, const both_sides *of, const responses *at, size_t mode) {
+static void model_take_mode(const modelling *c, const both_sides *of, const responses *at, size_t mode) {
     const size_t planes = c->balance->plane_count;
     double largest = 0.0;
     for (size_t i = 0; i < of->n; i++) {
         if (!(of->imaginary[i] > 0.0)) continue;
-        const double *left = left_of(of, i);
-        const double complex scale = product(of->n, left, of->right + 2 * of->n * i);
+        const double *left = model_left_vector(of, i);
+        const double complex scale = model_product(of->n, left, of->right + 2 * of->n * i);
         double complex own[WHIRL_MAX_PLANES], most = 0.0;
         for (size_t p = 0; p < planes; p++) {
-            own[p] = product(of->n, left, at->response + 2 * of->n * p);
+            own[p] = model_product(of->n, left, at->response + 2 * of->n * p);
             if (cabs(own[p]) > cabs(most) * (1.0 + 1e-9)) most = own[p];
         }
         if (!(cabs(most / scale) > largest)) continue;
@@ -234,9 +235,9 @@ static void take_mode(const consulting *c, const both_sides *of, const responses
     }
 }
 
-static whirl_status find_mode(const consulting *c, size_t mode) {
+static whirl_status model_find_mode(const modelling *c, size_t mode) {
     responses at = {.rest = NULL};
-    whirl_status status = respond(c, c->balance->modes[mode].speed, &at);
+    whirl_status status = model_respond(c, c->balance->modes[mode].speed, &at);
     const size_t n = at.dimension;
     double *block = status.code == WHIRL_OK ? calloc(5 * n * n + 5 * n + 1, sizeof *block) : NULL;
     if (status.code == WHIRL_OK && !block) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the modes of a model");
@@ -244,21 +245,21 @@ static whirl_status find_mode(const consulting *c, size_t mode) {
         double *jacobian = block, *slope = block + 5 * n * n;
         both_sides of = {n, slope + n, slope + 2 * n, block + n * n, slope + 3 * n, slope + 4 * n, block + 3 * n * n};
         status = whirl_rest_slope(at.machine.system, at.rest, slope, jacobian);
-        if (status.code == WHIRL_OK && !decompose(jacobian, &of))
+        if (status.code == WHIRL_OK && !model_decompose(jacobian, &of))
             status = whirl_fail(WHIRL_NUMERICAL_FAILURE, "the modes of the model were not found");
-        if (status.code == WHIRL_OK) take_mode(c, &of, &at, mode);
+        if (status.code == WHIRL_OK) model_take_mode(c, &of, &at, mode);
     }
     free(block);
-    let_go(&at);
+    responses_free(&at);
     return status;
 }
 
 // ---------------------------------------------------------------- loads
 
 /// Finds the load on the bearing nearest to each plane, if the machine has weight.
-static whirl_status find_loads(const consulting *c) {
+static whirl_status model_find_loads(const modelling *c) {
     whirl_machine machine = {.system = NULL};
-    whirl_status status = machine_with(c, 0.0, WHIRL_WITH_STATICS, NULL, &machine);
+    whirl_status status = model_machine(c, 0.0, WHIRL_WITH_STATICS, NULL, &machine);
     if (status.code == WHIRL_BAD_INPUT) return whirl_ok(); // no shaft whose weight bearings carry: loads stay unknown
     for (size_t p = 0; p < c->balance->plane_count && status.code == WHIRL_OK; p++) {
         const whirl_probe *probes = machine.system->probes, *own = &probes[c->station[p]];
@@ -273,37 +274,37 @@ static whirl_status find_loads(const consulting *c) {
             snprintf(c->model->bearing[p], sizeof c->model->bearing[p], "%s", probes[i].name);
         }
     }
-    balance_model_release(&machine);
+    model_release(&machine);
     return status;
 }
 
 // ---------------------------------------------------------------- the whole model
 
-static whirl_status find_planes(consulting *c) {
+static whirl_status model_find_planes(modelling *c) {
     whirl_machine machine = {.system = NULL};
-    whirl_status status = machine_with(c, 0.0, WHIRL_AS_GIVEN, NULL, &machine);
+    whirl_status status = model_machine(c, 0.0, WHIRL_AS_GIVEN, NULL, &machine);
     for (size_t p = 0; p < c->balance->plane_count && status.code == WHIRL_OK; p++) {
         const whirl_balance_plane *own = &c->balance->planes[p];
         c->model->load[p] = c->model->position[p] = NAN;
-        status =
-            find_station(machine.system, *own->station ? own->station : own->name, "plane", own->name, &c->station[p]);
+        status = model_find_station(machine.system, *own->station ? own->station : own->name, "plane", own->name,
+                                    &c->station[p]);
     }
-    balance_model_release(&machine);
+    model_release(&machine);
     return status;
 }
 
-static whirl_status ask(const whirl_balance *balance, const whirl_case *object, whirl_balance_model *model) {
-    consulting c = {.balance = balance, .model = model};
+static whirl_status model_compute(const whirl_balance *balance, const whirl_case *object, whirl_balance_model *model) {
+    modelling c = {.balance = balance, .model = model};
     whirl_status status = whirl_case_study(object, &c.study);
     if (status.code != WHIRL_OK) return status;
     c.batch = c.study.batches[0];
     c.batch.parameter[0] = c.batch.second[0] = c.batch.third[0] = '\0';
     c.batch.given_count = 0;
-    status = find_planes(&c);
-    if (status.code == WHIRL_OK) status = find_loads(&c);
-    if (status.code == WHIRL_OK) status = find_rows(&c);
+    status = model_find_planes(&c);
+    if (status.code == WHIRL_OK) status = model_find_loads(&c);
+    if (status.code == WHIRL_OK) status = model_find_rows(&c);
     for (size_t n = 0; n < balance->mode_count && status.code == WHIRL_OK; n++)
-        if (!balance->modes[n].shaped) status = find_mode(&c, n);
+        if (!balance->modes[n].shaped) status = model_find_mode(&c, n);
     return status;
 }
 
@@ -319,7 +320,8 @@ whirl_status whirl_balance_consult(const whirl_balance *balance, const char *pat
     if (status.code != WHIRL_OK) return status;
     whirl_balance_model *out = calloc(1, sizeof *out);
     if (out) out->rows = calloc(balance->vibration_count + 1, sizeof *out->rows);
-    status = out && out->rows ? ask(balance, object, out) : whirl_fail(WHIRL_NO_MEMORY, "no memory for a model");
+    status =
+        out && out->rows ? model_compute(balance, object, out) : whirl_fail(WHIRL_NO_MEMORY, "no memory for a model");
     whirl_case_free(object);
     if (status.code == WHIRL_OK)
         *model = out;

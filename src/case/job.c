@@ -48,7 +48,7 @@ struct whirl_job {
     whirl_job_run_fn *run;
     const void *subject;
     int threads;
-    const whirl_keeper *keeper;
+    const whirl_point_store *store;
     whirl_job_progress_fn tell;
     void *context;
     whirl_stop stop;
@@ -86,8 +86,8 @@ void whirl_job_progress(whirl_job *job, whirl_job_progress_fn tell, void *contex
     job->context = context;
 }
 
-void whirl_job_keep(whirl_job *job, const whirl_keeper *keeper) {
-    job->keeper = keeper;
+void whirl_job_keep(whirl_job *job, const whirl_point_store *store) {
+    job->store = store;
 }
 
 void whirl_job_stop(whirl_job *job) {
@@ -110,7 +110,7 @@ static whirl_run_options options_of(whirl_job *job) {
                                .progress = job->tell ? pass_on : NULL,
                                .context = job,
                                .stop = &job->stop,
-                               .keeper = job->keeper,
+                               .store = job->store,
                                .memory = SIZE_MAX};
 }
 

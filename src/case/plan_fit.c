@@ -125,7 +125,7 @@ typedef struct fit_maker {
     whirl_fit fit;
     whirl_fit_motion *motions;
     whirl_fit_number *numbers;
-    size_t motion_room, number_room;
+    size_t motion_capacity, number_capacity;
     int revolutions;
     double checksum;
     // The present table.
@@ -253,12 +253,12 @@ static double fit_cell(const fit_maker *m, size_t column, size_t row) {
 }
 
 /// Makes room for one more motion or number; NULL without memory.
-static void *fit_grow(fit_maker *m, void *list, size_t count, size_t *room, size_t size) {
-    if (count < *room) return list;
-    const size_t more = *room > 0 ? 2 * *room : 64;
+static void *fit_grow(fit_maker *m, void *list, size_t count, size_t *capacity, size_t size) {
+    if (count < *capacity) return list;
+    const size_t more = *capacity > 0 ? 2 * *capacity : 64;
     void *out = arena_take(m->reader->arena, more * size);
     if (out && count > 0) memcpy(out, list, count * size);
-    if (out) *room = more;
+    if (out) *capacity = more;
     m->reader->no_memory = m->reader->no_memory || !out;
     return out;
 }
@@ -268,7 +268,7 @@ static whirl_status fit_add_motion(fit_maker *m, size_t given_count, const whirl
     if (m->fit.motion_count == WHIRL_MAX_FIT_MOTIONS)
         return whirl_fail(WHIRL_BAD_INPUT, "%.150s: the fit has more than %d motions", m->table.path,
                           WHIRL_MAX_FIT_MOTIONS);
-    m->motions = fit_grow(m, m->motions, m->fit.motion_count, &m->motion_room, sizeof *m->motions);
+    m->motions = fit_grow(m, m->motions, m->fit.motion_count, &m->motion_capacity, sizeof *m->motions);
     if (!m->motions) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a fit");
     m->motions[m->fit.motion_count++] =
         (whirl_fit_motion){.given_count = given_count, .given = given, .speed = speed, .instants = instants};
@@ -280,7 +280,7 @@ static whirl_status fit_add_number(fit_maker *m, const fit_column *column, whirl
     if (m->fit.number_count == WHIRL_MAX_FIT_NUMBERS)
         return whirl_fail(WHIRL_BAD_INPUT, "%.150s: the fit has more than %d numbers", m->table.path,
                           WHIRL_MAX_FIT_NUMBERS);
-    m->numbers = fit_grow(m, m->numbers, m->fit.number_count, &m->number_room, sizeof *m->numbers);
+    m->numbers = fit_grow(m, m->numbers, m->fit.number_count, &m->number_capacity, sizeof *m->numbers);
     if (!m->numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a fit");
     m->numbers[m->fit.number_count++] = (whirl_fit_number){.set = m->set,
                                                            .motion = m->fit.motion_count - 1,

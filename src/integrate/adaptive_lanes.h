@@ -144,8 +144,8 @@ typedef struct adaptive_lanes {
     int instants;                   ///< instants of a revolution
     lanes_observe observe;
     size_t sample_stride; ///< instants from one sample to the next, 0: no samples
-    double *samples;      ///< [sample_room][dimension][lane_count]
-    size_t sample_room;
+    double *samples;      ///< [sample_capacity][dimension][lane_count]
+    size_t sample_capacity;
     // The ensemble whose lanes are carried.
     size_t lane_count;
     const double *parts; ///< [lane_count][2] beginning and end of the part of the period over which a lane is carried;

@@ -150,10 +150,10 @@ adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *
 }
 
 bool adaptive_lanes_make_room(adaptive_lanes *lanes, size_t samples, size_t lane_count) {
-    if (samples <= lanes->sample_room) return true;
+    if (samples <= lanes->sample_capacity) return true;
     free(lanes->samples);
     lanes->samples = malloc(samples * lanes->dimension * lane_count * sizeof(double));
-    lanes->sample_room = lanes->samples ? samples : 0;
+    lanes->sample_capacity = lanes->samples ? samples : 0;
     return lanes->samples != NULL;
 }
 

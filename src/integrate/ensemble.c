@@ -26,7 +26,7 @@ struct whirl_ensemble {
     adaptive_lanes *adaptive;  ///< NULL for rk4
     stepper *stepper;          ///< takes steps near switches; NULL: not needed
     whirl_perturbations along; ///< perturbations of the stepper
-    double *room;              ///< workspace of the stepper
+    double *work;              ///< workspace of the stepper
     /// [lane_count][2] beginning and end of the part of the period over which each lane is carried; NULL: whole periods
     double *parts;
     alone_lanes *alone; ///< lanes that integrators carry; NULL: kernels carry all lanes
@@ -189,10 +189,10 @@ static bool attach_adaptive(whirl_ensemble *e, const lanes_method *own, const wh
     if (!e->adaptive || !e->stepper) return false;
     e->adaptive->stepper = e->stepper;
     if (most == 0) return true;
-    e->room = calloc((PERTURBATION_ROWS * (1 + most) + SPARE_ROWS + most) * n, sizeof *e->room);
-    if (!e->room) return false;
-    stepper_follow(e->stepper, most, e->room + most * n);
-    e->along = (whirl_perturbations){.count = most, .vectors = e->room};
+    e->work = calloc((PERTURBATION_ROWS * (1 + most) + SPARE_ROWS + most) * n, sizeof *e->work);
+    if (!e->work) return false;
+    stepper_follow(e->stepper, most, e->work + most * n);
+    e->along = (whirl_perturbations){.count = most, .vectors = e->work};
     e->adaptive->alongside = &e->along;
     return true;
 }
@@ -365,7 +365,7 @@ void whirl_ensemble_free(whirl_ensemble *e) {
     adaptive_lanes_free(e->adaptive);
     alone_lanes_free(e->alone);
     stepper_free(e->stepper);
-    free(e->room);
+    free(e->work);
     free(e->parts);
     free(e->block);
     free(e->forcing);

@@ -89,14 +89,14 @@ static void observe(void *context, double t, const double *x) {
 /// number of samples that fit.
 static size_t alone_make_room(alone_lanes *alone, size_t samples) {
     const size_t numbers = alone->dimension * alone->lane_count;
-    if (samples > alone->sample_room) {
+    if (samples > alone->sample_capacity) {
         free(alone->samples);
         alone->samples = malloc(samples * numbers * sizeof(double));
-        alone->sample_room = alone->samples ? samples : 0;
+        alone->sample_capacity = alone->samples ? samples : 0;
     }
-    const size_t room = alone->sample_room < samples ? 0 : samples;
-    for (size_t i = 0; i < room * numbers; i++) alone->samples[i] = (double)NAN;
-    return room;
+    const size_t capacity = alone->sample_capacity < samples ? 0 : samples;
+    for (size_t i = 0; i < capacity * numbers; i++) alone->samples[i] = (double)NAN;
+    return capacity;
 }
 
 static void revolve_lane(const alone_lanes *alone, watched_lane *w) {

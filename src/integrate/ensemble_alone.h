@@ -11,8 +11,8 @@ typedef struct alone_lanes {
     size_t dimension, lane_count;
     whirl_integrator **integrator; ///< [lane_count] NULL: empty lane
     double *state;                 ///< [dimension] workspace
-    double *samples;               ///< [sample_room][dimension][lane_count]
-    size_t sample_room;
+    double *samples;               ///< [sample_capacity][dimension][lane_count]
+    size_t sample_capacity;
     // The ensemble whose lanes are carried.
     double *x, *ended;             ///< [dimension][lane_count]; [lane_count] whirl_motion
     const whirl_system **machines; ///< [lane_count]

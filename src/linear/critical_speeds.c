@@ -205,17 +205,17 @@ static whirl_status count_free(const matrices *slow, size_t *count) {
     bool *place = malloc((n + 1) * sizeof *place);
     free_step *zeros = NULL;
     size_t left;
-    bool room = matrix && place;
+    bool allocated = matrix && place;
     *count = 0;
-    if (room) {
+    if (allocated) {
         memcpy(matrix, slow->stiffness, n * n * sizeof *matrix);
         for (size_t i = 0; i < n; i++) place[i] = true;
-        room = free_motions_take_out(n, matrix, place, &left, count, &zeros);
+        allocated = free_motions_take_out(n, matrix, place, &left, count, &zeros);
     }
     free_motions_end(zeros);
     free(matrix);
     free(place);
-    return room ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for critical speeds of %zu coordinates", n);
+    return allocated ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for critical speeds of %zu coordinates", n);
 }
 
 static whirl_status roots_new(const matrices *slow, const double *gyroscopic, double shift, roots *r) {

@@ -297,14 +297,14 @@ static void regain_films(search *s, double *x, double *at) {
 // ---------------------------------------------------------------- one of several
 
 /// Returns the largest real part of the eigenvalues at x, without idle coordinates; INFINITY if the eigenvalues are not
-/// found. `room` [count][count + 2] is workspace.
-static double growth_at(search *s, double *x, double *room) {
+/// found. `work` [count][count + 2] is workspace.
+static double growth_at(search *s, double *x, double *work) {
     const size_t n = s->mean->count;
-    double *real = room + n * n, *imaginary = real + n, growth = -(double)INFINITY, size = 0.0;
+    double *real = work + n * n, *imaginary = real + n, growth = -(double)INFINITY, size = 0.0;
     mean_settle(s->mean, x);
-    mean_jacobian(s->mean, x, room);
-    hold_idle(s->mean, -1.0, room);
-    if (!matrix_eigen(n, room, real, imaginary, NULL)) return (double)INFINITY;
+    mean_jacobian(s->mean, x, work);
+    hold_idle(s->mean, -1.0, work);
+    if (!matrix_eigen(n, work, real, imaginary, NULL)) return (double)INFINITY;
     for (size_t i = 0; i < n; i++) {
         growth = fmax(growth, real[i]);
         size = fmax(size, hypot(real[i], imaginary[i]));
@@ -339,8 +339,8 @@ static const double parts[] = {0.3, 0.6, 0.8, 0.9, 0.96}, angles[] = {0.0, 0.2, 
 /// them, have several balances. Returns true if x is an equilibrium.
 static bool prefer_stable(search *s, bool found, const double *start, double *x, double *at) {
     const size_t n = s->mean->count, d = s->mean->system->dimension;
-    double *room = malloc((n * (n + 2) + 1) * sizeof *room);
-    double growth = !room ? 0.0 : found ? growth_at(s, x, room) : (double)INFINITY;
+    double *work = malloc((n * (n + 2) + 1) * sizeof *work);
+    double growth = !work ? 0.0 : found ? growth_at(s, x, work) : (double)INFINITY;
     s->share = 1.0;
     for (size_t a = 0; a < sizeof angles / sizeof *angles; a++)
         for (size_t p = 0; p < sizeof parts / sizeof *parts && growth > 0.0; p++) {
@@ -349,13 +349,13 @@ static bool prefer_stable(search *s, bool found, const double *start, double *x,
             double apart = 0.0;
             for (size_t i = 0; i < d; i++) apart = fmax(apart, fabs(at[i] - x[i]));
             if (found && apart <= 1e-6) continue;
-            const double own = growth_at(s, at, room);
+            const double own = growth_at(s, at, work);
             if (own > 0.0 && found) continue;
             memcpy(x, at, d * sizeof *x);
             growth = own;
             found = true;
         }
-    free(room);
+    free(work);
     return found;
 }
 
@@ -372,16 +372,16 @@ static double largest_clearance(const whirl_system *system) {
 static bool search_paths(search *s, const double *start, double *x, double *at) {
     const size_t n = s->mean->count, d = s->mean->system->dimension;
     const double unit = largest_clearance(s->mean->system);
-    double *room = malloc((n * (n + 2) + 1) * sizeof *room), least = (double)INFINITY;
+    double *work = malloc((n * (n + 2) + 1) * sizeof *work), least = (double)INFINITY;
     for (size_t a = 0; a < sizeof angles / sizeof *angles && unit > 0.0; a++)
-        for (size_t p = 0; p < sizeof parts / sizeof *parts && room && least > 0.0; p++) {
+        for (size_t p = 0; p < sizeof parts / sizeof *parts && work && least > 0.0; p++) {
             if (!place_journals(s, start, parts[p], angles[a], at) || !load_path_follow(s->mean, unit, at)) continue;
-            const double growth = balances(s, at) ? growth_at(s, at, room) : (double)INFINITY;
+            const double growth = balances(s, at) ? growth_at(s, at, work) : (double)INFINITY;
             if (!(growth < least)) continue;
             memcpy(x, at, d * sizeof *x);
             least = growth;
         }
-    free(room);
+    free(work);
     return isfinite(least);
 }
 
@@ -483,12 +483,12 @@ whirl_status whirl_rest_contacts(const whirl_system *system, const double *x, do
     if (!system->contacts || system->contact_count == 0) return whirl_ok();
     whirl_status status = mean_begin(&mean, system, &block);
     if (status.code != WHIRL_OK) return status;
-    double *room = calloc(system->contact_count, sizeof *room);
-    if (room)
-        mean_contacts(&mean, x, force, room);
+    double *work = calloc(system->contact_count, sizeof *work);
+    if (work)
+        mean_contacts(&mean, x, force, work);
     else
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the forces of %zu contacts", system->contact_count);
-    free(room);
+    free(work);
     free(block);
     return status;
 }

@@ -24,7 +24,7 @@ typedef struct elimination {
     double *sums;         ///< [n][n] sum of the moduli of all summands of each number
     double *scale;        ///< [n] powers of two: a coordinate divided by the scaled coordinate
     size_t *row, *column; ///< [n] positions of rows and columns after the exchanges
-    double *room;         ///< [3 n][n] for free shapes
+    double *work;         ///< [3 n][n] for free shapes
 } elimination;
 
 /// Scales rows and columns until the largest number of each is near 1.
@@ -95,7 +95,7 @@ static void sum_rows(const elimination *e, size_t free, double *out) {
 /// is the combination of rows and v the displacement. Roundings of A make up to |u|' |A| |v| of it.
 static bool find_doubtful_pivot(const elimination *e, size_t *row, size_t *column) {
     const size_t n = e->n, rank = e->rank, left = n - rank;
-    double *pivots = e->room, *sums = pivots + left * rank, *moved = sums + left * rank, most = roundings;
+    double *pivots = e->work, *sums = pivots + left * rank, *moved = sums + left * rank, most = roundings;
     // Compute the displacement of each free column, and the combination of rows of each remainder.
     for (size_t k = 0; k < left; k++) {
         follow_pivots(e, k, pivots + k * rank);
@@ -197,11 +197,11 @@ static bool step_new(size_t n, size_t leading, free_step **out) {
     return true;
 }
 
-/// Sets the leading coordinates and the free shapes; `room` [n] and `order` [n] are workspace.
-static void step_fill(const elimination *e, double *room, size_t *order, free_step *step) {
+/// Sets the leading coordinates and the free shapes; `work` [n] and `order` [n] are workspace.
+static void step_fill(const elimination *e, double *work, size_t *order, free_step *step) {
     const size_t n = e->n;
     size_t leads = 0, follows = 0;
-    double *pivots = room;
+    double *pivots = work;
     for (size_t i = 0; i < n; i++) order[e->column[i]] = i;
     for (size_t i = 0; i < n; i++)
         if (order[i] < e->rank)
@@ -256,28 +256,28 @@ bool free_motions_take_out(size_t n, double *matrix, const bool *place, size_t *
                            free_step **first) {
     double *numbers = calloc(6 * n * n + n + 1, sizeof *numbers);
     size_t *places = calloc(3 * n + 1, sizeof *places);
-    bool room = numbers && places;
+    bool allocated = numbers && places;
     free_step **end = first;
     *first = NULL;
     *left = n;
     *displaced = 0;
     // Each pass removes the null space of the matrix; a Jordan chain takes several passes.
-    while (room && *left > 0) {
+    while (allocated && *left > 0) {
         const size_t m = *left;
         elimination e = {.n = m, .matrix = numbers, .row = places, .column = places + m};
         e.numbers = e.matrix + m * m;
         e.sums = e.numbers + m * m;
-        e.room = e.sums + m * m;
-        e.scale = e.room + 3 * m * m;
+        e.work = e.sums + m * m;
+        e.scale = e.work + 3 * m * m;
         memcpy(e.matrix, matrix, m * m * sizeof *numbers);
         // Find the rank by elimination.
         scale_numbers(&e);
         eliminate(&e);
         if (e.rank == m) break;
         // Replace the matrix by that of the motion relative to the free shapes.
-        room = step_new(m, m - e.rank, end);
-        if (!room) break;
-        step_fill(&e, e.room, places + 2 * m, *end);
+        allocated = step_new(m, m - e.rank, end);
+        if (!allocated) break;
+        step_fill(&e, e.work, places + 2 * m, *end);
         if (end == first) *displaced = count_displaced(*end, place);
         step_take(*end, matrix);
         *left = e.rank;
@@ -285,43 +285,43 @@ bool free_motions_take_out(size_t n, double *matrix, const bool *place, size_t *
     }
     free(numbers);
     free(places);
-    if (room) return true;
+    if (allocated) return true;
     free_motions_end(*first);
     *first = NULL;
     return false;
 }
 
-/// Converts a vector [followers][2] at the front of out [n][2] into a vector of all coordinates; `room` [n][2] is
+/// Converts a vector [followers][2] at the front of out [n][2] into a vector of all coordinates; `work` [n][2] is
 /// workspace.
-static void step_put_back(const free_step *step, double real, double imaginary, double *out, double *room) {
+static void step_put_back(const free_step *step, double real, double imaginary, double *out, double *work) {
     const size_t leads = step->leading, follows = step->n - leads;
     const double square = real * real + imaginary * imaginary;
     for (size_t k = 0; k < leads; k++) {
         double pulled[2] = {0.0, 0.0};
         for (size_t j = 0; j < follows; j++)
             for (size_t c = 0; c < 2; c++) pulled[c] += step->pull[k * follows + j] * out[2 * j + c];
-        room[2 * k] = (pulled[0] * real + pulled[1] * imaginary) / square;
-        room[2 * k + 1] = (pulled[1] * real - pulled[0] * imaginary) / square;
+        work[2 * k] = (pulled[0] * real + pulled[1] * imaginary) / square;
+        work[2 * k + 1] = (pulled[1] * real - pulled[0] * imaginary) / square;
     }
     for (size_t i = follows; i-- > 0;)
         for (size_t c = 0; c < 2; c++) {
             double moved = out[2 * i + c];
-            for (size_t k = 0; k < leads; k++) moved += step->shape[i * leads + k] * room[2 * k + c];
+            for (size_t k = 0; k < leads; k++) moved += step->shape[i * leads + k] * work[2 * k + c];
             out[2 * step->follow[i] + c] = moved;
         }
-    for (size_t k = 0; k < leads; k++) memcpy(out + 2 * step->lead[k], room + 2 * k, 2 * sizeof *out);
+    for (size_t k = 0; k < leads; k++) memcpy(out + 2 * step->lead[k], work + 2 * k, 2 * sizeof *out);
 }
 
-static void put_back(const free_step *step, double real, double imaginary, double *out, double *room) {
+static void put_back(const free_step *step, double real, double imaginary, double *out, double *work) {
     if (!step) return;
-    put_back(step->next, real, imaginary, out, room);
-    step_put_back(step, real, imaginary, out, room);
+    put_back(step->next, real, imaginary, out, work);
+    step_put_back(step, real, imaginary, out, work);
 }
 
-void free_motions_put_back(const free_step *first, double real, double imaginary, double *vector, double *room) {
+void free_motions_put_back(const free_step *first, double real, double imaginary, double *vector, double *work) {
     double largest = 0.0, square = 0.0;
     if (!first) return;
-    put_back(first, real, imaginary, vector, room);
+    put_back(first, real, imaginary, vector, work);
     // Scale to length 1 in a way that does not overflow for slow eigenvalues.
     for (size_t i = 0; i < 2 * first->n; i++) largest = fmax(largest, fabs(vector[i]));
     for (size_t i = 0; i < 2 * first->n; i++) square += vector[i] / largest * (vector[i] / largest);

@@ -15,8 +15,8 @@ bool free_motions_take_out(size_t n, double *matrix, const bool *place, size_t *
                            free_step **first);
 
 /// Converts the eigenvector [left][2] at the front of vector [n][2], whose eigenvalue is not 0, into the eigenvector of
-/// the matrix [n][n], of Euclidean length 1. room [n][2] is workspace.
-void free_motions_put_back(const free_step *first, double real, double imaginary, double *vector, double *room);
+/// the matrix [n][n], of Euclidean length 1. work [n][2] is workspace.
+void free_motions_put_back(const free_step *first, double real, double imaginary, double *vector, double *work);
 
 /// Frees the records of free_motions_take_out; accepts NULL.
 void free_motions_end(free_step *first);

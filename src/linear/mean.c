@@ -102,13 +102,13 @@ void mean_slope(mean_system *m, const double *x, double *slope) {
     }
 }
 
-void mean_contacts(mean_system *m, const double *x, double *force, double *room) {
+void mean_contacts(mean_system *m, const double *x, double *force, double *work) {
     const size_t count = m->system->contact_count;
     memset(force, 0, count * sizeof *force);
     for (int sample = 0; sample < m->samples; sample++) {
         at_phase(m, x, sample);
-        m->system->contacts(m->system->model, m->state, room);
-        for (size_t c = 0; c < count; c++) force[c] += room[c] / m->samples;
+        m->system->contacts(m->system->model, m->state, work);
+        for (size_t c = 0; c < count; c++) force[c] += work[c] / m->samples;
     }
 }
 

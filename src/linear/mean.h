@@ -35,8 +35,8 @@ void mean_leave_idle(mean_system *m, const double *x);
 /// Writes the mean system's right-hand side [count] at x [dimension].
 void mean_slope(mean_system *m, const double *x, double *slope);
 
-/// Writes the normal forces of all contacts [contact_count]; `room` [contact_count] is workspace.
-void mean_contacts(mean_system *m, const double *x, double *force, double *room);
+/// Writes the normal forces of all contacts [contact_count]; `work` [contact_count] is workspace.
+void mean_contacts(mean_system *m, const double *x, double *force, double *work);
 
 /// Writes the mean system's Jacobian [count][count] at x [dimension].
 void mean_jacobian(mean_system *m, const double *x, double *jacobian);

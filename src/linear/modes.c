@@ -117,9 +117,9 @@ bool whirl_mode_is_overdamped(const whirl_mode *mode) {
 whirl_status modes_put_overdamped_last(whirl_modes *modes) {
     const size_t d = modes->dimension, size = sizeof(whirl_mode) + 2 * d * sizeof(double);
     size_t seen = 0, behind = 0;
-    char *room = malloc(modes->count * size + 1);
-    if (!room) return whirl_fail(WHIRL_NO_MEMORY, "no memory to sort %zu modes", modes->count);
-    whirl_mode *last = (whirl_mode *)room;
+    char *memory = malloc(modes->count * size + 1);
+    if (!memory) return whirl_fail(WHIRL_NO_MEMORY, "no memory to sort %zu modes", modes->count);
+    whirl_mode *last = (whirl_mode *)memory;
     double *shapes = (double *)(last + modes->count);
     for (size_t i = 0; i < modes->count; i++) {
         const bool overdamped = whirl_mode_is_overdamped(&modes->modes[i]);
@@ -131,7 +131,7 @@ whirl_status modes_put_overdamped_last(whirl_modes *modes) {
     }
     memcpy(modes->modes + seen, last, behind * sizeof *last);
     memcpy(modes->vectors + 2 * d * seen, shapes, 2 * d * behind * sizeof *shapes);
-    free(room);
+    free(memory);
     return whirl_ok();
 }
 
@@ -140,7 +140,7 @@ whirl_status modes_put_overdamped_last(whirl_modes *modes) {
 /// Workspace for the matrices and roots of a system.
 typedef struct solving {
     double *real, *imaginary, *noise; ///< [n]
-    double *vectors, *room, *copy;    ///< [n][n][2], [n][2], [n][n]
+    double *vectors, *work, *copy;    ///< [n][n][2], [n][2], [n][n]
     double *block;                    ///< all of these numbers
     root *roots;                      ///< [2n]
     bool *place;                      ///< [n] coordinates that have a rate; all true if none has
@@ -154,8 +154,8 @@ static bool solving_begin(size_t n, solving *s) {
     s->real = s->block;
     s->imaginary = s->real + n;
     s->noise = s->imaginary + n;
-    s->room = s->noise + n;
-    s->vectors = s->room + 2 * n;
+    s->work = s->noise + n;
+    s->vectors = s->work + 2 * n;
     s->copy = s->vectors + 2 * n * n;
     return true;
 }
@@ -177,7 +177,7 @@ static void put_back(size_t n, size_t left, const free_step *zeros, solving *s) 
     for (size_t i = left; i-- > 0 && left < n;) {
         double *to = s->vectors + 2 * n * i;
         memmove(to, s->vectors + 2 * left * i, 2 * left * sizeof *to);
-        free_motions_put_back(zeros, s->real[i], s->imaginary[i], to, s->room);
+        free_motions_put_back(zeros, s->real[i], s->imaginary[i], to, s->work);
     }
 }
 
@@ -251,18 +251,18 @@ static whirl_status modes_solve(const mean_system *m, double *matrix, double per
     size_t left = n, displaced = 0;
     free_step *zeros = NULL;
     solving s = {.block = NULL};
-    bool room = solving_begin(n, &s), solved = room;
+    bool allocated = solving_begin(n, &s), solved = allocated;
     // Remove zero eigenvalues first: their rounding could hide slow modes.
-    if (room && period == 0.0) {
+    if (allocated && period == 0.0) {
         find_places(n, matrix, s.place);
-        room = solved = free_motions_take_out(n, matrix, s.place, &left, &displaced, &zeros);
+        allocated = solved = free_motions_take_out(n, matrix, s.place, &left, &displaced, &zeros);
     }
     if (solved) memcpy(s.copy, matrix, left * left * sizeof *matrix);
     // Compute the remaining eigenvalues, and the slowest of them again from the inverse.
     const int before = exhausted_watch();
     solved = solved && matrix_eigen_rounding(left, matrix, s.real, s.imaginary, s.vectors, s.noise);
     const bool no_memory = exhausted(before);
-    if (solved && period == 0.0) room = solved = sharpen_slowest(left, &s);
+    if (solved && period == 0.0) allocated = solved = sharpen_slowest(left, &s);
     if (solved) put_back(n, left, zeros, &s);
     // Convert eigenvalues to exponents, and make modes of them.
     for (size_t i = 0; i < left && solved; i++) {
@@ -278,7 +278,7 @@ static whirl_status modes_solve(const mean_system *m, double *matrix, double per
     free_motions_end(zeros);
     solving_end(&s);
     *out = modes;
-    if (room && !solved && !no_memory)
+    if (allocated && !solved && !no_memory)
         return whirl_fail(WHIRL_BAD_INPUT, "the eigenvalues of the Jacobian where the machine rests were not found");
     return modes ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the modes of %zu coordinates", n);
 }

@@ -203,9 +203,9 @@ static bool bent_begin(bent_table *b, const whirl_shaft_line *line) {
 static bool bent_fill(const contents *of, bent_table *b, size_t point) {
     const drawing drawn = {of->view, &of->units, of->machine};
     shaft_bends *bends = whirl_table_done(b->table, point) ? bends_new(&drawn, b->table, point) : NULL;
-    bool room = true;
-    if (bends && !b->moved) room = bent_begin(b, bends_line(bends));
-    for (size_t mode = 0; bends && room && mode < b->modes && bent_has_places(b, bends_line(bends)); mode++) {
+    bool allocated = true;
+    if (bends && !b->moved) allocated = bent_begin(b, bends_line(bends));
+    for (size_t mode = 0; bends && allocated && mode < b->modes && bent_has_places(b, bends_line(bends)); mode++) {
         double *moved = b->moved + 4 * b->places * (point * b->modes + mode);
         const bool response = shown_kind_of(b->table) == &shown_unbalance;
         const bool missing =
@@ -214,7 +214,7 @@ static bool bent_fill(const contents *of, bent_table *b, size_t point) {
             for (size_t i = 0; i < 4 * b->places; i++) moved[i] = (double)NAN;
     }
     bends_free(bends);
-    return room;
+    return allocated;
 }
 
 static void bent_write(FILE *stream, const bent_table *b, const char *before) {
@@ -242,10 +242,10 @@ static void put_lines(const contents *of) {
         const whirl_field *modes = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_FREQUENCY);
         bent_table b = {.table = table, .modes = kind == &shown_modes && modes ? modes->rows : 1};
         const bool wanted = (kind == &shown_modes || kind == &shown_unbalance) && table->count <= MAX_BENT;
-        bool room = wanted;
-        for (size_t point = 0; point < table->count && room; point++) room = bent_fill(of, &b, point);
-        if (room && b.moved) bent_write(of->stream, &b, first ? "" : ",");
-        first = first && !(room && b.moved);
+        bool allocated = wanted;
+        for (size_t point = 0; point < table->count && allocated; point++) allocated = bent_fill(of, &b, point);
+        if (allocated && b.moved) bent_write(of->stream, &b, first ? "" : ",");
+        first = first && !(allocated && b.moved);
         free(b.shaft);
         free(b.position);
         free(b.moved);

@@ -87,8 +87,8 @@ static selection select_points(const whirl_table *table, bool sections) {
     if (kind->found) return select_all(table);
     if (table->row) return select_cells(table, sections);
     const size_t fitting = MAX_AT_REST / (table->layout.size + 1) + 1;
-    const size_t room = !kind->moves && fitting < MAX_POINTS ? fitting : MAX_POINTS;
-    const size_t stride = thinned(table->count, room);
+    const size_t most = !kind->moves && fitting < MAX_POINTS ? fitting : MAX_POINTS;
+    const size_t stride = thinned(table->count, most);
     return (selection){.table = table,
                        .stride = stride ? stride : 1,
                        .count = thinned(table->count, stride ? stride : 1),

@@ -233,18 +233,18 @@ double assembly_force_scale(const assembly *of, size_t coordinate) {
 }
 
 /// Grows a list [count] of items of `size` bytes by one item. Without memory, returns NULL and sets to->no_memory.
-static void *room_for_one(assembly *to, void *list, size_t count, size_t *room, size_t size) {
-    if (count < *room) return list;
+static void *assembly_grow(assembly *to, void *list, size_t count, size_t *capacity, size_t size) {
+    if (count < *capacity) return list;
     void *longer = realloc(list, (2 * count + 64) * size);
     if (longer)
-        *room = 2 * count + 64;
+        *capacity = 2 * count + 64;
     else
         to->no_memory = true;
     return longer;
 }
 
 void assembly_term(assembly *to, linear_term term) {
-    linear_term *terms = room_for_one(to, to->terms, to->term_count, &to->term_room, sizeof term);
+    linear_term *terms = assembly_grow(to, to->terms, to->term_count, &to->term_capacity, sizeof term);
     if (!terms) return;
     to->terms = terms;
     to->terms[to->term_count++] = term;
@@ -278,7 +278,7 @@ void assembly_damper(assembly *to, size_t one, size_t other, double damping) {
 
 void assembly_inertance(assembly *to, size_t row, size_t by, double mass) {
     if (row == NO_COORDINATE || by == NO_COORDINATE || mass == 0.0) return;
-    mass_term *masses = room_for_one(to, to->masses, to->mass_count, &to->mass_room, sizeof *masses);
+    mass_term *masses = assembly_grow(to, to->masses, to->mass_count, &to->mass_capacity, sizeof *masses);
     if (!masses) return;
     to->masses = masses;
     to->masses[to->mass_count++] = (mass_term){row, by, mass};
@@ -309,10 +309,10 @@ static void note_link(assembly *to, const size_t coordinate[2], const double sha
                             by->inertance,
                             by->modulus};
     if (twists[0] && twists[1]) {
-        twist_link *list = room_for_one(to, to->links, to->link_count, &to->link_room, sizeof *list);
+        twist_link *list = assembly_grow(to, to->links, to->link_count, &to->link_capacity, sizeof *list);
         if (list) to->links = list, to->links[to->link_count++] = own;
     } else {
-        twist_link *list = room_for_one(to, to->holds, to->hold_count, &to->hold_room, sizeof *list);
+        twist_link *list = assembly_grow(to, to->holds, to->hold_count, &to->hold_capacity, sizeof *list);
         if (list) to->holds = list, to->holds[to->hold_count++] = own;
     }
 }
@@ -345,14 +345,14 @@ void assembly_twist(assembly *to, size_t one, size_t other, const joining *by) {
 }
 
 void assembly_harmonic(assembly *to, const harmonic_torque *torque) {
-    harmonic_torque *list = room_for_one(to, to->harmonics, to->harmonic_count, &to->harmonic_room, sizeof *list);
+    harmonic_torque *list = assembly_grow(to, to->harmonics, to->harmonic_count, &to->harmonic_capacity, sizeof *list);
     if (!list) return;
     to->harmonics = list;
     to->harmonics[to->harmonic_count++] = *torque;
 }
 
 void assembly_fatigue(assembly *to, const twist_fatigue *curve) {
-    twist_fatigue *list = room_for_one(to, to->fatigues, to->fatigue_count, &to->fatigue_room, sizeof *list);
+    twist_fatigue *list = assembly_grow(to, to->fatigues, to->fatigue_count, &to->fatigue_capacity, sizeof *list);
     if (!list) return;
     to->fatigues = list;
     to->fatigues[to->fatigue_count++] = *curve;
@@ -392,9 +392,9 @@ void assembly_turning(assembly *to, size_t x, size_t y, double force, double ang
 }
 
 /// Appends an item to a list of forces on rows.
-static void add_load(assembly *to, turning_inertia **loads, size_t *count, size_t *room, turning_inertia one) {
+static void add_load(assembly *to, turning_inertia **loads, size_t *count, size_t *capacity, turning_inertia one) {
     if (one.row == NO_COORDINATE) return;
-    turning_inertia *list = room_for_one(to, *loads, *count, room, sizeof *list);
+    turning_inertia *list = assembly_grow(to, *loads, *count, capacity, sizeof *list);
     if (!list) return;
     *loads = list;
     list[(*count)++] = one;
@@ -404,7 +404,7 @@ void assembly_inertial(assembly *to, size_t x, size_t y, double moment, double a
     if (moment == 0.0) return;
     const turning_inertia rows[] = {{x, moment * cos(angle), -moment * sin(angle)},
                                     {y, moment * sin(angle), moment * cos(angle)}};
-    for (size_t i = 0; i < 2; i++) add_load(to, &to->turnings, &to->turning_count, &to->turning_room, rows[i]);
+    for (size_t i = 0; i < 2; i++) add_load(to, &to->turnings, &to->turning_count, &to->turning_capacity, rows[i]);
 }
 
 void assembly_gyroscopic(assembly *to, size_t station, double polar) {
@@ -435,7 +435,7 @@ void assembly_unbalance(assembly *to, size_t station, double moment, double angl
 }
 
 void assembly_runout(assembly *to, size_t station, whirl_runout seen) {
-    station_runout *list = room_for_one(to, to->runouts, to->runout_count, &to->runout_room, sizeof *list);
+    station_runout *list = assembly_grow(to, to->runouts, to->runout_count, &to->runout_capacity, sizeof *list);
     if (!list) return;
     to->runouts = list;
     to->runouts[to->runout_count++] = (station_runout){station, seen};
@@ -517,7 +517,7 @@ void assembly_weigh(assembly *to) {
             if (force == 0.0) continue;
             const turning_inertia own = {at->coordinate[along], is_along_y(along) ? 0.0 : force,
                                          is_along_y(along) ? force : 0.0};
-            add_load(to, &to->weights, &to->weight_count, &to->weight_room, own);
+            add_load(to, &to->weights, &to->weight_count, &to->weight_capacity, own);
         }
     }
 }

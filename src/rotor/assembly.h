@@ -158,33 +158,33 @@ typedef struct assembly {
     size_t degrees;
     size_t twist_count, first_twist; ///< coordinates that are twists, and the first of them
     double *inertia, *unit;          ///< [degrees] inertia of each coordinate, kg or kg m2; size of its unit, m or rad
-    size_t term_count, term_room;
+    size_t term_count, term_capacity;
     linear_term *terms;
-    size_t mass_count, mass_room;
+    size_t mass_count, mass_capacity;
     mass_term *masses;
     body body;           ///< shafts of finite elements
     bool in_time;        ///< frequency-dependent coefficients become transfer functions with states
     double frequency;    ///< frequency of whirl at which frequency-dependent coefficients are taken, rad/s
     double *frequencies; ///< [frequency_count] ascending frequencies of all tables over the frequency, rad/s
     size_t frequency_count;
-    size_t runout_count, runout_room;
+    size_t runout_count, runout_capacity;
     station_runout *runouts; ///< runout of probes
-    size_t turning_count, turning_room;
+    size_t turning_count, turning_capacity;
     turning_inertia *turnings; ///< inertias that turn with the rotor's own shaft
-    size_t weight_count, weight_room;
+    size_t weight_count, weight_capacity;
     turning_inertia *weights; ///< forces by a pull of 1 m/s2 along x (cos) and along y (sin): kg, of tilts kg m
     double pull[2];           ///< gravity across the shafts, m/s2
     shaft_drive drive;        ///< motor and load of a shaft whose speed is a state
     size_t torque_count;
     shaft_torque *torques; ///< [torque_count] other torques on such a shaft
-    size_t link_count, link_room;
+    size_t link_count, link_capacity;
     twist_link *links; ///< [link_count] joints between twists
-    size_t hold_count, hold_room;
+    size_t hold_count, hold_capacity;
     twist_link *holds; ///< [hold_count] joints between twists and the ground, whose coordinate, the second one, is
                        ///< NO_COORDINATE
-    size_t harmonic_count, harmonic_room;
+    size_t harmonic_count, harmonic_capacity;
     harmonic_torque *harmonics; ///< [harmonic_count] torques to which the twists respond
-    size_t fatigue_count, fatigue_room;
+    size_t fatigue_count, fatigue_capacity;
     twist_fatigue *fatigues; ///< [fatigue_count] S-N curves of torques
     bool grounded;           ///< a spring holds a twist to the ground
     double stages;           ///< factor of the stages' cross couplings

@@ -75,7 +75,7 @@ static inline size_t body_column(const body_panels *in, const body_part *part, s
 }
 
 typedef struct body {
-    size_t count, room;
+    size_t count, capacity;
     body_term *terms;
     bool no_memory; ///< a term was lost
 } body;

@@ -86,7 +86,7 @@ bool column_buffer(column *of, const hsize_t *chunk) {
     return of->buffer;
 }
 
-size_t column_room(const column *of) {
+size_t column_next_count(const column *of) {
     const size_t all = (size_t)of->dimensions[of->divided] * step_of(of, of->divided);
     const size_t left = all > 0 ? all - of->done % all : 0;
     return left < of->most ? left : of->most;

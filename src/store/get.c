@@ -344,7 +344,7 @@ void column_open_wholes(whirl_status *status, column *from, hid_t parent, const 
 /// Reads the points from `done` on into the buffer.
 static void fill_column(whirl_status *status, column *from) {
     hsize_t first[SHAPE_MAX_RANK], count[SHAPE_MAX_RANK];
-    column_box(from, column_room(from), first, count);
+    column_box(from, column_next_count(from), first, count);
     const hid_t file = H5Dget_space(from->dataset), memory = H5Screate_simple(from->rank, count, NULL);
     if (H5Sselect_hyperslab(file, H5S_SELECT_SET, first, NULL, count, NULL) < 0 ||
         H5Dread(from->dataset, from->type, memory, file, H5P_DEFAULT, from->buffer) < 0)
@@ -358,7 +358,7 @@ void column_get(whirl_status *status, column *from, void *numbers) {
     if (from->gathered == 0) fill_column(status, from);
     if (status->code != WHIRL_OK) return;
     memcpy(numbers, from->buffer + from->gathered * from->size, from->size);
-    if (++from->gathered < column_room(from)) return;
+    if (++from->gathered < column_next_count(from)) return;
     from->done += from->gathered;
     from->gathered = 0;
 }

@@ -126,7 +126,7 @@ bool column_buffer(column *of, const hsize_t *chunk);
 
 /// Returns the number of points to transfer at a time from `done` on: those of a chunk, or those that remain of the row
 /// or plane that chunks divide.
-size_t column_room(const column *of);
+size_t column_next_count(const column *of);
 
 /// Writes the hyperslab of `points` points of the dataset from `done` on.
 void column_box(const column *of, size_t points, hsize_t *first, hsize_t *count);

@@ -255,7 +255,7 @@ static void flush_column(whirl_status *status, column *out) {
 void column_put(whirl_status *status, column *out, const void *point) {
     if (status->code != WHIRL_OK) return;
     memcpy(out->buffer + out->gathered * out->size, point, out->size);
-    if (++out->gathered == column_room(out)) flush_column(status, out);
+    if (++out->gathered == column_next_count(out)) flush_column(status, out);
 }
 
 void column_end(whirl_status *status, column *out) {

@@ -305,8 +305,8 @@ static void get_slots(whirl_status *status, hid_t group, shape points, whirl_tab
     table->slots = take_array(status, table, table->count, sizeof *table->slots);
     const int64_t most = (int64_t)1 << 48; // tables of all sizes can be summed
     const int64_t planned = get_whole_attribute(status, group, "points", (int64_t)table->count, most);
-    const int64_t room = (int64_t)(table->places * (table->starts + WHIRL_MAX_NEIGHBOUR_STARTS));
-    const int64_t last = table->grid > 0 ? (int64_t)table->grid : room > 0 ? room : planned;
+    const int64_t all = (int64_t)(table->places * (table->starts + WHIRL_MAX_NEIGHBOUR_STARTS));
+    const int64_t last = table->grid > 0 ? (int64_t)table->grid : all > 0 ? all : planned;
     // Indices are counted from 1 in the file, and rise.
     int64_t before = 0, place = 0;
     column from = open_wholes(status, group, "point", points);

@@ -30,7 +30,7 @@ typedef struct happened {
 struct whirl_user_motion {
     size_t dimension, count; ///< count: instants that were reached
     double *states;          ///< [count][dimension]
-    size_t event_count, room;
+    size_t event_count, capacity;
     happened *events; ///< [event_count]
     double *sides;    ///< [event_count][2][dimension] states before and after
     int end;
@@ -202,14 +202,14 @@ static const char *follow_happen(follower *f, size_t event) {
     const user_event *own = &f->from->events[event];
     const size_t n = f->from->dimension;
     // Make room for the event and its two states.
-    if (m->event_count == m->room) {
-        const size_t room = 2 * m->room + 64;
-        happened *events = realloc(m->events, room * sizeof *events);
+    if (m->event_count == m->capacity) {
+        const size_t capacity = 2 * m->capacity + 64;
+        happened *events = realloc(m->events, capacity * sizeof *events);
         if (events) m->events = events;
-        double *sides = realloc(m->sides, 2 * n * room * sizeof *sides);
+        double *sides = realloc(m->sides, 2 * n * capacity * sizeof *sides);
         if (sides) m->sides = sides;
         if (!events || !sides) return "no memory for more events";
-        m->room = room;
+        m->capacity = capacity;
     }
     // Store the state before, reset it, and store the state after.
     double *before = m->sides + 2 * n * m->event_count, *after = before + n;

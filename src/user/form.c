@@ -13,13 +13,13 @@ static const uint64_t unwritten = 0x7ff8dead0badbeefu;
 
 /// Arguments of a call, with copies of those that a function must not change.
 typedef struct form_arguments {
-    size_t room; ///< size of each array below: all have the largest size, so that a wrong function that confuses them
-                 ///< stays within
+    size_t capacity; ///< size of each array below: all have the largest size, so that a wrong function that confuses
+                     ///< them stays within
     double *state, *parameters, *perturbation, *slopes, *kept;
 } form_arguments;
 
 static bool form_changed(const form_arguments *a, const double *argument, size_t which) {
-    return memcmp(argument, a->kept + which * a->room, a->room * sizeof *argument) != 0;
+    return memcmp(argument, a->kept + which * a->capacity, a->capacity * sizeof *argument) != 0;
 }
 
 /// Fails if a function has changed an input or left slopes unwritten. name, form: of the function, for the message.
@@ -42,24 +42,24 @@ static whirl_status form_judge(const whirl_user_system *system, const form_argum
 }
 
 static void form_fill(const whirl_user_system *system, form_arguments *a) {
-    for (size_t i = 0; i < 4 * a->room; i++) a->state[i] = 0.0;
+    for (size_t i = 0; i < 4 * a->capacity; i++) a->state[i] = 0.0;
     for (size_t k = 0; k < system->dimension; k++) {
         a->state[k] = a->perturbation[k] = system->start[k];
         memcpy(&a->slopes[k], &unwritten, sizeof unwritten);
     }
     for (size_t k = 0; k < system->parameter_count; k++) a->parameters[k] = system->parameters[k].value;
-    memcpy(a->kept, a->state, 3 * a->room * sizeof *a->kept);
+    memcpy(a->kept, a->state, 3 * a->capacity * sizeof *a->kept);
 }
 
 whirl_status user_check_form(const whirl_user_system *system) {
     const size_t most = system->dimension > system->parameter_count ? system->dimension : system->parameter_count;
-    form_arguments a = {.room = most + 1};
-    a.state = calloc(7 * a.room, sizeof *a.state);
+    form_arguments a = {.capacity = most + 1};
+    a.state = calloc(7 * a.capacity, sizeof *a.state);
     if (!a.state) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the arguments of a system");
-    a.parameters = a.state + a.room;
-    a.perturbation = a.parameters + a.room;
-    a.slopes = a.perturbation + a.room;
-    a.kept = a.slopes + a.room;
+    a.parameters = a.state + a.capacity;
+    a.perturbation = a.parameters + a.capacity;
+    a.slopes = a.perturbation + a.capacity;
+    a.kept = a.slopes + a.capacity;
     // Call the slopes. A failure at the start says nothing about the form: the run will report it.
     const double t = 0.0;
     whirl_status status = whirl_ok();

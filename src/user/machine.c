@@ -103,11 +103,11 @@ static void to_own(const member *own, const double *x, double *out) {
     for (size_t k = 0; k < own->from->dimension; k++) out[k] = is_velocity(own->from, k) ? x[k] / own->scale : x[k];
 }
 
-/// Converts a state or a perturbation to the user's units; `room` has dimension numbers.
-static const double *in_units(const whirl_user_system *from, const double *x, double *room) {
+/// Converts a state or a perturbation to the user's units; `work` has dimension numbers.
+static const double *in_units(const whirl_user_system *from, const double *x, double *work) {
     if (!from->units) return x;
-    for (size_t k = 0; k < from->dimension; k++) room[k] = x[k] * from->units[k];
-    return room;
+    for (size_t k = 0; k < from->dimension; k++) work[k] = x[k] * from->units[k];
+    return work;
 }
 
 static void leave_units(const whirl_user_system *from, double *slopes) {
@@ -115,10 +115,10 @@ static void leave_units(const whirl_user_system *from, double *slopes) {
 }
 
 static bool slopes_at(const whirl_user_system *from, double t, const double *x, const double *p, double *slopes) {
-    double room[USER_MAX_STATES];
+    double work[USER_MAX_STATES];
     if (atomic_load(&from->failure->code) != 0) return false;
     if (from->calls_left && --*from->calls_left < 0) return false;
-    const double *user = in_units(from, x, room);
+    const double *user = in_units(from, x, work);
     const int code = from->lanes ? from->lanes(1, 1, &t, user, p, slopes, from->context)
                                  : from->rates(t, user, p, slopes, from->context);
     leave_units(from, slopes);
@@ -128,9 +128,9 @@ static bool slopes_at(const whirl_user_system *from, double t, const double *x, 
 /// Computes the derivative by the user's own function.
 static bool own_tangent(const whirl_user_system *from, double t, const double *x, const double *p, const double *d,
                         double *out) {
-    double room[2][USER_MAX_STATES];
+    double work[2][USER_MAX_STATES];
     const int code =
-        from->tangent(t, in_units(from, x, room[0]), p, in_units(from, d, room[1]), out, from->tangent_context);
+        from->tangent(t, in_units(from, x, work[0]), p, in_units(from, d, work[1]), out, from->tangent_context);
     leave_units(from, out);
     return machine_note(from, code, t);
 }

@@ -144,7 +144,7 @@ static whirl_status record_understand(record *r) {
         return RECORD_FAIL(r, 1, "there are %zu rows of numbers, expected a line of headings and at least 16",
                            table->count);
     for (size_t c = 0; c < table->column_count; c++)
-        for (size_t i = 0; i < table->count; i++) table->numbers[c * table->room + i] *= r->columns[c].size;
+        for (size_t i = 0; i < table->count; i++) table->numbers[c * table->capacity + i] *= r->columns[c].size;
     const record_column *time = record_find(r, COLUMN_TIME);
     const double *instants = csv_numbers(table, (size_t)(time - r->columns));
     for (size_t i = 1; i < table->count; i++)

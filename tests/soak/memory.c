@@ -49,7 +49,7 @@ static void must(whirl_status status) {
     _exit(1);
 }
 
-/// What `whirl run` does, with a table that is to stay with the keeper.
+/// What `whirl run` does, with a table that is to stay with the store.
 static void run(const places *at) {
     whirl_problems problems = {0};
     whirl_case *object;
@@ -59,7 +59,7 @@ static void run(const places *at) {
     must(whirl_case_outline(object, &outline));
     must(whirl_journal_begin(at->journal, outline, &journal));
     whirl_result_free(outline);
-    const whirl_run_options options = {.keeper = whirl_journal_keeper(journal), .memory = 1};
+    const whirl_run_options options = {.store = whirl_journal_store(journal), .memory = 1};
     must(whirl_case_run(object, &options, &result));
     must(whirl_result_write(result, at->result));
     must(whirl_result_verify(result, at->result));
@@ -154,11 +154,11 @@ static void fill_shard(const places *at) {
     whirl_journal *journal;
     whirl_case *object = load(at, &outline);
     must(whirl_journal_begin(at->shard, outline, &journal));
-    const whirl_keeper *keeper = whirl_journal_keeper(journal);
+    const whirl_point_store *store = whirl_journal_store(journal);
     const whirl_table *table = outline->tables;
     assert_true(table->layout.size <= sizeof block / sizeof *block);
     for (size_t i = 0; i < table->count; i++)
-        must(keeper->keep(keeper->context, 0, i, block, table->layout.size, end, DIMENSION));
+        must(store->keep(store->context, 0, i, block, table->layout.size, end, DIMENSION));
     whirl_result_free(outline);
     must(whirl_journal_close(journal));
     whirl_case_free(object);
@@ -173,7 +173,7 @@ static void merge(const places *at) {
     whirl_result_free(outline);
     must(whirl_journal_take(journal, at->shard));
     must(whirl_journal_discard(at->shard));
-    const whirl_run_options options = {.keeper = whirl_journal_keeper(journal), .memory = 1, .gather = true};
+    const whirl_run_options options = {.store = whirl_journal_store(journal), .memory = 1, .gather = true};
     must(whirl_case_run(object, &options, &result));
     must(whirl_result_write(result, at->result));
     must(whirl_result_verify(result, at->result));

@@ -138,12 +138,12 @@ static void files_and_journals_keep_all(void **state) {
 
     must(whirl_case_outline(f->object, &outline));
     must(whirl_journal_begin("r.journal", outline, &journal));
-    must(whirl_case_run(f->object, &(whirl_run_options){.keeper = whirl_journal_keeper(journal)}, &again));
+    must(whirl_case_run(f->object, &(whirl_run_options){.store = whirl_journal_store(journal)}, &again));
     whirl_result_free(again);
     must(whirl_journal_close(journal));
     must(whirl_journal_resume("r.journal", outline, &journal));
     assert_int_equal(whirl_journal_points(journal), 1);
-    must(whirl_case_run(f->object, &(whirl_run_options){.keeper = whirl_journal_keeper(journal)}, &again));
+    must(whirl_case_run(f->object, &(whirl_run_options){.store = whirl_journal_store(journal)}, &again));
     expect_all(f, again);
     whirl_result_free(again);
     must(whirl_journal_remove(journal));

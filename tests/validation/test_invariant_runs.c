@@ -105,11 +105,10 @@ static whirl_result *run_with(const whirl_case *object, const whirl_run_options 
 /// The study in two shares, one after the other, that are then gathered.
 static whirl_result *run_in_shares(const whirl_case *object) {
     kept_points all = {.count = 0};
-    const whirl_keeper keeper = {.keep = keep, .recall = recall, .context = &all};
+    const whirl_point_store store = {.keep = keep, .recall = recall, .context = &all};
     for (size_t number = 1; number <= 2; number++)
-        whirl_result_free(
-            run_with(object, &(whirl_run_options){.threads = 1, .keeper = &keeper, .share = {number, 2}}));
-    whirl_result *result = run_with(object, &(whirl_run_options){.threads = 1, .keeper = &keeper, .gather = true});
+        whirl_result_free(run_with(object, &(whirl_run_options){.threads = 1, .store = &store, .share = {number, 2}}));
+    whirl_result *result = run_with(object, &(whirl_run_options){.threads = 1, .store = &store, .gather = true});
     for (size_t i = 0; i < all.count; i++) free(all.points[i].numbers);
     return result;
 }

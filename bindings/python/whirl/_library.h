@@ -6,7 +6,7 @@ typedef struct whirl_job whirl_job;
 typedef struct whirl_result whirl_result;
 typedef struct whirl_table whirl_table;
 typedef struct whirl_journal whirl_journal;
-typedef struct whirl_keeper whirl_keeper;
+typedef struct whirl_point_store whirl_point_store;
 
 const char *whirl_version(void);
 whirl_status whirl_version_check(int major, int minor, int patch);
@@ -26,7 +26,7 @@ whirl_status whirl_job_new(const whirl_case *object, whirl_job **job);
 void whirl_job_free(whirl_job *job);
 whirl_status whirl_job_threads(whirl_job *job, int threads);
 void whirl_job_progress(whirl_job *job, whirl_job_progress_fn tell, void *context);
-void whirl_job_keep(whirl_job *job, const whirl_keeper *keeper);
+void whirl_job_keep(whirl_job *job, const whirl_point_store *store);
 void whirl_job_stop(whirl_job *job);
 whirl_status whirl_job_prepare(whirl_job *job);
 whirl_status whirl_job_run(whirl_job *job, whirl_result **result);
@@ -79,7 +79,7 @@ whirl_status whirl_user_system_outline(const whirl_user_system *system, whirl_re
 
 whirl_status whirl_journal_begin(const char *path, const whirl_result *outline, whirl_journal **journal);
 whirl_status whirl_journal_resume(const char *path, const whirl_result *outline, whirl_journal **journal);
-const whirl_keeper *whirl_journal_keeper(whirl_journal *journal);
+const whirl_point_store *whirl_journal_store(whirl_journal *journal);
 whirl_status whirl_journal_close(whirl_journal *journal);
 whirl_status whirl_journal_remove(whirl_journal *journal);
 

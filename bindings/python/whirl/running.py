@@ -88,7 +88,7 @@ class _Bar:
 
 @contextmanager
 def _journal(describe, path, resume):
-    """Opens a journal at ``path`` of a run whose outline ``describe`` gives, and yields its keeper; afterwards closes
+    """Opens a journal at ``path`` of a run whose outline ``describe`` gives, and yields its store; afterwards closes
     it, and removes it if all is done."""
     if path is None:
         yield ffi.NULL, lambda: None
@@ -100,7 +100,7 @@ def _journal(describe, path, resume):
         check(begin(path_bytes(path), outline[0], out))
         ended = []
         try:
-            yield lib.whirl_journal_keeper(out[0]), lambda: ended.append(True)
+            yield lib.whirl_journal_store(out[0]), lambda: ended.append(True)
         finally:
             check((lib.whirl_journal_remove if ended else lib.whirl_journal_close)(out[0]))
     finally:
@@ -198,8 +198,8 @@ class _Work:
             if "raised" not in outcome:
                 _finish(None, outcome, self.started, self.threads)
             return
-        with _journal(self.describe, self.journal, self.resume) as (keeper, all_done):
-            lib.whirl_job_keep(self.job, keeper)
+        with _journal(self.describe, self.journal, self.resume) as (store, all_done):
+            lib.whirl_job_keep(self.job, store)
             status = lib.whirl_job_run(self.job, out)
             source = MemorySource(out[0]) if out[0] != ffi.NULL else None
             outcome.update(code=status.code, message=text(status.message))

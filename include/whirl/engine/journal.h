@@ -6,7 +6,7 @@
 ///
 ///     whirl_case_outline(object, &outline);
 ///     whirl_journal_begin("paper.h5.journal", outline, &journal);     or whirl_journal_resume
-///     options.keeper = whirl_journal_keeper(journal);
+///     options.store = whirl_journal_store(journal);
 ///     whirl_case_run(object, &options, &result);
 ///     whirl_result_write(result, "paper.h5");  whirl_result_verify(result, "paper.h5");
 ///     whirl_journal_remove(journal);                                  or whirl_journal_close
@@ -41,7 +41,7 @@ whirl_status whirl_journal_resume(const char *path, const whirl_result *outline,
 
 /// The points of a journal of one of several runs that compute a study together (whirl_share_has).
 typedef struct whirl_journal_part {
-    /// Returns true for a point of the journal, given by a keeper's batch and slot; NULL: all points.
+    /// Returns true for a point of the journal, given by a store's batch and slot; NULL: all points.
     bool (*has)(const void *context, size_t batch, size_t slot);
     const void *context; ///< passed to `has`; must live as long as the journal
 } whirl_journal_part;
@@ -78,15 +78,15 @@ typedef struct whirl_journal_found {
 /// Returns the contents of a journal when it was opened, plus the points taken from others since.
 whirl_journal_found whirl_journal_look(const whirl_journal *journal);
 
-/// Returns true if a point, given by a keeper's batch and slot, is in the journal.
+/// Returns true if a point, given by a store's batch and slot, is in the journal.
 bool whirl_journal_has(const whirl_journal *journal, size_t batch, size_t slot);
 
 /// Returns the number of points in the journal.
 size_t whirl_journal_points(const whirl_journal *journal);
 
-/// Returns the keeper for whirl_run_options; it lives as long as the journal. After an error (a full disk) the journal
+/// Returns the store of points for whirl_run_options; it lives as long as the journal. After an error (a full disk) the journal
 /// contains everything written before; the failed point is written again with the next one and on closing.
-const whirl_keeper *whirl_journal_keeper(whirl_journal *journal);
+const whirl_point_store *whirl_journal_store(whirl_journal *journal);
 
 /// Syncs and closes the journal; the file stays. WHIRL_IO_ERROR if points could not be written.
 whirl_status whirl_journal_close(whirl_journal *journal);

@@ -15,7 +15,7 @@
 extern "C" {
 #endif
 
-/// Blocks of points that a run left with its keeper to save memory (whirl_run_options.memory).
+/// Blocks of points that a run left with its store to save memory (whirl_run_options.memory).
 typedef struct whirl_journal_blocks whirl_journal_blocks;
 
 /// Limits of neighbour starts.

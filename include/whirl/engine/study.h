@@ -163,7 +163,7 @@ typedef struct whirl_share {
     size_t count;  ///< number of shares; 0: not shared
 } whirl_share;
 
-/// Returns true if a point, given by a keeper's batch and slot, belongs to a share, or may do so in a refined map; also
+/// Returns true if a point, given by a store's batch and slot, belongs to a share, or may do so in a refined map; also
 /// for all points if there are no shares.
 bool whirl_share_has(const whirl_study *study, const whirl_share *share, size_t batch, size_t slot);
 
@@ -183,24 +183,24 @@ typedef struct whirl_progress {
     int round;                        ///< round of refinement, or of starts from neighbours, from 1; else 0
     size_t points_done, points_total; ///< points; the total grows while a map is refined, like that of revolutions
     double revolutions_done, revolutions_total; ///< revolutions; n times the study's steps count n times
-    double revolutions_recalled;                ///< revolutions done that a keeper had from an earlier run
+    double revolutions_recalled;                ///< revolutions done that a store had from an earlier run
     double seconds;                             ///< seconds since the start
 } whirl_progress;
 
 /// The state of an unfinished point after some revolutions.
 typedef struct whirl_point_state {
-    size_t batch, slot; ///< a keeper's batch and slot of the point
+    size_t batch, slot; ///< a store's batch and slot of the point
     double revolutions; ///< revolutions computed
     const void *bytes;  ///< [size]
     size_t size;        ///< number of bytes
 } whirl_point_state;
 
-/// A keeper: stores finished points outside of a run, so that a later run of the same study can continue (a journal,
-/// see whirl/engine/journal.h). A point is identified by its batch and its slot in the batch's table. For points that
+/// A store of finished points outside of a run, so that a later run of the same study can continue (a journal, see
+/// whirl/engine/journal.h). A point is identified by its batch and its slot in the batch's table. For points that
 /// are computed several times, `batch` is the batch's index plus batch_count times the pass. The pass is four times the
 /// round of refinement, plus one at the second tolerance, plus two or three for copies of chaotic motions, whose
 /// `block` is shorter. All functions are called by one thread at a time.
-struct whirl_keeper {
+struct whirl_point_store {
     /// Stores a finished point: its block [size] and, in pass 0, the state [dimension] from which a carried point
     /// starts, all NaN if the motion diverged. An error ends the run.
     whirl_status (*keep)(void *context, size_t batch, size_t slot, const double *block, size_t size, const double *end,
@@ -217,20 +217,20 @@ struct whirl_keeper {
     void *(*saved)(void *context, size_t batch, size_t slot, double *revolutions, size_t *size);
 };
 
-/// A dealer: deals points of a study to several runs that compute it at the same time, each with a keeper of its own.
+/// A dealer: deals points of a study to several runs that compute it at the same time, each with a store of its own.
 /// Points are dealt in pieces: a point and its confirmation one by one, each direction of a carried sweep as a whole,
 /// confirmed by the run that followed it, neighbours at rest by eights. Branches and tori are not dealt: the gathering
 /// run follows them. No bit of a result depends on the dealing. `open` and `claim` are called by one thread at a time.
 typedef struct whirl_dealer {
     int threads; ///< threads of all runs together
-    /// Returns true if a point, given by a keeper's batch and slot, is to be computed by one of the runs: false if it
+    /// Returns true if a point, given by a store's batch and slot, is to be computed by one of the runs: false if it
     /// was stored before they began. The same in all runs, at any time.
     bool (*open)(void *context, size_t batch, size_t slot);
-    /// Claims the next of the `count` pieces of a pass, given by a keeper's batch. Returns their number, from *first
+    /// Claims the next of the `count` pieces of a pass, given by a store's batch. Returns their number, from *first
     /// on; 0: none are left.
     size_t (*claim)(void *context, size_t batch, size_t count, size_t *first);
     /// Called in the gathering run when it has no more points to compute, or was stopped: waits for the end of the
-    /// other runs, and passes the contents of their keepers to its own. The run then takes all points from there, even
+    /// other runs, and passes the contents of their stores to its own. The run then takes all points from there, even
     /// if it was stopped, and continues with steps that need all points. An error ends the run. NULL: another run
     /// gathers, and this one ends with its points and a partial result.
     whirl_status (*gather)(void *context);
@@ -242,16 +242,16 @@ typedef struct whirl_run_options {
     int threads; ///< 0: all cores
     /// Receives progress a few times a second from one thread at a time, and at the end. May be NULL.
     void (*progress)(void *context, const whirl_progress *progress);
-    void *context;              ///< passed to progress; borrowed
-    const whirl_stop *stop;     ///< NULL, or a flag that becomes true when the run shall end early
-    const whirl_keeper *keeper; ///< NULL: every point is computed
-    /// Size of a table's blocks, bytes, above which they stay with the keeper, if there is one, which must then live as
+    void *context;                  ///< passed to progress; borrowed
+    const whirl_stop *stop;         ///< NULL, or a flag that becomes true when the run shall end early
+    const whirl_point_store *store; ///< NULL: every point is computed
+    /// Size of a table's blocks, bytes, above which they stay with the store, if there is one, which must then live as
     /// long as the result; 0: 256 MB. Blocks of confirmed or refined points stay in memory.
     size_t memory;
     /// Share of the points to be computed and confirmed. The run ends after that, since following and refining need all
     /// points; its result is partial. All zero: all points.
     whirl_share share;
-    /// Take points and their confirmations from the keeper only: WHIRL_STOPPED if one is missing. Branches that were
+    /// Take points and their confirmations from the store only: WHIRL_STOPPED if one is missing. Branches that were
     /// begun are followed to their end, and steps that need all points are computed.
     bool gather;
     const whirl_dealer *dealer; ///< NULL: the run computes all points, or its share
@@ -306,7 +306,7 @@ whirl_status whirl_study_prepare(const whirl_study *study, const whirl_run_optio
 /// confirmed or refined: the result then has the points that are done (whirl_table_done), and NaN for others; there is
 /// none if it was stopped in whirl_study_prepare. WHIRL_NO_MEMORY if memory ran out anywhere: no number depends on its
 /// amount. With a budget the blocks have the fields "refine/...": rounds, cost, and the final options. No bit of a
-/// result depends on the points that a keeper had. The result is freed by whirl_result_free.
+/// result depends on the points that a store had. The result is freed by whirl_result_free.
 whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *options, whirl_result **result);
 
 #ifdef __cplusplus

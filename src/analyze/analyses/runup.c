@@ -328,7 +328,7 @@ static void runup_fill_row(void *context, const runup_turn *turn) {
     if (f->point->passed) f->point->passed(f->point->watcher, turn->end);
 }
 
-/// Returns the highest speed that the run may reach, which determines the room for its numbers.
+/// Returns the highest speed that the run may reach, which determines how many numbers it has.
 static double runup_highest_speed(const whirl_resting *point, const whirl_runup_options *o) {
     double highest = fmax(o->from, o->to);
     if (*o->speeds) {

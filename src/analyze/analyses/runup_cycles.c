@@ -22,12 +22,12 @@ static bool cycles_add(runup_history *to, double value) {
         to->full = true;
         return true;
     }
-    if (n == to->room) {
-        const size_t room = 2 * n + 256;
-        double *longer = realloc(to->values, room * sizeof *longer);
+    if (n == to->capacity) {
+        const size_t capacity = 2 * n + 256;
+        double *longer = realloc(to->values, capacity * sizeof *longer);
         if (!longer) return false;
         to->values = longer;
-        to->room = room;
+        to->capacity = capacity;
     }
     to->values[to->count++] = value;
     return true;

@@ -95,7 +95,7 @@ enum { RUNUP_CLASSES = 32 };
 
 /// Turning points of a torque over a run.
 typedef struct runup_history {
-    size_t count, room;
+    size_t count, capacity;
     double *values;
     bool full;                ///< there were more than can be kept
     bool idle;                ///< the torque was 0 at the last instant

@@ -13,21 +13,21 @@ size_t runup_bins(const whirl_runup_options *options) {
 }
 
 /// Returns the number of turns that have to be kept.
-static size_t views_room(const whirl_runup_options *options) {
+static size_t views_max_turns(const whirl_runup_options *options) {
     const int spectrum = options->spectra > 0 ? options->spectrum_turns : 0, orbit = options->orbits > 0;
-    const int room = spectrum > options->waveform ? spectrum : options->waveform;
-    return (size_t)(room > orbit ? room : orbit);
+    const int turns = spectrum > options->waveform ? spectrum : options->waveform;
+    return (size_t)(turns > orbit ? turns : orbit);
 }
 
 whirl_status runup_views_new(const block_view *view, const whirl_runup_options *options, const whirl_system *system,
                              size_t contacts, double duration, runup_views *views) {
-    const size_t room = views_room(options), bins = runup_bins(options), all = system->probe_count + contacts;
+    const size_t turns = views_max_turns(options), bins = runup_bins(options), all = system->probe_count + contacts;
     *views = (runup_views){.view = view, .options = options, .duration = duration};
-    if (room == 0) return whirl_ok();
+    if (turns == 0) return whirl_ok();
     views->clockwise = system->probe_count > 0 && whirl_probe_way(&system->probes[0]) < 0.0;
     views->samples = turn_samples_new((size_t)options->samples, system->probe_count, contacts);
-    views->history = turn_history_new(room, &views->samples);
-    views->memory = calloc(2 * room * views->samples.samples, sizeof *views->memory);
+    views->history = turn_history_new(turns, &views->samples);
+    views->memory = calloc(2 * turns * views->samples.samples, sizeof *views->memory);
     views->largest = calloc(all + 1, sizeof *views->largest);
     views->due = calloc(WHIRL_RUNUP_WAVEFORMS * all + 1, sizeof *views->due);
     for (size_t bin = 0; bin < bins; bin++)

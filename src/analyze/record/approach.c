@@ -207,14 +207,14 @@ static bool approach_measure(approach *a, bool *memory) {
     const double margin = 1e-6;
     const size_t n = a->orbit->kept;
     const whirl_multiplier *largest = a->orbit->values;
-    double *room = malloc((3 * n * n + 1) * sizeof *room);
-    *memory = room && approach_make_room(a, n);
+    double *work = malloc((3 * n * n + 1) * sizeof *work);
+    *memory = work && approach_make_room(a, n);
     bool stable = *memory && a->orbit->found && (n == 0 || hypot(largest->real, largest->imaginary) < 1.0 - margin);
     if (stable) {
-        orbit_search_monodromy(a->orbit, a->monodromy, room);
-        stable = metric_make(n, a->monodromy, a->metric, &a->least_shrinking, room);
+        orbit_search_monodromy(a->orbit, a->monodromy, work);
+        stable = metric_make(n, a->monodromy, a->metric, &a->least_shrinking, work);
     }
-    free(room);
+    free(work);
     return stable;
 }
 

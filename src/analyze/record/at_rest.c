@@ -45,13 +45,13 @@ static bool has_turns(const whirl_system *system) {
 }
 
 /// Returns true if no force moves the system from x at any instant of a revolution: oscillating forces do no more than
-/// a displacement by 1e-10 of the scale would. `room` has dimension (dimension + 1) numbers, `forcing` those of the
+/// a displacement by 1e-10 of the scale would. `work` has dimension (dimension + 1) numbers, `forcing` those of the
 /// system.
-static bool stays_at(const whirl_system *system, const double *x, double scale, double *room, double *forcing) {
+static bool stays_at(const whirl_system *system, const double *x, double scale, double *work, double *forcing) {
     enum { INSTANTS = 16 };
     const double unmoved = 1e-10;
     const size_t d = system->dimension;
-    double *slope = room, *jacobian = room + d;
+    double *slope = work, *jacobian = work + d;
     if (whirl_rest_slope(system, x, slope, jacobian).code != WHIRL_OK) return false;
     for (int k = 0; k < INSTANTS; k++) {
         const double t = system->period * k / INSTANTS;
@@ -81,13 +81,13 @@ whirl_status at_rest_look(const whirl_system *system, const whirl_integrate_opti
     whirl_modes *modes;
     const whirl_status status = whirl_modes_new(system, record->end, &modes);
     if (status.code != WHIRL_OK) return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
-    double *room = malloc((d * (d + 1) + system->forcing_count + 1) * sizeof *room);
+    double *work = malloc((d * (d + 1) + system->forcing_count + 1) * sizeof *work);
     const double away = reach_from(record, modes->rest) / scale;
-    if (room && away <= near_enough && stays_at(system, modes->rest, scale, room, room + d * (d + 1))) {
+    if (work && away <= near_enough && stays_at(system, modes->rest, scale, work, work + d * (d + 1))) {
         record->rest = (whirl_record_rest){.found = true, .distance = away};
         take_slowest(modes, system->period, &record->rest);
     }
     whirl_modes_free(modes);
-    free(room);
-    return room ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to look for where a motion rests");
+    free(work);
+    return work ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to look for where a motion rests");
 }

@@ -21,15 +21,15 @@ static bool coexisting_is_within(const whirl_record *record, const double *x) {
     return true;
 }
 
-/// Returns true if nothing drives the system in time; `room` has 2 dimension + forcing_count numbers.
-static bool coexisting_is_free(const whirl_system *system, const double *x, double *room) {
+/// Returns true if nothing drives the system in time; `work` has 2 dimension + forcing_count numbers.
+static bool coexisting_is_free(const whirl_system *system, const double *x, double *work) {
     enum { INSTANTS = 7 };
     const size_t d = system->dimension;
     for (int k = 0; k < INSTANTS; k++) {
         const double t = system->period * k / INSTANTS;
-        if (system->forcing) system->forcing(system->model, t, room + 2 * d);
-        system->rhs(system->model, t, room + 2 * d, x, room + (k > 0 ? d : 0));
-        if (k > 0 && memcmp(room, room + d, d * sizeof *room) != 0) return false;
+        if (system->forcing) system->forcing(system->model, t, work + 2 * d);
+        system->rhs(system->model, t, work + 2 * d, x, work + (k > 0 ? d : 0));
+        if (k > 0 && memcmp(work, work + d, d * sizeof *work) != 0) return false;
     }
     return true;
 }
@@ -38,10 +38,10 @@ static bool coexisting_is_free(const whirl_system *system, const double *x, doub
 static whirl_status coexisting_rest(const whirl_system *system, const whirl_record *record, int *coexisting) {
     enum { STATES = 8 };
     const size_t d = record->dimension;
-    double *room = malloc((2 * d + system->forcing_count + 1) * sizeof *room);
+    double *work = malloc((2 * d + system->forcing_count + 1) * sizeof *work);
     const bool free_of_time =
-        room && record->section_count >= STATES && coexisting_is_free(system, record->section, room);
-    whirl_status status = room ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to look for an equilibrium");
+        work && record->section_count >= STATES && coexisting_is_free(system, record->section, work);
+    whirl_status status = work ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to look for an equilibrium");
     for (size_t k = 0; k < STATES && free_of_time && *coexisting == 0 && status.code == WHIRL_OK; k++) {
         whirl_modes *modes;
         status = whirl_modes_new(system, record->section + k * (record->section_count / STATES) * d, &modes);
@@ -50,7 +50,7 @@ static whirl_status coexisting_rest(const whirl_system *system, const whirl_reco
         if (status.code != WHIRL_NO_MEMORY) status = whirl_ok(); // none from there
         whirl_modes_free(modes);
     }
-    free(room);
+    free(work);
     return status;
 }
 

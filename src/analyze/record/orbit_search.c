@@ -35,16 +35,16 @@ void orbit_search_archive(orbit_search *s, archive *a) {
     archive_part(a, &s->found, sizeof s->found);
 }
 
-void orbit_search_monodromy(const orbit_search *s, double *matrix, double *room) {
+void orbit_search_monodromy(const orbit_search *s, double *matrix, double *work) {
     const size_t n = s->kept;
     memcpy(matrix, s->factors, n * n * sizeof *matrix);
     for (size_t r = 1; r < s->revolutions; r++) {
         const double *factor = s->factors + r * n * n;
-        memcpy(room, matrix, n * n * sizeof *room);
+        memcpy(work, matrix, n * n * sizeof *work);
         memset(matrix, 0, n * n * sizeof *matrix);
         for (size_t i = 0; i < n; i++)
             for (size_t k = 0; k < n; k++)
-                for (size_t j = 0; j < n; j++) matrix[i * n + j] += factor[i * n + k] * room[k * n + j];
+                for (size_t j = 0; j < n; j++) matrix[i * n + j] += factor[i * n + k] * work[k * n + j];
     }
 }
 
@@ -194,10 +194,10 @@ static void end_revolution(const orbit_searches *s, size_t lane, orbit_search *o
 enum { MAX_STEPS = 8 };
 
 /// Takes a Newton step after a search reached `end`; returns true if it continues, from a node that was moved.
-static bool searches_step(const orbit_searches *s, orbit_search *of, const double *end, double *room) {
+static bool searches_step(const orbit_searches *s, orbit_search *of, const double *end, double *work) {
     const size_t n = of->kept;
     const double before = of->residual, size = searches_largest(of, of->nodes);
-    double *gap = room, *matrix = room + n;
+    double *gap = work, *matrix = work + n;
     searches_difference(of, end, of->nodes, gap);
     of->residual = largest_of(n, gap) / fmax(size, 1e-300);
     // The orbit closes, or only rounding is left, which no step reduces.
@@ -233,13 +233,13 @@ static whirl_status searches_begin(const orbit_searches *s, size_t lane, lane_se
 }
 
 /// Ends a revolution. *stays becomes true if the search stays in its lane. `end` has `dimension` numbers.
-static whirl_status searches_advance(const orbit_searches *s, size_t lane, lane_search *f, double *end, double *room,
+static whirl_status searches_advance(const orbit_searches *s, size_t lane, lane_search *f, double *end, double *work,
                                      bool *stays) {
     const bool bounded = whirl_ensemble_motion(s->ensemble, lane) == WHIRL_BOUNDED;
     end_revolution(s, lane, f->of, f->revolution++, end);
     *stays = bounded;
     if (!bounded || f->revolution < f->of->revolutions) return whirl_ok();
-    *stays = searches_step(s, f->of, end, room) && ++f->steps < MAX_STEPS;
+    *stays = searches_step(s, f->of, end, work) && ++f->steps < MAX_STEPS;
     return *stays ? searches_begin(s, lane, f) : whirl_ok();
 }
 

@@ -30,8 +30,8 @@ orbit_search *orbit_search_new(const whirl_system *system, size_t revolutions, c
 /// Serializes the result; the search must be for the same system and period.
 void orbit_search_archive(orbit_search *s, archive *a);
 
-/// Computes the derivative of the map over all revolutions, matrix [kept][kept]; `room` has as many.
-void orbit_search_monodromy(const orbit_search *s, double *matrix, double *room);
+/// Computes the derivative of the map over all revolutions, matrix [kept][kept]; `work` has as many.
+void orbit_search_monodromy(const orbit_search *s, double *matrix, double *work);
 
 /// Computes the coordinates of x - node that do not turn: out [kept].
 void orbit_search_difference(const orbit_search *s, const double *x, double *out);

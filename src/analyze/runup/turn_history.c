@@ -53,21 +53,21 @@ void turn_samples_fill(turn_samples *to, const turn_instant *low, const turn_ins
     }
 }
 
-turn_history turn_history_new(size_t room, const turn_samples *of) {
-    turn_history made = {.room = room, .turn = of->samples * of->width, .end = (double)NAN};
-    made.numbers = calloc(2 * room * made.turn + 1, sizeof *made.numbers);
+turn_history turn_history_new(size_t capacity, const turn_samples *of) {
+    turn_history made = {.capacity = capacity, .turn = of->samples * of->width, .end = (double)NAN};
+    made.numbers = calloc(2 * capacity * made.turn + 1, sizeof *made.numbers);
     return made;
 }
 
 void turn_history_add(turn_history *to, const double *numbers, double end) {
-    if (to->held == 2 * to->room) {
-        to->held = to->room;
-        memcpy(to->numbers, to->numbers + to->room * to->turn, to->room * to->turn * sizeof *to->numbers);
+    if (to->held == 2 * to->capacity) {
+        to->held = to->capacity;
+        memcpy(to->numbers, to->numbers + to->capacity * to->turn, to->capacity * to->turn * sizeof *to->numbers);
     }
     memcpy(to->numbers + to->held++ * to->turn, numbers, to->turn * sizeof *numbers);
     to->end = end;
 }
 
 const double *turn_history_last(const turn_history *of, size_t turns) {
-    return turns > of->held || turns > of->room ? NULL : of->numbers + (of->held - turns) * of->turn;
+    return turns > of->held || turns > of->capacity ? NULL : of->numbers + (of->held - turns) * of->turn;
 }

@@ -31,14 +31,14 @@ void turn_samples_fill(turn_samples *to, const turn_instant *low, const turn_ins
 
 /// The last turns.
 typedef struct turn_history {
-    size_t room, held; ///< number of turns that must be kept; number in memory, up to twice as many
-    size_t turn;       ///< numbers of a turn, samples times width
-    double *numbers;   ///< [2 room][turn]
-    double end;        ///< s, of the last turn
+    size_t capacity, held; ///< number of turns that must be kept; number in memory, up to twice as many
+    size_t turn;           ///< numbers of a turn, samples times width
+    double *numbers;       ///< [2 capacity][turn]
+    double end;            ///< s, of the last turn
 } turn_history;
 
-/// Makes the history of the last `room` turns; numbers are NULL without memory. Freed by free(numbers).
-turn_history turn_history_new(size_t room, const turn_samples *of);
+/// Makes the history of the last `capacity` turns; numbers are NULL without memory. Freed by free(numbers).
+turn_history turn_history_new(size_t capacity, const turn_samples *of);
 
 /// Adds a turn that ended at a time.
 void turn_history_add(turn_history *to, const double *numbers, double end);

@@ -28,10 +28,10 @@ static double step_along(const section *all, size_t n, size_t i) {
 }
 
 /// Finds the main directions of the steps: unit vectors [count][dimension] into `axes`, their sizes into `sizes`.
-/// `room` has 2 dimension^2 + dimension numbers.
-static size_t main_directions(const section *all, double least, double *axes, double *sizes, double *room) {
+/// `work` has 2 dimension^2 + dimension numbers.
+static size_t main_directions(const section *all, double least, double *axes, double *sizes, double *work) {
     const size_t d = all->dimension, steps = all->count - 1;
-    double *square = room, *vectors = room + d * d, *values = vectors + d * d;
+    double *square = work, *vectors = work + d * d, *values = vectors + d * d;
     memset(square, 0, d * d * sizeof *square);
     for (size_t n = 0; n < steps; n++)
         for (size_t i = 0; i < d; i++)
@@ -91,10 +91,10 @@ static double fit_map(const section *all, size_t count, const double *axes, cons
     return sqrt(left / whole);
 }
 
-static fit fit_points(const section *all, double least, double *room) {
+static fit fit_points(const section *all, double least, double *work) {
     double sizes[MAX_DIRECTIONS], map[MAX_DIRECTIONS * MAX_DIRECTIONS], real[MAX_DIRECTIONS], imaginary[MAX_DIRECTIONS];
-    double *axes = room, largest = 0.0;
-    const size_t count = main_directions(all, least, axes, sizes, room + MAX_DIRECTIONS * all->dimension);
+    double *axes = work, largest = 0.0;
+    const size_t count = main_directions(all, least, axes, sizes, work + MAX_DIRECTIONS * all->dimension);
     if (count == 0) return (fit){NAN, NAN};
     const double residual = fit_map(all, count, axes, sizes, map);
     if (!isfinite(residual) || !matrix_eigen(count, map, real, imaginary, NULL)) return (fit){NAN, NAN};
@@ -108,13 +108,13 @@ settling_map settling_map_find(const section *all, double size, double rounding)
     const size_t d = all->dimension, half = all->count / 2;
     settling_map found = {{NAN, NAN}, NAN, NAN};
     if (all->count < MIN_POINTS || d > MAX_DIMENSION) return found;
-    double *room = malloc((MAX_DIRECTIONS * d + 2 * d * d + d) * sizeof *room);
-    if (!room) return found;
+    double *work = malloc((MAX_DIRECTIONS * d + 2 * d * d + d) * sizeof *work);
+    if (!work) return found;
     const double least = least_roundings * rounding * size;
     const section early = {half, d, all->points}, late = section_tail(all, half);
-    const fit whole = fit_points(all, least, room), first = fit_points(&early, least, room),
-              second = fit_points(&late, least, room);
-    free(room);
+    const fit whole = fit_points(all, least, work), first = fit_points(&early, least, work),
+              second = fit_points(&late, least, work);
+    free(work);
     const double residual = fmax(whole.residual, fmax(first.residual, second.residual));
     if (!(residual <= well_fit)) return found;
     const double apart = fabs(second.rate - first.rate), scatter = residual / sqrt((double)half);

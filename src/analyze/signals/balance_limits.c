@@ -153,9 +153,9 @@ bool balance_best_within(const balance_goal *goal, double complex *amounts) {
                  .bound = goal->least_max};
     double complex *block = calloc(lines * n + goal->rows + 1, sizeof *block);
     double *numbers = calloc(3 * b.size + b.size * b.size + n + 1, sizeof *numbers), *scale = numbers;
-    const bool room = block && numbers;
+    const bool allocated = block && numbers;
     // Parts of one allocation.
-    if (room) {
+    if (allocated) {
         b.effect = block;
         b.share = block + goal->rows * n;
         b.before = block + lines * n;
@@ -169,5 +169,5 @@ bool balance_best_within(const balance_goal *goal, double complex *amounts) {
     }
     free(block);
     free(numbers);
-    return room;
+    return allocated;
 }

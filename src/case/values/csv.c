@@ -78,20 +78,20 @@ static whirl_status csv_headings(csv_reader *r, const char *from, const char *en
 }
 
 static whirl_status csv_grow(csv_table *table) {
-    const size_t room = table->room > 0 ? 2 * table->room : CSV_FIRST_ROWS;
-    if (table->count < table->room) return whirl_ok();
-    double *numbers = malloc(table->column_count * room * sizeof *numbers);
-    int *lines = realloc(table->lines, room * sizeof *lines);
+    const size_t capacity = table->capacity > 0 ? 2 * table->capacity : CSV_FIRST_ROWS;
+    if (table->count < table->capacity) return whirl_ok();
+    double *numbers = malloc(table->column_count * capacity * sizeof *numbers);
+    int *lines = realloc(table->lines, capacity * sizeof *lines);
     if (lines) table->lines = lines;
     if (!numbers || !lines) {
         free(numbers);
-        return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu rows", room);
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu rows", capacity);
     }
     for (size_t c = 0; c < table->column_count && table->count > 0; c++)
-        memcpy(numbers + c * room, table->numbers + c * table->room, table->count * sizeof *numbers);
+        memcpy(numbers + c * capacity, table->numbers + c * table->capacity, table->count * sizeof *numbers);
     free(table->numbers);
     table->numbers = numbers;
-    table->room = room;
+    table->capacity = capacity;
     return whirl_ok();
 }
 
@@ -108,7 +108,7 @@ static whirl_status csv_row(csv_reader *r, const char *from, const char *end) {
         const int place = (int)(first - from) + 1;
         if (cells == table->column_count)
             return csv_fail(table, r->line, place, "there are more cells than the %zu headings", table->column_count);
-        double *own = table->numbers + cells * table->room + table->count;
+        double *own = table->numbers + cells * table->capacity + table->count;
         *own = strtod(text, &rest);
         if (!*text)
             return csv_fail(table, r->line, place, "the cell is empty, expected a number: cut the record at its gaps");
@@ -189,5 +189,5 @@ whirl_status csv_unit(const csv_table *table, size_t column, const char *si, con
 }
 
 const double *csv_numbers(const csv_table *table, size_t column) {
-    return table->numbers + column * table->room;
+    return table->numbers + column * table->capacity;
 }

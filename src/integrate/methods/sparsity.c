@@ -29,12 +29,12 @@ static void fill_in(bool *matrix, size_t n) {
 
 enum { ALL, BELOW_DIAGONAL, ABOVE_DIAGONAL };
 
-/// Writes the runs of nonzero numbers in a table [rows][width], from column `first` on, to `room`. Returns the rest of
-/// `room`.
-static size_t *list(sparse_rows *out, size_t *room, const bool *table, size_t rows, size_t width, size_t columns,
+/// Writes the runs of nonzero numbers in a table [rows][width], from column `first` on, to `numbers`. Returns the rest
+/// of `numbers`.
+static size_t *list(sparse_rows *out, size_t *numbers, const bool *table, size_t rows, size_t width, size_t columns,
                     int part) {
-    size_t *next = room + rows + 1;
-    out->begin = room;
+    size_t *next = numbers + rows + 1;
+    out->begin = numbers;
     out->run = next;
     for (size_t i = 0; i < rows; i++) {
         const size_t from = part == ABOVE_DIAGONAL ? i + 1 : 0, to = part == BELOW_DIAGONAL ? i : columns;
@@ -51,8 +51,8 @@ static size_t *list(sparse_rows *out, size_t *room, const bool *table, size_t ro
 
 sparsity *sparsity_new(size_t n, size_t m, void (*depends)(const void *model, bool *table), const void *model) {
     const size_t width = n + m;
-    const size_t room = width + 4 * (m + 1) + m * (width + 4) + m * (m + 2); // at worst every run is one column
-    sparsity *out = calloc(1, sizeof *out + room * sizeof(size_t));
+    const size_t most = width + 4 * (m + 1) + m * (width + 4) + m * (m + 2); // at worst every run is one column
+    sparsity *out = calloc(1, sizeof *out + most * sizeof(size_t));
     bool *table = calloc(m * width + width * m + m * m, sizeof *table);
     if (!out || !table) {
         free(out);

@@ -91,7 +91,7 @@ void stepper_place(stepper *c, const whirl_system *system, double t);
 
 /// Attaches the workspace of up to `most` perturbations: [PERTURBATION_ROWS][1 + most] and [SPARE_ROWS] vectors
 /// [dimension].
-void stepper_follow(stepper *c, size_t most, double *room);
+void stepper_follow(stepper *c, size_t most, double *work);
 
 /// Takes one step, which ends at the first switch and at most at `until`.
 whirl_motion stepper_step(stepper *c, double until);

@@ -14,14 +14,14 @@ static double *spare(const stepper *c, int which) {
     return c->variation.spare + (size_t)which * c->dimension;
 }
 
-void stepper_follow(stepper *c, size_t most, double *room) {
+void stepper_follow(stepper *c, size_t most, double *work) {
     stepper_variation *v = &c->variation;
     const size_t row = (1 + most) * c->dimension;
-    for (size_t i = 0; i < DOP853_STAGES; i++) v->k[i] = room + i * row;
-    v->stage = room + DOP853_STAGES * row;
+    for (size_t i = 0; i < DOP853_STAGES; i++) v->k[i] = work + i * row;
+    v->stage = work + DOP853_STAGES * row;
     v->upper = v->stage + row;
     v->end = v->upper + row;
-    v->spare = room + PERTURBATION_ROWS * row;
+    v->spare = work + PERTURBATION_ROWS * row;
 }
 
 static double variation_dot(size_t n, const double *a, const double *b) {

@@ -144,9 +144,9 @@ whirl_status branch_add(whirl_branch *b, const whirl_branch_options *options, co
         return whirl_ok();
     }
     if ((b->count & (b->count - 1)) == 0) { // capacity is the next power of two
-        const size_t room = b->count > 0 ? 2 * b->count : 1;
-        whirl_branch_point *points = realloc(b->points, room * sizeof *points);
-        if (!points) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points of a branch", room);
+        const size_t capacity = b->count > 0 ? 2 * b->count : 1;
+        whirl_branch_point *points = realloc(b->points, capacity * sizeof *points);
+        if (!points) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points of a branch", capacity);
         b->points = points;
     }
     b->points[b->count++] = *point;

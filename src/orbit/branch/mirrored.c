@@ -119,9 +119,9 @@ whirl_status mirrored_locate(follower *f, const waypoint *from, const waypoint *
     out->orbit = NULL;
     *image = false;
     if (!mirrored_turns(f, from, to)) return whirl_ok();
-    double *room = calloc(3 * all, sizeof *room);
-    if (!room) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a point of a branch");
-    pitchfork p = {.vertex = room, .trial = room + all, .along = room + 2 * all};
+    double *work = calloc(3 * all, sizeof *work);
+    if (!work) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a point of a branch");
+    pitchfork p = {.vertex = work, .trial = work + all, .along = work + 2 * all};
     whirl_status status = waypoint_new(f, &p.beyond);
     if (status.code == WHIRL_OK) status = waypoint_new(f, &p.within);
     for (int k = 0; k < 2 && status.code == WHIRL_OK; k++) status = waypoint_new(f, &p.sides[k]);
@@ -133,6 +133,6 @@ whirl_status mirrored_locate(follower *f, const waypoint *from, const waypoint *
     waypoint_free(&p.beyond);
     waypoint_free(&p.within);
     for (int k = 0; k < 2; k++) waypoint_free(&p.sides[k]);
-    free(room);
+    free(work);
     return status;
 }

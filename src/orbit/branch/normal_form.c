@@ -273,11 +273,11 @@ double normal_form(shooting *s, const whirl_orbit *orbit, whirl_special kind, do
     if (kind != WHIRL_DOUBLING && kind != WHIRL_HOPF && kind != WHIRL_NEIMARK_SACKER) return NAN;
     if (n == 0 || (kind == WHIRL_NEIMARK_SACKER && normal_form_resonates(angle))) return NAN;
     const size_t spare = 9 * n > 4 * n * n + 2 * n ? 9 * n : 4 * n * n + 2 * n;
-    double *room = calloc(n * n + all + 4 * n + spare, sizeof *room);
+    double *work = calloc(n * n + all + 4 * n + spare, sizeof *work);
     number *vectors = calloc(5 * n, sizeof *vectors);
     double found = NAN;
-    if (room && vectors) {
-        forms f = {.s = s, .orbit = orbit, .n = n, .matrix = room, .images = room + n * n};
+    if (work && vectors) {
+        forms f = {.s = s, .orbit = orbit, .n = n, .matrix = work, .images = work + n * n};
         f.image = f.images + all;
         f.centre = f.image + n;
         f.sums[0] = f.centre + n;
@@ -286,7 +286,7 @@ double normal_form(shooting *s, const whirl_orbit *orbit, whirl_special kind, do
         f.p = vectors + n;
         found = normal_form_converge(&f, kind, root_of(kind, angle), f.sums[1] + n, vectors + 2 * n);
     }
-    free(room);
+    free(work);
     free(vectors);
     return found;
 }

@@ -153,16 +153,16 @@ static double share_to_bound(const walk *w, const double *before, size_t index, 
     return value > high || value < low ? (*bound - before[index]) / (value - before[index]) : 1.0;
 }
 
-/// Adds the last point, on the bound which the first parameter to leave its bounds has passed. The first part of room
+/// Adds the last point, on the bound which the first parameter to leave its bounds has passed. The first part of work
 /// [2][unknowns] is the point before. If no point is found, the curve ends with the point before.
-static whirl_status end_at_bound(walk *w, double *room) {
+static whirl_status end_at_bound(walk *w, double *work) {
     const size_t n = equations_count(&w->equations), all = n + 2;
     const double low = fmin(w->options->from, w->options->to), high = fmax(w->options->from, w->options->to);
-    double bounds[2], *direction = room + all;
-    const double first = share_to_bound(w, room, n, low, high, &bounds[0]);
-    const double second = share_to_bound(w, room, n + 1, w->low, w->high, &bounds[1]);
+    double bounds[2], *direction = work + all;
+    const double first = share_to_bound(w, work, n, low, high, &bounds[0]);
+    const double second = share_to_bound(w, work, n + 1, w->low, w->high, &bounds[1]);
     const size_t which = first < second ? 0 : 1;
-    for (size_t i = 0; i < all; i++) w->trial[i] = room[i] + fmin(first, second) * (w->u[i] - room[i]);
+    for (size_t i = 0; i < all; i++) w->trial[i] = work[i] + fmin(first, second) * (w->u[i] - work[i]);
     w->trial[n + which] = bounds[which];
     memset(direction, 0, all * sizeof *direction);
     direction[n + which] = w->curve.scale[n + which];

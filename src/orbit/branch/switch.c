@@ -145,7 +145,7 @@ static whirl_status leave_rest(follower *f, const whirl_branch_point *point, con
 typedef struct departure {
     follower follower;
     waypoint at;
-    double *room; ///< [2][unknowns]
+    double *work; ///< [2][unknowns]
 } departure;
 
 static whirl_status switch_prepare(departure *d, const whirl_family *family, const whirl_orbit *start, double value,
@@ -153,8 +153,8 @@ static whirl_status switch_prepare(departure *d, const whirl_family *family, con
     whirl_status status = follower_begin(&d->follower, family, start, value, options);
     if (status.code == WHIRL_OK) status = waypoint_new(&d->follower, &d->at);
     if (status.code != WHIRL_OK) return status;
-    d->room = calloc(2 * (d->follower.curve.count + 1), sizeof *d->room);
-    return d->room ? status : whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit");
+    d->work = calloc(2 * (d->follower.curve.count + 1), sizeof *d->work);
+    return d->work ? status : whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit");
 }
 
 /// Hands the orbit over and frees the rest.
@@ -164,7 +164,7 @@ static whirl_status switch_finish(departure *d, whirl_status status, whirl_orbit
         *orbit = d->at.orbit;
         d->at.orbit = NULL;
     }
-    free(d->room);
+    free(d->work);
     waypoint_free(&d->at);
     follower_end(&d->follower);
     return status;
@@ -172,7 +172,7 @@ static whirl_status switch_finish(departure *d, whirl_status status, whirl_orbit
 
 static whirl_status depart_from_rest(const whirl_family *family, const whirl_branch_point *point, double step,
                                      const whirl_branch_options *options, whirl_orbit **orbit, double *value) {
-    departure d = {.room = NULL};
+    departure d = {.work = NULL};
     whirl_machine machine;
     whirl_modes *modes = NULL;
     whirl_status status = family->machine(family->context, point->value, &machine);
@@ -193,7 +193,7 @@ static whirl_status depart_from_rest(const whirl_family *family, const whirl_bra
     if (status.code == WHIRL_OK) status = switch_prepare(&d, family, &start, point->value, options);
     if (status.code == WHIRL_OK) {
         const double *vector = modes->vectors + 2 * size * whirling_mode(modes, point->angle);
-        status = leave_rest(&d.follower, point, vector, step, &d.at, d.room, d.room + d.follower.curve.count + 1);
+        status = leave_rest(&d.follower, point, vector, step, &d.at, d.work, d.work + d.follower.curve.count + 1);
     }
     whirl_modes_free(modes);
     if (machine.release) machine.release(machine.owner);
@@ -205,13 +205,13 @@ static whirl_status depart_from_rest(const whirl_family *family, const whirl_bra
 static whirl_status depart_from_orbit(const whirl_family *family, const whirl_branch_point *point, double step,
                                       const whirl_branch_options *options, whirl_orbit **orbit, double *value) {
     const bool doubles = point->special == WHIRL_DOUBLING;
-    departure d = {.room = NULL};
+    departure d = {.work = NULL};
     double *nodes = NULL;
     whirl_orbit *start = doubles ? go_round_twice(point->orbit, &nodes) : point->orbit;
     whirl_status status = start ? switch_prepare(&d, family, start, point->value, options)
                                 : whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit");
     if (status.code == WHIRL_OK)
-        status = leave_orbit(&d.follower, point->value, step, &d.at, d.room, d.room + d.follower.curve.count + 1);
+        status = leave_orbit(&d.follower, point->value, step, &d.at, d.work, d.work + d.follower.curve.count + 1);
     status = switch_finish(&d, status, orbit, value);
     if (doubles) free(start);
     free(nodes);

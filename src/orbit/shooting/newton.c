@@ -127,21 +127,21 @@ static newton_result newton_iterate(const newton_problem *p, newton_work *w, dou
 
 newton_result newton_solve(const newton_problem *p, double *u) {
     const size_t n = p->count;
-    double *room = malloc((4 * n + 3 * n * n + 1) * sizeof *room), *matrices = room ? room + 4 * n : NULL;
+    double *memory = malloc((4 * n + 3 * n * n + 1) * sizeof *memory), *matrices = memory ? memory + 4 * n : NULL;
     size_t *order = malloc((n + 1) * sizeof *order);
     newton_result result = {.size = INFINITY};
-    if (room && order) {
-        newton_work work = {.value = room,
-                            .tried = room + n,
-                            .step = room + 2 * n,
-                            .at = room + 3 * n,
+    if (memory && order) {
+        newton_work work = {.value = memory,
+                            .tried = memory + n,
+                            .step = memory + 2 * n,
+                            .at = memory + 3 * n,
                             .derivative = matrices,
                             .there = matrices + n * n,
                             .own = matrices + 2 * n * n,
                             .own_order = order};
         result = newton_iterate(p, &work, u);
     }
-    free(room);
+    free(memory);
     free(order);
     return result;
 }

@@ -88,11 +88,11 @@ static void product_block_of(const product *p, size_t first, size_t size, double
     }
 }
 
-static bool read_block(const product *p, size_t first, size_t size, double *room, whirl_multiplier *values) {
-    double *real = room + 3 * size * size, *imaginary = real + size;
+static bool read_block(const product *p, size_t first, size_t size, double *memory, whirl_multiplier *values) {
+    double *real = memory + 3 * size * size, *imaginary = real + size;
     int scale;
-    product_block_of(p, first, size, room, room + size * size, &scale);
-    if (!matrix_eigen(size, room, real, imaginary, NULL)) return false;
+    product_block_of(p, first, size, memory, memory + size * size, &scale);
+    if (!matrix_eigen(size, memory, real, imaginary, NULL)) return false;
     for (size_t i = 0; i < size; i++)
         values[first + i] = (whirl_multiplier){ldexp(real[i], scale), ldexp(imaginary[i], scale)};
     return true;
@@ -134,7 +134,7 @@ static bool is_apart(product *p) {
     return true;
 }
 
-static bool product_find(product *p, double *room, whirl_multiplier *values) {
+static bool product_find(product *p, double *memory, whirl_multiplier *values) {
     const size_t n = p->n;
     for (size_t i = 0; i < n * n; i++) p->now[i] = i % (n + 1) == 0 ? 1.0 : 0.0;
     bool apart = false;
@@ -144,7 +144,7 @@ static bool product_find(product *p, double *room, whirl_multiplier *values) {
     }
     for (size_t first = 0, end; first < n; first = end) {
         end = end_of_block(p, first);
-        if (!read_block(p, first, end - first, room, values)) return false;
+        if (!read_block(p, first, end - first, memory, values)) return false;
     }
     qsort(values, n, sizeof *values, by_modulus);
     return true;
@@ -152,13 +152,13 @@ static bool product_find(product *p, double *room, whirl_multiplier *values) {
 
 bool whirl_product_eigenvalues(size_t n, size_t count, const double *factors, whirl_multiplier *values) {
     const size_t size = n * n;
-    double *room = calloc((count + 6) * size + 2 * n + 1, sizeof *room);
-    if (!room) return false;
-    product p = {.n = n, .count = count, .factors = factors, .r = room};
-    p.basis = room + count * size;
+    double *memory = calloc((count + 6) * size + 2 * n + 1, sizeof *memory);
+    if (!memory) return false;
+    product p = {.n = n, .count = count, .factors = factors, .r = memory};
+    p.basis = memory + count * size;
     p.now = p.basis + size;
     p.work = p.now + size;
     const bool good = n == 0 || product_find(&p, p.work + size, values);
-    free(room);
+    free(memory);
     return good;
 }

@@ -140,10 +140,10 @@ static void touch_prepare(watch *w) {
 
 whirl_status touch_find(shooting *s, whirl_orbit *orbit) {
     const size_t d = s->dimension, switches = s->system->switch_count;
-    double *room = calloc(8 * d + 3 * switches + 1, sizeof *room);
-    if (!room) return whirl_fail(WHIRL_NO_MEMORY, "no memory to follow an orbit");
+    double *work = calloc(8 * d + 3 * switches + 1, sizeof *work);
+    if (!work) return whirl_fail(WHIRL_NO_MEMORY, "no memory to follow an orbit");
     // Parts of one allocation.
-    watch w = {.system = s->system, .orbit = orbit, .x = room, .slope = room + d, .x2 = room + 2 * d};
+    watch w = {.system = s->system, .orbit = orbit, .x = work, .slope = work + d, .x2 = work + 2 * d};
     w.slope2 = w.x2 + d;
     w.mid = w.slope2 + d;
     w.gradient = w.mid + 2 * d;
@@ -164,6 +164,6 @@ whirl_status touch_find(shooting *s, whirl_orbit *orbit) {
         if (shooting_rests(s)) touch->nearest = w.from[k];
         if (touch->intervals == 0 && w.from[k] > 0.0) touch->intervals = 1;
     }
-    free(room);
+    free(work);
     return good ? whirl_ok() : whirl_fail(WHIRL_BAD_INPUT, "the motion along an orbit leaves its bounds");
 }

@@ -53,13 +53,13 @@ static bool place_ellipse(torus_follower *f, const whirl_branch_point *point, co
 static whirl_status find_first(torus_follower *f, const whirl_branch_point *point, double step, torus_waypoint *at) {
     torus_equations *e = &f->equations;
     const size_t n = e->n;
-    double *room = calloc(n * n + 4 * n, sizeof *room), *vector = room ? room + n * n : NULL, volume;
-    if (!room) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a torus");
+    double *work = calloc(n * n + 4 * n, sizeof *work), *vector = work ? work + n * n : NULL, volume;
+    if (!work) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a torus");
     double *centre = vector + 2 * n, *image = centre + n;
     section_map_take(e->map, point->orbit->nodes, centre);
-    const bool good = section_map_carry(e->map, 1, centre, image, room, &volume) &&
-                      torus_begin_eigenvector(n, room, point->angle, vector) && place_ellipse(f, point, vector, step);
-    free(room);
+    const bool good = section_map_carry(e->map, 1, centre, image, work, &volume) &&
+                      torus_begin_eigenvector(n, work, point->angle, vector) && place_ellipse(f, point, vector, step);
+    free(work);
     whirl_status status =
         good ? torus_follower_find(f, at)
              : whirl_fail(WHIRL_BAD_INPUT, "the motion around a Neimark-Sacker point could not be followed");

@@ -23,9 +23,9 @@ whirl_torus_branch_options whirl_torus_branch_default(double from, double to) {
 typedef struct torus_walk {
     torus_waypoint now, next;
     double step;
-    double *before;     ///< [room] the present curve with as many nodes as the next one
+    double *before;     ///< [capacity] the present curve with as many nodes as the next one
     bool rough, shrank; ///< reasons why the last try failed
-    size_t room;        ///< capacity of the branch in points
+    size_t capacity;    ///< capacity of the branch in points
 } torus_walk;
 
 static double torus_branch_value_at(const torus_follower *f, const torus_waypoint *p) {
@@ -39,12 +39,12 @@ static whirl_status add_point(const torus_follower *f, torus_walk *w, torus_wayp
         b->end = WHIRL_TORUS_STOPPED;
         return whirl_ok();
     }
-    if (b->count == w->room) {
-        const size_t room = 2 * w->room + 16;
-        whirl_torus_point *points = realloc(b->points, room * sizeof *points);
-        if (!points) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu tori", room);
+    if (b->count == w->capacity) {
+        const size_t capacity = 2 * w->capacity + 16;
+        whirl_torus_point *points = realloc(b->points, capacity * sizeof *points);
+        if (!points) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu tori", capacity);
         b->points = points;
-        w->room = room;
+        w->capacity = capacity;
     }
     const whirl_torus_branch_options *o = f->options;
     const whirl_torus_point point = {.value = torus_branch_value_at(f, p), .torus = p->torus};
@@ -267,7 +267,7 @@ whirl_status whirl_torus_follow(const whirl_family *family, const whirl_torus *s
         torus_follower_begin(&f, family, start->revolutions, start->dimension, start->nodes, value, options);
     if (status.code == WHIRL_OK) status = torus_waypoint_new(&f, &w.now);
     if (status.code == WHIRL_OK) status = torus_waypoint_new(&f, &w.next);
-    w.before = status.code == WHIRL_OK ? calloc(f.room, sizeof *w.before) : NULL;
+    w.before = status.code == WHIRL_OK ? calloc(f.capacity, sizeof *w.before) : NULL;
     if (status.code == WHIRL_OK && !w.before) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch of tori");
     // Follow the branch, and hand it over.
     if (status.code == WHIRL_OK) status = torus_branch_follow(&f, &w, start, value, direction, b);

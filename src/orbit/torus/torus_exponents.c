@@ -140,9 +140,9 @@ static void say_nothing(whirl_torus *torus) {
 bool torus_find_exponents(const torus_equations *e, const double *u, whirl_torus *torus) {
     const size_t n = e->n, size = e->count * n;
     if (torus->exponent_count == 0) return true;
-    double *room = calloc(size + size * n + 3 * n + 2 * n * n + (size_t)MAX_STEPS * (n - 1), sizeof *room);
-    if (!room) return false;
-    walk w = {.n = n, .count = e->count, .angle = u[size], .curve = room, .factor = room + size};
+    double *work = calloc(size + size * n + 3 * n + 2 * n * n + (size_t)MAX_STEPS * (n - 1), sizeof *work);
+    if (!work) return false;
+    walk w = {.n = n, .count = e->count, .angle = u[size], .curve = work, .factor = work + size};
     w.place = w.factor + size * n;
     w.along = w.place + n;
     w.turned = w.along + n;
@@ -155,6 +155,6 @@ bool torus_find_exponents(const torus_equations *e, const double *u, whirl_torus
     torus->unstable = 0;
     for (size_t k = 0; k < torus->exponent_count; k++)
         torus->unstable += torus->exponents[k] > torus->exponent_errors[k] + 1e-9;
-    free(room);
+    free(work);
     return true;
 }

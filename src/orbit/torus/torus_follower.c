@@ -18,11 +18,11 @@ whirl_status torus_follower_begin(torus_follower *f, const whirl_family *family,
         status = torus_equations_make(&f->equations, NULL, family, value, &options->torus, revolutions, dimension, at);
     if (status.code != WHIRL_OK) return status;
     f->equations.reach = 0x1p-12 * (options->to - options->from);
-    f->room = options->torus.most_nodes * f->equations.n + 2;
-    f->trial = calloc(3 * f->room, sizeof *f->trial);
+    f->capacity = options->torus.most_nodes * f->equations.n + 2;
+    f->trial = calloc(3 * f->capacity, sizeof *f->trial);
     if (!f->trial) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch of tori");
-    f->direction = f->trial + f->room;
-    f->forward = f->direction + f->room;
+    f->direction = f->trial + f->capacity;
+    f->forward = f->direction + f->capacity;
     return status;
 }
 
@@ -34,9 +34,9 @@ void torus_follower_end(torus_follower *f) {
 }
 
 whirl_status torus_waypoint_new(const torus_follower *f, torus_waypoint *out) {
-    *out = (torus_waypoint){.u = calloc(2 * f->room, sizeof(double))};
+    *out = (torus_waypoint){.u = calloc(2 * f->capacity, sizeof(double))};
     if (!out->u) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch of tori");
-    out->tangent = out->u + f->room;
+    out->tangent = out->u + f->capacity;
     return whirl_ok();
 }
 

@@ -23,8 +23,8 @@ typedef struct torus_follower {
     torus_equations equations;
     curve curve;
     const whirl_torus_branch_options *options;
-    size_t room;                         ///< number of unknowns with the most nodes
-    double *trial, *direction, *forward; ///< [room] of the present search
+    size_t capacity;                     ///< number of unknowns with the most nodes
+    double *trial, *direction, *forward; ///< [capacity] of the present search
 } torus_follower;
 
 /// Makes the follower at a value, for tori of `revolutions` revolutions. Turning coordinates at sections are those of

@@ -288,7 +288,7 @@ static double contact_of(const bifurcation *of, size_t point) {
 
 /// Returns the least distance between the curve of the radius and the line of the gap, within a tenth of the axis
 /// around a place (0: left, 1: right).
-static double room_for_label(const bifurcation *of, double place) {
+static double label_distance(const bifurcation *of, double place) {
     const double width = of->parameter.high - of->parameter.low;
     double nearest = (double)INFINITY;
     for (size_t i = 0; i < of->table->count; i++) {
@@ -307,7 +307,7 @@ static void add_gap(whirl_figure *figure, whirl_panel *panel, const bifurcation 
     static const double places[] = {0.93, 0.07, 0.5};
     int best = 0;
     for (int i = 1; i < 3; i++)
-        if (room_for_label(of, places[i]) > room_for_label(of, places[best])) best = i;
+        if (label_distance(of, places[i]) > label_distance(of, places[best])) best = i;
     whirl_series *line = panel_level(figure, panel, height, "#606060", 0.53);
     if (line) line->dashed = true;
     whirl_series *text = panel_series(figure, panel, WHIRL_TEXTS, "#606060", 1.0);

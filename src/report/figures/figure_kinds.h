@@ -36,7 +36,7 @@ typedef struct figure_place {
 } figure_place;
 
 typedef struct figure_list {
-    size_t count, room;
+    size_t count, capacity;
     figure_place *items;
     bool failed; ///< memory ran out
 } figure_list;

@@ -41,13 +41,13 @@ static const char *name_beside(const whirl_table *table) {
 
 void list_figure(figure_list *list, const figure_place *place, const char *name, const char *title, ...) {
     // Double the capacity when it is used up.
-    if (list->count == list->room) {
-        const size_t room = list->room ? 2 * list->room : 32;
-        figure_place *items = realloc(list->items, room * sizeof *items);
+    if (list->count == list->capacity) {
+        const size_t capacity = list->capacity ? 2 * list->capacity : 32;
+        figure_place *items = realloc(list->items, capacity * sizeof *items);
         list->failed = list->failed || !items;
         if (!items) return;
         list->items = items;
-        list->room = room;
+        list->capacity = capacity;
     }
     // Copy the place.
     figure_place *const added = &list->items[list->count];

@@ -29,12 +29,12 @@ const char *const scaled_lacks =
     "points do not reach over the running speeds, or nothing moves there: compute more points";
 
 /// Returns the largest amplitude in m at a probe between two speeds: that of a point or, if speeds rise along the
-/// table, interpolated between points. room [3 x points of the table] is workspace.
+/// table, interpolated between points. work [3 x points of the table] is workspace.
 static double largest_seen(const whirl_result *result, const whirl_table *table, size_t station, size_t probe,
-                           double low, double high, double *room) {
-    double *const sizes = room + table->count;
-    const size_t rising = margin_response(result, table, station, probe, room, sizes, sizes + table->count);
-    if (rising > 0) return whirl_response_largest(rising, room, sizes, low, high);
+                           double low, double high, double *work) {
+    double *const sizes = work + table->count;
+    const size_t rising = margin_response(result, table, station, probe, work, sizes, sizes + table->count);
+    if (rising > 0) return whirl_response_largest(rising, work, sizes, low, high);
     double largest = 0.0;
     for (size_t point = 0; point < table->count; point++) {
         const double speed = whirl_table_number(table, point, WHIRL_FIELD_UNBALANCE_SPEED, 0);
@@ -63,14 +63,14 @@ bool scaled_of(const whirl_result *result, const whirl_table *table, scaled *out
     double low, high;
     const bool running = margin_running(table, &low, &high);
     *out = (scaled){.limit = 25.4e-6 * fmin(1.0, sqrt(12000.0 * rpm / high))};
-    double *const room = running ? malloc((3 * table->count + 1) * sizeof *room) : NULL;
-    if (!room) return false;
+    double *const work = running ? malloc((3 * table->count + 1) * sizeof *work) : NULL;
+    if (!work) return false;
     for (size_t s = 0; s < result->station_count; s++)
         for (size_t probe = 0; probe < 2 && has_probes(result, table, s, clearances); probe++) {
-            const double seen = 2.0 * largest_seen(result, table, s, probe, low, high, room);
+            const double seen = 2.0 * largest_seen(result, table, s, probe, low, high, work);
             if (seen > out->largest) out->largest = seen, out->station = s;
         }
-    free(room);
+    free(work);
     out->factor = fmin(most, out->limit / out->largest);
     out->beyond = out->largest > out->limit;
     out->trip = table->record.trip;

@@ -5,13 +5,13 @@
 
 void body_add(body *to, size_t row, size_t column, body_kind kind, double number) {
     if (number == 0.0) return;
-    if (to->count == to->room) {
-        const size_t room = 2 * to->room + 256;
-        body_term *longer = realloc(to->terms, room * sizeof *longer);
+    if (to->count == to->capacity) {
+        const size_t capacity = 2 * to->capacity + 256;
+        body_term *longer = realloc(to->terms, capacity * sizeof *longer);
         to->no_memory = to->no_memory || !longer;
         if (!longer) return;
         to->terms = longer;
-        to->room = room;
+        to->capacity = capacity;
     }
     to->terms[to->count++] = (body_term){.row = row, .column = column, .kind = kind, .number = number};
 }

@@ -28,7 +28,7 @@ typedef struct meshing {
     size_t *shaft;    ///< [station_count]
     double *breaks;   ///< positions of nodes on the present shaft
     size_t break_count;
-    size_t room;
+    size_t capacity;
 } meshing;
 
 static whirl_status find_material(const whirl_design *design, const key_value *own, const key_value *shafts,
@@ -160,11 +160,11 @@ static bool ends_of(const meshing *m, size_t shaft, double *from, double *to) {
 }
 
 static whirl_status add_break(meshing *m, double z) {
-    if (m->break_count == m->room) {
-        double *longer = realloc(m->breaks, (2 * m->room + 64) * sizeof *longer);
+    if (m->break_count == m->capacity) {
+        double *longer = realloc(m->breaks, (2 * m->capacity + 64) * sizeof *longer);
         if (!longer) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the nodes of a shaft");
         m->breaks = longer;
-        m->room = 2 * m->room + 64;
+        m->capacity = 2 * m->capacity + 64;
     }
     m->breaks[m->break_count++] = z;
     return whirl_ok();

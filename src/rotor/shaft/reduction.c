@@ -27,7 +27,7 @@ typedef struct reducing {
     double *inertia, *unit; ///< [old degrees] inertia and unit of the new coordinates, as in the assembly
 } reducing;
 
-static bool blend_room(blend *b, size_t count) {
+static bool blend_reserve(blend *b, size_t count) {
     b->count = count;
     b->of = calloc(count + 1, sizeof *b->of);
     b->weight = calloc(count + 1, sizeof *b->weight);
@@ -89,7 +89,7 @@ static void find_kept(reducing *r, const element *elements, size_t count) {
 static whirl_status number_kept(reducing *r) {
     for (size_t d = 0; d < r->of->degrees; d++) {
         if (!r->kept[d]) continue;
-        if (!blend_room(&r->old[d], 1)) return reduction_no_memory();
+        if (!blend_reserve(&r->old[d], 1)) return reduction_no_memory();
         r->old[d].of[0] = r->degrees;
         r->old[d].weight[0] = 1.0;
         r->inertia[r->degrees] = r->of->inertia[d];
@@ -149,7 +149,7 @@ typedef struct split {
     double *block;              ///< all of these numbers
 } split;
 
-static bool split_room(split *s, size_t nodes) {
+static bool split_allocate(split *s, size_t nodes) {
     const size_t n = 2 * nodes;
     s->n = n;
     s->coordinate = calloc(3 * n + 1, sizeof *s->coordinate);
@@ -253,7 +253,7 @@ static bool blend_nodes(reducing *r, split *s) {
         for (size_t plane = 0; plane < 2; plane++) {
             // The coordinate along y follows that along x, both for displacements and for tilts.
             blend *own = &r->old[s->coordinate[s->i[a]] + plane];
-            if (!blend_room(own, s->kept + s->modes)) return false;
+            if (!blend_reserve(own, s->kept + s->modes)) return false;
             for (size_t c = 0; c < s->kept; c++) {
                 own->of[c] = r->old[s->coordinate[s->b[c]] + plane].of[0];
                 own->weight[c] = s->follow[c * s->inner + a];
@@ -277,7 +277,7 @@ static whirl_status reduce_shaft(reducing *r, size_t shaft, reduction *out) {
     size_t nodes = 0;
     split s = {0};
     for (size_t i = 0; i < r->mesh->node_count; i++) nodes += r->mesh->nodes[i].shaft == shaft;
-    whirl_status status = split_room(&s, nodes) ? whirl_ok() : reduction_no_memory();
+    whirl_status status = split_allocate(&s, nodes) ? whirl_ok() : reduction_no_memory();
     // Split the matrices of a plane by kept and eliminated coordinates, and find the modes of the latter.
     if (status.code == WHIRL_OK) {
         reduction_nodes(r->mesh, r->of, shaft, s.coordinate);
@@ -383,7 +383,7 @@ static void reduce_terms(reducing *r) {
     const size_t count = of->term_count;
     linear_term *old = of->terms;
     of->terms = NULL;
-    of->term_count = of->term_room = 0;
+    of->term_count = of->term_capacity = 0;
     for (size_t t = 0; t < count; t++) {
         const linear_term *term = &old[t];
         const bool by_place = term->source == SOURCE_PLACE || term->source == SOURCE_VELOCITY;
@@ -403,7 +403,7 @@ static void reduce_terms(reducing *r) {
 
 /// Transforms loads [*count] of rows in the way of forces: the inertia that turns with the shaft, or the weights.
 /// Returns false without memory.
-static bool reduce_loads(const reducing *r, turning_inertia **loads, size_t *count, size_t *room) {
+static bool reduce_loads(const reducing *r, turning_inertia **loads, size_t *count, size_t *capacity) {
     size_t made = 0;
     for (size_t t = 0; t < *count; t++) made += r->old[(*loads)[t].row].count;
     turning_inertia *reduced = calloc(made + 1, sizeof *reduced), *next = reduced;
@@ -416,7 +416,7 @@ static bool reduce_loads(const reducing *r, turning_inertia **loads, size_t *cou
     }
     free(*loads);
     *loads = reduced;
-    *count = *room = made;
+    *count = *capacity = made;
     return true;
 }
 
@@ -465,8 +465,8 @@ static whirl_status reduce(reducing *r, element *elements, size_t element_count,
     reduce_masses(r, matrix);
     reduce_terms(r);
     assembly *of = r->of;
-    if (!reduce_loads(r, &of->turnings, &of->turning_count, &of->turning_room) ||
-        !reduce_loads(r, &of->weights, &of->weight_count, &of->weight_room))
+    if (!reduce_loads(r, &of->turnings, &of->turning_count, &of->turning_capacity) ||
+        !reduce_loads(r, &of->weights, &of->weight_count, &of->weight_capacity))
         of->no_memory = true;
     rename_all(r, elements, element_count);
     memcpy(r->of->inertia, r->inertia, r->degrees * sizeof *r->inertia);

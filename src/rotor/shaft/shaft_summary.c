@@ -21,7 +21,7 @@ static void plane_clear(plane *p) {
     free(p->squares);
 }
 
-static bool plane_room(plane *p, size_t most, size_t stations) {
+static bool plane_allocate(plane *p, size_t most, size_t stations) {
     p->coordinate = calloc(most + 1, sizeof *p->coordinate);
     p->stiffness = calloc(3 * most * most + 1, sizeof *p->stiffness);
     p->squares = calloc(most + stations * (most + stations) + 1, sizeof *p->squares);
@@ -125,8 +125,8 @@ static whirl_status summarize(building *b, whirl_shaft_summary *out, plane *full
     // Compute the full matrices of each reduced shaft, and its response to forces at stations.
     for (size_t s = 0; s < count && good; s++) {
         fill_summary(b, s, &out[s]);
-        good = plane_room(&full[s], 2 * out[s].nodes, b->design->station_count) &&
-               plane_room(&now[s], 2 * out[s].nodes, b->design->station_count);
+        good = plane_allocate(&full[s], 2 * out[s].nodes, b->design->station_count) &&
+               plane_allocate(&now[s], 2 * out[s].nodes, b->design->station_count);
         if (!good || !out[s].reduced) continue;
         full[s].count = reduction_nodes(&b->mesh, &b->assembly, s, full[s].coordinate);
         reduction_matrices(&b->assembly, full[s].count, full[s].coordinate, full[s].stiffness, full[s].mass);

@@ -30,7 +30,7 @@ typedef struct batch_index {
 
 struct whirl_journal {
     journal_file file;
-    whirl_keeper keeper;
+    whirl_point_store store;
     journal_identity identity;
     whirl_journal_part part;
     uint64_t hash;
@@ -39,7 +39,7 @@ struct whirl_journal {
     size_t pending_size, pending_points;
     bool dirty;         ///< frames were written and not synced
     double synced;      ///< time of the last sync, clock_seconds()
-    size_t batch_count; ///< batches of the study; those of later passes have the following indices (whirl_keeper)
+    size_t batch_count; ///< batches of the study; those of later passes have the following indices (whirl_point_store)
     size_t points;      ///< points of the first pass
     batch_index batches[MAX_BATCHES];
     whirl_mapped *mapped;
@@ -109,7 +109,7 @@ static whirl_status new_journal(const whirl_result *outline, const whirl_journal
     if (!journal) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a journal");
     journal->file.descriptor = -1;
     if (part) journal->part = *part;
-    journal->keeper = (whirl_keeper){keep, recall, tend, journal, save, saved};
+    journal->store = (whirl_point_store){keep, recall, tend, journal, save, saved};
     journal->synced = clock_seconds();
     whirl_status status = identity_text(outline, true, &journal->identity.text, &journal->identity.size);
     if (status.code == WHIRL_OK) status = make_index(journal, outline);
@@ -344,8 +344,8 @@ static bool recall(void *context, size_t batch, size_t slot, double *block, size
     return known;
 }
 
-const whirl_keeper *whirl_journal_keeper(whirl_journal *journal) {
-    return &journal->keeper;
+const whirl_point_store *whirl_journal_store(whirl_journal *journal) {
+    return &journal->store;
 }
 
 // ---------------------------------------------------------------- taking from other journals

@@ -29,7 +29,7 @@ bool underway_any(const char *path);
 void underway_close(underway *states);
 void underway_remove(underway *states);
 
-/// Save the states of a worker's points, and return that of a point, as whirl_keeper describes.
+/// Save the states of a worker's points, and return that of a point, as whirl_point_store describes.
 void underway_save(underway *states, size_t worker, const whirl_point_state *kept, size_t count);
 void *underway_saved(const underway *states, size_t batch, size_t slot, double *revolutions, size_t *size);
 

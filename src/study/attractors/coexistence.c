@@ -14,11 +14,11 @@ static const double farthest = 0.5;
 typedef struct search {
     const whirl_table *table;
     size_t places;
-    size_t *points;     ///< [table->count] points, sorted by place, then by start
-    size_t *first;      ///< [places + 1] index in `points` of each place's first point
-    size_t *of;         ///< [table->count] index of the point's attractor in its place
-    size_t *begins;     ///< [places + 1] index of each place's first attractor
-    size_t count, room; ///< attractors of all places, and capacity
+    size_t *points;         ///< [table->count] points, sorted by place, then by start
+    size_t *first;          ///< [places + 1] index in `points` of each place's first point
+    size_t *of;             ///< [table->count] index of the point's attractor in its place
+    size_t *begins;         ///< [places + 1] index of each place's first attractor
+    size_t count, capacity; ///< attractors of all places, and capacity
     whirl_coexisting *items;
     motion **motions; ///< [count]
     size_t *parent;   ///< [count] union-find forest of attractors with one number
@@ -44,13 +44,13 @@ static bool list_points(search *s) {
 
 /// Grows the arrays by as many attractors as a place may have.
 static bool coexistence_make_room(search *s) {
-    if (s->count + MAX_ATTRACTORS <= s->room) return true;
-    const size_t room = 2 * s->room + MAX_ATTRACTORS;
-    whirl_coexisting *items = realloc(s->items, room * sizeof *items);
+    if (s->count + MAX_ATTRACTORS <= s->capacity) return true;
+    const size_t capacity = 2 * s->capacity + MAX_ATTRACTORS;
+    whirl_coexisting *items = realloc(s->items, capacity * sizeof *items);
     if (items) s->items = items;
-    motion **motions = realloc(s->motions, room * sizeof(motion *));
+    motion **motions = realloc(s->motions, capacity * sizeof(motion *));
     if (motions) s->motions = motions;
-    if (items && motions) s->room = room;
+    if (items && motions) s->capacity = capacity;
     return items && motions;
 }
 
@@ -85,7 +85,7 @@ typedef struct pair {
 
 typedef struct pairs {
     pair *items;
-    size_t count, room;
+    size_t count, capacity;
 } pairs;
 
 /// Returns a place's attractor nearest to `of`, or s->count if none is near enough.
@@ -102,12 +102,12 @@ static size_t coexistence_nearest(const search *s, size_t of, size_t place, doub
 }
 
 static bool add_pair(pairs *all, pair one) {
-    if (all->count == all->room) {
-        const size_t room = 2 * all->room + 64;
-        pair *items = realloc(all->items, room * sizeof *items);
+    if (all->count == all->capacity) {
+        const size_t capacity = 2 * all->capacity + 64;
+        pair *items = realloc(all->items, capacity * sizeof *items);
         if (!items) return false;
         all->items = items;
-        all->room = room;
+        all->capacity = capacity;
     }
     all->items[all->count++] = one;
     return true;

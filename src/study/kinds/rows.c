@@ -98,8 +98,8 @@ whirl_status rows_open(rows *r, study_run *run, const pass *p) {
                 .table = &run->result->tables[p->batch],
                 .next = 1};
     r->analysis = whirl_layout_field(&r->table->layout, WHIRL_FIELD_TORUS_NUMBER) ? "torus" : "trace";
-    r->room = r->table->count;
-    for (size_t row = 0; row < r->room && recall_row(r, row); row++)
+    r->capacity = r->table->count;
+    for (size_t row = 0; row < r->capacity && recall_row(r, row); row++)
         if (!isnan(common_field(r, row, "end"))) r->recalled = row + 1;
     r->left_out = run->gathering && are_missing(r);
     return run->study->machine(run->study->family, r->batch, r->batch->values[0], &r->machine);
@@ -119,7 +119,7 @@ bool rows_recall(rows *r, size_t count) {
 }
 
 void rows_close(rows *r) {
-    const size_t left = r->room - r->count;
+    const size_t left = r->capacity - r->count;
     const bool ended = !r->left_out && r->run->tracker.error.code == WHIRL_OK && !atomic_load(&r->run->tracker.halt);
     if (r->machine.release) r->machine.release(r->machine.owner);
     r->table->planned = ended ? 0 : r->table->count;
@@ -154,8 +154,8 @@ static whirl_status add_row(rows *r, const whirl_trace *trace) {
 whirl_status rows_add(rows *r, const whirl_branch *branch, size_t number, size_t parent) {
     const size_t first = r->count;
     whirl_status status = whirl_ok();
-    for (size_t i = 0; i < branch->count && r->count < r->room && status.code == WHIRL_OK; i++) {
-        const bool last = i + 1 == branch->count, full = r->count + 1 == r->room;
+    for (size_t i = 0; i < branch->count && r->count < r->capacity && status.code == WHIRL_OK; i++) {
+        const bool last = i + 1 == branch->count, full = r->count + 1 == r->capacity;
         const whirl_trace trace = {.system = r->machine.system,
                                    .point = branch->points[i],
                                    .branch = number,

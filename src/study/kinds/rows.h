@@ -13,7 +13,7 @@ typedef struct rows {
     const char *analysis; ///< "trace" or "torus": the analysis with the rows' fields
     whirl_table *table;
     whirl_machine machine; ///< machine of the first value; all machines have its probes
-    size_t room;           ///< capacity
+    size_t capacity;       ///< most rows of the table
     size_t count;          ///< rows in the table
     bool left_out;         ///< points are gathered, and none of these rows is known
     size_t recalled;       ///< rows in the table that come from the journal, of finished branches

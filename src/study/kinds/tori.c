@@ -184,7 +184,7 @@ static void work_at(tori *all, leg *one) {
 static whirl_status add_row(tori *all, const leg *one, size_t index, bool last) {
     rows *r = &all->rows;
     const whirl_torus_branch *found = one->found;
-    const bool full = r->count + 1 == r->room;
+    const bool full = r->count + 1 == r->capacity;
     const whirl_torus_trace trace = {.system = r->machine.system,
                                      .torus = found ? found->points[index].torus : NULL,
                                      .view = found ? one->views[index] : NULL,
@@ -207,9 +207,9 @@ static whirl_status add_rows(tori *all, const leg *one) {
     rows *r = &all->rows;
     const size_t first = r->count, count = one->found ? one->found->count : 1;
     whirl_status status = whirl_ok();
-    for (size_t i = 0; i < count && r->count < r->room && status.code == WHIRL_OK; i++)
+    for (size_t i = 0; i < count && r->count < r->capacity && status.code == WHIRL_OK; i++)
         status = add_row(all, one, i, i + 1 == count);
-    all->ended = r->count == r->room;
+    all->ended = r->count == r->capacity;
     return status.code == WHIRL_OK ? rows_keep(r, first, true) : status;
 }
 

@@ -128,12 +128,12 @@ static bool tracing_is_taken(const rows *r, const whirl_branch_point *doubling) 
 
 /// Returns true if the table has space for `count` more branches.
 static bool has_room(const rows *r, size_t count) {
-    return r->room - r->count >= 2 * count;
+    return r->capacity - r->count >= 2 * count;
 }
 
 static void tracing_follow(rows *r, size_t count, leg legs[MAX_LEGS]) {
     const whirl_family family = rows_family(r);
-    whirl_branch_options options = settled_options(r->batch, (r->room - r->count) / count);
+    whirl_branch_options options = settled_options(r->batch, (r->capacity - r->count) / count);
     options.found = rows_found;
     options.context = r;
 #pragma omp parallel for schedule(dynamic) num_threads(r->run->threads)
@@ -280,7 +280,7 @@ static whirl_status begin_along(rows *r) {
 }
 
 static bool tracing_continues(const rows *r) {
-    return r->count < r->room && rows_go_on(r);
+    return r->count < r->capacity && rows_go_on(r);
 }
 
 static whirl_status trace_branches(rows *r) {
@@ -320,7 +320,7 @@ static bool is_on_curve(const rows *r, const whirl_branch_point *point) {
 
 static void follow_curve(rows *r, const whirl_branch_point *start, leg legs[MAX_LEGS]) {
     const whirl_plane plane = {machine_in_plane, r};
-    whirl_branch_options options = settled_options(r->batch, (r->room - r->count) / MAX_LEGS);
+    whirl_branch_options options = settled_options(r->batch, (r->capacity - r->count) / MAX_LEGS);
     const double bounds[2] = {fmin(r->batch->second_bounds[0], r->batch->second_bounds[1]),
                               fmax(r->batch->second_bounds[0], r->batch->second_bounds[1])};
     options.found = rows_found;

@@ -24,7 +24,7 @@ static inline size_t batch_slots(const whirl_batch *batch) {
 }
 
 /// Slots of a batch's table, including those for starts from neighbours.
-static inline size_t batch_room(const whirl_batch *batch) {
+static inline size_t batch_all_slots(const whirl_batch *batch) {
     return batch_slots(batch) + (batch->neighbours > 0 ? batch->count * WHIRL_MAX_NEIGHBOUR_STARTS : 0);
 }
 

@@ -51,7 +51,7 @@ double pass_weight(const study_run *run, const pass *pass);
 /// Returns the weighted revolutions of a point that runs to its end.
 double pass_revolutions(const study_run *run, const pass *pass);
 
-/// Returns the number of a pass in the journal (whirl_keeper).
+/// Returns the number of a pass in the journal (whirl_point_store).
 size_t pass_number(const study_run *run, const pass *p);
 
 /// Makes the initial state of a point's perturbed copy [dimension], to be freed; NULL without memory.

@@ -4,7 +4,7 @@
 
 #include <errno.h>
 
-bool run_journal_read(const whirl_keeper *journal, const journal_entry *e) {
+bool run_journal_read(const whirl_point_store *journal, const journal_entry *e) {
     bool known = false;
     if (!journal) return false;
 #pragma omp critical(whirl_journal)
@@ -12,7 +12,7 @@ bool run_journal_read(const whirl_keeper *journal, const journal_entry *e) {
     return known;
 }
 
-whirl_status run_journal_write(const whirl_keeper *journal, const journal_entry *e) {
+whirl_status run_journal_write(const whirl_point_store *journal, const journal_entry *e) {
     whirl_status status = whirl_ok();
     // Memory that ran out in this thread may have changed its points.
     if (errno == ENOMEM) return whirl_fail(WHIRL_NO_MEMORY, "no memory to compute a point");
@@ -22,7 +22,7 @@ whirl_status run_journal_write(const whirl_keeper *journal, const journal_entry 
     return status;
 }
 
-whirl_status run_journal_sync(const whirl_keeper *journal) {
+whirl_status run_journal_sync(const whirl_point_store *journal) {
     whirl_status status = whirl_ok();
     if (!journal || !journal->tend) return status;
 #pragma omp critical(whirl_journal)
@@ -30,13 +30,14 @@ whirl_status run_journal_sync(const whirl_keeper *journal) {
     return status;
 }
 
-void run_journal_save(const whirl_keeper *journal, size_t worker, const whirl_point_state *states, size_t count) {
+void run_journal_save(const whirl_point_store *journal, size_t worker, const whirl_point_state *states, size_t count) {
     if (!journal || !journal->save || count == 0 || errno == ENOMEM) return;
 #pragma omp critical(whirl_journal)
     journal->save(journal->context, worker, states, count);
 }
 
-void *run_journal_state(const whirl_keeper *journal, size_t batch, size_t slot, double *revolutions, size_t *size) {
+void *run_journal_state(const whirl_point_store *journal, size_t batch, size_t slot, double *revolutions,
+                        size_t *size) {
     void *bytes = NULL;
     if (!journal || !journal->saved) return NULL;
 #pragma omp critical(whirl_journal)

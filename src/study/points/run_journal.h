@@ -7,7 +7,7 @@
 
 #include "whirl/engine/study.h"
 
-/// Journal entry of a finished point (whirl_keeper).
+/// Journal entry of a finished point (whirl_point_store).
 typedef struct journal_entry {
     size_t batch, slot;
     double *block; ///< [size]
@@ -18,23 +18,23 @@ typedef struct journal_entry {
 
 /// Access to the journal of a run, for any thread. Without a journal (NULL) nothing is read or written.
 /// Reads the entry of a point; false if there is none.
-bool run_journal_read(const whirl_keeper *journal, const journal_entry *entry);
+bool run_journal_read(const whirl_point_store *journal, const journal_entry *entry);
 
 /// Writes an entry. WHIRL_NO_MEMORY if memory has run out in the calling thread since errno was 0.
-whirl_status run_journal_write(const whirl_keeper *journal, const journal_entry *entry);
+whirl_status run_journal_write(const whirl_point_store *journal, const journal_entry *entry);
 
 /// Syncs entries to disk.
-whirl_status run_journal_sync(const whirl_keeper *journal);
+whirl_status run_journal_sync(const whirl_point_store *journal);
 
 /// Returns true if the journal stores states of motions under way.
-static inline bool run_journal_saves(const whirl_keeper *journal) {
+static inline bool run_journal_saves(const whirl_point_store *journal) {
     return journal && journal->save;
 }
 
 /// Stores the states of a worker's motions under way.
-void run_journal_save(const whirl_keeper *journal, size_t worker, const whirl_point_state *states, size_t count);
+void run_journal_save(const whirl_point_store *journal, size_t worker, const whirl_point_state *states, size_t count);
 
 /// Returns the stored state of a point that begins [*size], to be freed; NULL without one.
-void *run_journal_state(const whirl_keeper *journal, size_t batch, size_t slot, double *revolutions, size_t *size);
+void *run_journal_state(const whirl_point_store *journal, size_t batch, size_t slot, double *revolutions, size_t *size);
 
 #endif

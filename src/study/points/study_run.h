@@ -15,7 +15,7 @@ typedef struct refined_map refined_map;
 typedef struct study_run {
     const whirl_study *study;
     whirl_result *result;
-    const whirl_keeper *journal; ///< or NULL
+    const whirl_point_store *journal; ///< or NULL
     int threads;
     size_t dimension;
     whirl_mapped *mapped;            ///< memory of large arrays below

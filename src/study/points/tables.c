@@ -21,7 +21,7 @@ static void fill_values(whirl_table *table, const whirl_batch *batch) {
     const bool found = batch_is_found(batch);
     for (size_t slot = 0; found && slot < table->count; slot++) table->values[slot] = NAN;
     if (found) return;
-    for (size_t copy = 0; copy < batch_room(batch) / batch->count; copy++)
+    for (size_t copy = 0; copy < batch_all_slots(batch) / batch->count; copy++)
         for (size_t k = 0; k < batch->count; k++) {
             const size_t slot = copy * batch->count + k;
             mapped_evict_often(batch->mapped, k);
@@ -66,7 +66,7 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     table->places = batch->neighbours > 0 ? batch->count : 0;
     table->refine = batch->refine;
     table->grid = batch->refine > 0 ? batch->count : 0;
-    table->count = batch_room(batch);
+    table->count = batch_all_slots(batch);
     table->analyses = batch->analyses;
     table->integrate = batch->integrate;
     table->record = batch->record;

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 struct whirl_journal_blocks {
-    const whirl_keeper *journal;
+    const whirl_point_store *journal;
     size_t batch, dimension;
     size_t point;     ///< point whose block is in memory, SIZE_MAX for none
     double *widths;   ///< [count] final widths of a refined map's points; else NULL
@@ -13,7 +13,7 @@ struct whirl_journal_blocks {
     double numbers[]; ///< [layout.size] the block, and then the end
 };
 
-whirl_status journal_blocks_new(whirl_table *table, const whirl_keeper *journal, size_t batch, size_t dimension) {
+whirl_status journal_blocks_new(whirl_table *table, const whirl_point_store *journal, size_t batch, size_t dimension) {
     const size_t size = table->layout.size;
     whirl_journal_blocks *own = table->journal_blocks = malloc(sizeof *own + (size + dimension) * sizeof(double));
     if (!own) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a point");
@@ -44,7 +44,7 @@ void journal_blocks_note_width(const whirl_table *table, size_t point, double wi
 
 const double *journal_blocks_of(const whirl_table *table, size_t point) {
     whirl_journal_blocks *own = table->journal_blocks;
-    const whirl_keeper *journal = own->journal;
+    const whirl_point_store *journal = own->journal;
     const size_t size = table->layout.size;
     if (own->point == point) return own->numbers;
     const size_t slot = table->slots ? table->slots[point] : point;

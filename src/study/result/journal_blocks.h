@@ -6,7 +6,7 @@
 
 /// Leaves the blocks of a batch's table with the journal; states have `dimension` numbers. Freed by
 /// journal_blocks_free.
-whirl_status journal_blocks_new(whirl_table *table, const whirl_keeper *journal, size_t batch, size_t dimension);
+whirl_status journal_blocks_new(whirl_table *table, const whirl_point_store *journal, size_t batch, size_t dimension);
 
 void journal_blocks_free(whirl_journal_blocks *blocks);
 

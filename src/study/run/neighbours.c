@@ -111,9 +111,9 @@ static void survey_free(survey *s) {
 /// Makes a pass of all requested starts. Its slots are to be freed.
 static whirl_status plan_round(const study_run *run, size_t batch, pass *p) {
     const whirl_table *table = &run->result->tables[batch];
-    const size_t room = table->places * WHIRL_MAX_NEIGHBOUR_STARTS;
+    const size_t capacity = table->places * WHIRL_MAX_NEIGHBOUR_STARTS;
     survey s;
-    p->slots = calloc(room + 1, sizeof *p->slots);
+    p->slots = calloc(capacity + 1, sizeof *p->slots);
     if (!p->slots) return whirl_fail(WHIRL_NO_MEMORY, "no memory for starts of %zu places", table->places);
     const whirl_status status = survey_new(run, batch, &s);
     for (size_t place = 0; status.code == WHIRL_OK && place < table->places; place++) ask_place(&s, place);

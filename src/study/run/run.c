@@ -282,7 +282,7 @@ static whirl_status place_all(whirl_study *study, whirl_placed *placed[WHIRL_MAX
 whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *options, whirl_result **out) {
     whirl_study chosen = *study;
     whirl_placed *placed[WHIRL_MAX_BATCHES] = {NULL};
-    study_run run = {.study = &chosen, .journal = options->keeper, .share = options->share, .dealer = options->dealer};
+    study_run run = {.study = &chosen, .journal = options->store, .share = options->share, .dealer = options->dealer};
     *out = NULL;
     // Check the options.
     if (options->threads < 0) return whirl_fail(WHIRL_BAD_INPUT, "threads is %d, expected 0 or more", options->threads);

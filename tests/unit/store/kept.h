@@ -23,16 +23,16 @@ static inline kept_point kept_make(size_t index) {
 
 static inline whirl_status kept_keep(whirl_journal *journal, size_t index) {
     const kept_point point = kept_make(index);
-    const whirl_keeper *keeper = whirl_journal_keeper(journal);
-    return keeper->keep(keeper->context, point.batch, point.slot, point.block, KEPT_SIZE, point.end, KEPT_DIMENSION);
+    const whirl_point_store *store = whirl_journal_store(journal);
+    return store->keep(store->context, point.batch, point.slot, point.block, KEPT_SIZE, point.end, KEPT_DIMENSION);
 }
 
 /// 1 when the point is known, 0 when not; aborts when it is known with other numbers.
 static inline int kept_recall(whirl_journal *journal, size_t index) {
     const kept_point point = kept_make(index);
-    const whirl_keeper *keeper = whirl_journal_keeper(journal);
+    const whirl_point_store *store = whirl_journal_store(journal);
     kept_point got = {0};
-    if (!keeper->recall(keeper->context, point.batch, point.slot, got.block, KEPT_SIZE, got.end, KEPT_DIMENSION))
+    if (!store->recall(store->context, point.batch, point.slot, got.block, KEPT_SIZE, got.end, KEPT_DIMENSION))
         return 0;
     if (memcmp(got.block, point.block, sizeof got.block) != 0 || memcmp(got.end, point.end, sizeof got.end) != 0)
         abort();

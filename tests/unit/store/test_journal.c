@@ -108,16 +108,16 @@ static void kept_points_come_back(void **state) {
 // ---------------------------------------------------------------- points under way
 
 static void save_state(whirl_journal *journal, size_t worker, size_t slot, double revolutions, const char *text) {
-    const whirl_keeper *keeper = whirl_journal_keeper(journal);
+    const whirl_point_store *store = whirl_journal_store(journal);
     const whirl_point_state states[] = {{0, slot, revolutions, text, strlen(text) + 1}, {1, 0, 5.0, "detail", 7}};
-    keeper->save(keeper->context, worker, states, 2);
+    store->save(store->context, worker, states, 2);
 }
 
 static void expect_state(whirl_journal *journal, size_t batch, size_t slot, const char *text) {
-    const whirl_keeper *keeper = whirl_journal_keeper(journal);
+    const whirl_point_store *store = whirl_journal_store(journal);
     size_t size = 0;
     double revolutions = 0.0;
-    char *found = keeper->saved(keeper->context, batch, slot, &revolutions, &size);
+    char *found = store->saved(store->context, batch, slot, &revolutions, &size);
     if (!text) {
         assert_null(found);
         return;
@@ -192,12 +192,12 @@ static void blocks_of_another_size_are_not_taken(void **state) {
     double block[KEPT_SIZE + 1], end[KEPT_DIMENSION];
     make(f, 2);
     whirl_journal *journal = resumed(f);
-    const whirl_keeper *keeper = whirl_journal_keeper(journal);
-    assert_false(keeper->recall(keeper->context, 0, 1, block, KEPT_SIZE + 1, end, KEPT_DIMENSION));
-    assert_false(keeper->recall(keeper->context, 0, 1, block, KEPT_SIZE - 1, end, KEPT_DIMENSION));
-    assert_false(keeper->recall(keeper->context, 0, 99, block, KEPT_SIZE, end, KEPT_DIMENSION));
-    assert_false(keeper->recall(keeper->context, 9, 0, block, KEPT_SIZE, end, KEPT_DIMENSION));
-    assert_says(keeper->keep(keeper->context, 0, 99, block, 1, end, 1), WHIRL_BAD_INPUT, "no place for point 99");
+    const whirl_point_store *store = whirl_journal_store(journal);
+    assert_false(store->recall(store->context, 0, 1, block, KEPT_SIZE + 1, end, KEPT_DIMENSION));
+    assert_false(store->recall(store->context, 0, 1, block, KEPT_SIZE - 1, end, KEPT_DIMENSION));
+    assert_false(store->recall(store->context, 0, 99, block, KEPT_SIZE, end, KEPT_DIMENSION));
+    assert_false(store->recall(store->context, 9, 0, block, KEPT_SIZE, end, KEPT_DIMENSION));
+    assert_says(store->keep(store->context, 0, 99, block, 1, end, 1), WHIRL_BAD_INPUT, "no place for point 99");
     check(whirl_journal_close(journal));
 }
 

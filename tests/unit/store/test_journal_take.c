@@ -195,13 +195,13 @@ static void states_are_taken(void **state) {
     size_t size;
     whirl_journal *other = begun(f, f->other);
     const whirl_point_state far = {0, 2, 30.0, "far", 4};
-    whirl_journal_keeper(other)->save(whirl_journal_keeper(other)->context, 1, &far, 1);
+    whirl_journal_store(other)->save(whirl_journal_store(other)->context, 1, &far, 1);
     check(whirl_journal_close(other));
     whirl_journal *journal = begun(f, f->own);
-    const whirl_keeper *keeper = whirl_journal_keeper(journal);
-    assert_null(keeper->saved(keeper->context, 0, 2, &revolutions, &size));
+    const whirl_point_store *store = whirl_journal_store(journal);
+    assert_null(store->saved(store->context, 0, 2, &revolutions, &size));
     check(whirl_journal_take(journal, f->other));
-    char *found = keeper->saved(keeper->context, 0, 2, &revolutions, &size);
+    char *found = store->saved(store->context, 0, 2, &revolutions, &size);
     assert_non_null(found);
     assert_true(size == 4 && revolutions == 30.0);
     assert_string_equal(found, "far");

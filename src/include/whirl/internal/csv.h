@@ -21,14 +21,14 @@ typedef struct csv_column {
 
 /// A table. Numbers are as written.
 typedef struct csv_table {
-    const char *path;    ///< in messages; borrowed
-    int heading;         ///< line of the headings, from 1
-    char title[256];     ///< first comment, or ""
-    size_t column_count; ///< number of columns
-    csv_column *columns; ///< [column_count]
-    size_t count, room;  ///< rows, and room for them
-    double *numbers;     ///< [column_count][room]
-    int *lines;          ///< [room] lines of the rows, from 1
+    const char *path;       ///< in messages; borrowed
+    int heading;            ///< line of the headings, from 1
+    char title[256];        ///< first comment, or ""
+    size_t column_count;    ///< number of columns
+    csv_column *columns;    ///< [column_count]
+    size_t count, capacity; ///< number of rows, and of those that fit
+    double *numbers;        ///< [column_count][capacity]
+    int *lines;             ///< [capacity] lines of the rows, from 1
 } csv_table;
 
 /// Reads a table with at most `most_columns` columns. Commas, semicolons or tabs separate cells. Blanks and quotes
