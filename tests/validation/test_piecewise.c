@@ -341,6 +341,64 @@ static void l4_perturbations(void **unused) {
     whirl_rotor_free(rotor);
 }
 
+/// Largest error of the columns of the monodromy matrix by rk4 in lanes, over some starts.
+static double worst_in_lanes(const whirl_rotor *rotor, const exact *of, const whirl_integrate_options *options) {
+    const whirl_system *system = whirl_rotor_system(rotor);
+    whirl_ensemble *ensemble;
+    double worst = 0.0;
+    require_ok(whirl_ensemble_variational(system, options, &ensemble));
+    for (size_t s = 1; s < STARTS; s++) {
+        double vectors[4] = {1.0, 0.0, 0.0, 1.0}, column[2];
+        whirl_perturbations perturbations = {.count = 2, .vectors = vectors};
+        require_ok(whirl_ensemble_load(ensemble, 0, system, starts[s]));
+        whirl_ensemble_carry(ensemble, 0, &perturbations);
+        whirl_ensemble_revolve(ensemble, 1, NULL);
+        for (int j = 0; j < 2; j++) {
+            differ(of, starts[s], j, column);
+            worst = fmax(worst, hypot(vectors[2 * j] - column[0], vectors[2 * j + 1] - column[1]));
+        }
+    }
+    whirl_ensemble_free(ensemble);
+    return worst;
+}
+
+/// Dampings that are equal on both sides of every switch make the force continuous: rk4 in lanes follows perturbations,
+/// as it does without damping. A step over a switch takes its stiffness from a side for a step at most: columns are
+/// wrong by a step times the change of the stiffness at each of up to four switches. Dampings that differ are refused.
+static void l4_equal_dampings(void **unused) {
+    static const double one = 1.0;
+    const part seats[] = {{"looseness",
+                           {{"between", 0.0, "upper, ground"},
+                            {"stiffness", 4.0, NULL},
+                            {"damping", 0.3, NULL},
+                            {"loose_stiffness", 4.0, NULL},
+                            {"loose_damping", 0.3, NULL}}},
+                          unbalance,
+                          gravity};
+    const part play[] = {{"spring",
+                          {{"between", 0.0, "upper, ground"},
+                           {"along", 0.0, "y"},
+                           {"stiffness", 7.0, NULL},
+                           {"damping", 0.0, NULL},
+                           {"gap", 0.4, NULL}}},
+                         unbalance};
+    const exact straight = {{{-INFINITY, INFINITY, 4.0, 0.3, -0.2}}, 0.3}, bent = seat(0.3, 0.3);
+    whirl_integrate_options options = options_of("rk4");
+    whirl_rotor *rotors[] = {make_rotor(&one, 1, seats, COUNT_OF(seats)), make_seat(0.3, 0.3),
+                             make_rotor(&one, 1, play, COUNT_OF(play)), make_seat(0.05, 0.3), make_seat(0.3, 0.5)};
+    (void)unused;
+    options.located = false;
+    for (size_t i = 0; i < COUNT_OF(rotors); i++)
+        check_holds("L4", words("lanes follow perturbations of machine %zu", i + 1),
+                    whirl_ensemble_follows(whirl_rotor_system(rotors[i]), &options) == (i < 3));
+    check_within("L4", "rk4 in lanes, equal slopes, columns of the monodromy matrix", 0.0,
+                 worst_in_lanes(rotors[0], &straight, &options), 1e-8);
+    check_within("L4", "rk4 in lanes, equal dampings, columns of the monodromy matrix", 0.0,
+                 worst_in_lanes(rotors[1], &bent, &options),
+                 4.0 * (6.0 - 0.4) * 2.0 * pi / options.steps_per_revolution);
+    for (size_t i = 0; i < COUNT_OF(rotors); i++) whirl_rotor_free(rotors[i]);
+}
+
 // ---------------------------------------------------------------- L5: from rest on the seat
 
 /// A mass at rest on its seat's switch, which moves only as a second, forced one pulls it: its distance begins like t^4
@@ -402,9 +460,13 @@ static void l5_nothing_moves(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(l1_seat_on_ground), cmocka_unit_test(l1_seat_on_station),
-        cmocka_unit_test(l2_three_slopes),   cmocka_unit_test(l3_play),
-        cmocka_unit_test(l4_perturbations),  cmocka_unit_test(l5_from_rest_on_the_switch),
+        cmocka_unit_test(l1_seat_on_ground),
+        cmocka_unit_test(l1_seat_on_station),
+        cmocka_unit_test(l2_three_slopes),
+        cmocka_unit_test(l3_play),
+        cmocka_unit_test(l4_perturbations),
+        cmocka_unit_test(l4_equal_dampings),
+        cmocka_unit_test(l5_from_rest_on_the_switch),
         cmocka_unit_test(l5_nothing_moves),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -74,8 +74,9 @@ static whirl_status looseness_build(const key_value *values, assembly *to, eleme
         out->number[LOOSENESS_DAMPING + piece] = damping[piece]->number * to->length * to->clock;
     }
     out->number[LOOSENESS_GAP] = values[GAP].given ? values[GAP].number / to->length : NEVER;
-    // If dampings differ, the force jumps.
-    out->law = values[DAMPING].given || values[LOOSE_DAMPING].given || values[HELD_DAMPING].given;
+    // The force jumps at a switch with different dampings on its sides.
+    out->law = damping[SEATED]->number != damping[LOOSE]->number ||
+               (values[GAP].given && damping[LOOSE]->number != damping[HELD]->number);
     generic_scale(out, to, 1.0);
     return whirl_ok();
 }

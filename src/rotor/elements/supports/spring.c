@@ -46,7 +46,7 @@ static whirl_status spring_build(const key_value *values, assembly *to, element 
         assembly_join(to, coordinate, share, &(joining){.stiffness = stiffness, .damping = damping});
     }
     const double unit = generic_tilts(out, to);
-    out->law = values[DAMPING].given;
+    out->law = damping > 0.0;
     out->number[SPRING_STIFFNESS] = stiffness * unit;
     out->number[SPRING_DAMPING] = damping * unit * to->clock;
     out->number[SPRING_GAP] = gap->number / unit;
