@@ -20,12 +20,12 @@ static void note_memory(whirl_status *status, whirl_status made) {
 }
 
 /// Measures the seconds that one revolution of `lanes` copies of a machine takes, side by side in lanes; NaN if
-/// unknown, infinite above LONGEST seconds.
+/// unknown, infinite above MAX_SECONDS seconds.
 static double time_lanes(const whirl_machine *machine, const whirl_integrate_options *how, size_t lanes,
                          whirl_status *status) {
-    enum { MOST = 50, LONGEST = 5 };
+    enum { MAX_REVOLUTIONS = 50, MAX_SECONDS = 5 };
     const double enough = 0.02;
-    const whirl_stop *over = limit_begin(LONGEST);
+    const whirl_stop *over = limit_begin(MAX_SECONDS);
     const whirl_system limited = limit_system(machine->system, over);
     whirl_ensemble *ensemble;
     // Make lanes, and load copies of the machine.
@@ -46,7 +46,7 @@ static double time_lanes(const whirl_machine *machine, const whirl_integrate_opt
     const double begun = now();
     double passed = 0.0;
     int done = 0;
-    while (lanes > 0 && done < MOST && passed < enough && !*over) {
+    while (lanes > 0 && done < MAX_REVOLUTIONS && passed < enough && !*over) {
         whirl_ensemble_revolve(ensemble, lanes, NULL);
         passed = now() - begun;
         done++;

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.polynomial import chebyshev, legendre
 from scipy.linalg import eigh, solveh_banded
 
-LEAST, MOST, SHIFT, PLACES = 0.1, 2.0, 0.6, 11  # of L/D
+MIN_RATIO, MAX_RATIO, SHIFT, PLACES = 0.1, 2.0, 0.6, 11  # of L/D
 IN_P, IN_B = 15, 13  # degrees: of p^i b^j those with i/IN_P + j/IN_B <= 1
 DENOMINATOR, DENOMINATOR_TERMS = [(2, 0), (0, 2)], 6  # powers of p and b; terms over s, few, for smoothness
 AT_REST, STEP = 0.3, 1e-3  # the weight of slopes by the direction at rest, and the half difference that they are of
@@ -141,7 +141,7 @@ def best_denominator(p, b, ratio, weight):
 
 def place_of(r):
     """x from -1 to 1 over s."""
-    ends = [one / (SHIFT + one) for one in (LEAST, MOST)]
+    ends = [one / (SHIFT + one) for one in (MIN_RATIO, MAX_RATIO)]
     return (2.0 * r / (SHIFT + r) - ends[0] - ends[1]) / (ends[1] - ends[0])
 
 
@@ -163,7 +163,7 @@ def fit():
     knots = [np.sqrt(1.0 - np.array(list(WEIGHTS)[::-1]) ** 2), np.log(list(WEIGHTS.values())[::-1])]
     weight, weight_at_rest = (np.exp(np.interp(np.sqrt(1.0 - one**2), *knots)) for one in (e, radii))
     place, near = coordinates(e, a), [coordinates(radii, side) for side in (-STEP, STEP)]
-    ends = [r / (SHIFT + r) for r in (LEAST, MOST)]
+    ends = [r / (SHIFT + r) for r in (MIN_RATIO, MAX_RATIO)]
     x = np.cos(np.pi * (np.arange(PLACES) + 0.5) / PLACES)
     s = 0.5 * (ends[0] + ends[1]) + 0.5 * (ends[1] - ends[0]) * x
     lengths, at = SHIFT * s / (1.0 - s), np.append(angles, [-STEP, STEP])
@@ -212,7 +212,7 @@ def rows(table):
 
 def main():
     parts = fit()
-    found = [[r, *errors(parts, r)] for r in np.geomspace(LEAST, MOST, 27)]
+    found = [[r, *errors(parts, r)] for r in np.geomspace(MIN_RATIO, MAX_RATIO, 27)]
     count = len(parts[0]) + len(parts[1])
     print(
         f"""/// Coefficients of the ratio of finite to short films (film_ratio.h), written by scripts/film-table.py.
@@ -220,8 +220,8 @@ def main():
 #define ROTOR_FILM_TABLE_H
 
 /// Range of L/D of the table. The coefficients are Chebyshev series in s = r/(FILM_SHIFT + r), r = L/D.
-#define FILM_SHORTEST {LEAST}
-#define FILM_LONGEST {MOST}
+#define FILM_SHORTEST {MIN_RATIO}
+#define FILM_LONGEST {MAX_RATIO}
 #define FILM_SHIFT {SHIFT}
 
 /// Degrees in p and b; number of coefficients; terms of their series over s.

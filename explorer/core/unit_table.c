@@ -12,7 +12,7 @@
 #include <strings.h>
 #include <udunits2.h>
 
-enum { BASE_COUNT = 8, NAME_SIZE = 128, MOST = 4096 };
+enum { BASE_COUNT = 8, NAME_SIZE = 128, MAX_UNITS = 4096 };
 static const char *const bases[BASE_COUNT] = {"m", "kg", "s", "A", "K", "mol", "cd", "rad"};
 
 typedef struct entry {
@@ -24,7 +24,7 @@ typedef struct entry {
 
 typedef struct table {
     size_t count;
-    entry items[MOST];
+    entry items[MAX_UNITS];
 } table;
 
 static table names, symbols;
@@ -74,7 +74,7 @@ static void unit_table_add(table *to, const char *name, ut_unit *unit) {
     if (!unit) return;
     for (size_t i = 0; i < to->count; i++)
         if (strcmp(to->items[i].name, name) == 0) unit = NULL;
-    if (!unit || to->count == MOST) return;
+    if (!unit || to->count == MAX_UNITS) return;
     entry *e = &to->items[to->count++];
     *e = (entry){.scale = 1.0};
     snprintf(e->name, sizeof e->name, "%s", name);

@@ -345,15 +345,15 @@ static bool check_sampling(case_reader *reader, const dataset_parts *own, whirl_
 
 // ---------------------------------------------------------------- the motions behind the samples
 
-/// Finds the slowest and the fastest speed of the records, rad/s. If there are more than MOST, it tries every few of
-/// them, and adds a margin.
+/// Finds the slowest and the fastest speed of the records, rad/s. If there are more than MAX_TRIED, it tries every few
+/// of them, and adds a margin.
 static whirl_status find_speeds(valuation *v, const dataset_parts *own, const whirl_batch *batch, double speeds[2]) {
-    enum { MOST = 20000 };
+    enum { MAX_TRIED = 20000 };
     const setting *speed = settings_find(&own->machine->rotor, "speed");
     whirl_batch all = *batch; // a record that is made alone is as long as the others
     all.record.dataset.only = 0;
     all.count = whirl_dataset_records(&all.record.dataset);
-    const size_t step = 1 + all.count / MOST;
+    const size_t step = 1 + all.count / MAX_TRIED;
     whirl_given given[PLAN_MAX_GIVEN];
     whirl_status status = whirl_ok();
     speeds[0] = INFINITY;

@@ -251,10 +251,10 @@ static void finish_resting(case_reader *reader, valuation *v, const resting_part
 
 /// Keeps the last revolutions of motions for their orbits, unless there are too many motions.
 static void keep_orbits(const plan_parts *parts, whirl_batch *batch) {
-    enum { MOST = 64, REVOLUTIONS = 2 };
+    enum { MAX_MOTIONS = 64, REVOLUTIONS = 2 };
     const size_t starts = batch->starts > 1 ? batch->starts : 1;
     whirl_record_options *record = &batch->record;
-    if (settings_find(&parts->keep, "waveform") || batch->count * starts > MOST) return;
+    if (settings_find(&parts->keep, "waveform") || batch->count * starts > MAX_MOTIONS) return;
     record->waveform_revolutions = record->record < REVOLUTIONS ? record->record : REVOLUTIONS;
     whirl_analysis_add(&batch->analyses, "waveform");
     whirl_analysis_needs(batch->analyses, record);

@@ -71,7 +71,7 @@ typedef struct study_plan {
     size_t tolerated_count, spread_count;
     whirl_tolerance *tolerated;                  ///< parameters with tolerances
     whirl_spread_of *spreads;                    ///< numbers that are asked of all samples
-    const struct whirl_derivatives *derivatives; ///< what is derived, or NULL
+    const struct whirl_derivatives *derivatives; ///< numbers to be derived, and parameters; or NULL
     const whirl_dataset *dataset;                ///< data set, or NULL
 } study_plan;
 

@@ -166,14 +166,14 @@ static void phrase_reason(const balance_view *v, size_t n, whirl_phrase *phrase)
         phrase_load(v, own, phrase);
     } else {
         phrase_text(to, phrase,
-                    own->reason == WHIRL_TRIAL_BY_LEAST  ? "less would not be clear at "
-                    : own->reason == WHIRL_TRIAL_BY_MOST ? "more would change "
-                                                         : "more would take ");
+                    own->reason == WHIRL_TRIAL_BY_MIN   ? "less would not be clear at "
+                    : own->reason == WHIRL_TRIAL_BY_MAX ? "more would change "
+                                                        : "more would take ");
         phrase_row(v, phrase, row->probe, row->speed);
         phrase_text(to, phrase, "%s",
-                    own->reason == WHIRL_TRIAL_BY_LEAST  ? ""
-                    : own->reason == WHIRL_TRIAL_BY_MOST ? " by more than its vibration"
-                                                         : " beyond its limit");
+                    own->reason == WHIRL_TRIAL_BY_MIN   ? ""
+                    : own->reason == WHIRL_TRIAL_BY_MAX ? " by more than its vibration"
+                                                        : " beyond its limit");
     }
     // Add the expected change at that row.
     if (!isfinite(own->change)) return;

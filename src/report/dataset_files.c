@@ -97,7 +97,7 @@ whirl_status whirl_dataset_write_sheet(const whirl_result *result, const char *n
         fprintf(stream, "\n## %s\n\n%s%s", sheet->title, sheet->about, *sheet->about ? "\n\n" : "");
         sheet_write_markdown(stream, sheet);
     }
-    // What the signals are worth.
+    // Limits of the signals.
     fprintf(
         stream,
         "\n## What to know before use\n\n"

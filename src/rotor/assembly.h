@@ -97,7 +97,7 @@ typedef struct twist_link {
     double modulus;                       ///< torsional section modulus of the weakest section, m3; 0: unknown
 } twist_link;
 
-/// How the frequency of a harmonic torque is given.
+/// Definition of the frequency of a harmonic torque.
 typedef enum harmonic_rate {
     HARMONIC_STEADY,     ///< the torque is steady
     HARMONIC_BY_ROTOR,   ///< `rate` times the speed of the rotor

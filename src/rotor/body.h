@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/// What the number of a body's term is multiplied by.
+/// Factor of the number of a body's term.
 typedef enum body_source { BODY_PLACE, BODY_VELOCITY, BODY_ONE } body_source;
 
 /// Rates that scale a body's numbers when time is tau = clock t. Each rate is the next one times a factor that is

@@ -12,8 +12,8 @@
 typedef struct shaft_drive {
     bool given;
     size_t at, load_at; ///< stations of the motor and of its load; NO_STATION: the shaft as a whole
-    double inertia;     ///< of all turning parts about axes through their centres of mass, kg m2; 0: that of the
-                        ///< twisting stations
+    double inertia;     ///< inertia of all turning parts about axes through their centres of mass, kg m2; 0: that
+                        ///< of the twisting stations
     double torque;      ///< torque of the motor at standstill, N m
     double no_load;     ///< speed at which the torque has fallen linearly to 0, rad/s; 0: the torque is constant
     size_t count;       ///< rows of the table that replaces torque and no_load; 0: no table

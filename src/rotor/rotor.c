@@ -316,9 +316,9 @@ static void add_elements_to(whirl_rotor *rotor, const building *b) {
 
 /// Adds the shaft's phase as the last state. If nothing depends on it, motions may return at any phase.
 static void add_phase(whirl_rotor *rotor, const building *b) {
-    enum { MOST = 2 * AXES * WHIRL_MAX_STATIONS + MAX_OWN_STATES };
+    enum { MAX_STATES = 2 * AXES * WHIRL_MAX_STATIONS + MAX_OWN_STATES };
     const size_t dimension = rotor->system.dimension, last = dimension - 1;
-    double x[MOST], change[MOST] = {0}, slope[MOST] = {0};
+    double x[MAX_STATES], change[MAX_STATES] = {0}, slope[MAX_STATES] = {0};
     bool felt = false;
     rotor->phase = last - rotor->lanes.degrees;
     rotor->turns[last] = 6.283185307179586476925;

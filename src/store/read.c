@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// How a file is read, and where its points go.
+/// A file that is being read, and the receiver of its points.
 typedef struct reading {
     size_t limit;             ///< bytes of the file
     whirl_layout known;       ///< fields of this version of whirl

@@ -47,7 +47,7 @@ _FIELDS = {
     "campbell": FIELD.MODES_FREQUENCY,
     "unbalance": FIELD.UNBALANCE_AMPLITUDE,
 }
-_MOST_PLANES = 12  # largest number of planes in the figure of a map over three parameters (figure_map.c)
+_MAX_PLANES = 12  # largest number of planes in the figure of a map over three parameters (figure_map.c)
 
 
 def classes(table: Table) -> np.ndarray:
@@ -349,7 +349,7 @@ class Plots:
             name = "map-regime"
         else:
             raise BadInput(f"the table '{table.name}' has no verdicts: add regime to what the case analyses")
-        count = min(table.planes, _MOST_PLANES)
+        count = min(table.planes, _MAX_PLANES)
         shown = [k * (table.planes - 1) // max(1, count - 1) for k in range(count)]
         if plane not in shown:
             raise BadInput(f"of {table.planes} planes these are drawn: {', '.join(map(str, shown))}")

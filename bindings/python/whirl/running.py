@@ -22,7 +22,7 @@ from .result import Result
 
 __all__ = ["run"]
 
-_MOST_THREADS = 1024  # limit of whirl_job_threads
+_MAX_THREADS = 1024  # limit of whirl_job_threads
 
 
 _underway: set[_Work] = set()
@@ -301,8 +301,8 @@ def compute(
     check(new_job(out))
     job = ffi.gc(out[0], lib.whirl_job_free)
     threads = _whole(threads, "the number of threads")
-    if not 0 <= threads <= _MOST_THREADS:
-        raise BadInput(f"the number of threads is {threads}, expected 0 (all cores) to {_MOST_THREADS}")
+    if not 0 <= threads <= _MAX_THREADS:
+        raise BadInput(f"the number of threads is {threads}, expected 0 (all cores) to {_MAX_THREADS}")
     check(lib.whirl_job_threads(job, threads))
     bar = _Bar() if (progress and not callable(progress)) or (progress is None and sys.stderr.isatty()) else None
     tell = progress if callable(progress) else bar.show if bar else None

@@ -147,8 +147,8 @@ typedef struct whirl_balance_row {
 /// Reasons for the size of a proposed trial weight.
 typedef enum whirl_trial_reason {
     WHIRL_TRIAL_BY_FORCE,  ///< its force is a tenth of the load on the bearing
-    WHIRL_TRIAL_BY_LEAST,  ///< a tenth is hardly visible: the weight changes a probe by 30 % and 5 repeatabilities
-    WHIRL_TRIAL_BY_MOST,   ///< a tenth would change a probe by more than 100 %
+    WHIRL_TRIAL_BY_MIN,    ///< a tenth is hardly visible: the weight changes a probe by 30 % and 5 repeatabilities
+    WHIRL_TRIAL_BY_MAX,    ///< a tenth would change a probe by more than 100 %
     WHIRL_TRIAL_BY_LIMIT,  ///< more would exceed the limit of a probe
     WHIRL_TRIAL_BY_NOTHING ///< no weight: no reading near its speed has a vibration
 } whirl_trial_reason;

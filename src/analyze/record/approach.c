@@ -12,7 +12,7 @@
 #include "turns.h"
 
 /// Longest orbit that is searched while a motion settles: two of its returns must fit into the kept states.
-enum { LONGEST = 40 };
+enum { MAX_REPEATS = 40 };
 
 /// A search starts when returns are within the first share of the state's size, after they have shrunk by the second.
 static const double near_enough = 3e-3, has_shrunk = 0.75;
@@ -89,7 +89,7 @@ void approach_archive(approach *a, archive *to) {
     size_t revolutions = a->orbit ? a->orbit->revolutions : 0;
     archive_part(to, &a->next, sizeof a->next);
     archive_part(to, &a->spent, sizeof a->spent);
-    archive_count(to, &revolutions, LONGEST);
+    archive_count(to, &revolutions, MAX_REPEATS);
     if (revolutions == 0 || !to->sound) return;
     if (!a->orbit) {
         a->orbit = orbit_search_new(a->system, revolutions, NULL);
@@ -162,7 +162,7 @@ size_t approach_tries(approach *a, const settling *s, int revolution) {
     if (a->orbit || revolution < a->next || repeats == 0) return 0;
     a->next = revolution + (revolution / 16 > MIN_PAUSE ? revolution / 16 : MIN_PAUSE);
     const double size = approach_distance(a, settling_state(s, 0), NULL);
-    for (size_t k = repeats; k <= LONGEST && k <= (size_t)a->options->record; k += repeats)
+    for (size_t k = repeats; k <= MAX_REPEATS && k <= (size_t)a->options->record; k += repeats)
         if (orbits_pay(a->system->dimension, a->options, k, a->spent) && closes_in(a, s, k, revolution, size))
             return approach_shortest(a, s, k, repeats, revolution);
     return 0;

@@ -741,8 +741,8 @@ static runup_end runup_end_of(const runner *r, whirl_motion motion) {
 /// Returns the most evaluations of the equations by time for which the samples of a part show each of its steps.
 static double runup_most_evaluations(const runner *r) {
     // A part has 8 steps at least where the machine has switches; interpolants cost evaluations, too.
-    enum { SAMPLES_OF_STEP = 4, STAGES = 16, FEWEST = 16 };
-    const double steps = fmax(FEWEST, (double)r->plan->options->samples / SAMPLES_OF_STEP);
+    enum { SAMPLES_OF_STEP = 4, STAGES = 16, MIN_STEPS = 16 };
+    const double steps = fmax(MIN_STEPS, (double)r->plan->options->samples / SAMPLES_OF_STEP);
     const bool implicit = strcmp(r->plan->options->method, "rodas5p") == 0; // with differences for its Jacobian
     return steps * (STAGES + (implicit ? 2.0 * (double)r->most : 0.0));
 }

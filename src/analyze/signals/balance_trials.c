@@ -100,8 +100,8 @@ static double balance_trials_choose(double force, const bounds *on, whirl_balanc
     double size = force;
     own->reason = size > 0.0 ? WHIRL_TRIAL_BY_FORCE : WHIRL_TRIAL_BY_NOTHING;
     own->row = on->most_row;
-    if (size > on->most) size = on->most, own->reason = WHIRL_TRIAL_BY_MOST;
-    if (size < on->least) size = on->least, own->reason = WHIRL_TRIAL_BY_LEAST, own->row = on->least_row;
+    if (size > on->most) size = on->most, own->reason = WHIRL_TRIAL_BY_MAX;
+    if (size < on->least) size = on->least, own->reason = WHIRL_TRIAL_BY_MIN, own->row = on->least_row;
     if (size > on->limit) size = on->limit, own->reason = WHIRL_TRIAL_BY_LIMIT, own->row = on->limit_row;
     own->unclear = size < on->least * (1.0 - 1e-12);
     return size;

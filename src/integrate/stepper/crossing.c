@@ -12,7 +12,7 @@ enum { DEGREE = CROSSING_DEGREE, CHECKS = 2, SAMPLES = DEGREE + 1 + CHECKS, MAX_
 _Static_assert(SAMPLES + 1 == CROSSING_ROWS, "a row for every sample and one for what is refined");
 
 /// Size below which values are underflow: their relative errors are larger than those of rounding.
-static const double LEAST_SIZE = 0x1p-900;
+static const double MIN_SIZE = 0x1p-900;
 
 /// Values of theta: (1 - cos(j pi/8))/2, then two points between them at which the polynomial is compared with the
 /// function.
@@ -162,7 +162,7 @@ static bool search_one(const crossing_search *search, size_t index, double *thet
     }
     // A function that is zero all along, or differs from zero by underflow alone, is not crossed: a station that rests
     // in the middle of its stator has no slip there.
-    if (size < LEAST_SIZE) return false;
+    if (size < MIN_SIZE) return false;
     interpolate(values, c);
     for (int j = DEGREE + 1; j < SAMPLES; j++) {
         const double apart = 4.0 * fabs(values[j] - value_at(DEGREE, c, places[j]));

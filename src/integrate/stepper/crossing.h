@@ -10,7 +10,7 @@ typedef void crossing_values(void *context, double theta, double *values);
 
 enum { CROSSING_ROWS = 12, CROSSING_DEGREE = 8 };
 
-/// How a function begins at zero: the number of its leading terms that vanish there. The zero at theta = 0 is ignored.
+/// Number of leading terms of a function that vanish where it begins at zero. The zero at theta = 0 is ignored.
 enum {
     CROSSING_STEEP = 1,                  ///< the function is zero, its derivative is not
     CROSSING_LEVEL = 2,                  ///< its derivative is zero too

@@ -17,8 +17,8 @@
 /// A test function, whose sign change marks a special point.
 typedef struct test {
     whirl_special kind;
-    size_t touch;     ///< of a graze: index in the orbit's touches
-    size_t intervals; ///< of a graze: number of intervals of contact at the first waypoint
+    size_t touch;     ///< index in the orbit's touches, for a graze
+    size_t intervals; ///< number of intervals of contact at the first waypoint, for a graze
 } test;
 
 // ---------------------------------------------------------------- contacts

@@ -51,9 +51,9 @@ static double tail_of(torus_equations *e, const double *u) {
 }
 
 static size_t resonance_of(double rotation) {
-    enum { MOST = 12 };
+    enum { MAX_DENOMINATOR = 12 };
     const double near = 0.05;
-    for (size_t q = 1; q <= MOST; q++) {
+    for (size_t q = 1; q <= MAX_DENOMINATOR; q++) {
         const double turns = (double)q * rotation;
         if (fabs(turns - round(turns)) < near / (double)q) return q;
     }

@@ -197,9 +197,9 @@ static size_t repeats_after(const cloud *c) {
 
 /// Returns the number of harmonics up to three small ones in a row.
 static size_t harmonics_needed(const cloud *c) {
-    enum { FEWEST = 3 };
+    enum { MIN_HARMONICS = 3 };
     double largest = 0.0;
-    size_t last = FEWEST, small = 0;
+    size_t last = MIN_HARMONICS, small = 0;
     for (size_t h = 1; h <= MAX_HARMONICS; h++) largest = fmax(largest, harmonics_size(c->n, c->series, h));
     for (size_t h = 1; h <= MAX_HARMONICS && small < 3; h++) {
         small = harmonics_size(c->n, c->series, h) < 1e-3 * largest ? small + 1 : 0;

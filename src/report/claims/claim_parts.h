@@ -53,7 +53,7 @@ static const double LINE_TOLERANCE = 0.02;
 /// Returns the lines of a spectrum that count in a comparison: those of at least a twentieth of the largest.
 numbers claim_lines(const claim_view *view, size_t point);
 
-/// What the claimed band contains.
+/// Contents of the claimed band.
 typedef struct claim_band {
     double share; ///< part of the power of all lines below the running speed; NaN without lines
     size_t lines;
@@ -80,7 +80,7 @@ void claim_whirl_over(const claim_view *view, const claim_census *census, char *
 
 enum { MAX_FINDINGS = 12, FINDING_SIZE = 240 };
 
-/// What was found about a part of a claim.
+/// Verdict on a part of a claim, with its reason.
 typedef struct claim_finding {
     whirl_agreement agreement;
     char text[FINDING_SIZE];

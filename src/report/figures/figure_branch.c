@@ -55,7 +55,7 @@ static bool has_kind(const whirl_table *table, int kind) {
 
 // ---------------------------------------------------------------- a panel of branches
 
-/// What a panel shows of every point: a coordinate of a station's section, or the multiplier.
+/// A panel, and the number it shows of every point: a coordinate of a station's section, or the multiplier.
 typedef struct view {
     const drawing *of;
     const whirl_table *table;

@@ -28,7 +28,7 @@ typedef struct figure_place {
     const figure_kind *kind;
     const whirl_table *table; ///< its table
     long point;               ///< point of the table; or NO_POINT
-    size_t station, which;    ///< which: index among several figures of a kind, as the kind defines it
+    size_t station, which;    ///< `which` is the index among several figures of a kind, as the kind defines it
     const whirl_field *field; ///< field shown by a figure of fields
     size_t column;            ///< column of the field; `which` is the station or contact
     whirl_figure_name name;

@@ -17,9 +17,9 @@ enum { WATERFALL, CASCADE, SPECTROGRAM, KINDS };
 /// of whirl (MAX_BOXES). A box joins several spectra or bins, and has their largest amplitude.
 enum { MAX_LINES = 60, MAX_TIMES = 240, MAX_BOXES = 200 };
 
-/// TALL: height of the largest peak of a line, as a part of the axis. LEAST: least amplitude of a box, relative to the
-/// largest.
-static const double TALL = 0.12, LEAST = 1e-3;
+/// TALL: height of the largest peak of a line, as a part of the axis. MIN_AMPLITUDE: least amplitude of a box, relative
+/// to the largest.
+static const double TALL = 0.12, MIN_AMPLITUDE = 1e-3;
 
 /// The spectra of a run at a station.
 typedef struct run_spectra {
@@ -134,7 +134,7 @@ static void spectra_add_boxes(const drawing *of, const run_spectra *s, whirl_fig
             double most = 0.0;
             for (size_t i = k; i < next; i++)
                 for (long b = bin; b < end; b++) most = fmax(most, spectra_at(s, i, b));
-            if (!(most >= LEAST * s->largest)) continue;
+            if (!(most >= MIN_AMPLITUDE * s->largest)) continue;
             const double low = 2.0 * half * (double)bin - half, high = 2.0 * half * (double)(end - 1) + half;
             series_add_box(figure, boxes, x,
                            (span){spectra_frequency(of, low, s->speeds[k]), spectra_frequency(of, high, s->speeds[k])});
@@ -142,7 +142,7 @@ static void spectra_add_boxes(const drawing *of, const run_spectra *s, whirl_fig
         }
     }
     // Set the scale of colours.
-    figure->scale = (whirl_colour_scale){.low = LEAST * s->largest,
+    figure->scale = (whirl_colour_scale){.low = MIN_AMPLITUDE * s->largest,
                                          .high = s->largest,
                                          .logarithmic = true,
                                          .colours = waterfall_colours,

@@ -8,8 +8,8 @@
 
 /// Lists a figure for each point or, if there are many, for every few points.
 static void stability_list(figure_list *to, const drawing *of, const whirl_table *table) {
-    enum { MOST = 6 };
-    const size_t step = 1 + (table->count - 1) / MOST;
+    enum { MAX_FIGURES = 6 };
+    const size_t step = 1 + (table->count - 1) / MAX_FIGURES;
     for (size_t point = 0; point < table->count && table_has(table, WHIRL_FIELD_STABILITY_CURVE); point += step) {
         const whirl_unit unit = whirl_shown_parameter(of->units, table->parameter);
         const figure_place place = {.kind = &stability_figure, .table = table, .point = (long)point};

@@ -48,11 +48,11 @@ static double even_step(const whirl_axis *axis, int most) {
 }
 
 static void fill_even(whirl_figure *figure, whirl_axis *axis, double step) {
-    enum { MOST = 40 };
+    enum { MAX_TICKS = 40 };
     char text[64];
     const double first = ceil(axis->low / step - 1e-9);
     // No ticks beyond 1e9 steps from 0, where their texts would be equal.
-    for (int k = 0; k < MOST && fabs(first) < 1e9 && (first + k) * step <= axis->high + 1e-9 * step; k++) {
+    for (int k = 0; k < MAX_TICKS && fabs(first) < 1e9 && (first + k) * step <= axis->high + 1e-9 * step; k++) {
         const double at = (first + k) * step;
         if (!isfinite(at)) return;
         number_as_tick(at, step, text, sizeof text);

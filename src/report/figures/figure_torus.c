@@ -186,11 +186,11 @@ static size_t common_divisor(size_t p, size_t q) {
 
 /// Adds the simplest fractions in the range as lines, those of smallest denominator q first.
 static void add_resonances(whirl_figure *figure, whirl_panel *panel, span range) {
-    enum { LARGEST = 12, SOME = 5 };
+    enum { MAX_DENOMINATOR = 12, MAX_DRAWN = 5 };
     const double turns = 1e3; // rotation numbers are below 1, but those of a damaged file may be large
     size_t drawn = 0;
     if (!(range.low > -turns && range.high < turns)) return;
-    for (size_t q = 1; q <= LARGEST && drawn < SOME; q++)
+    for (size_t q = 1; q <= MAX_DENOMINATOR && drawn < MAX_DRAWN; q++)
         for (double p = ceil(range.low * (double)q); p / (double)q <= range.high; p++) {
             if (common_divisor((size_t)fabs(p), q) != 1) continue;
             const double at = p / (double)q;

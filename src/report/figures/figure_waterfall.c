@@ -19,7 +19,7 @@ const char *const waterfall_colours[WATERFALL_COLOURS] = {"#fde725", "#a0da39", 
                                                           "#277f8e", "#365c8d", "#46327e", "#440154"};
 
 /// Least amplitude of a line, relative to the largest.
-static const double LEAST = 1e-3;
+static const double MIN_AMPLITUDE = 1e-3;
 
 /// Width of a mark, and its largest height (if points are far apart), as parts of the axes.
 static const double WIDE = 0.007, HIGH = 0.03;
@@ -71,7 +71,7 @@ static void gather(waterfall *of) {
     }
     size_t kept = 0;
     for (size_t k = 0; k < of->count; k++)
-        if (of->marks[k].amplitude > 0.0 && of->marks[k].amplitude >= LEAST * of->largest)
+        if (of->marks[k].amplitude > 0.0 && of->marks[k].amplitude >= MIN_AMPLITUDE * of->largest)
             of->marks[kept++] = of->marks[k];
     of->count = kept;
     if (kept > 1) qsort(of->marks, kept, sizeof *of->marks, by_amplitude);
@@ -162,7 +162,7 @@ static void waterfall_describe(const drawing *to, const figure_place *place, whi
         bifurcation_survey(&of.axis);
         find_sizes(to, &of);
         gather(&of);
-        figure->scale = (whirl_colour_scale){.low = LEAST * of.largest,
+        figure->scale = (whirl_colour_scale){.low = MIN_AMPLITUDE * of.largest,
                                              .high = of.largest,
                                              .logarithmic = true,
                                              .colours = waterfall_colours,

@@ -17,7 +17,7 @@ typedef struct machine_layout {
     const whirl_result *result;
     whirl_model model;
     bool to_scale;                                           ///< the machine has shafts of finite elements
-    double offset[WHIRL_MAX_SHAFTS], axis[WHIRL_MAX_SHAFTS]; ///< of each shaft: position of its start, and height
+    double offset[WHIRL_MAX_SHAFTS], axis[WHIRL_MAX_SHAFTS]; ///< position of each shaft's start, and its height
     bool placed_shaft[WHIRL_MAX_SHAFTS];
     bool placed[WHIRL_MAX_PROBES];
     double x[WHIRL_MAX_PROBES], y[WHIRL_MAX_PROBES], radius[WHIRL_MAX_PROBES]; ///< positions and radii of all stations

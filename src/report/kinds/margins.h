@@ -26,8 +26,8 @@ typedef struct margin_row {
     double speed;          ///< rad/s
     double amplitude;      ///< m, zero to peak
     double amplification;  ///< amplification factor
-    char way[MARGIN_TEXT]; ///< how the factor was found: "half power", ...; "half power, of 1.2 points: compute more
-                           ///< there"
+    char way[MARGIN_TEXT]; ///< method by which the factor was found: "half power", ...; "half power, of 1.2 points:
+                           ///< compute more there"
     bool judged, holds;    ///< judged: a margin is required; holds: the peak has it
     double had,
         asked; ///< margin found and required margin, %; NaN without running speeds or probe, or within these speeds

@@ -198,16 +198,16 @@ void fit_name_probe(const whirl_result *result, const double *row, char *name, s
 }
 
 static void fit_find_channels(const shown_fit_of *f) {
-    enum { MOST = 256 };
+    enum { MAX_CHANNELS = 256 };
     const finder *of = f->of;
-    fit_channel channels[MOST];
+    fit_channel channels[MAX_CHANNELS];
     size_t count = 0;
     // Sum up squares over the numbers of each channel: a probe in one file.
     for (size_t i = 0; i < f->numbers; i++) {
         const double *row = f->number + FIT_NUMBERS * i;
         size_t c = 0;
         while (c < count && !fit_same_channel(channels[c].first, row)) c++;
-        if (c == MOST) continue;
+        if (c == MAX_CHANNELS) continue;
         if (c == count) channels[count++] = (fit_channel){.first = row};
         const double off = row[FIT_MODEL] - row[FIT_MEASURED];
         channels[c].count++;

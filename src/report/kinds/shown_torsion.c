@@ -18,7 +18,7 @@ typedef struct separation {
     double frequency; ///< rad/s of the mode, where it is nearest to the excitation
     double speed; ///< rad/s at which they meet; NaN for an excitation by the electric line, whose frequency is fixed
     double had;   ///< separation, % of the excitation's frequency; 0 within its range
-    const char *side; ///< where the mode is: "above", "below" or "within" the excitation
+    const char *side; ///< position of the mode: "above", "below" or "within" the excitation
 } separation;
 
 int torsion_excitation_count(const whirl_table *table) {

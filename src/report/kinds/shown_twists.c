@@ -148,7 +148,7 @@ size_t twists_choose(const whirl_table *table, size_t most, size_t *chosen) {
         for (size_t k = 0; k < paths && own && whirl_table_done(table, point); k++)
             sizes[k] = fmax(sizes[k], isnan(own[k]) ? 0.0 : own[k]);
     }
-    // Of the pieces of one stretch of a shaft, keep the largest.
+    // Keep the largest of the pieces of one stretch of a shaft.
     for (size_t k = 0; sizes && k < paths; k++)
         for (size_t other = 0; other < k; other++)
             if (sizes[other] >= 0.0 && sizes[k] >= 0.0 && twists_are_one(table, k, other))

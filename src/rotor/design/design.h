@@ -22,7 +22,7 @@ struct whirl_design {
     double speed, length;
     whirl_bearings bearings; ///< replacement of the bearings
     double stiffness;        ///< stiffness of the springs that replace them
-    whirl_drag drag;         ///< which seals and impellers are included
+    whirl_drag drag;         ///< seals and impellers that are included
     size_t drag_at;          ///< station of the seals and impellers that are included, if not all
     double stages;           ///< factor of stages
     bool in_time;            ///< frequency-dependent coefficients become transfer functions with states

@@ -18,7 +18,7 @@
 #include "whirl/engine/bearing.h"
 #include "whirl/status.h"
 
-/// How negative pressures are treated.
+/// Treatment of negative pressures.
 typedef enum cavitation {
     CAVITATION_REYNOLDS, ///< P >= 0; where the film breaks, P and its gradient vanish (Swift 1932, Stieber 1933)
     CAVITATION_GUMBEL    ///< the pressures of the full film, of which negative ones are left out (Guembel 1914)

@@ -114,10 +114,10 @@ static bool walk_continuation(walk *through, place one, bool ordered, plain_obje
 
 /// Reads the head of an object's header: length and start of its messages.
 static bool read_head(walk *through, uint64_t address, bool *ordered, uint64_t *length, size_t *begin) {
-    enum { LONGEST = 4 + 2 + 16 + 4 + 8 };
+    enum { MAX_HEAD = 4 + 2 + 16 + 4 + 8 };
     const uint64_t size = through->source->size;
     if (address > size) return false;
-    const size_t there = size - address < LONGEST ? (size_t)(size - address) : LONGEST;
+    const size_t there = size - address < MAX_HEAD ? (size_t)(size - address) : MAX_HEAD;
     if (!load(through, address, there)) return false;
     plain_part part = {through->bytes, there, false};
     const bool signature = there >= 4 && memcmp(part.at, "OHDR", 4) == 0;

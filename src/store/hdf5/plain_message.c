@@ -141,12 +141,12 @@ static bool read_fixed_array(const byte_source *source, uint64_t address, fixed_
 /// several, each with a checksum.
 static bool check_places(const byte_source *source, uint64_t address, const fixed_array *array, uint64_t stored,
                          int *reason) {
-    enum { BLOCK = 14, FILTERED = 1, MOST = BLOCK + 20 * (1 << MAX_PAGE_BITS) };
-    unsigned char bytes[MOST];
+    enum { BLOCK = 14, FILTERED = 1, MAX_BYTES = BLOCK + 20 * (1 << MAX_PAGE_BITS) };
+    unsigned char bytes[MAX_BYTES];
     const bool paged = array->entries > (uint64_t)1 << array->page_bits;
     if (!in_file(source->size, array->block, BLOCK + array->entries * array->entry + 4)) return false;
     const uint64_t length = BLOCK + (paged ? 0 : array->entries * array->entry);
-    if (length > MOST) return false;
+    if (length > MAX_BYTES) return false;
     *reason = source->read(source->context, array->block, bytes, (size_t)length);
     if (*reason || memcmp(bytes, "FADB", 4) != 0) return false;
     plain_part part = {bytes + 4, (size_t)length - 4, false};

@@ -138,7 +138,7 @@ static whirl_status derived_extrapolate(double reach, size_t count, derived_fn *
 typedef struct derived_implicit {
     derived_fn *compute; ///< computes g [1]
     void *of;
-    size_t *parameter; ///< which parameter `of` changes
+    size_t *parameter; ///< index of the parameter in `of`, which changes
     double by, off;    ///< g_v and its error
 } derived_implicit;
 
@@ -164,7 +164,7 @@ static whirl_status implicit_slope(const derived_implicit *g, size_t parameter, 
 typedef struct derived_rest {
     derived *of;
     const resting_machine *own; ///< the machine at the parameter's value, whose modes are followed
-    size_t parameter;           ///< which one; ALONG: the batch's own
+    size_t parameter;           ///< index of that parameter; ALONG: the batch's own
     double *block;              ///< [layout->size] workspace
 } derived_rest;
 
@@ -557,7 +557,7 @@ typedef struct derived_crossing {
     derived *of;
     const whirl_branch_point *point;
     const whirl_multiplier *own; ///< this multiplier or eigenvalue
-    size_t parameter;            ///< which one changes; ALONG: the branch's own
+    size_t parameter;            ///< index of the parameter that changes; ALONG: the branch's own
     whirl_orbit_options options;
 } derived_crossing;
 
@@ -628,7 +628,7 @@ static whirl_status derived_fold(derived *d, const whirl_branch_point *point, co
         double product = 0.0;
         for (size_t i = 0; i < n; i++) product += slopes->slopes[p * n + i] * along[i];
         const double slope = 0.0 - product / square;
-        // What is not along the null vector is of the size 1, where the rest grows without limit.
+        // The part across the null vector stays of the size 1, while the part along it grows without limit.
         derived_note(d, 0, p, slope, fabs(slope) / sqrt(square));
     }
     whirl_orbit_sensitivity_free(slopes);

@@ -31,10 +31,10 @@ whirl_branch_options settled_options(const whirl_batch *batch, size_t most_point
 
 /// Records the motion after the transient, long enough to detect periods.
 static whirl_status settled_follow(const whirl_machine *machine, const whirl_batch *batch, whirl_record **record) {
-    enum { LEAST = 16 };
+    enum { MIN_RECORD = 16 };
     whirl_record_options options = whirl_record_default();
     options.transient = batch->record.transient;
-    options.record = options.watch = batch->record.record > LEAST ? batch->record.record : LEAST;
+    options.record = options.watch = batch->record.record > MIN_RECORD ? batch->record.record : MIN_RECORD;
     options.waveform_revolutions = 0;
     whirl_system alone = *machine->system;
     alone.lanes = NULL; // a single motion would not fill them

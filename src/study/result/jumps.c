@@ -8,8 +8,8 @@
 #include "bounds.h"
 
 enum {
-    SIDE = 4, ///< steps on either side that one is compared with
-    LEAST = 4 ///< fewer steps on both sides together: no verdict
+    SIDE = 4,     ///< steps on either side that one is compared with
+    MIN_STEPS = 4 ///< fewer steps on both sides together: no verdict
 };
 
 /// A jump changes more than this share of the motion's size, and this many times the change of the steps around it.
@@ -80,7 +80,7 @@ static double usual_change(const step *steps, size_t count, size_t at) {
     for (size_t i = at; i-- > 0 && at - i <= SIDE && !isnan(steps[i].change);) around[found++] = steps[i].change;
     for (size_t i = at + 1; i < count && i - at <= SIDE && !isnan(steps[i].change); i++)
         around[found++] = steps[i].change;
-    if (found < LEAST) return (double)NAN;
+    if (found < MIN_STEPS) return (double)NAN;
     qsort(around, found, sizeof *around, jumps_by_size);
     return 0.5 * (around[(found - 1) / 2] + around[found / 2]);
 }

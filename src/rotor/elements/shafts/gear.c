@@ -182,7 +182,7 @@ static whirl_status gear_set_profile(const key_value *profile, double stiffness,
     out->number[GEAR_STIFFNESS] = stiffness * mean;
     out->law |= GEAR_PROFILE | (int)harmonics * GEAR_LAWS;
     for (size_t k = 1; k <= harmonics; k++) {
-        // Of an even number of values, the last harmonic has only a cosine, with half the weight.
+        // For an even number of values, the last harmonic has only a cosine, with half the weight.
         const double weight = stiffness * (2 * k == count ? 1.0 : 2.0) / (double)count;
         double c = 0.0, s = 0.0;
         for (size_t i = 0; i < count; i++) {
