@@ -389,7 +389,7 @@ static void l4_equal_dampings(void **unused) {
     (void)unused;
     options.located = false;
     for (size_t i = 0; i < COUNT_OF(rotors); i++)
-        check_holds("L4", words("lanes follow perturbations of machine %zu", i + 1),
+        check_holds("L4", words("lanes %s perturbations of machine %zu", i < 3 ? "follow" : "refuse", i + 1),
                     whirl_ensemble_follows(whirl_rotor_system(rotors[i]), &options) == (i < 3));
     check_within("L4", "rk4 in lanes, equal slopes, columns of the monodromy matrix", 0.0,
                  worst_in_lanes(rotors[0], &straight, &options), 1e-8);
