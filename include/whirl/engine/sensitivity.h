@@ -23,8 +23,9 @@ typedef struct whirl_sensitivity whirl_sensitivity;
 /// Builds machines of the study at and around `value` of the batch's parameter (a copy of the batch may name any other
 /// parameter of the case). reach > 0, in the parameter's SI unit, is the largest h; a good choice is an eighth of the
 /// distance to the next point at which the equations are not smooth; 0 for an eighth of |value|. It is halved while a
-/// machine cannot be built. WHIRL_BAD_INPUT if value and reach are 0, if machines differ in dimension, or as `machine`
-/// of the study; WHIRL_NO_MEMORY. Freed by whirl_sensitivity_free; used by one thread at a time.
+/// machine cannot be built. Machines for small h are built when they are needed: the study, and what the batch borrows,
+/// must live as long. WHIRL_BAD_INPUT if value and reach are 0, if machines differ in dimension, or as `machine` of the
+/// study; WHIRL_NO_MEMORY. Freed by whirl_sensitivity_free; used by one thread at a time.
 whirl_status whirl_sensitivity_new(const whirl_study *study, const whirl_batch *batch, double value, double reach,
                                    whirl_sensitivity **out);
 
@@ -38,12 +39,12 @@ const whirl_system *whirl_sensitivity_machine(const whirl_sensitivity *sensitivi
 /// rounding, error [dimension]. sides [switch_count] as in whirl_system.rhs_on_sides; NULL: those of x. x, t and the
 /// derivative are in the machine's units of length and time, which may themselves depend on the parameter; if its
 /// period does, t and f are at the same fraction of a period.
-void whirl_sensitivity_slope(const whirl_sensitivity *sensitivity, double t, const double *x, const double *sides,
+void whirl_sensitivity_slope(whirl_sensitivity *sensitivity, double t, const double *x, const double *sides,
                              double *slope, double *error);
 
 /// Returns the derivative of the metres of one unit of displacement by the parameter, and writes these metres to
 /// length: displacements in metres are length x, and change by length dx/dp + x times this.
-double whirl_sensitivity_length(const whirl_sensitivity *sensitivity, double *length);
+double whirl_sensitivity_length(whirl_sensitivity *sensitivity, double *length);
 
 /// Most parameters of one extended machine.
 enum { WHIRL_MAX_SENSITIVITIES = 16 };

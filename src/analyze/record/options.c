@@ -158,7 +158,7 @@ const whirl_member *whirl_fit_members(void) {
         FIT(WHOLE, revolutions, "revolutions", "1", WHIRL_KEY_WHOLE, "1", WHIRL_FROM_TO(1, WHIRL_MAX_ORBIT), NULL,
             "of the period of the motions: 1 synchronous, 2 after a doubling"),
         FIT(WHOLE, transient, "transient", "1", WHIRL_KEY_WHOLE, "200", WHIRL_FROM_TO(0, WHIRL_MAX_TRANSIENT), NULL,
-            "revolutions by which a motion comes near its orbit at the first values"),
+            "most revolutions by which a motion comes near its orbit at the first values"),
         FIT(WORD, loss, "loss", "", WHIRL_KEY_CHOICE, "squares", WHIRL_ANY, "squares|huber",
             "squares of residuals, or huber: squares up to some standard deviations, then straight: against outliers; "
             "needs noise"),

@@ -22,6 +22,8 @@ static inline double richardson_step(double reach, size_t level) {
 /// Returns true if the error is a rounding error, so that further levels cannot reduce it.
 static inline bool richardson_add(double above, double below, double step, size_t k, double line[RICHARDSON_LEVELS],
                                   double *derivative, double *off) {
+    // 4^j - 1, by which the difference of two entries is divided.
+    static const double less[RICHARDSON_LEVELS] = {0.0, 3.0, 15.0, 63.0, 255.0, 1023.0, 4095.0};
     // Compute the first entry, a difference over twice the step, and its rounding error.
     const double rounding = 8.0 * DBL_EPSILON * fmax(fabs(above), fabs(below)) / step;
     double before = line[0], entry = (above - below) / (2.0 * step);
@@ -32,7 +34,7 @@ static inline bool richardson_add(double above, double below, double step, size_
     }
     // Extrapolate to a step of 0, and keep the entry that changes least.
     for (size_t j = 1; j <= k; j++) {
-        const double less = ldexp(1.0, 2 * (int)j) - 1.0, next = entry + (entry - before) / less;
+        const double next = entry + (entry - before) / less[j];
         const double own = fmax(fabs(next - entry), fabs(next - before)) + rounding;
         if (own < *off) {
             *derivative = next;

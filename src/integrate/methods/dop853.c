@@ -24,28 +24,34 @@ double dop853_amplification(double real, double imaginary) {
 // ---------------------------------------------------------------- perturbations
 
 /// Computes the perturbations at which slope i is taken, out [size].
-static void take_stage(const stepper_variation *v, int i, size_t size, double h, double *out) {
-    for (size_t d = 0; d < size; d++) {
-        double sum = 0.0;
-        for (int j = 0; j < i; j++) sum += dop853_a[i][j] * v->k[j][d];
-        out[d] = v->set->vectors[d] + h * sum;
+static void take_stage(const stepper_variation *v, int i, size_t size, double h, double *restrict out) {
+    const double *restrict from = v->set->vectors;
+    for (size_t d = 0; d < size; d++) out[d] = 0.0;
+    for (int j = 0; j < i; j++) {
+        const double *restrict k = v->k[j], a = dop853_a[i][j];
+        for (size_t d = 0; d < size; d++) out[d] += a * k[d];
     }
+    for (size_t d = 0; d < size; d++) out[d] = from[d] + h * out[d];
 }
 
 /// Returns the error of perturbation `which` over the step by the kernel's formula, divided by the tolerance by its
 /// length.
 static double estimated_error(const stepper *c, size_t which) {
     const stepper_variation *v = &c->variation;
-    const size_t first = which * c->dimension;
+    const size_t n = c->dimension, first = which * n;
+    double *restrict e5 = v->stage, *restrict e3 = v->stage + n; // not in use between steps
     double square5 = 0.0, square3 = 0.0;
-    for (size_t d = first; d < first + c->dimension; d++) {
-        double e5 = 0.0, e3 = 0.0;
-        for (int j = 0; j < DOP853_STAGES; j++) {
-            e5 += dop853_e5[j] * v->k[j][d];
-            e3 += dop853_e3[j] * v->k[j][d];
+    for (size_t d = 0; d < n; d++) e5[d] = e3[d] = 0.0;
+    for (int j = 0; j < DOP853_STAGES; j++) {
+        const double *restrict k = v->k[j] + first, by5 = dop853_e5[j], by3 = dop853_e3[j];
+        for (size_t d = 0; d < n; d++) {
+            e5[d] += by5 * k[d];
+            e3[d] += by3 * k[d];
         }
-        square5 += e5 * e5;
-        square3 += e3 * e3;
+    }
+    for (size_t d = 0; d < n; d++) {
+        square5 += e5[d] * e5[d];
+        square3 += e3[d] * e3[d];
     }
     const double mixed = square5 + 0.01 * square3;
     return mixed > 0.0 ? c->length * square5 / (sqrt(mixed) * stepper_varied_tolerance(c, which)) : mixed;

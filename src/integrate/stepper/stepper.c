@@ -359,9 +359,15 @@ static whirl_motion accept(stepper *c, double until) {
     if (!slot) return try_all(c, next_length(c, until)) <= 1.0 ? WHIRL_BOUNDED : WHIRL_DIVERGED;
     *slot->t = c->t;
     for (;;) {
-        const double error = try_all(c, next_length(c, until));
+        const double length = next_length(c, until);
+        const double error = try_all(c, length);
+        const bool cut = c->halts && length < *slot->h;
         *slot->error = error * error;
-        if (c->method->one->judge(slot)) return WHIRL_BOUNDED;
+        if (c->method->one->judge(slot)) {
+            // The small error of a step cut short by an instant does not slow down the growth of the next ones.
+            if (cut) *slot->before = 1.0;
+            return WHIRL_BOUNDED;
+        }
         if (*slot->special > 0.5) return isfinite(error) ? WHIRL_STUCK : WHIRL_DIVERGED;
     }
 }

@@ -57,6 +57,7 @@ typedef struct stepper {
     size_t sliding_count;
     int switchings; ///< since the beginning of the revolution
     bool crossed;   ///< the last step ended at a switch
+    bool halts;     ///< steps by the tolerance end at instants of the revolution
     bool observed;  ///< the caller uses stepper_between after every step
     // The last step.
     double begin, length;

@@ -60,6 +60,7 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_pertu
     const bool halts = !c->slot || (perturbations && perturbations->at_instants);
     int instant = 1;
     c->observed = c->slot && observe;
+    c->halts = c->slot && halts;
     whirl_motion motion = stepper_begin_motion(integrator, x, perturbations);
     while (motion == WHIRL_BOUNDED && c->t < period && !is_cut_short(integrator)) {
         motion = stepper_step(c, halts ? period * ((double)instant / instants) : period);

@@ -1,4 +1,5 @@
 #include "fit_motions.h"
+#include "turns.h"
 #include "two_pi.h"
 #include "varied.h"
 
@@ -63,18 +64,54 @@ static whirl_status place_machine(const fit_place *p, whirl_machine *machine) {
     return p->of->study->machine(p->of->study->family, &p->batch, NAN, machine);
 }
 
-/// Moves x from the machine's start to near its orbit.
-static whirl_status place_settle(const fit_place *p, const whirl_system *system, double *x) {
+/// Returns true if the states after two revolutions are nearly equal, as a part of the largest coordinate.
+static bool place_repeats(const whirl_system *system, const double *before, const double *x) {
+    double change = 0.0, size = 0.0;
+    for (size_t i = 0; i < system->dimension; i++) {
+        change = fmax(change, fabs(part_apart(system->turns, system->angles, i, x, before)));
+        if (!turns_on(system->turns, i)) size = fmax(size, fabs(x[i]));
+    }
+    return change <= 1e-6 * size;
+}
+
+/// Moves x towards its orbit over *left revolutions. `early`: it may end where x repeats after the orbit's period.
+static whirl_status place_settle(const fit_place *p, const whirl_system *system, bool early, int *left, double *x) {
+    const int period = p->of->batch->record.fit.revolutions;
+    const size_t n = system->dimension;
     whirl_integrate_options options = p->options.integrate;
     whirl_integrator *integrator = NULL;
     options.rtol = fmax(options.rtol, 1e-8);
     options.atol = fmax(options.atol, 1e-10);
-    whirl_status status = whirl_integrator_new(system, &options, &integrator);
-    for (int i = 0; i < p->of->batch->record.fit.transient && status.code == WHIRL_OK; i++)
+    double *before = malloc((n + 1) * sizeof *before);
+    whirl_status status = before ? whirl_integrator_new(system, &options, &integrator)
+                                 : whirl_fail(WHIRL_NO_MEMORY, "no memory for a motion of a fit");
+    for (bool near = false; *left > 0 && status.code == WHIRL_OK && !near; --*left) {
+        const int turn = (p->of->batch->record.fit.transient - *left) % period;
+        if (turn == 0) memcpy(before, x, n * sizeof *x);
         if (whirl_integrator_revolve(integrator, x, NULL, NULL) != WHIRL_BOUNDED)
-            status = whirl_fail(WHIRL_BAD_INPUT, "its motion leaves its bounds after %d revolutions", i);
+            status = whirl_fail(WHIRL_BAD_INPUT, "its motion leaves its bounds after %d revolutions",
+                                p->of->batch->record.fit.transient - *left);
+        near = early && turn == period - 1 && place_repeats(system, before, x);
+    }
     whirl_integrator_free(integrator);
+    free(before);
     return status;
+}
+
+/// Finds the orbit on which the machine settles: where its motion nearly repeats or, unless there is a stable orbit
+/// there, after the whole transient. x is the start.
+static whirl_status place_begin(const fit_place *p, const whirl_system *system, double *x, whirl_orbit **orbit) {
+    const size_t revolutions = (size_t)p->of->batch->record.fit.revolutions;
+    int left = p->of->batch->record.fit.transient;
+    whirl_status status = place_settle(p, system, true, &left, x);
+    if (status.code != WHIRL_OK) return status;
+    status = whirl_orbit_find(system, x, revolutions, &p->options, orbit);
+    if (left == 0 || status.code == WHIRL_NO_MEMORY || (status.code == WHIRL_OK && whirl_orbit_largest(*orbit) < 1.0))
+        return status;
+    whirl_orbit_free(*orbit);
+    *orbit = NULL;
+    status = place_settle(p, system, false, &left, x);
+    return status.code == WHIRL_OK ? whirl_orbit_find(system, x, revolutions, &p->options, orbit) : status;
 }
 
 /// Finds the orbit: from the kept one and its derivatives, or after a transient.
@@ -88,8 +125,8 @@ static whirl_status place_find(const fit_place *p, const whirl_machine *machine,
     memcpy(x, known ? kept->node : machine->start, n * sizeof *x);
     for (size_t u = 0; u < p->of->fit->unknown_count && known; u++)
         for (size_t i = 0; i < n; i++) x[i] += (p->values[u] - kept->at[u]) * kept->slopes[u * n + i];
-    whirl_status status = known ? whirl_ok() : place_settle(p, system, x);
-    if (status.code == WHIRL_OK) status = whirl_orbit_find(system, x, revolutions, &p->options, orbit);
+    const whirl_status status =
+        known ? whirl_orbit_find(system, x, revolutions, &p->options, orbit) : place_begin(p, system, x, orbit);
     free(x);
     return status;
 }

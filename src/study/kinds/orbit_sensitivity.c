@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "extended.h"
 #include "matrix.h"
 #include "turns.h"
 #include "whirl/engine/sensitivity.h"
@@ -169,6 +170,7 @@ whirl_status whirl_orbit_sensitivity_new(const whirl_extended *extended, const w
         w.carried = w.vectors + all * all;
         w.set = (whirl_perturbations){.count = all, .vectors = w.vectors, .at_instants = true};
         status = orbit_derive(&w, system, orbit, units);
+        if (extended_exhausted(extended)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for derivatives of an orbit");
     }
     whirl_integrator_free(w.integrator);
     free(w.x);

@@ -6,12 +6,24 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "extended.h"
+#include "lanes.h"
 #include "richardson.h"
+#include "sensitivity_lanes.h"
+#include "varied.h"
 
 enum { LEVELS = RICHARDSON_LEVELS, MACHINES = 1 + 2 * LEVELS, MAX_HALVINGS = 40 };
 
+/// Levels whose machines are made at once; equations that are linear in the parameter need no further ones.
+enum { FIRST_LEVELS = 2, FIRST_MACHINES = 2 * FIRST_LEVELS };
+
 struct whirl_sensitivity {
+    const whirl_study *study;
+    whirl_batch batch;
+    varied_given given; ///< those of the batch
     double value, reach;
+    size_t levels;                    ///< whose machines can be made, as far as it is known
+    bool exhausted;                   ///< memory ran out when one was made
     whirl_machine machines[MACHINES]; ///< at the value, then above and below it, from the largest h on
     double *rows;                     ///< [MACHINES][larger of dimension and switch_count] workspace
     double *sides;                    ///< [switch_count] workspace
@@ -34,16 +46,23 @@ static size_t sensitivity_width(const whirl_sensitivity *s) {
     return system->dimension > system->switch_count ? system->dimension : system->switch_count;
 }
 
-static whirl_status sensitivity_build(whirl_sensitivity *s, const whirl_study *study, const whirl_batch *batch,
-                                      double value) {
+/// Makes machine `index`.
+static whirl_status sensitivity_build(whirl_sensitivity *s, size_t index) {
+    const double h = index == 0 ? 0.0 : richardson_step(s->reach, (index - 1) / 2);
+    whirl_machine *machine = &s->machines[index];
+    const whirl_status status =
+        s->study->machine(s->study->family, &s->batch, index % 2 ? s->value + h : s->value - h, machine);
+    if (status.code != WHIRL_OK || (machine->system->dimension == system_of(s, 0)->dimension &&
+                                    machine->system->switch_count == system_of(s, 0)->switch_count))
+        return status;
+    if (machine->release) machine->release(machine->owner);
+    *machine = (whirl_machine){.system = NULL};
+    return whirl_fail(WHIRL_BAD_INPUT, "the machine near %g has other states, expected the same ones", s->value);
+}
+
+static whirl_status sensitivity_build_first(whirl_sensitivity *s) {
     whirl_status status = whirl_ok();
-    for (size_t i = 0; i < MACHINES && status.code == WHIRL_OK; i++) {
-        const double h = i == 0 ? 0.0 : richardson_step(s->reach, (i - 1) / 2);
-        status = study->machine(study->family, batch, i % 2 ? value + h : value - h, &s->machines[i]);
-        if (status.code == WHIRL_OK && (system_of(s, i)->dimension != system_of(s, 0)->dimension ||
-                                        system_of(s, i)->switch_count != system_of(s, 0)->switch_count))
-            status = whirl_fail(WHIRL_BAD_INPUT, "the machine near %g has other states, expected the same ones", value);
-    }
+    for (size_t i = 0; i <= FIRST_MACHINES && status.code == WHIRL_OK; i++) status = sensitivity_build(s, i);
     return status;
 }
 
@@ -55,13 +74,18 @@ whirl_status whirl_sensitivity_new(const whirl_study *study, const whirl_batch *
     whirl_sensitivity *s = calloc(1, sizeof *s);
     if (!s) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a sensitivity");
     // Make machines around the value, nearer to it if those farther away are impossible.
+    s->study = study;
+    s->batch = *batch;
+    for (size_t i = 0; i < batch->given_count; i++) s->given[i] = batch->given[i];
+    s->batch.given = s->given;
     s->value = value;
+    s->levels = LEVELS;
     s->reach = reach > 0.0 ? reach : 0.125 * fabs(value);
-    whirl_status status = sensitivity_build(s, study, batch, value);
+    whirl_status status = sensitivity_build_first(s);
     for (int i = 0; i < MAX_HALVINGS && status.code == WHIRL_BAD_INPUT && s->machines[0].system; i++) {
         sensitivity_release(s);
         s->reach *= 0.5;
-        status = sensitivity_build(s, study, batch, value);
+        status = sensitivity_build_first(s);
     }
     // Make memory for rows of numbers and their extrapolation.
     if (status.code == WHIRL_OK) {
@@ -121,21 +145,33 @@ static void slope_of(const whirl_sensitivity *s, size_t index, double t, const d
     for (size_t i = 0; i < system->dimension; i++) slope[i] *= longer;
 }
 
+/// Makes the machines of a level unless it has them; false if they cannot be made, and neither are those of later ones.
+static bool sensitivity_level(whirl_sensitivity *s, size_t level) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 2 * level + 1; i <= 2 * level + 2 && status.code == WHIRL_OK && level < s->levels; i++)
+        if (!s->machines[i].system) status = sensitivity_build(s, i);
+    if (status.code != WHIRL_OK) s->levels = level;
+    s->exhausted = s->exhausted || status.code == WHIRL_NO_MEMORY;
+    return level < s->levels;
+}
+
 /// Extrapolates the first `count` entries of the rows, which `fill` writes for one machine: derivatives [count], and
-/// unless NULL their errors. Levels are computed until all entries are known to rounding.
-static void sensitivity_derive(const whirl_sensitivity *s, size_t count,
+/// unless NULL their errors. Levels are computed until all entries are known to rounding, or a machine is impossible.
+static void sensitivity_derive(whirl_sensitivity *s, size_t count,
                                void (*fill)(const whirl_sensitivity *s, size_t machine, const void *at), const void *at,
                                double *derivatives, double *errors) {
     bool known = false;
     for (size_t k = 0; k < LEVELS && !known; k++) {
+        if (k >= FIRST_LEVELS && !sensitivity_level(s, k)) break;
         fill(s, 2 * k + 1, at);
         fill(s, 2 * k + 2, at);
         known = k > 0;
+        const double step = richardson_step(s->reach, k);
         const double *above = s->rows + (2 * k + 1) * sensitivity_width(s), *below = above + sensitivity_width(s);
         for (size_t i = 0; i < count; i++)
-            known = richardson_add(above[i], below[i], richardson_step(s->reach, k), k, s->lines + LEVELS * i,
-                                   &derivatives[i], &s->errors[i]) &&
-                    known;
+            known =
+                richardson_add(above[i], below[i], step, k, s->lines + LEVELS * i, &derivatives[i], &s->errors[i]) &&
+                known;
     }
     if (errors) memcpy(errors, s->errors, count * sizeof *errors);
 }
@@ -145,11 +181,21 @@ typedef struct derived_at {
     double t;
     const double *x, *sides;
     size_t which; ///< switching function
+    /// NULL, or lanes that have the slopes of the first machines, from lane `first` on. Slopes are then those of
+    /// velocities and further states only: those of the `degrees` displacements are velocities, whatever the parameter.
+    const sensitivity_lanes *lanes;
+    size_t first, degrees;
 } derived_at;
 
 static void fill_slope(const whirl_sensitivity *s, size_t machine, const void *at) {
     const derived_at *own = at;
+    double *row = s->rows + machine * sensitivity_width(s);
+    if (own->lanes && machine <= FIRST_MACHINES) {
+        sensitivity_lanes_rates(own->lanes, own->first + machine - 1, row);
+        return;
+    }
     slope_of(s, machine, own->t, own->x, own->sides);
+    if (own->lanes) memmove(row, row + own->degrees, (system_of(s, 0)->dimension - own->degrees) * sizeof *row);
 }
 
 static void fill_length(const whirl_sensitivity *s, size_t machine, const void *at) {
@@ -173,19 +219,22 @@ static void fill_gradient(const whirl_sensitivity *s, size_t machine, const void
                             s->rows + machine * sensitivity_width(s), &by_time);
 }
 
-void whirl_sensitivity_slope(const whirl_sensitivity *s, double t, const double *x, const double *sides, double *slope,
-                             double *error) {
+/// Returns the sides of the switches on which the laws are kept: the given ones, or those of x.
+static const double *sensitivity_sides(whirl_sensitivity *s, double t, const double *x, const double *sides) {
     const whirl_system *system = system_of(s, 0);
-    if (!sides && system->switch_count > 0) {
-        system->switches(system->model, t, x, s->sides);
-        for (size_t i = 0; i < system->switch_count; i++) s->sides[i] = s->sides[i] > 0.0 ? 1.0 : -1.0;
-        sides = s->sides;
-    }
-    const derived_at at = {.t = t, .x = x, .sides = sides};
-    sensitivity_derive(s, system->dimension, fill_slope, &at, slope, error);
+    if (sides || system->switch_count == 0) return sides;
+    system->switches(system->model, t, x, s->sides);
+    for (size_t i = 0; i < system->switch_count; i++) s->sides[i] = s->sides[i] > 0.0 ? 1.0 : -1.0;
+    return s->sides;
 }
 
-double whirl_sensitivity_length(const whirl_sensitivity *s, double *length) {
+void whirl_sensitivity_slope(whirl_sensitivity *s, double t, const double *x, const double *sides, double *slope,
+                             double *error) {
+    const derived_at at = {.t = t, .x = x, .sides = sensitivity_sides(s, t, x, sides)};
+    sensitivity_derive(s, system_of(s, 0)->dimension, fill_slope, &at, slope, error);
+}
+
+double whirl_sensitivity_length(whirl_sensitivity *s, double *length) {
     double slope;
     *length = s->machines[0].length;
     sensitivity_derive(s, 1, fill_length, NULL, &slope, NULL);
@@ -193,7 +242,7 @@ double whirl_sensitivity_length(const whirl_sensitivity *s, double *length) {
 }
 
 /// Returns the derivative by the parameter of switching function `which`, continued beyond its zero.
-static double switch_by_parameter(const whirl_sensitivity *s, double t, const double *x, size_t which) {
+static double switch_by_parameter(whirl_sensitivity *s, double t, const double *x, size_t which) {
     const derived_at at = {.t = t, .x = x, .which = which};
     double slope;
     sensitivity_derive(s, 1, fill_switch, &at, &slope, NULL);
@@ -201,7 +250,7 @@ static double switch_by_parameter(const whirl_sensitivity *s, double t, const do
 }
 
 /// Computes the derivative by the parameter of the gradient of switching function `which`: out [dimension].
-static void gradient_by_parameter(const whirl_sensitivity *s, double t, const double *x, size_t which, double *out) {
+static void gradient_by_parameter(whirl_sensitivity *s, double t, const double *x, size_t which, double *out) {
     const derived_at at = {.t = t, .x = x, .which = which};
     sensitivity_derive(s, system_of(s, 0)->dimension, fill_gradient, &at, out, NULL);
 }
@@ -215,6 +264,8 @@ struct whirl_extended {
     double *periods;  ///< [2][own + count] periods of turning coordinates and of angles
     double *in, *out; ///< [own + count][own] workspace: perturbations of x, and their slopes
     double *slope;    ///< [own] workspace
+    /// The first machines of every parameter side by side, one parameter after the other; NULL: one by one.
+    sensitivity_lanes *lanes;
 };
 
 static const whirl_system *extended_base(const whirl_extended *e) {
@@ -250,13 +301,22 @@ static void extended_tangent(const void *model, double t, const double *forcing,
         memset(ddxdt + k * all + own, 0, e->count * sizeof *dx);
     }
     // Add the derivatives by the parameters that a perturbation changes.
+    derived_at at = {.t = t, .x = x, .lanes = e->lanes};
+    if (e->lanes) at.degrees = system->lanes->degrees;
+    memset(e->slope, 0, at.degrees * sizeof *e->slope);
+    bool taken = false;
     for (size_t p = 0; p < e->count; p++) {
         bool known = false;
         for (size_t k = 0; k < count; k++) {
             const double change = dx[k * all + own + p] * sensitivity_unit(e->by[p]);
             if (change == 0.0) continue;
-            if (!known) whirl_sensitivity_slope(e->by[p], t, x, sides, e->slope, NULL);
-            known = true;
+            if (!taken) {
+                at.sides = sensitivity_sides(e->by[0], t, x, sides);
+                if (e->lanes) sensitivity_lanes_take(e->lanes, forcing, x, at.sides);
+            }
+            at.first = p * FIRST_MACHINES;
+            if (!known) sensitivity_derive(e->by[p], own - at.degrees, fill_slope, &at, e->slope + at.degrees, NULL);
+            taken = known = true;
             for (size_t i = 0; i < own; i++) ddxdt[k * all + i] += change * e->slope[i];
         }
     }
@@ -343,6 +403,13 @@ whirl_status whirl_extended_new(size_t count, whirl_sensitivity *const *by, whir
     e->own = own;
     e->count = count;
     memcpy(e->by, by, count * sizeof *by);
+    const whirl_system *machines[WHIRL_MAX_SENSITIVITIES * FIRST_MACHINES];
+    for (size_t p = 0; p < count; p++)
+        for (size_t i = 0; i < FIRST_MACHINES; i++) machines[p * FIRST_MACHINES + i] = system_of(by[p], 1 + i);
+    if (!sensitivity_lanes_new(count * FIRST_MACHINES, machines, &e->lanes)) {
+        whirl_extended_free(e);
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine with %zu parameters", count);
+    }
     // Describe the system.
     e->system = (whirl_system){.dimension = all,
                                .period = base->period,
@@ -371,12 +438,19 @@ whirl_status whirl_extended_new(size_t count, whirl_sensitivity *const *by, whir
 
 void whirl_extended_free(whirl_extended *e) {
     if (!e) return;
+    sensitivity_lanes_free(e->lanes);
     free(e->periods);
     free(e);
 }
 
 const whirl_system *whirl_extended_system(const whirl_extended *e) {
     return &e->system;
+}
+
+bool extended_exhausted(const whirl_extended *e) {
+    for (size_t p = 0; p < e->count; p++)
+        if (e->by[p]->exhausted) return true;
+    return false;
 }
 
 double whirl_extended_unit(const whirl_extended *e, size_t parameter) {
