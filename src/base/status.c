@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "lock.h"
+#include "utf8.h"
 
 // ---------------------------------------------------------------- where messages lie
 
@@ -61,9 +62,7 @@ whirl_status whirl_ok(void) {
 
 /// Ends a sentence that was cut with "...", behind its last whole character of UTF-8.
 static void status_end_cut(char text[WHIRL_MESSAGE_SIZE]) {
-    size_t end = WHIRL_MESSAGE_SIZE - sizeof "...";
-    while (end > 0 && ((unsigned char)text[end] & 0xC0U) == 0x80U) end--;
-    memcpy(text + end, "...", sizeof "...");
+    memcpy(text + utf8_cut(text, WHIRL_MESSAGE_SIZE - sizeof "..."), "...", sizeof "...");
 }
 
 whirl_status whirl_fail(whirl_code code, const char *format, ...) {

@@ -85,7 +85,10 @@ static whirl_status record_heading(record *r, size_t column) {
     // The text before it is the station.
     while (direction > text && isspace((unsigned char)direction[-1])) direction--;
     *direction = '\0';
-    snprintf(own->station, sizeof own->station, "%.60s", text);
+    if (strlen(text) >= sizeof own->station)
+        return RECORD_FAIL(r, own->place, "the name '%.20s...' of a station has %zu bytes, expected at most %zu", text,
+                           strlen(text), sizeof own->station - 1);
+    snprintf(own->station, sizeof own->station, "%s", text);
     own->angle = degrees * two_pi / 360.0;
     return csv_unit(&r->table, column, "m", "um", &own->size);
 }

@@ -18,6 +18,12 @@ static inline size_t utf8_length_of_text(const char *text) {
     return utf8_length(text, 4);
 }
 
+/// Returns the most bytes, up to `most`, after which a longer text can be cut without cutting a character.
+static inline size_t utf8_cut(const char *text, size_t most) {
+    while (most > 0 && ((unsigned char)text[most] & 0xC0U) == 0x80U) most--;
+    return most;
+}
+
 /// Returns the code point of a valid character of `length` bytes.
 unsigned utf8_character(const char *text, size_t length);
 

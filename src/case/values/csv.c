@@ -32,17 +32,31 @@ whirl_status csv_fail(const csv_table *table, int line, int column, const char *
     return whirl_fail(WHIRL_BAD_INPUT, "%.150s:%d:%d: %.300s", table->path, line, column, text);
 }
 
-/// Takes the next cell of a line without blanks and quotes around it. Returns false after the last one.
-static bool csv_cell(const csv_reader *r, const char **at, const char *end, char text[CSV_TEXT], const char **first) {
+/// A cell of a line, without blanks and quotes around it; borrowed.
+typedef struct csv_cell {
+    const char *text;
+    int length, place; ///< length in bytes; column of its first character in the line, from 1
+} csv_cell;
+
+/// Takes the next cell of a line that begins at `line`. Returns false after the last one.
+static bool csv_next(const csv_reader *r, const char *line, const char **at, const char *end, csv_cell *cell) {
     if (!*at || *at > end) return false;
     const char *from = *at, *stop = memchr(from, r->separator, (size_t)(end - from));
     const char *to = stop ? stop : end;
     *at = stop ? stop + 1 : NULL;
     while (from < to && (isspace((unsigned char)*from) || *from == '"')) from++;
     while (to > from && (isspace((unsigned char)to[-1]) || to[-1] == '"')) to--;
-    *first = from;
-    snprintf(text, CSV_TEXT, "%.*s", (int)(to - from < CSV_TEXT ? to - from : CSV_TEXT), from);
+    *cell = (csv_cell){from, (int)(to - from), (int)(from - line) + 1};
     return true;
+}
+
+/// Copies a cell. Fails for one that is longer than any name or number.
+static whirl_status csv_copy(const csv_reader *r, const csv_cell *cell, char text[CSV_TEXT]) {
+    if (cell->length >= CSV_TEXT)
+        return csv_fail(r->table, r->line, cell->place, "the cell has %d bytes ('%.*s...'), expected at most %d",
+                        cell->length, (int)utf8_cut(cell->text, 20), cell->text, CSV_TEXT - 1);
+    snprintf(text, CSV_TEXT, "%.*s", cell->length, cell->text);
+    return whirl_ok();
 }
 
 /// Parts a heading into its name and the unit in brackets.
@@ -60,21 +74,23 @@ static void csv_part(csv_column *own, char text[CSV_TEXT]) {
 static whirl_status csv_headings(csv_reader *r, const char *from, const char *end) {
     csv_table *table = r->table;
     char text[CSV_TEXT];
-    const char *at = from, *first;
+    const char *at = from;
+    csv_cell cell;
+    whirl_status status = whirl_ok();
     const size_t length = (size_t)(end - from);
     table->heading = r->line;
     r->separator = memchr(from, ',', length) ? ',' : memchr(from, ';', length) ? ';' : '\t';
     table->columns = calloc(r->most, sizeof *table->columns);
     if (!table->columns) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a table");
-    while (csv_cell(r, &at, end, text, &first)) {
-        const int place = (int)(first - from) + 1;
+    while (status.code == WHIRL_OK && csv_next(r, from, &at, end, &cell)) {
         if (table->column_count == r->most)
-            return csv_fail(table, r->line, place, "has more than %zu columns", r->most);
+            return csv_fail(table, r->line, cell.place, "has more than %zu columns", r->most);
         csv_column *own = &table->columns[table->column_count++];
-        own->place = place;
-        csv_part(own, text);
+        own->place = cell.place;
+        status = csv_copy(r, &cell, text);
+        if (status.code == WHIRL_OK) csv_part(own, text);
     }
-    return whirl_ok();
+    return status;
 }
 
 static whirl_status csv_grow(csv_table *table) {
@@ -99,20 +115,23 @@ static whirl_status csv_row(csv_reader *r, const char *from, const char *end) {
     // Make memory for the row.
     csv_table *table = r->table;
     char text[CSV_TEXT], *rest;
-    const char *at = from, *first;
+    const char *at = from;
+    csv_cell cell;
     size_t cells = 0;
-    const whirl_status status = csv_grow(table);
+    whirl_status status = csv_grow(table);
     if (status.code != WHIRL_OK) return status;
     // Read each cell as a number.
-    while (csv_cell(r, &at, end, text, &first)) {
-        const int place = (int)(first - from) + 1;
+    while (csv_next(r, from, &at, end, &cell)) {
+        const int place = cell.place;
         if (cells == table->column_count)
             return csv_fail(table, r->line, place, "there are more cells than the %zu headings", table->column_count);
+        status = csv_copy(r, &cell, text);
+        if (status.code != WHIRL_OK) return status;
         double *own = table->numbers + cells * table->capacity + table->count;
         *own = strtod(text, &rest);
-        if (!*text)
+        if (cell.length == 0)
             return csv_fail(table, r->line, place, "the cell is empty, expected a number: cut the record at its gaps");
-        if (rest == text || *rest || !isfinite(*own))
+        if (rest == text || rest != text + cell.length || !isfinite(*own))
             return csv_fail(table, r->line, place, "'%.30s' is no number", text);
         cells++;
     }
@@ -122,6 +141,14 @@ static whirl_status csv_row(csv_reader *r, const char *from, const char *end) {
                         cells, table->column_count);
     table->lines[table->count++] = r->line;
     return whirl_ok();
+}
+
+/// Keeps a title; a long one ends with "...".
+static void csv_entitle(csv_table *table, const char *text, size_t length) {
+    const size_t most = sizeof table->title - 1;
+    const bool cut = length > most;
+    if (cut) length = utf8_cut(text, most - strlen("..."));
+    snprintf(table->title, sizeof table->title, "%.*s%s", (int)length, text, cut ? "..." : "");
 }
 
 /// Reads all lines. Skips empty lines and comments after #, the first of which is the title.
@@ -141,8 +168,7 @@ whirl_status csv_read(const char *path, const char *text, size_t length, size_t 
         // Keep the first comment as a title; read headings, then rows.
         if (begin < last && *begin == '#') {
             begin += 1 + strspn(begin + 1, " ");
-            if (!*out->title && begin < last)
-                snprintf(out->title, sizeof out->title, "%.*s", (int)(last - begin), begin);
+            if (!*out->title && begin < last) csv_entitle(out, begin, (size_t)(last - begin));
         } else if (begin < last) {
             status = out->column_count == 0 ? csv_headings(&r, from, last) : csv_row(&r, from, last);
         }
@@ -173,13 +199,13 @@ void csv_free(csv_table *table) {
 }
 
 whirl_status csv_unit(const csv_table *table, size_t column, const char *si, const char *example, double *size) {
-    char text[CSV_TEXT];
+    char text[CSV_TEXT + sizeof "1 "];
     const csv_column *own = &table->columns[column];
     *size = 1.0;
     if (!*own->unit)
         return csv_fail(table, table->heading, own->place, "this column has no unit, expected one in brackets: [%s]",
                         example);
-    snprintf(text, sizeof text, "1 %.60s", own->unit);
+    snprintf(text, sizeof text, "1 %s", own->unit);
     if (whirl_quantity_value(text, si, size).code == WHIRL_OK && *size > 0.0) return whirl_ok();
     return csv_fail(table, table->heading, own->place, "[%.40s] is no unit of a %s", own->unit,
                     strcmp(si, "m") == 0     ? "length"

@@ -1,5 +1,6 @@
 #include "problem.h"
 #include "tree.h"
+#include "utf8.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -111,9 +112,7 @@ const char *text_shown(const char *text, char shown[SHOWN_SIZE]) {
     const size_t room = SHOWN_SIZE - 4;
     size_t length = strlen(text);
     const bool cut = length > room;
-    if (cut) length = room;
-    // Do not cut a character of several bytes.
-    while (cut && length > 0 && ((unsigned char)text[length] & 0xC0) == 0x80) length--;
+    if (cut) length = utf8_cut(text, room);
     for (size_t i = 0; i < length; i++) shown[i] = text[i] == '\n' || text[i] == '\t' ? ' ' : text[i];
     strcpy(shown + length, cut ? "..." : "");
     return shown;

@@ -33,8 +33,8 @@ typedef struct csv_table {
 
 /// Reads a table with at most `most_columns` columns. Commas, semicolons or tabs separate cells. Blanks and quotes
 /// around cells, empty lines and lines that begin with # are ignored. WHIRL_BAD_INPUT with the place of the error: more
-/// or fewer cells than headings, empty cells, text for numbers; WHIRL_NO_MEMORY. Freed by csv_free, after a failure,
-/// too.
+/// or fewer cells than headings, empty cells, cells of more than 95 bytes, text for numbers; WHIRL_NO_MEMORY. Freed by
+/// csv_free, after a failure, too.
 whirl_status csv_read(const char *path, const char *text, size_t length, size_t most_columns, csv_table *out);
 
 /// Does the same with a file of at most 1 GiB.
