@@ -6,27 +6,27 @@
 
 #include "figure_build.h"
 #include "figure_kinds.h"
+#include "number_name.h"
 #include "sensitivity_view.h"
-#include "spread_words.h"
 
 static void sensitivity_list(figure_list *to, const drawing *of, const whirl_table *table) {
     figure_place place = {.kind = &sensitivity_figure, .table = table, .point = NO_POINT};
     whirl_spread_of number;
     if (whirl_layout_field(&table->layout, WHIRL_FIELD_TRACE_SPECIAL)) return; // special points are listed
     for (; whirl_table_derived(of->result, table, place.which, &number); place.which++) {
-        char name[SPREAD_NAME], file[SPREAD_NAME];
+        char name[NUMBER_NAME_SIZE], file[NUMBER_NAME_SIZE];
         if (sensitivity_largest(table, place.which) == table->count) continue;
-        spread_name(table, &number, name);
+        number_name(table, &number, name);
         snprintf(file, sizeof file, "sensitivity-%.150s", name);
         list_figure(to, &place, file, "Sensitivity of %.100s", name);
     }
 }
 
 /// Writes the name of the number that a figure shows.
-static void name_number(const drawing *of, const figure_place *place, char name[SPREAD_NAME]) {
+static void name_number(const drawing *of, const figure_place *place, char name[NUMBER_NAME_SIZE]) {
     whirl_spread_of number;
     *name = '\0';
-    if (whirl_table_derived(of->result, place->table, place->which, &number)) spread_name(place->table, &number, name);
+    if (whirl_table_derived(of->result, place->table, place->which, &number)) number_name(place->table, &number, name);
 }
 
 /// Adds the panel with the change of the number along the varied parameter, a line for each parameter.
@@ -89,7 +89,7 @@ static void add_bars(whirl_figure *figure, const drawing *of, const figure_place
 }
 
 static void sensitivity_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
-    char name[SPREAD_NAME];
+    char name[NUMBER_NAME_SIZE];
     name_number(of, place, name);
     size_t known = 0;
     for (size_t i = 0; i < place->table->count; i++)

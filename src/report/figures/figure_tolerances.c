@@ -7,7 +7,7 @@
 
 #include "figure_build.h"
 #include "figure_kinds.h"
-#include "spread_words.h"
+#include "number_name.h"
 
 enum { CLASSES = 40 };
 
@@ -28,8 +28,8 @@ static void tolerances_list(figure_list *to, const drawing *of, const whirl_tabl
     figure_place place = {.kind = &tolerances_figure, .table = table, .point = NO_POINT};
     whirl_spread_of number;
     for (; whirl_table_asked(of->result, table, place.which, &number); place.which++) {
-        char name[SPREAD_NAME], file[SPREAD_NAME];
-        spread_name(table, &number, name);
+        char name[NUMBER_NAME_SIZE], file[NUMBER_NAME_SIZE];
+        number_name(table, &number, name);
         snprintf(file, sizeof file, "%.60s-%.100s", table->name, name);
         list_figure(to, &place, file, "Spread of %.100s", name);
     }
@@ -66,8 +66,8 @@ static double spread_nominal(const spread_view *v, size_t place) {
 }
 
 static void spread_axis(const spread_view *v, whirl_axis *axis) {
-    char name[SPREAD_NAME];
-    spread_name(v->table, &v->number, name);
+    char name[NUMBER_NAME_SIZE];
+    number_name(v->table, &v->number, name);
     snprintf(axis->label, sizeof axis->label, *v->unit.name ? "%.180s (%s)" : "%.180s", name, v->unit.name);
 }
 
@@ -223,7 +223,7 @@ static void tolerances_describe(const drawing *of, const figure_place *place, wh
                      .places = whirl_table_places(place->table),
                      .value = whirl_shown_parameter(of->units, place->table->parameter).size};
     if (!whirl_table_asked(of->result, place->table, place->which, &v.number)) return;
-    v.unit = spread_unit(of->units, place->table, &v.number);
+    v.unit = number_unit(of->units, place->table, &v.number);
     // Draw quantiles along the parameter, or a histogram if nothing varies.
     const bool along = v.places > 1 && place->table->count >= v.places;
     if (along)

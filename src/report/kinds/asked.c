@@ -10,7 +10,7 @@
 
 #include "asked.h"
 #include "margins.h"
-#include "scaled.h"
+#include "scaled_response.h"
 
 const double asked_decrement = 0.1;
 
@@ -130,7 +130,7 @@ static void ask_margin(const finder *of) {
                     all.unjudged, all.unjudged == 1 ? "" : "s");
 }
 
-static void ask_vibration(const finder *of, const scaled *by) {
+static void ask_vibration(const finder *of, const response_scale *by) {
     whirl_statement *own =
         find_judgement(of, "vibration at probes where it runs", "SP6.8.2.11", by->beyond ? WHIRL_FAILS : WHIRL_HOLDS);
     phrase_text(of, &own->asked, "at most ");
@@ -140,9 +140,9 @@ static void ask_vibration(const finder *of, const scaled *by) {
 }
 
 /// States the station whose scaled response takes the largest share of its clearance.
-static void ask_clearance(const finder *of, const scaled *by) {
-    scaled_row close;
-    if (!scaled_tightest(of->result, of->table, by, &close)) return;
+static void ask_clearance(const finder *of, const response_scale *by) {
+    scaled_response close;
+    if (!scaled_response_tightest(of->result, of->table, by, &close)) return;
     whirl_statement *own =
         find_judgement(of, "close clearances", "SP6.8.2.12", close.holds ? WHIRL_HOLDS : WHIRL_FAILS);
     phrase_text(of, &own->asked, "at most 75 %% of the diametral clearance");
@@ -155,15 +155,15 @@ static void ask_clearance(const finder *of, const scaled *by) {
 }
 
 void ask_response(const finder *of) {
-    scaled by;
+    response_scale by;
     if (!margin_asked(of->table)) return;
     ask_margin(of);
-    if (scaled_of(of->result, of->table, &by)) {
+    if (scaled_response_scale(of->result, of->table, &by)) {
         ask_vibration(of, &by);
         ask_clearance(of, &by);
     } else {
         whirl_statement *own = find_judgement(of, "vibration at probes, clearances", "SP6.8.2.11", WHIRL_NOT_KNOWN);
-        phrase_text(of, &own->judged, ": %s", scaled_lacks);
+        phrase_text(of, &own->judged, ": %s", scaled_response_lacks);
     }
 }
 

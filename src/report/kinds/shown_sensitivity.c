@@ -3,9 +3,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "number_name.h"
 #include "sensitivity_view.h"
 #include "shown_kinds.h"
-#include "spread_words.h"
 
 size_t sensitivity_parameters(const whirl_table *table) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_SENSITIVITY_PARAMETERS);
@@ -62,10 +62,10 @@ size_t sensitivity_order(const whirl_table *table, size_t point, size_t number, 
 static void state_at(const finder *of, const whirl_spread_of *own, size_t number, size_t point) {
     enum { NAMED = 3 };
     size_t order[WHIRL_MAX_SENSITIVITIES];
-    char name[SPREAD_NAME];
+    char name[NUMBER_NAME_SIZE];
     const size_t known = sensitivity_order(of->table, point, number, order);
     if (known == 0) return;
-    spread_name(of->table, own, name);
+    number_name(of->table, own, name);
     whirl_statement *statement = find_statement(of, "sensitivity");
     if (*of->table->parameter) statement_value(of, statement, point);
     phrase_text(of, &statement->found, "%s changes", name);
@@ -113,8 +113,8 @@ void find_derivatives(const finder *of) {
     }
     // Add a row for each number and point.
     for (size_t i = 0; whirl_table_derived(of->result, table, i, &own); i++) {
-        char name[SPREAD_NAME];
-        spread_name(table, &own, name);
+        char name[NUMBER_NAME_SIZE];
+        number_name(table, &own, name);
         const char *what = find_text(of->findings, "%s", name);
         for (size_t point = 0; point < table->count; point++) {
             bool any = false;

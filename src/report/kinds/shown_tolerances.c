@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "number_name.h"
 #include "shown_kinds.h"
-#include "spread_words.h"
 
 /// Writes the cell of the parameter's value; it is empty in a row about all values.
 static void cell_place(const finder *of, whirl_sheet *sheet, size_t place) {
@@ -28,9 +28,9 @@ static bool last_place(size_t place, size_t places) {
 
 /// Returns the number and its limits in words: "major of unbalance axes at disc, below 50 um".
 static const char *limits_text(const finder *of, const whirl_spread_of *own) {
-    const whirl_unit unit = spread_unit(of->units, of->table, own);
-    char name[SPREAD_NAME], above[WHIRL_NAME_SIZE] = "", below[WHIRL_NAME_SIZE] = "";
-    spread_name(of->table, own, name);
+    const whirl_unit unit = number_unit(of->units, of->table, own);
+    char name[NUMBER_NAME_SIZE], above[WHIRL_NAME_SIZE] = "", below[WHIRL_NAME_SIZE] = "";
+    number_name(of->table, own, name);
     const char *gap = *unit.name ? " " : "";
     if (isfinite(own->above))
         snprintf(above, sizeof above, "not above %.6g%s%.30s", own->above / unit.size, gap, unit.name);
@@ -86,10 +86,28 @@ static size_t list_numbers(const finder *of, whirl_spread_of numbers[MAX_ASKED])
     return count;
 }
 
+enum { MAX_VERDICTS = 32 };
+
+/// Lists the different verdicts of a table, in the order of their first points; returns their number.
+static size_t tolerances_verdicts(const whirl_table *table, whirl_verdict verdicts[MAX_VERDICTS]) {
+    size_t count = 0;
+    for (size_t point = 0; point < table->count && whirl_layout_has_verdict(&table->layout); point++) {
+        if (!whirl_table_done(table, point)) continue;
+        const whirl_verdict own = whirl_table_verdict(table, point);
+        size_t i = 0;
+        if (own.regime == WHIRL_UNDETERMINED || own.regime == WHIRL_NOT_JUDGED) continue;
+        while (i < count &&
+               (verdicts[i].regime != own.regime || (own.regime == WHIRL_PERIODIC && verdicts[i].period != own.period)))
+            i++;
+        if (i == count && count < MAX_VERDICTS) verdicts[count++] = own;
+    }
+    return count;
+}
+
 /// Lists all probabilities of a table: of limits, of touching, of verdicts. Returns their number.
 static size_t list_chances(const finder *of, const whirl_spread_of *numbers, size_t number_count,
                            asked_chance chances[2 * MAX_ASKED]) {
-    whirl_verdict verdicts[SPREAD_VERDICTS];
+    whirl_verdict verdicts[MAX_VERDICTS];
     size_t count = 0;
     for (size_t i = 0; i < number_count; i++)
         if (isfinite(numbers[i].above) || isfinite(numbers[i].below))
@@ -97,7 +115,7 @@ static size_t list_chances(const finder *of, const whirl_spread_of *numbers, siz
     const whirl_field *share = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUB_SHARE);
     if (share && share->repeat > 0 && of->result->contact_count > 0)
         chances[count++] = (asked_chance){.what = "a contact closes", .chance = WHIRL_CHANCE_TOUCH};
-    const size_t found = spread_verdicts(of->table, verdicts);
+    const size_t found = tolerances_verdicts(of->table, verdicts);
     for (size_t i = 0; i < found; i++) {
         char name[WHIRL_NAME_SIZE];
         if (verdicts[i].regime == WHIRL_PERIODIC)
@@ -184,9 +202,9 @@ static void find_spread(const finder *of, const whirl_spread_of *number, const c
     static const char *const headings[WHIRL_QUANTILES] = {"5 %", "25 %", "median", "75 %", "95 %"};
     // Set up the columns.
     const size_t places = whirl_table_places(of->table);
-    const whirl_unit unit = spread_unit(of->units, of->table, number);
-    char name[SPREAD_NAME];
-    spread_name(of->table, number, name);
+    const whirl_unit unit = number_unit(of->units, of->table, number);
+    char name[NUMBER_NAME_SIZE];
+    number_name(of->table, number, name);
     whirl_sheet *sheet = find_sheet(of, sheet_name, find_text(of->findings, "Spread of %s", name));
     sheet->of_points = true;
     if (places > 1) sheet->about = "The row without a value of the parameter is about the worst of all values.";
@@ -243,7 +261,7 @@ static void find_indices(const finder *of, const whirl_spread_of *numbers, size_
                          const asked_chance *chances, size_t chance_count) {
     // Set up the columns.
     const size_t places = whirl_table_places(of->table);
-    char name[SPREAD_NAME];
+    char name[NUMBER_NAME_SIZE];
     whirl_sheet *sheet = find_sheet(of, "indices", "Parts of the variance that parameters cause");
     sheet->about =
         "Alone: the part that vanishes if this parameter alone is known. With others: the part that is left if "
@@ -264,7 +282,7 @@ static void find_indices(const finder *of, const whirl_spread_of *numbers, size_
                                                : chance_at(of, &chances[i - number_count], place, 0, &s);
             note_failure(of, &status);
             if (status.code != WHIRL_OK) break;
-            if (number) spread_name(of->table, &numbers[i], name);
+            if (number) number_name(of->table, &numbers[i], name);
             index_rows(of, sheet,
                        number ? find_text(of->findings, "%s", name)
                               : find_text(of->findings, "probability of %s", chances[i - number_count].what),
@@ -281,7 +299,7 @@ static void find_convergence(const finder *of, const whirl_spread_of *numbers, s
     // With several values of the parameter, take the worst of them.
     const size_t all = (size_t)of->table->tolerances.samples,
                  place = whirl_table_places(of->table) > 1 ? WHIRL_ANYWHERE : 0;
-    char name[SPREAD_NAME];
+    char name[NUMBER_NAME_SIZE];
     // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "convergence", "The same estimates from fewer samples");
     sheet->about = "From the first quarter and half of the samples, which are those of a study with so many. Means and "
@@ -298,7 +316,7 @@ static void find_convergence(const finder *of, const whirl_spread_of *numbers, s
     for (size_t i = 0; i < number_count + chance_count; i++) {
         const bool number = i < number_count;
         whirl_spread parts[3] = {{.samples = 0}};
-        if (number) spread_name(of->table, &numbers[i], name);
+        if (number) number_name(of->table, &numbers[i], name);
         for (size_t k = 0; k < 3; k++) {
             const size_t some = all >> (2 - k);
             const whirl_status status =

@@ -4,7 +4,7 @@
 
 #include "asked.h"
 #include "margins.h"
-#include "scaled.h"
+#include "scaled_response.h"
 #include "shown_kinds.h"
 
 static const double degree = 3.14159265358979323846 / 180.0;
@@ -88,15 +88,15 @@ static void find_peaks(const finder *of) {
 }
 
 /// Adds the sheet of the share of clearances that scaled responses take.
-static void find_clearances(const finder *of, const scaled *by) {
+static void find_clearances(const finder *of, const response_scale *by) {
     // Compute the shares of clearances.
     whirl_sheet *sheet = find_sheet(of, "clearances", "Scaled responses and clearances");
-    scaled_row *rows = malloc((of->result->station_count + 1) * sizeof *rows);
+    scaled_response *rows = malloc((of->result->station_count + 1) * sizeof *rows);
     if (!rows) {
         of->findings->failed = true;
         return;
     }
-    const size_t count = scaled_rows(of->result, of->table, by, rows);
+    const size_t count = scaled_response_all(of->result, of->table, by, rows);
     // Set up the columns.
     sheet_texts(of, sheet, "station", "station");
     sheet_column(of, sheet, "axis", "scaled major axis", WHIRL_QUANTITY_SPAN, 4);
@@ -105,7 +105,7 @@ static void find_clearances(const finder *of, const scaled *by) {
     sheet_column(of, sheet, "share", "share", WHIRL_QUANTITY_PERCENT, 3);
     sheet_texts(of, sheet, "verdict", "75 % allowed");
     // Add a row for each station with a clearance.
-    for (const scaled_row *row = rows; row < rows + count; row++) {
+    for (const scaled_response *row = rows; row < rows + count; row++) {
         sheet_row(of, sheet);
         cell_station(of, sheet, row->station);
         cell_number(of, sheet, row->axis);
@@ -121,10 +121,10 @@ static void find_clearances(const finder *of, const scaled *by) {
 /// States the factor by which responses are scaled, or why they are not scaled.
 static void find_scaled(const finder *of) {
     // If the limit or running speeds are missing, state that.
-    scaled by;
-    if (!scaled_of(of->result, of->table, &by)) {
+    response_scale by;
+    if (!scaled_response_scale(of->result, of->table, &by)) {
         if (!margin_asked(of->table)) return;
-        phrase_text(of, &find_statement(of, "scaled responses")->found, "none: %s", scaled_lacks);
+        phrase_text(of, &find_statement(of, "scaled responses")->found, "none: %s", scaled_response_lacks);
         return;
     }
     // State the limit, the largest response and the factor.

@@ -11,7 +11,7 @@
 #include "motions_text.h"
 #include "page.h"
 #include "page_findings.h"
-#include "scaled.h"
+#include "scaled_response.h"
 #include "shown_kinds.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/case.h"
@@ -155,7 +155,7 @@ static void write_figures(const page *to, size_t result, const whirl_table *tabl
         const drawn_figure *what = &to->figures->items[i];
         if (what->table != table || what->whole) continue;
         const size_t station = what->name.station;
-        if (!response || station == SIZE_MAX || scaled_watches(to->results[result], table, station))
+        if (!response || station == SIZE_MAX || scaled_response_checks(to->results[result], table, station))
             page_figure(to, what);
         else
             left++;

@@ -1,13 +1,12 @@
-// Names and units of numbers whose spread over samples is shown.
 #include <stdio.h>
 #include <string.h>
 
-#include "spread_words.h"
+#include "number_name.h"
 
 /// Names of usual numbers. The number of the row is appended to a name that ends with a blank.
 static const struct {
     const char *field, *column, *name;
-} spread_names[] = {
+} number_names[] = {
     {WHIRL_FIELD_MODES_FREQUENCY, "", "frequency of mode "},
     {WHIRL_FIELD_MODES_DAMPING_RATIO, "", "damping ratio of mode "},
     {WHIRL_FIELD_MODES_DECREMENT, "", "decrement of mode "},
@@ -22,31 +21,32 @@ static const struct {
     {WHIRL_FIELD_TRACE_SPECIAL, "", "value of the special point"},
 };
 
-void spread_name(const whirl_table *table, const whirl_spread_of *of, char text[SPREAD_NAME]) {
+void number_name(const whirl_table *table, const whirl_spread_of *of, char text[NUMBER_NAME_SIZE]) {
     size_t i = 0, used;
-    while (i < sizeof spread_names / sizeof *spread_names &&
-           (strcmp(spread_names[i].field, of->field) != 0 || strcmp(spread_names[i].column, of->column) != 0))
+    while (i < sizeof number_names / sizeof *number_names &&
+           (strcmp(number_names[i].field, of->field) != 0 || strcmp(number_names[i].column, of->column) != 0))
         i++;
-    if (i < sizeof spread_names / sizeof *spread_names) {
-        used = (size_t)snprintf(text, SPREAD_NAME, "%s", spread_names[i].name);
-        if (text[used - 1] == ' ') snprintf(text + used, SPREAD_NAME - used, "%zu", of->row + 1);
+    if (i < sizeof number_names / sizeof *number_names) {
+        used = (size_t)snprintf(text, NUMBER_NAME_SIZE, "%s", number_names[i].name);
+        if (text[used - 1] == ' ') snprintf(text + used, NUMBER_NAME_SIZE - used, "%zu", of->row + 1);
     } else {
         // Keep the group of the field, which shows of what a "speed" or "angle" is, and append the number of the row.
         const whirl_field *field = whirl_layout_field(&table->layout, of->field);
         const char *last = strrchr(of->field, '/'), *own = last ? last + 1 : of->field;
         const size_t group = strcspn(of->field, "/");
-        snprintf(text, SPREAD_NAME, "%s%s%.*s %s", of->column, *of->column ? " of " : "", (int)group, of->field, own);
+        snprintf(text, NUMBER_NAME_SIZE, "%s%s%.*s %s", of->column, *of->column ? " of " : "", (int)group, of->field,
+                 own);
         for (char *c = text; *c; c++)
             if (*c == '_') *c = ' ';
         used = strlen(text);
-        if (field && field->rows > 1) snprintf(text + used, SPREAD_NAME - used, " %zu", of->row + 1);
+        if (field && field->rows > 1) snprintf(text + used, NUMBER_NAME_SIZE - used, " %zu", of->row + 1);
     }
     used = strlen(text);
-    if (*of->at) snprintf(text + used, SPREAD_NAME - used, " at %s", of->at);
+    if (*of->at) snprintf(text + used, NUMBER_NAME_SIZE - used, " at %s", of->at);
 }
 
 /// Returns the index of a column by its name, or 0 if it is unknown.
-static size_t spread_column(const whirl_field *field, const char *column) {
+static size_t number_column(const whirl_field *field, const char *column) {
     char names[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE];
     size_t i = 0;
     if (!whirl_field_column_names(field, names)) return 0;
@@ -54,11 +54,11 @@ static size_t spread_column(const whirl_field *field, const char *column) {
     return i < field->columns ? i : 0;
 }
 
-whirl_unit spread_unit(const whirl_shown_units *units, const whirl_table *table, const whirl_spread_of *of) {
+whirl_unit number_unit(const whirl_shown_units *units, const whirl_table *table, const whirl_spread_of *of) {
     const whirl_field *field = whirl_layout_field(&table->layout, of->field);
     whirl_unit plain = {.size = 1.0};
     if (!field) return plain;
-    const char *unit = whirl_column_unit(field, spread_column(field, of->column));
+    const char *unit = whirl_column_unit(field, number_column(field, of->column));
     if (strcmp(unit, "length") == 0)
         return units->of[whirl_field_counting(field) == WHIRL_AMPLITUDE ? WHIRL_QUANTITY_SIZE : WHIRL_QUANTITY_LENGTH];
     if (strcmp(unit, "force") == 0) return units->of[WHIRL_QUANTITY_FORCE];
@@ -68,19 +68,4 @@ whirl_unit spread_unit(const whirl_shown_units *units, const whirl_table *table,
     if (chosen.size > 0.0) return chosen;
     if (strcmp(unit, "1") != 0) snprintf(plain.name, sizeof plain.name, "%s", unit);
     return plain;
-}
-
-size_t spread_verdicts(const whirl_table *table, whirl_verdict verdicts[SPREAD_VERDICTS]) {
-    size_t count = 0;
-    for (size_t point = 0; point < table->count && whirl_layout_has_verdict(&table->layout); point++) {
-        if (!whirl_table_done(table, point)) continue;
-        const whirl_verdict own = whirl_table_verdict(table, point);
-        size_t i = 0;
-        if (own.regime == WHIRL_UNDETERMINED || own.regime == WHIRL_NOT_JUDGED) continue;
-        while (i < count &&
-               (verdicts[i].regime != own.regime || (own.regime == WHIRL_PERIODIC && verdicts[i].period != own.period)))
-            i++;
-        if (i == count && count < SPREAD_VERDICTS) verdicts[count++] = own;
-    }
-    return count;
 }
