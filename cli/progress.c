@@ -51,10 +51,12 @@ static void state_text(const whirl_progress *progress, char *text, size_t size) 
     }
     // Points at rest have no revolutions, and count as one each.
     const bool resting = progress->revolutions_total == (double)progress->points_total;
-    snprintf(text, size, "%s%3.0f %%, %zu of %zu points%s, %.0f %s/s, %s left", round,
-             floor(100 * done_share(progress)), progress->points_done, progress->points_total,
-             progress->stage == WHIRL_STAGE_CONFIRM ? " confirmed" : "", rate, resting ? "points" : "revolutions",
-             left);
+    // A run-up may take minutes: then its share counts, and no number of points per second.
+    char speed[48] = "";
+    if (!resting || rate >= 1.0) snprintf(speed, sizeof speed, " %.0f %s/s,", rate, resting ? "points" : "revolutions");
+    snprintf(text, size, "%s%3.0f %%, %zu of %zu points%s,%s %s left", round, floor(100 * done_share(progress)),
+             progress->points_done, progress->points_total, progress->stage == WHIRL_STAGE_CONFIRM ? " confirmed" : "",
+             speed, left);
 }
 
 static void draw_bar(const whirl_progress *progress, const char *state) {

@@ -16,8 +16,8 @@ static void run_passed(double time) {
 }
 #endif
 
-static void run_watch(void *watcher, double time) {
-    (void)watcher;
+static void run_watch(void *watcher, double time, double share) {
+    (void)watcher, (void)share;
     run_passed(time);
 }
 

@@ -662,6 +662,7 @@ static void running_add_shake(const running_rotor *r, double w, const double *x,
     const double by_angle = 1.0 / (r->unit * r->unit * w * w);
     for (size_t way = 0; way < 2; way++) {
         const whirl_run_formula formula = (whirl_run_formula)(WHIRL_FORMULA_GROUND_X + way);
+        r->shake[way] = 0.0;
         if (!running_has(r, formula)) continue;
         r->shake[way] = running_value(r, formula, x[r->at_speed + 1] / r->unit, x[r->at_speed] * r->unit);
         for (size_t i = 0; i < n; i++) a[i] -= r->shake[way] * by_angle * r->shaken[way * n + i];

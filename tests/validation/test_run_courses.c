@@ -140,6 +140,25 @@ static void ground_that_shakes(void **state) {
     whirl_result_free(result);
 }
 
+/// The balance of torques at constant speeds does not know that the ground shakes.
+static void ground_leaves_stationary_speeds(void **state) {
+    static const char *const grounds[] = {"", "    ground_y: = 3*cos(2*time)\n    ground_x: = 2*sin(2*time)\n"};
+    double speed[2], fold[2];
+    (void)state;
+    for (size_t i = 0; i < 2; i++) {
+        char study[SIZE / 4];
+        snprintf(study, sizeof study, "    duration: 3 s\n%s", grounds[i]);
+        whirl_result *result =
+            run_disc(", damping: 0.04 N.s/m, eccentricity: 1 m",
+                     "    - drive: {inertia: 2000 kg.m2, torque: 20 N.m, no_load_speed: 2 rad/s}\n", study);
+        speed[i] = first_number(result, WHIRL_FIELD_RUNUP_STATIONARY, 0, 0);
+        fold[i] = first_number(result, WHIRL_FIELD_RUNUP_FOLD, 0, 1);
+        whirl_result_free(result);
+    }
+    check_within("Courses", "ground that shakes: stationary speed", speed[0], speed[1], 0.0);
+    check_within("Courses", "ground that shakes: factor of the fold", fold[0], fold[1], 0.0);
+}
+
 /// A ground that rises at g is gravity: on a shaft of elements with discs, and for the torque of unbalances.
 static void ground_is_gravity(void **state) {
     static const char machine[] = "whirl: 1\n"
@@ -235,10 +254,15 @@ static void changes_one_after_another(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(speeds_of_a_table),   cmocka_unit_test(rate_of_a_formula),
-        cmocka_unit_test(torque_of_a_formula), cmocka_unit_test(formulas_are_elements),
-        cmocka_unit_test(ground_that_shakes),  cmocka_unit_test(ground_is_gravity),
-        cmocka_unit_test(event_of_a_formula),  cmocka_unit_test(changes_one_after_another),
+        cmocka_unit_test(speeds_of_a_table),
+        cmocka_unit_test(rate_of_a_formula),
+        cmocka_unit_test(torque_of_a_formula),
+        cmocka_unit_test(formulas_are_elements),
+        cmocka_unit_test(ground_that_shakes),
+        cmocka_unit_test(ground_is_gravity),
+        cmocka_unit_test(ground_leaves_stationary_speeds),
+        cmocka_unit_test(event_of_a_formula),
+        cmocka_unit_test(changes_one_after_another),
     };
     return cmocka_run_group_tests_name("courses of runs", tests, NULL, NULL);
 }

@@ -8,6 +8,7 @@
 #include <cmocka.h>
 
 #include "support_check.h"
+#include "support_runs.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/integrate.h"
 #include "whirl/engine/linear.h"
@@ -113,28 +114,14 @@ static bool ledger_touches(const void *model, size_t index) {
     return inner->switch_touches(inner->model, index);
 }
 
-/// Makes machines of a case at any speed.
-typedef struct made_at {
-    const whirl_study *study;
-    double value;
-} made_at;
-
-static whirl_status make_at(const void *context, double speed, whirl_machine *machine) {
-    const made_at *at = context;
-    whirl_batch batch = at->study->batches[0];
-    batch.variant = WHIRL_AS_GIVEN;
-    batch.speed = speed;
-    return at->study->machine(at->study->family, &batch, at->value, machine);
-}
-
 /// Opens the machine of a case, driven by its torques from rest on, at its equilibrium: x, the state.
-static void ledger_open(ledger *own, const made_at *at, double *x) {
+static void ledger_open(ledger *own, const run_point *at, double *x) {
     whirl_machine machine;
-    require_ok(at->study->machine(at->study->family, &at->study->batches[0], at->value, &machine));
+    require_ok(run_point_machine(at, 0.0, &machine));
     const double highest = machine.drive_speed;
     machine.release(machine.owner);
-    require_ok(whirl_running_new(make_at, at, 0.0, highest, true, &own->running));
-    require_ok(make_at(at, highest / 256.0, &machine));
+    require_ok(whirl_running_new(run_point_machine, at, 0.0, highest, true, &own->running));
+    require_ok(run_point_machine(at, highest / 256.0, &machine));
     memcpy(x, machine.start, machine.system->dimension * sizeof *x);
     require_ok(whirl_equilibrium(machine.system, x));
     machine.release(machine.owner);
@@ -335,7 +322,7 @@ static void check_balance(const run_of *run, double rtol) {
     require_ok(whirl_case_load(words("%s/%s.yaml", WHIRL_CASES, run->file), &problems, &object));
     require_ok(whirl_case_study(object, &study));
     const whirl_batch *batch = &study.batches[0];
-    const made_at at = {&study, batch->values ? batch->values[run->point] : NAN};
+    const run_point at = {.study = &study, .value = batch->values ? batch->values[run->point] : NAN};
     ledger own = {.length = run->length, .find = run->find};
     ledger_open(&own, &at, x);
     x[own.running->by_time->dimension - 3] = run->from / own.running->unit;

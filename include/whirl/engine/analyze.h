@@ -243,6 +243,18 @@ typedef struct whirl_measured {
     const double *x, *y;   ///< [stations][turns][samples] displacements in the unit of length of the block
 } whirl_measured;
 
+/// Saving of a long computation of a point, so that another process can continue it; no bit of the result depends on
+/// it.
+typedef struct whirl_saving {
+    void *saved;       ///< [saved_size] state from which the computation continues; NULL: it begins at its start
+    size_t saved_size; ///< bytes
+    /// Returns true if the state is to be saved now; called after every turn of a run-up. NULL: it is never saved.
+    bool (*due)(void *context);
+    /// Receives the state, which is of that many turns. A failure is not an error.
+    void (*save)(void *context, double turns, const void *bytes, size_t size);
+    void *context; ///< passed to both
+} whirl_saving;
+
 /// A machine at rest, for its analyses.
 typedef struct whirl_resting {
     const whirl_system *system;     ///< the machine; for a measured run its stations
@@ -268,9 +280,11 @@ typedef struct whirl_resting {
     whirl_status (*running)(const void *context, double lowest, double highest, bool driven, size_t count,
                             const unsigned char *happened, whirl_running **running);
     const void *context; ///< passed to at_speed, at_frequency and running
-    /// Called by run-ups after every turn, with the time up to which the block is filled in, s; NULL: not called.
-    void (*passed)(void *watcher, double time);
+    /// Called by run-ups after every turn, with the time up to which the block is filled in, s, and the share of the
+    /// run that is done; NULL: not called.
+    void (*passed)(void *watcher, double time, double share);
     void *watcher;                  ///< passed to it
+    const whirl_saving *saving;     ///< NULL, or how the state of a run-up is saved
     double drive_speed;             ///< whirl_machine.drive_speed
     const whirl_run_course *course; ///< whirl_machine.course
     const whirl_stop *stop;         ///< NULL, or becomes true when long work shall end; its numbers mean nothing then

@@ -155,9 +155,9 @@ typedef struct whirl_study {
 } whirl_study;
 
 /// A share of a study for one of several runs that compute it together. Points are dealt one by one, except that each
-/// direction of a carried sweep and each 8 neighbours at rest stay together, and all branches belong to the first
-/// share. Of a refined map first squares are dealt; points on an edge between two belong to both shares, with the same
-/// bits.
+/// direction of a carried sweep and each 8 neighbours at rest but run-ups stay together, and all branches belong to the
+/// first share. Of a refined map first squares are dealt; points on an edge between two belong to both shares, with the
+/// same bits.
 typedef struct whirl_share {
     size_t number; ///< number of the share, 1 to count
     size_t count;  ///< number of shares; 0: not shared
@@ -219,8 +219,9 @@ struct whirl_point_store {
 
 /// A dealer: deals points of a study to several runs that compute it at the same time, each with a store of its own.
 /// Points are dealt in pieces: a point and its confirmation one by one, each direction of a carried sweep as a whole,
-/// confirmed by the run that followed it, neighbours at rest by eights. Branches and tori are not dealt: the gathering
-/// run follows them. No bit of a result depends on the dealing. `open` and `claim` are called by one thread at a time.
+/// confirmed by the run that followed it, neighbours at rest by eights, run-ups one by one. Branches and tori are not
+/// dealt: the gathering run follows them. No bit of a result depends on the dealing. `open` and `claim` are called by
+/// one thread at a time.
 typedef struct whirl_dealer {
     int threads; ///< threads of all runs together
     /// Returns true if a point, given by a store's batch and slot, is to be computed by one of the runs: false if it

@@ -252,6 +252,7 @@ typedef struct filling {
     runup_views views;
     runup_history *histories; ///< [torques]
     whirl_status status;      ///< status of the views and histories
+    bool stale;               ///< the saved state of the run does not fit
 } filling;
 
 static double *runup_at_row(const filling *f, size_t field, size_t which, size_t columns) {
@@ -325,8 +326,61 @@ static void runup_fill_row(void *context, const runup_turn *turn) {
     torque[2] = turn->torques.friction;
     torque[3] = turn->torques.rotor;
     torque[4] = turn->torques.drag;
-    if (f->point->passed) f->point->passed(f->point->watcher, turn->end);
+    if (f->point->passed) f->point->passed(f->point->watcher, turn->end, fmin(turn->end / f->duration, 1.0));
 }
+
+// ---------------------------------------------------------------- runs that are saved
+
+/// Processes everything that the rest of a run depends on: the numbers that are filled in, and the state of the run.
+static void runup_archive_filling(filling *f, runup_state *state, archive *a) {
+    for (size_t k = 0; k < FIELD_COUNT; k++) {
+        const whirl_field *field = f->view->fields[k];
+        if (field)
+            archive_part(a, view_numbers(f->view, k, 0),
+                         field->repeat * field->rows * field->columns * sizeof *f->view->block);
+    }
+    archive_part(a, f->radius, f->system->probe_count * sizeof *f->radius);
+    archive_part(a, f->force, f->contacts * sizeof *f->force);
+    archive_count(a, &f->row, f->rows);
+    runup_views_archive(&f->views, a);
+    runup_cycles_archive(f->histories, f->torques, a);
+    runup_archive(state, a);
+}
+
+/// Saves a run after a turn if it is time to. A failure is not an error.
+static void runup_save(void *context, runup_state *state) {
+    filling *f = context;
+    const whirl_saving *to = f->point->saving;
+    if (!to || !to->due || f->status.code != WHIRL_OK || !to->due(to->context)) return;
+    archive a = {.way = ARCHIVE_MEASURE, .sound = true};
+    runup_archive_filling(f, state, &a);
+    a = (archive){ARCHIVE_WRITE, malloc(a.at), a.at, 0, true};
+    if (!a.bytes) return;
+    runup_archive_filling(f, state, &a);
+    if (a.sound) to->save(to->context, runup_turns_of(state), a.bytes, a.size);
+    free(a.bytes);
+}
+
+/// Continues a run from its saved state. Returns false if that does not fit.
+static bool runup_restore(void *context, runup_state *state) {
+    filling *f = context;
+    const whirl_saving *from = f->point->saving;
+    archive a = {ARCHIVE_READ, from->saved, from->saved_size, 0, true};
+    runup_archive_filling(f, state, &a);
+    f->stale = !a.sound || a.at != a.size;
+    return !f->stale;
+}
+
+/// Empties all numbers of a run.
+static void runup_empty(const block_view *view) {
+    for (size_t k = 0; k < FIELD_COUNT; k++) {
+        const whirl_field *field = view->fields[k];
+        for (size_t i = 0; field && i < field->repeat * field->rows * field->columns; i++)
+            view_numbers(view, k, 0)[i] = NAN;
+    }
+}
+
+// ---------------------------------------------------------------- the run
 
 /// Returns the highest speed that the run may reach, which determines how many numbers it has.
 static double runup_highest_speed(const whirl_resting *point, const whirl_runup_options *o) {
@@ -455,9 +509,9 @@ static whirl_status runup_make_machine(const void *context, size_t count, const 
     return c->point->running(c->point->context, c->lowest, c->highest, c->driven, count, happened, running);
 }
 
-/// Runs a machine that `c` made.
+/// Runs a machine that `c` made, from the saved state of the point if `resume`. *stale: the state does not fit.
 static whirl_status runup_run_machine(whirl_running *running, const changing *c, const whirl_runup_options *o,
-                                      const block_view *view) {
+                                      const block_view *view, bool resume, bool *stale) {
     const whirl_resting *point = c->point;
     const whirl_system *system = running->by_angle;
     const size_t d = system->dimension, probes = system->probe_count, contacts = running->contact_count;
@@ -484,7 +538,9 @@ static whirl_status runup_run_machine(whirl_running *running, const changing *c,
                        .angle = o->angle,
                        .see = runup_fill_row,
                        .watch = runup_fill_torques,
-                       .context = &f};
+                       .context = &f,
+                       .turned = runup_save,
+                       .resume = resume ? runup_restore : NULL};
     f.histories = calloc(torques + 1, sizeof *f.histories);
     whirl_status status = numbers && peaks && touched && extremes && f.histories
                               ? whirl_ok()
@@ -513,6 +569,7 @@ static whirl_status runup_run_machine(whirl_running *running, const changing *c,
     if (status.code == WHIRL_OK && torques > 0)
         status = runup_cycles_count(f.histories, torques, point->system, runup_first_path(running, point->system),
                                     view_numbers(view, CYCLES, 0), view_numbers(view, DAMAGE, 0));
+    *stale = f.stale;
     runup_cycles_free(f.histories, torques);
     runup_views_free(&f.views);
     free(numbers);
@@ -629,7 +686,13 @@ static whirl_status runup_compute(const whirl_resting *point, const whirl_record
     const changing c = {point, runup_lowest_speed(point, &o), runup_highest_speed(point, &o), whirl_runup_driven(&o)};
     whirl_running *running = NULL;
     whirl_status status = runup_make_machine(&c, 0, NULL, &running);
-    if (status.code == WHIRL_OK) status = runup_run_machine(running, &c, &o, view);
+    const bool resume = point->saving && point->saving->saved;
+    bool stale = false;
+    if (status.code == WHIRL_OK) status = runup_run_machine(running, &c, &o, view, resume, &stale);
+    if (stale) {
+        runup_empty(view);
+        status = runup_run_machine(running, &c, &o, view, false, &stale);
+    }
     if (status.code == WHIRL_OK && view_numbers(view, STATIONARY, 0))
         status = runup_find_stationary(point, running, o.drag, (size_t)o.stationary, c.highest,
                                        view_numbers(view, STATIONARY, 0), view_numbers(view, FOLD, 0));

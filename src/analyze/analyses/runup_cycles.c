@@ -94,6 +94,35 @@ whirl_status runup_cycles_count(const runup_history *histories, size_t torques, 
     return whirl_ok();
 }
 
+/// Reserves memory for the turning points of a saved history. Returns false without memory.
+static bool cycles_reserve(runup_history *own, size_t count) {
+    if (count <= own->capacity) return true;
+    double *longer = realloc(own->values, count * sizeof *longer);
+    if (!longer) return false;
+    own->values = longer;
+    own->capacity = count;
+    return true;
+}
+
+void runup_cycles_archive(runup_history *histories, size_t torques, archive *a) {
+    for (size_t t = 0; t < torques; t++) {
+        runup_history *own = &histories[t];
+        size_t count = own->count;
+        archive_count(a, &count, MAX_TURNING_POINTS);
+        if (!a->sound || !cycles_reserve(own, count)) {
+            a->sound = false;
+            return;
+        }
+        own->count = count;
+        archive_part(a, own->values, count * sizeof *own->values);
+        archive_part(a, &own->full, sizeof own->full);
+        archive_part(a, &own->idle, sizeof own->idle);
+        archive_part(a, &own->began, sizeof own->began);
+        archive_part(a, &own->time, sizeof own->time);
+        archive_part(a, &own->open, sizeof own->open);
+    }
+}
+
 void runup_cycles_free(runup_history *histories, size_t torques) {
     for (size_t t = 0; histories && t < torques; t++) free(histories[t].values);
     free(histories);

@@ -3,6 +3,7 @@
 #define ANALYZE_RUNUP_PARTS_H
 
 #include "analysis.h"
+#include "archive.h"
 #include "runup/runup.h"
 
 /// Fields of run-ups, in the order of the block.
@@ -111,6 +112,9 @@ bool runup_cycles_note(runup_history *histories, size_t torques, double time, co
 /// the system's torsion. WHIRL_NO_MEMORY.
 whirl_status runup_cycles_count(const runup_history *histories, size_t torques, const whirl_system *system,
                                 size_t first, double *out, double *damage);
+/// Processes the turning points so far.
+void runup_cycles_archive(runup_history *histories, size_t torques, archive *a);
+
 void runup_cycles_free(runup_history *histories, size_t torques);
 
 /// Returns the number of bins of a spectrum of a run. Their orders are multiples of 1/spectrum_turns up to
@@ -124,6 +128,9 @@ void runup_views_free(runup_views *views);
 
 /// Takes a turn into account: fills what is due before it. WHIRL_NO_MEMORY.
 whirl_status runup_views_add(runup_views *views, const runup_turn *turn);
+
+/// Processes what views of later turns depend on.
+void runup_views_archive(runup_views *views, archive *a);
 
 /// Fills what is unfinished when the run ends at `time`. WHIRL_NO_MEMORY.
 whirl_status runup_views_end(runup_views *views, double time);

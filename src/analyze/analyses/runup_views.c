@@ -179,6 +179,21 @@ whirl_status runup_views_add(runup_views *views, const runup_turn *turn) {
     return status;
 }
 
+void runup_views_archive(runup_views *views, archive *a) {
+    const size_t all = views->samples.probes + views->samples.contacts;
+    turn_history *history = &views->history;
+    if (!views->samples.numbers) return;
+    archive_count(a, &views->spectra, (size_t)views->options->spectra);
+    archive_count(a, &views->orbits, (size_t)views->options->orbits);
+    archive_part(a, &views->turns, sizeof views->turns);
+    archive_part(a, &views->events, sizeof views->events);
+    archive_part(a, views->largest, all * sizeof *views->largest);
+    archive_part(a, views->due, WHIRL_RUNUP_WAVEFORMS * all * sizeof *views->due);
+    archive_count(a, &history->held, 2 * history->capacity);
+    archive_part(a, history->numbers, history->held * history->turn * sizeof *history->numbers);
+    archive_part(a, &history->end, sizeof history->end);
+}
+
 whirl_status runup_views_end(runup_views *views, double time) {
     if (!views->samples.numbers) return whirl_ok();
     runup_fill_waveforms(views, true);

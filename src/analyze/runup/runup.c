@@ -26,7 +26,7 @@ typedef struct runup_side {
     whirl_integrator *part[2]; ///< by the angle, by time
 } runup_side;
 
-typedef struct runner {
+typedef struct runup_state {
     whirl_running *machine;                   ///< machine of sides[side]
     runup_side sides[1 + WHIRL_MAX_EVENTS];   ///< before all changes, after the first, ...
     size_t side, side_count;                  ///< the present one, and how many there are
@@ -65,6 +65,8 @@ typedef struct runner {
     double *copy;                    ///< [most] a motion that began nearby; NULL: none, or it was lost
     double size;                     ///< largest radius so far
     double growth, least, least_at;  ///< logarithm of the growth of its distance, the least so far, and when, s
+    size_t settled;                  ///< turns of settling behind
+    bool begun;                      ///< settling is over
     runup_run *run;
 } runner;
 
@@ -616,15 +618,21 @@ static whirl_status runup_add_integrators(const runner *r, runup_side *side) {
     return status;
 }
 
+/// Makes the machine after one more of the events in `happened`.
+static void runup_add_side(runner *r) {
+    const size_t next = r->side_count;
+    r->status = r->plan->change(r->plan->change_context, next, r->happened, &r->sides[next].machine);
+    if (r->status.code == WHIRL_OK) r->status = runup_add_integrators(r, &r->sides[next]);
+    if (r->status.code == WHIRL_OK) r->side_count++;
+}
+
 /// Continues with the machine that the events of the course have made so far.
 static void runup_change(runner *r, size_t of) {
     const size_t next = r->side_count;
-    r->happened[next - 1] = (unsigned char)of;
-    r->status = r->plan->change(r->plan->change_context, next, r->happened, &r->sides[next].machine);
-    if (r->status.code == WHIRL_OK) r->status = runup_add_integrators(r, &r->sides[next]);
-    if (r->status.code != WHIRL_OK) return;
     whirl_running *before = r->machine;
-    r->side_count++;
+    r->happened[next - 1] = (unsigned char)of;
+    runup_add_side(r);
+    if (r->status.code != WHIRL_OK) return;
     runup_go_by(r, next, r->by_time);
     r->run->error = fmax(r->run->error, r->machine->error);
     r->machine->lose(r->machine, r->lost_count, r->lost);
@@ -828,27 +836,122 @@ static void runup_go_by_angle(runner *r) {
     runup_go_by(r, r->side, false);
 }
 
+/// Lets the run be saved after a whole turn.
+static void runup_offer(runner *r) {
+    if (r->plan->turned) r->plan->turned(r->plan->context, r);
+}
+
 /// Turns at the first speed until the motion has settled, before time begins.
 static bool runup_settle(runner *r) {
-    const whirl_turning how = r->how;
+    whirl_turning still = r->how;
     const double turn = r->by_time ? two_pi * r->unit / r->plan->options->from : two_pi;
-    r->how.driven = r->how.lost = false;
-    r->how.rate = 0.0;
-    r->machine->turn(r->machine, &r->how);
-    const size_t turns = (size_t)r->plan->options->settle;
-    for (size_t i = 0; i < turns; i++) {
+    still.driven = still.lost = false;
+    still.rate = 0.0;
+    r->machine->turn(r->machine, &still);
+    while (r->settled < (size_t)r->plan->options->settle) {
         const whirl_motion motion = runup_carry_part(r, r->angle0, turn, r->x);
         if (motion != WHIRL_BOUNDED || runup_stopped(r)) {
             r->run->end = runup_end_of(r, motion);
             return false;
         }
+        r->settled++;
+        runup_offer(r);
     }
     r->x[r->rotor] = r->plan->options->from / r->unit;
     r->x[r->rotor + 1] = 0.0;
     if (r->by_time) r->x[r->rotor + 2] = r->angle0;
-    r->how = how;
     r->machine->turn(r->machine, &r->how);
     return true;
+}
+
+/// Begins the run, from where it settles to the end of its first turn from standstill. True while it goes on.
+static bool runup_begin(runner *r) {
+    const whirl_runup_options *o = r->plan->options;
+    if (strcmp(o->begin, "steady") == 0 && !runup_settle(r)) return false;
+    r->begun = true;
+    bool going = !runup_happen_now(r) && r->status.code == WHIRL_OK;
+    if (r->copy) runup_place_copy(r, 0.0);
+    if (going && o->from == 0.0) going = runup_start_turning(r);
+    if (going && o->from == 0.0 && !r->machine->in_time) runup_go_by_angle(r);
+    return going;
+}
+
+// ---------------------------------------------------------------- saving
+
+/// Processes how the shaft turns; laws and formulas are the plan's.
+static void runup_archive_turning(const runner *r, whirl_turning *how, archive *a) {
+    archive_part(a, how, sizeof *how);
+    how->course = r->plan->course;
+}
+
+static void runup_archive_where(const runner *r, runup_where *where, archive *a) {
+    archive_part(a, where, sizeof *where);
+    where->how.course = r->plan->course;
+    if (where->side >= r->side_count || where->lost > r->lost_count) a->sound = false;
+}
+
+/// Processes the changes of the machine, the lost unbalances, and the variable.
+static void runup_archive_setting(runner *r, archive *a) {
+    size_t changes = r->side_count - 1, side = r->side, by_time = r->by_time;
+    archive_count(a, &changes, WHIRL_MAX_EVENTS);
+    archive_part(a, r->happened, changes * sizeof *r->happened);
+    archive_count(a, &r->lost_count, RUNUP_EVENTS);
+    archive_part(a, r->lost, r->lost_count * sizeof *r->lost);
+    runup_archive_turning(r, &r->how, a);
+    archive_count(a, &side, changes);
+    archive_count(a, &by_time, 1);
+    if (a->way != ARCHIVE_READ || !a->sound) return;
+    for (size_t i = 0; i < changes && r->status.code == WHIRL_OK; i++) runup_add_side(r);
+    if (r->status.code != WHIRL_OK) return;
+    runup_go_by(r, side, by_time == 1);
+    r->machine->lose(r->machine, r->lost_count, r->lost);
+    r->machine->turn(r->machine, &r->how);
+}
+
+/// Processes what was found so far.
+static void runup_archive_found(runup_run *run, const runner *r, archive *a) {
+    archive_part(a, &run->error, sizeof run->error);
+    archive_part(a, run->sensitivity, sizeof run->sensitivity);
+    for (size_t k = 0; k < run->event_count; k++) {
+        archive_part(a, &run->events[k].time, sizeof run->events[k].time);
+        archive_part(a, &run->events[k].at, sizeof run->events[k].at);
+    }
+    archive_part(a, run->peaks, r->probes * sizeof *run->peaks);
+    archive_part(a, run->contacts, r->contacts * sizeof *run->contacts);
+    archive_part(a, run->torques, r->torques * sizeof *run->torques);
+}
+
+void runup_archive(runup_state *r, archive *a) {
+    archive_same(a, (double)r->most);
+    archive_same(a, (double)r->plan->options->samples);
+    runup_archive_setting(r, a);
+    // The state, and the copy that follows it.
+    size_t copied = r->copy != NULL;
+    archive_count(a, &copied, r->copy != NULL);
+    if (copied == 0) r->copy = NULL;
+    archive_part(a, r->x, r->most * sizeof *r->x);
+    if (r->copy) archive_part(a, r->copy, r->most * sizeof *r->copy);
+    archive_part(a, &r->size, sizeof r->size);
+    archive_part(a, &r->growth, sizeof r->growth);
+    archive_part(a, &r->least, sizeof r->least);
+    archive_part(a, &r->least_at, sizeof r->least_at);
+    archive_part(a, &r->leg, sizeof r->leg);
+    archive_part(a, &r->turns, sizeof r->turns);
+    archive_count(a, &r->settled, (size_t)r->plan->options->settle);
+    archive_part(a, &r->begun, sizeof r->begun);
+    // The samples around the largest values so far.
+    archive_part(a, r->peak_state, r->probes * r->most * sizeof *r->peak_state);
+    archive_part(a, r->peak_from, r->probes * sizeof *r->peak_from);
+    archive_part(a, r->peak_length, r->probes * sizeof *r->peak_length);
+    archive_part(a, r->torque_state, 2 * r->torques * r->most * sizeof *r->torque_state);
+    archive_part(a, r->torque_length, 2 * r->torques * sizeof *r->torque_length);
+    for (size_t p = 0; p < r->probes; p++) runup_archive_where(r, &r->peak_where[p], a);
+    for (size_t k = 0; k < 2 * r->torques; k++) runup_archive_where(r, &r->torque_where[k], a);
+    runup_archive_found(r->run, r, a);
+}
+
+double runup_turns_of(const runup_state *r) {
+    return (double)r->settled + r->turns;
 }
 
 // ---------------------------------------------------------------- all
@@ -900,14 +1003,11 @@ static void runup_locate_torques(runner *r) {
 }
 
 static void runup_run_all(runner *r) {
-    const whirl_runup_options *o = r->plan->options;
-    const bool steady = strcmp(o->begin, "steady") == 0;
-    bool going = !steady || runup_settle(r);
-    if (going) going = !runup_happen_now(r) && r->status.code == WHIRL_OK;
-    if (r->copy) runup_place_copy(r, 0.0);
-    if (going && o->from == 0.0) going = runup_start_turning(r);
-    if (going && o->from == 0.0 && !r->machine->in_time) runup_go_by_angle(r);
-    while (going) going = !runup_stopped(r) && runup_turn_on(r);
+    bool going = r->begun || runup_begin(r);
+    while (going) {
+        going = !runup_stopped(r) && runup_turn_on(r);
+        if (going) runup_offer(r);
+    }
     if (runup_stopped(r)) r->run->end = RUNUP_STOPPED;
     r->run->time = runup_time_of(r, r->x);
     r->run->speed = runup_speed_of(r, r->x);
@@ -1030,9 +1130,11 @@ whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_r
         else
             running->to_angle(running, r.x);
         runup_follow_table(&r);
-        // Run to the end.
         running->turn(running, &r.how);
-        runup_run_all(&r);
+        // Run to the end.
+        if (plan->resume && !plan->resume(plan->context, &r) && r.status.code == WHIRL_OK)
+            r.status = whirl_fail(WHIRL_BAD_INPUT, "the saved state of a run does not fit");
+        if (r.status.code == WHIRL_OK) runup_run_all(&r);
         status = r.status;
     }
     runup_close(&r);

@@ -5,6 +5,7 @@
 
 #include <complex.h>
 
+#include "archive.h"
 #include "turn_history.h"
 #include "whirl/engine/integrate.h"
 #include "whirl/engine/record.h"
@@ -93,6 +94,16 @@ typedef struct runup_run {
 /// Receives a turn.
 typedef void runup_see(void *context, const runup_turn *turn);
 
+/// A run between two of its turns.
+typedef struct runup_state runup_state;
+
+/// Processes everything that the rest of a run depends on, to the bit. When it reads, the run must have the same
+/// machine and plan; a state that does not fit leaves the run unusable, which the archive says.
+void runup_archive(runup_state *state, archive *a);
+
+/// Returns the number of turns so far, of settling and of the run.
+double runup_turns_of(const runup_state *state);
+
 /// Receives torques [watched_count], N m, and speeds of stations [probe_count], rad/s, at instants dense enough to show
 /// their course.
 typedef void runup_watch_at(void *context, double time, const double *torque, const double *speed);
@@ -112,13 +123,18 @@ typedef struct runup_plan {
     runup_watch_at *watch; ///< watcher of machines that are run by time; NULL: none
     void *context;
     turn_samples *samples; ///< filled in before a turn is shown; NULL: none are wanted
+    /// Called after every whole turn, also of settling: the state may be saved. NULL: not called.
+    void (*turned)(void *context, runup_state *state);
+    /// Reads a saved state, with which the run continues. Returns false if the state does not fit. NULL: the run begins
+    /// at its start.
+    bool (*resume)(void *context, runup_state *state);
 } runup_plan;
 
 /// Returns true if a run is followed by a copy that began nearby, which shows how fast small changes grow.
 bool runup_wants_copy(const whirl_runup_options *options, size_t contacts);
 
-/// Carries out the run. The caller owns peaks, contacts, torques, events [RUNUP_EVENTS] and last. WHIRL_NO_MEMORY, and
-/// errors of integrators and machines.
+/// Carries out the run. The caller owns peaks, contacts, torques, events [RUNUP_EVENTS] and last. WHIRL_BAD_INPUT if a
+/// saved state does not fit; WHIRL_NO_MEMORY, and errors of integrators and machines.
 whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_run *run);
 
 #endif

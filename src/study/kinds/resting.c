@@ -4,10 +4,12 @@
 
 #include <errno.h>
 #include <math.h>
+#include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "batch_points.h"
+#include "clock.h"
 #include "deal.h"
 #include "derived.h"
 #include "run_journal.h"
@@ -17,6 +19,16 @@
 
 /// Number of points that a thread, or a share, computes together: each of them uses the modes of the point before it.
 enum { RESTING_PIECE = 8 };
+
+/// A long point: a run-up, which reports its progress and is saved.
+typedef struct long_point {
+    study_run *run;
+    size_t batch, slot, thread;
+    double revolutions;       ///< of the study, that the point stands for
+    double share;             ///< share of them that was reported
+    bool continued;           ///< a saved state was read, and nothing was reported since
+    double reported, save_at; ///< s, when progress was reported, and when the state is to be saved (clock_seconds)
+} long_point;
 
 /// A thread that works at pieces.
 typedef struct worker {
@@ -30,7 +42,9 @@ typedef struct worker {
     known_rests rests;      ///< equilibria of this and the neighbouring points
     whirl_critical *found;  ///< [most]
     size_t most, count;
-    double *block; ///< block of a point whose block stays in the journal
+    double *block;      ///< block of a point whose block stays in the journal
+    size_t thread;      ///< number of the thread
+    long_point lasting; ///< the point that is being computed
 } worker;
 
 static double *resting_block_of(const worker *w, size_t slot) {
@@ -38,12 +52,64 @@ static double *resting_block_of(const worker *w, size_t slot) {
 }
 
 static void resting_finish(const worker *w, size_t slot, bool recalled) {
+    const double revolutions = pass_revolutions(w->run, w->pass);
     w->table->done[slot] = 1;
     if (recalled)
-        tracker_recall(&w->run->tracker, pass_revolutions(w->run, w->pass), 1);
+        tracker_recall(&w->run->tracker, revolutions, 1);
     else
-        tracker_advance(&w->run->tracker, pass_revolutions(w->run, w->pass), 1);
+        tracker_advance(&w->run->tracker, (1.0 - w->lasting.share) * revolutions, 1);
 }
+
+// ---------------------------------------------------------------- long points
+
+/// Reports the share of a point that is done, a few times a second.
+static void long_point_passed(void *watcher, double time, double share) {
+    enum { REPORTS = 10 }; // a second
+    long_point *own = watcher;
+    const double now = clock_seconds(), more = own->revolutions * (share - own->share);
+    (void)time;
+    if (!own->continued && now - own->reported < 1.0 / REPORTS) return;
+    if (own->continued)
+        tracker_recall(&own->run->tracker, more, 0);
+    else
+        tracker_advance(&own->run->tracker, more, 0);
+    own->continued = false;
+    own->reported = now;
+    own->share = share;
+}
+
+static bool long_point_is_due(void *context) {
+    const long_point *own = context;
+    return clock_seconds() >= own->save_at;
+}
+
+static void long_point_save(void *context, double turns, const void *bytes, size_t size) {
+    long_point *own = context;
+    const double begun = clock_seconds();
+    const whirl_point_state state = {own->batch, own->slot, turns, bytes, size};
+    run_journal_save(own->run->journal, own->thread, &state, 1);
+    own->save_at = save_next(begun, clock_seconds());
+}
+
+/// Begins a point that may be long: from its saved state if there is one.
+static whirl_saving long_point_begin(worker *w, size_t slot) {
+    const double now = clock_seconds();
+    double turns;
+    whirl_saving made = {.context = &w->lasting, .save = long_point_save};
+    w->lasting = (long_point){.run = w->run,
+                              .batch = pass_number(w->run, w->pass),
+                              .slot = slot,
+                              .thread = w->thread,
+                              .revolutions = pass_revolutions(w->run, w->pass),
+                              .reported = now,
+                              .save_at = now + save_interval};
+    if (run_journal_saves(w->run->journal)) made.due = long_point_is_due;
+    made.saved = run_journal_state(w->run->journal, w->lasting.batch, slot, &turns, &made.saved_size);
+    w->lasting.continued = made.saved != NULL;
+    return made;
+}
+
+// ---------------------------------------------------------------- points
 
 static journal_entry resting_entry(const worker *w, size_t slot) {
     return (journal_entry){
@@ -86,6 +152,10 @@ static whirl_status resting_analyze(worker *w, size_t slot, const resting_machin
     const resting_place at = {w->run->study, w->batch, own->value};
     const whirl_machine *machine = &own->machine;
     whirl_resting point = resting_point_of(&at, machine);
+    const whirl_saving saving = long_point_begin(w, slot);
+    point.saving = &saving;
+    point.passed = long_point_passed;
+    point.watcher = &w->lasting;
     point.modes = own->modes;
     point.critical_count = w->count;
     point.critical = w->found;
@@ -100,6 +170,7 @@ static whirl_status resting_analyze(worker *w, size_t slot, const resting_machin
         status = whirl_analyze_resting(&point, &w->pass->record, w->batch->analyses, &w->table->layout,
                                        resting_block_of(w, slot));
     free(elsewhere);
+    free(saving.saved);
     if (status.code == WHIRL_OK)
         status = derived_at_rest(w->run->study, w->batch, own, &w->table->layout, resting_block_of(w, slot));
     sample_note(w->batch, slot, &w->table->layout, resting_block_of(w, slot));
@@ -125,6 +196,7 @@ static whirl_status leave_unfound(worker *w, size_t slot) {
 static whirl_status resting_compute(worker *w, size_t slot) {
     const double value = w->table->values[slot];
     resting_machine own = {.value = value};
+    w->lasting.share = 0.0;
     if (w->own.tolerances.samples > 0) w->own.sampled = 1 + (w->own.row > 0 ? slot / w->own.row : 0);
     whirl_status status = w->has_modes ? resting_new(w->run->study, w->batch, value, &own)
                                        : w->run->study->machine(w->run->study->family, w->batch, value, &own.machine);
@@ -158,8 +230,8 @@ static whirl_status work_at(worker *w, size_t first, size_t end) {
     return status;
 }
 
-/// Works at pieces until none is left.
-static whirl_status work_at_pieces(worker *w, deal *pieces) {
+/// Works at pieces of so many points until none is left.
+static whirl_status work_at_pieces(worker *w, deal *pieces, size_t size) {
     whirl_status status = whirl_ok();
     while (status.code == WHIRL_OK && !atomic_load(&w->run->tracker.halt)) {
         size_t piece = 0;
@@ -168,15 +240,23 @@ static whirl_status work_at_pieces(worker *w, deal *pieces) {
         taken = deal_take(pieces, &piece);
         if (!taken) break;
         // Slots of a share, or dealt slots, come in the same pieces.
-        const size_t first = piece * RESTING_PIECE, after = first + RESTING_PIECE;
+        const size_t first = piece * size, after = first + size;
         status = work_at(w, first, after < w->pass->count ? after : w->pass->count);
     }
     return status;
 }
 
+/// A run over time is a piece by itself: what its neighbours have to tell costs little beside it.
+static size_t resting_piece(const whirl_batch *batch) {
+    whirl_analysis_set runs = 0;
+    whirl_analysis_add(&runs, "runup");
+    return (batch->analyses & runs) != 0 ? 1 : RESTING_PIECE;
+}
+
 static whirl_status resting_work(study_run *run, const pass *p) {
     // All threads take pieces; neighbours stay together, since one starts from the equilibrium of the other.
-    deal pieces = deal_begin(run, p, (p->count + RESTING_PIECE - 1) / RESTING_PIECE);
+    const size_t piece = resting_piece(&run->study->batches[p->batch]);
+    deal pieces = deal_begin(run, p, (p->count + piece - 1) / piece);
     whirl_analysis_set modes = 0;
     whirl_analysis_add(&modes, "modes");
 #pragma omp parallel num_threads(run->threads)
@@ -186,6 +266,7 @@ static whirl_status resting_work(study_run *run, const pass *p) {
                     .pass = p,
                     .own = run->study->batches[p->batch],
                     .table = &run->result->tables[p->batch],
+                    .thread = (size_t)omp_get_thread_num(),
                     .most = (size_t)p->record.modes + 1};
         w.batch = &w.own;
         w.has_modes = (w.batch->analyses & modes) != 0;
@@ -193,7 +274,7 @@ static whirl_status resting_work(study_run *run, const pass *p) {
         w.block = calloc(w.table->layout.size + 1, sizeof *w.block);
         whirl_status status =
             w.found && w.block ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for points at rest");
-        if (status.code == WHIRL_OK) status = work_at_pieces(&w, &pieces);
+        if (status.code == WHIRL_OK) status = work_at_pieces(&w, &pieces, piece);
         known_rests_free(&w.rests);
         free(w.found);
         free(w.block);
@@ -202,4 +283,4 @@ static whirl_status resting_work(study_run *run, const pass *p) {
     return whirl_ok();
 }
 
-const study_kind rest_kind = {.name = "rest", .piece = RESTING_PIECE, .work = resting_work};
+const study_kind rest_kind = {.name = "rest", .piece = RESTING_PIECE, .piece_of = resting_piece, .work = resting_work};

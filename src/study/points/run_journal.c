@@ -3,6 +3,7 @@
 #include "whirl/engine/study.h"
 
 #include <errno.h>
+#include <math.h>
 
 bool run_journal_read(const whirl_point_store *journal, const journal_entry *e) {
     bool known = false;
@@ -28,6 +29,10 @@ whirl_status run_journal_sync(const whirl_point_store *journal) {
 #pragma omp critical(whirl_journal)
     status = journal->tend(journal->context);
     return status;
+}
+
+double save_next(double begun, double now) {
+    return now + fmax(save_interval, 20.0 * (now - begun));
 }
 
 void run_journal_save(const whirl_point_store *journal, size_t worker, const whirl_point_state *states, size_t count) {

@@ -31,6 +31,13 @@ static inline bool run_journal_saves(const whirl_point_store *journal) {
     return journal && journal->save;
 }
 
+/// Seconds after which a point under way is saved, and saved again: shorter ones are cheaper to repeat.
+static const double save_interval = 5.0;
+
+/// Returns when points are to be saved next, if saving took from `begun` to `now`: large states on a slow disk are
+/// saved less often, so that saving takes at most a twentieth of the time. All in seconds of clock_seconds.
+double save_next(double begun, double now);
+
 /// Stores the states of a worker's motions under way.
 void run_journal_save(const whirl_point_store *journal, size_t worker, const whirl_point_state *states, size_t count);
 

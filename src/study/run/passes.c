@@ -378,9 +378,6 @@ static whirl_status worker_finish(worker *w, point *p, whirl_record *record) {
 
 // ---------------------------------------------------------------- between revolutions
 
-/// Seconds after which a motion is saved, and saved again.
-static const double save_interval = 5.0;
-
 /// Saves motions that have run for some time; shorter ones are cheaper to repeat.
 static void worker_save(worker *w, whirl_recorder *recorder) {
     const pass_work *work = w->work;
@@ -399,9 +396,7 @@ static void worker_save(worker *w, whirl_recorder *recorder) {
     run_journal_save(work->run->journal, w->number, saved, long_ones);
     free(saved);
     whirl_motion_states_free(states, count);
-    // Save large states on a slow disk less often, so that saving takes at most a twentieth of the time.
-    const double now = clock_seconds();
-    w->save_at = now + fmax(save_interval, 20.0 * (now - begun));
+    w->save_at = save_next(begun, clock_seconds());
 }
 
 /// Reports revolutions to the tracker, in packets, so that threads seldom meet. False if the run must end.

@@ -11,7 +11,8 @@
 
 /// Returns the number of points of a batch that stay together.
 static size_t piece_of(const whirl_batch *batch) {
-    const size_t piece = study_kind_of(batch)->piece;
+    const study_kind *kind = study_kind_of(batch);
+    const size_t piece = kind->piece_of ? kind->piece_of(batch) : kind->piece;
     if (batch->carry != WHIRL_CARRY_NONE) return batch->count;
     return piece > 0 ? piece : batch_slots(batch);
 }

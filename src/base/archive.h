@@ -1,11 +1,9 @@
 /// Serialization: one description of a state's parts serves measuring, writing and reading.
-#ifndef ANALYZE_ARCHIVE_H
-#define ANALYZE_ARCHIVE_H
+#ifndef BASE_ARCHIVE_H
+#define BASE_ARCHIVE_H
 
 #include <stdbool.h>
 #include <stddef.h>
-
-#include "section.h"
 
 typedef enum archive_way { ARCHIVE_MEASURE, ARCHIVE_WRITE, ARCHIVE_READ } archive_way;
 
