@@ -38,13 +38,6 @@ typedef void lanes_forcing(const void *model, size_t stride, size_t vectors, con
 /// the effect of friction, [contact_count][2] as in whirl_system.friction.
 typedef void lanes_contacts(const lanes_view *view, void *normal_force, void *friction);
 
-enum { INSTANCE_LAWS = 2 };
-
-/// A structure for which integrators have loops of their own, by its number in rotor/instances.h, and its laws.
-typedef struct lanes_instance {
-    int structure, law[INSTANCE_LAWS];
-} lanes_instance;
-
 /// A state is degrees positions, then their derivatives, then first-order states.
 struct whirl_lanes {
     size_t degrees, states;
@@ -78,7 +71,8 @@ struct whirl_lanes {
     lanes_switches *const *switches;
     lanes_forcing *const *forcing;
     lanes_contacts *const *contacts;
-    const lanes_instance *instance; ///< structure for which integrators have loops of their own; NULL: none
+    const int
+        *pair_laws; ///< laws of a pair, for which integrators have loops of their own (rotor/pair.h); otherwise NULL
 };
 
 #endif

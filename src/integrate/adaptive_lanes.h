@@ -26,7 +26,7 @@
 enum {
     MAX_ATTEMPTS = 1000000, ///< steps tried in a revolution
     MAX_GROUP = 4,          ///< most vectors of a group
-    INSTANCE_STRIDE = 4,    ///< vectors in a group of a structure with its own loops
+    PAIR_STRIDE = 4,        ///< vectors in a group of pairs
     MAX_SLOTS = 64,
     MAX_LANE_ROWS = 9 WHIRL_WATCHED(LANE_ROWS)
 };
@@ -77,8 +77,8 @@ typedef struct rodas5p_work {
 /// Workspace of an adaptive method. Arrays are [...][stride vectors] of slots.
 typedef struct adaptive_lanes {
     const struct lanes_method *method;
-    const void *model;              ///< machine that defines the structure of all lanes
-    const lanes_instance *instance; ///< its structure if that has its own loops for such groups; otherwise NULL
+    const void *model;    ///< machine that defines the structure of all lanes
+    const int *pair_laws; ///< laws of pairs (whirl_lanes.pair_laws) in groups of PAIR_STRIDE; otherwise NULL
     lanes_flow *flow;
     lanes_switches *switches;
     lanes_forcing *forcing_at;

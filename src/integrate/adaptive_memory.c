@@ -142,9 +142,9 @@ adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *
                                         .by_force = form->damped,
                                         .rubs = form->rubs}};
     if (form->damped || form->rubs) shape.observe.contacts = form->contacts[set->number];
-    shape.instance = shape.stride == INSTANCE_STRIDE && followed == 0 ? form->instance : NULL;
-    // A structure with its own loops needs a whole group of vectors; other structures use fewer vectors for few lanes.
-    while (!shape.instance && lane_count > 0 && (shape.stride - 1) * set->lanes >= lane_count) shape.stride--;
+    shape.pair_laws = shape.stride == PAIR_STRIDE && followed == 0 ? form->pair_laws : NULL;
+    // Pairs need a whole group of vectors; other structures use fewer vectors for few lanes.
+    while (!shape.pair_laws && lane_count > 0 && (shape.stride - 1) * set->lanes >= lane_count) shape.stride--;
     shape.slots = shape.stride * set->lanes;
     return adaptive_lanes_make(&shape);
 }

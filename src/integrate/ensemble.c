@@ -169,7 +169,7 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
     lanes->places = calloc(places + 1, sizeof *lanes->places);
     if (lanes->places) memcpy(lanes->places, system->lanes->places, places * sizeof *lanes->places);
     lanes->flow = system->lanes->flow[e->isa->number];
-    lanes->instance = system->lanes->instance;
+    lanes->pair_laws = system->lanes->pair_laws;
     lanes->forcing_count = system->forcing_count;
     lanes->steps = options->steps_per_revolution;
     lanes->stop = system->stop;
@@ -214,7 +214,7 @@ static bool attach_location(whirl_ensemble *e, const whirl_integrate_options *op
 
 /// Returns how many vectors rk4 carries together, so that each hides the latency of the others: the largest of 8, 6, 4,
 /// 3 and 2 vectors whose numbers and stages fit into the first cache, otherwise 1. With the structure's own loops
-/// (rk4_instance.inc) their observations must fit, too.
+/// (rk4_pair.inc) their observations must fit, too.
 ///
 /// The fastest numbers measured with 512 bits are 6 for disc and journal, 4 for ten equal stations, 3 for a shaft of 22
 /// coordinates and 1 for fifty stations; with 256 bits 8, 8, 6 and 1.
@@ -222,7 +222,7 @@ static size_t fast_vectors(const whirl_ensemble *e) {
     static const size_t choices[] = {8, 6, 4, 3, 2, 1};
     const whirl_system *system = e->system;
     const size_t first_cache = 43008, degrees = system->lanes->degrees;
-    const size_t observed = system->lanes->instance ? 7 * degrees + 4 * system->lanes->contact_count : 0;
+    const size_t observed = system->lanes->pair_laws ? 7 * degrees + 4 * system->lanes->contact_count : 0;
     const size_t steps = 5 * system->dimension - 3 * degrees; // the state, that of a stage, three slopes
     const size_t numbers = system->lanes->part(system->model, e->lanes.places);
     const size_t rows = numbers + (1 + e->lanes.perturbations) * steps + observed;

@@ -34,7 +34,7 @@ struct whirl_rotor {
     size_t phase;
     whirl_system system;
     whirl_lanes lanes;
-    lanes_instance instance;           ///< structure with its own loops
+    int pair_laws[2];                  ///< if it is a pair (pair.h)
     size_t station_count, plane_count; ///< stations, and those that move in x and y
     size_t term_count, element_count, contact_count;
     linear_term *terms;
@@ -102,14 +102,6 @@ enum {
     MAX_DEGREES = AXES * WHIRL_MAX_STATIONS,
     MAX_ROWS = MAX_DEGREES + MAX_OWN_STATES
 };
-
-enum { INSTANCE_STATIONS = 2 }; ///< most stations of a structure
-
-/// Function by which a structure of instances.h recognizes a machine. Returns true if the machine has this structure,
-/// with the coordinates of its stations in this order, and its laws [INSTANCE_LAWS].
-typedef bool instance_find(const assembly *of, const element *elements, size_t count, size_t order[INSTANCE_STATIONS],
-                           int *laws);
-instance_find pair_find;
 
 /// Functions of rotors for lanes.h, one of each kind for every instruction set of vector.h (kernels/machine.c).
 FOR_EVERY_ISA(lanes_flow, machine_flow);

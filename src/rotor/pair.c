@@ -1,5 +1,7 @@
-// Recognizes the structure of pair_kernel.h.
-#include "machine.h"
+#include "pair.h"
+
+#include "assembly.h"
+#include "element.h"
 #include "pair_kernel.h"
 #include "registry.h"
 
@@ -16,7 +18,8 @@ static bool is_pair(const assembly *of, const element *e, size_t count, bool rev
            e[RUB].type == &rub_element && e[RUB].port[0] == disc;
 }
 
-bool pair_find(const assembly *of, const element *elements, size_t count, size_t order[INSTANCE_STATIONS], int *laws) {
+bool pair_find(const assembly *of, const element *elements, size_t count, size_t order[PAIR_STATIONS],
+               int laws[PAIR_LAWS]) {
     const bool reversed = is_pair(of, elements, count, true);
     if (!reversed && !is_pair(of, elements, count, false)) return false;
     order[0] = reversed;

@@ -1,6 +1,6 @@
 /// A disc on a shaft to a journal in a film, with a rub at the disc: the rotor of most studies of oil film and rub,
-/// such as the paper of 2015. Integrators have their own loops for it (instances.h), which consist of these phases of
-/// an acceleration.
+/// such as the paper of 2015. Integrators have their own loops for it (rk4_pair.inc, dop853_pair.inc), which consist
+/// of these phases of an acceleration.
 ///
 /// It calls the same kernels in the same order as kernels/machine.c does from its lists, so that the bits are the same.
 /// Three vectors are in progress at a time, so that the CPU's divider never waits.
@@ -15,10 +15,10 @@
 #include "elements/shafts/shaft_kernel.h"
 #include "elements/shafts/station_kernel.h"
 #include "lanes.h"
+#include "pair.h"
 
 /// Coordinates: those of the disc, which has the only contact, then those of the journal.
-enum { PAIR_STATIONS = 2, PAIR_DEGREES = 4, PAIR_CONTACT = 0, PAIR_JOURNAL = 2 };
-enum { PAIR_SHAFT_LAW, PAIR_RUB_LAW };
+enum { PAIR_DEGREES = 4, PAIR_CONTACT = 0, PAIR_JOURNAL = 2 };
 
 /// Coordinates whose sizes are measured together, as in whirl_lanes.
 static const size_t pair_groups[] = {0, PAIR_JOURNAL, PAIR_DEGREES};
@@ -74,9 +74,9 @@ VECTOR_INLINE void pair_send(pair_line *line, size_t stride, const vec *number, 
 }
 
 /// Computes the accelerations by stations and shaft, which do not wait for the divider, in `frame`.
-VECTOR_INLINE void pair_frame(const lanes_instance *pair, size_t stride, const pair_line *line, size_t at, bool shared,
+VECTOR_INLINE void pair_frame(const int *laws, size_t stride, const pair_line *line, size_t at, bool shared,
                               vec *frame) {
-    const element shaft = {.port = {0, 1, 2, 3}, .law = pair->law[PAIR_SHAFT_LAW]};
+    const element shaft = {.port = {0, 1, 2, 3}, .law = laws[PAIR_SHAFT_LAW]};
     const vec *number = line->number[at], *q = line->q[at], *v = line->v[at], *own = line->forcing[at];
     const double *all = line->forcing[at];
     const size_t journal = PAIR_JOURNAL * stride;
@@ -93,8 +93,8 @@ VECTOR_INLINE void pair_frame(const lanes_instance *pair, size_t stride, const p
 }
 
 /// Adds the accelerations by film and rub.
-VECTOR_INLINE void pair_end(const lanes_instance *pair, size_t stride, const pair_line *line, size_t at, vec *frame) {
-    const element rub = {.port = {0, 1}, .law = pair->law[PAIR_RUB_LAW]};
+VECTOR_INLINE void pair_end(const int *laws, size_t stride, const pair_line *line, size_t at, vec *frame) {
+    const element rub = {.port = {0, 1}, .law = laws[PAIR_RUB_LAW]};
     const vec *number = line->number[at];
     const size_t x = PAIR_JOURNAL * stride, y = x + stride;
     const film_state film = film_end(&line->film, at, v_set(1.57079632679489661923));
@@ -105,31 +105,31 @@ VECTOR_INLINE void pair_end(const lanes_instance *pair, size_t stride, const pai
 }
 
 /// Finishes the acceleration that was begun PAIR_UNDER_WAY - 1 before the last one.
-VECTOR_INLINE void pair_receive(const lanes_instance *pair, size_t stride, pair_line *line, bool shared) {
+VECTOR_INLINE void pair_receive(const int *laws, size_t stride, pair_line *line, bool shared) {
     const size_t divided = (line->begun - 2) % FILM_PLACES, ended = (line->begun - 3) % FILM_PLACES;
     vec frame[PAIR_DEGREES * PAIR_MAX_STRIDE];
-    pair_frame(pair, stride, line, ended, shared, frame);
+    pair_frame(laws, stride, line, ended, shared, frame);
     film_divide(&line->film, divided);
-    pair_end(pair, stride, line, ended, frame);
+    pair_end(laws, stride, line, ended, frame);
 }
 
 /// Computes a single acceleration. The arguments are as for pair_send.
-VECTOR_INLINE void pair_alone(const lanes_instance *pair, size_t stride, const vec *number, const void *forcing,
-                              bool shared, const vec *sides, const vec *q, const vec *v, vec *a) {
+VECTOR_INLINE void pair_alone(const int *laws, size_t stride, const vec *number, const void *forcing, bool shared,
+                              const vec *sides, const vec *q, const vec *v, vec *a) {
     pair_line line;
     vec frame[PAIR_DEGREES * PAIR_MAX_STRIDE];
     line.begun = 0;
     line.balanced = pair_balanced(stride, number);
     pair_send(&line, stride, number, forcing, sides, q, v, a);
-    pair_frame(pair, stride, &line, 0, shared, frame);
+    pair_frame(laws, stride, &line, 0, shared, frame);
     film_divide(&line.film, 0);
-    pair_end(pair, stride, &line, 0, frame);
+    pair_end(laws, stride, &line, 0, frame);
 }
 
 /// Finishes one more acceleration without beginning another.
-VECTOR_INLINE void pair_drain(const lanes_instance *pair, size_t stride, pair_line *line, bool shared) {
+VECTOR_INLINE void pair_drain(const int *laws, size_t stride, pair_line *line, bool shared) {
     line->begun++;
-    pair_receive(pair, stride, line, shared);
+    pair_receive(laws, stride, line, shared);
 }
 
 /// Prepares a line. The first results, which were never begun, are written to `nowhere`.

@@ -7,20 +7,13 @@
 #include <string.h>
 
 #include "building.h"
-#include "instances.h"
 #include "machine.h"
+#include "pair.h"
 
-/// Recognizes a structure that has its own loops. `order` becomes the order of its stations' coordinates.
-static bool find_instance(const building *b, size_t order[INSTANCE_STATIONS], lanes_instance *out) {
-    if (b->keyphasor || b->mesh.node_count > 0 || b->assembly.turn != 1.0) return false;
-#define FIND(name, NAME)                                                                                               \
-    if (name##_find(&b->assembly, b->elements, b->element_count, order, out->law)) {                                   \
-        out->structure = INSTANCE_##NAME;                                                                              \
-        return true;                                                                                                   \
-    }
-    INSTANCES(FIND)
-#undef FIND
-    return false;
+/// Returns true if the machine is a pair that turns with the shaft's phase, counter-clockwise.
+static bool is_pair(const building *b, size_t order[PAIR_STATIONS], int laws[PAIR_LAWS]) {
+    return !b->keyphasor && b->mesh.node_count == 0 && b->assembly.turn == 1.0 &&
+           pair_find(&b->assembly, b->elements, b->element_count, order, laws);
 }
 
 static bool in_order(const building *b, const size_t *order) {
@@ -397,8 +390,8 @@ static whirl_rotor *finish(building *b) {
     rotor->lanes.states = b->state_count;
     rotor->lanes.number_count = total_numbers(b);
     rotor_lanes_fill(rotor);
-    size_t order[INSTANCE_STATIONS];
-    if (find_instance(b, order, &rotor->instance)) rotor->lanes.instance = &rotor->instance;
+    size_t order[PAIR_STATIONS];
+    if (is_pair(b, order, rotor->pair_laws)) rotor->lanes.pair_laws = rotor->pair_laws;
     rotor_system_fill(rotor);
     if (b->keyphasor) add_phase(rotor, b);
     return rotor;
@@ -436,15 +429,15 @@ whirl_status whirl_rotor_check(const whirl_design *design, whirl_rotor_tell *tel
 }
 
 whirl_status whirl_rotor_outline(const whirl_design *design, whirl_rotor **out) {
-    size_t order[INSTANCE_STATIONS];
-    lanes_instance found;
+    size_t order[PAIR_STATIONS];
+    int laws[PAIR_LAWS];
     building b = {0};
     *out = NULL;
     if (design->station_count == 0)
         return whirl_fail(WHIRL_BAD_INPUT, "the rotor has no station, expected at least one");
-    // Assemble the rotor, and once more if a structure with its own loops requires another order of stations.
+    // Assemble the rotor, and once more if a pair requires another order of stations.
     whirl_status status = building_assemble(&b, design, NULL);
-    if (status.code == WHIRL_OK && find_instance(&b, order, &found) && !in_order(&b, order)) {
+    if (status.code == WHIRL_OK && is_pair(&b, order, laws) && !in_order(&b, order)) {
         building_end(&b);
         b = (building){0};
         status = building_assemble(&b, design, order);

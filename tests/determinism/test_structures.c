@@ -1,4 +1,4 @@
-// The loops of the most frequent structures (rotor/instances.h) beside the general ones: a rotor with a force of no
+// The loops of the most frequent structure (rotor/pair_kernel.h) beside the general ones: a rotor with a force of no
 // size is carried by the latter.
 #include <math.h>
 #include <setjmp.h>

@@ -248,18 +248,18 @@ static void take_volume(const adaptive_lanes *lanes) {
     }
 }
 
-// ---------------------------------------------------------------- structures with loops of their own
+// ---------------------------------------------------------------- pairs
 
 /// Computes cos and sin of t, from which add_angle computes the forcing.
 static void take_base(const adaptive_lanes *lanes) {
     vec *base = VECTORS(dop853.base);
-    FOR_VECTORS v_sincos(VECTORS(t)[k], &base[INSTANCE_STRIDE + k], &base[k]);
+    FOR_VECTORS v_sincos(VECTORS(t)[k], &base[PAIR_STRIDE + k], &base[k]);
 }
 
 /// Computes the forcing at t + c h of vector k, for h up to an eighth of a revolution.
 VECTOR_INLINE void add_angle(const adaptive_lanes *lanes, double c, size_t k) {
-    const vec *base = VECTORS(dop853.base), cosine = base[k], sine = base[INSTANCE_STRIDE + k];
-    const size_t apart = INSTANCE_STRIDE;
+    const vec *base = VECTORS(dop853.base), cosine = base[k], sine = base[PAIR_STRIDE + k];
+    const size_t apart = PAIR_STRIDE;
     vec *forcing = VECTORS(forcing) + k, s, co;
     v_sincos_small(v_mul(v_set(c), VECTORS(length)[k]), &s, &co);
     const vec x = v_fms(cosine, co, v_mul(sine, s)), y = v_fma(sine, co, v_mul(cosine, s));
@@ -277,32 +277,23 @@ static inline vec *speed_of(const adaptive_lanes *lanes, int number) {
     return number == DOP853_STAGES ? VECTORS(end_v) : VECTORS(stage_v);
 }
 
-#define INSTANCE_FILE "kernels/dop853_instance.inc"
-#include "../../rotor/instances.h"
+#include "dop853_pair.inc"
 
 /// Computes the slopes from <= number < to.
 static void take_slopes(const adaptive_lanes *lanes, int from, int to) {
-#define TAKE(name, NAME)                                                                                               \
-    if (IS_INSTANCE(NAME, lanes->instance)) {                                                                          \
-        name##_take_slopes(lanes, from, to);                                                                           \
-        return;                                                                                                        \
-    }
-    INSTANCES(TAKE)
-#undef TAKE
-    take_slopes_by_stages(lanes, from, to);
+    if (lanes->pair_laws)
+        pair_take_slopes(lanes, from, to);
+    else
+        take_slopes_by_stages(lanes, from, to);
 }
 
 static void take_errors(const adaptive_lanes *lanes) {
     vec *q5 = VECTORS(stage_q), *v5 = VECTORS(stage_v);
     vec *q3 = VECTORS(dop853.k[DOP853_STAGES + 1]), *v3 = VECTORS(dop853.k[DOP853_STAGES + 2]);
-#define TAKE(name, NAME)                                                                                               \
-    if (IS_INSTANCE(NAME, lanes->instance)) {                                                                          \
-        name##_take_errors(lanes, q5, v5, q3, v3);                                                                     \
-        return;                                                                                                        \
-    }
-    INSTANCES(TAKE)
-#undef TAKE
-    take_errors_by_stages(lanes, q5, v5, q3, v3);
+    if (lanes->pair_laws)
+        pair_take_errors(lanes, q5, v5, q3, v3);
+    else
+        take_errors_by_stages(lanes, q5, v5, q3, v3);
 }
 
 /// Tries the step: computes the state at its end, the slope there and the error.

@@ -211,16 +211,13 @@ static void move_rows(const rk4_lanes *lanes, double *ensemble, size_t k, vec *o
     }
 }
 
-enum { MAX_AT_ONCE = 8 }; ///< vectors of structures with loops of their own
-#define INSTANCE_FILE "kernels/rk4_instance.inc"
-#include "../../rotor/instances.h"
+enum { MAX_AT_ONCE = 8 }; ///< vectors of pairs
+#include "../../rotor/pair_kernel.h"
+#include "rk4_pair.inc"
 
 void ISA(rk4_lanes)(const rk4_lanes *lanes) {
     if (locates(lanes)) begin_located(lanes);
-#define REVOLVE(name, NAME)                                                                                            \
-    if (name##_revolve(lanes)) return;
-    INSTANCES(REVOLVE)
-#undef REVOLVE
+    if (pair_revolve(lanes)) return;
     for (int n = 0; n < lanes->steps && !whirl_stop_is_set(lanes->stop); n++) {
         begin_step(lanes);
         take_step(lanes, lanes->forcing + (size_t)n * 2 * lanes->forcing_count);

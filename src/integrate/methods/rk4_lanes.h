@@ -42,11 +42,11 @@ typedef struct lanes_located {
 typedef struct rk4_lanes {
     const void *model; ///< machine that defines the structure of all lanes
     lanes_flow *flow;
-    const lanes_instance *instance; ///< its structure if that has its own loops; otherwise NULL
-    size_t stride;                  ///< number of vectors
-    size_t vectors;                 ///< vectors in use
-    size_t lane_count;              ///< number of lanes
-    size_t used; ///< lanes in use, from the first on; other lanes of the last vector are computed and ignored
+    const int *pair_laws; ///< as in whirl_lanes
+    size_t stride;        ///< number of vectors
+    size_t vectors;       ///< vectors in use
+    size_t lane_count;    ///< number of lanes
+    size_t used;          ///< lanes in use, from the first on; other lanes of the last vector are computed and ignored
     size_t degrees, forcing_count;
     size_t rates; ///< velocities, and states of first order after them
     int steps;

@@ -7,7 +7,7 @@
 #include "block.h"
 #include "body_kernel.h"
 #include "elements/shafts/station_kernel.h"
-#include "instances.h"
+#include "pair_kernel.h"
 
 static block block_of(const lanes_view *view) {
     const whirl_rotor *rotor = view->model;
@@ -121,18 +121,6 @@ static const element_kernels *kernels_of(const element *own) {
     return own->type->kernels[VECTOR_ISA];
 }
 
-/// Computes one vector of a structure that has its own loops. Returns false for other structures.
-static bool flow_of_instance(const lanes_instance *instance, const block *b) {
-#define FLOW(name, NAME)                                                                                               \
-    if (IS_INSTANCE(NAME, instance)) {                                                                                 \
-        name##_alone(instance, 1, b->numbers, b->forcing, false, b->sides, b->q, b->v, b->a);                          \
-        return true;                                                                                                   \
-    }
-    INSTANCES(FLOW)
-#undef FLOW
-    return false;
-}
-
 static void pass_all(const whirl_rotor *rotor, const block *b) {
     clear(rotor, b);
     pass_stations(b, rotor->plane_count);
@@ -171,7 +159,10 @@ static void pass_by_phase(const whirl_rotor *rotor, const block *all, size_t k) 
 void ISA(machine_flow)(const lanes_view *view) {
     const whirl_rotor *rotor = view->model;
     const block b = block_of(view);
-    if (b.stride == 1 && !wants_tangent(&b) && flow_of_instance(rotor->lanes.instance, &b)) return;
+    if (b.stride == 1 && !wants_tangent(&b) && rotor->lanes.pair_laws) {
+        pair_alone(rotor->lanes.pair_laws, 1, b.numbers, b.forcing, false, b.sides, b.q, b.v, b.a);
+        return;
+    }
     if (!rotor->phase) pass_all(rotor, &b);
     for (size_t k = 0; rotor->phase && k < b.vectors; k += BY_PHASE) pass_by_phase(rotor, &b, k);
 }

@@ -1,0 +1,19 @@
+/// Pairs: a disc on a shaft to a journal in a film, with a rub at the disc. Integrators have loops of their own for
+/// them (pair_kernel.h).
+#ifndef ROTOR_PAIR_H
+#define ROTOR_PAIR_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct assembly;
+struct element;
+
+enum { PAIR_STATIONS = 2 };
+enum { PAIR_SHAFT_LAW, PAIR_RUB_LAW, PAIR_LAWS };
+
+/// Returns true if a machine is a pair, with the coordinates of its stations in this order, and its laws.
+bool pair_find(const struct assembly *of, const struct element *elements, size_t count, size_t order[PAIR_STATIONS],
+               int laws[PAIR_LAWS]);
+
+#endif
