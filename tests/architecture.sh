@@ -110,12 +110,12 @@ process="report/render/gnuplot.c report/render/print.c"
 system_only_in pthread.h base/lock.h
 system_only_in time.h base/clock.c
 # shellcheck disable=SC2086 # they are several
-system_only_in fcntl.h $files $process rotor/pads/table_file.c base/input.c base/mapped.c
+system_only_in fcntl.h $files $process rotor/pads/pad_table_file.c base/input.c base/mapped.c
 # shellcheck disable=SC2086
-system_only_in sys/stat.h $files rotor/pads/table_file.c base/input.c report/render/gnuplot.c
+system_only_in sys/stat.h $files rotor/pads/pad_table_file.c base/input.c report/render/gnuplot.c
 # shellcheck disable=SC2086
-system_only_in unistd.h $files store/files/bytes.c $process rotor/pads/table_file.c base/input.c store/journal/underway.c store/hdf5/h5driver.c base/mapped.c
-system_only_in dirent.h rotor/pads/table_file.c store/journal/underway.c report/report_file.c
+system_only_in unistd.h $files store/files/bytes.c $process rotor/pads/pad_table_file.c base/input.c store/journal/underway.c store/hdf5/h5driver.c base/mapped.c
+system_only_in dirent.h rotor/pads/pad_table_file.c store/journal/underway.c report/report_file.c
 system_only_in sys/file.h store/journal/journal_file.c
 system_only_in sys/wait.h $process
 system_only_in sys/mman.h base/mapped.c

@@ -71,8 +71,8 @@ struct whirl_lanes {
     lanes_switches *const *switches;
     lanes_forcing *const *forcing;
     lanes_contacts *const *contacts;
-    const int
-        *pair_laws; ///< laws of a pair, for which integrators have loops of their own (rotor/pair.h); otherwise NULL
+    /// Laws of a pair, for which integrators have loops of their own (rotor/pair.h); otherwise NULL.
+    const int *pair_laws;
 };
 
 #endif

@@ -4,12 +4,12 @@
 #include <string.h>
 
 #include "direction.h"
+#include "equilibrium.h"
 #include "exhausted.h"
 #include "free_motions.h"
 #include "linear_status.h"
 #include "matrix.h"
 #include "mean.h"
-#include "mean_rest.h"
 #include "whirl/engine/linear.h"
 
 /// A machine linearised at its equilibrium, in SI units: q'' = stiffness q + rates q' for its displacements q. Both

@@ -4,12 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "equilibrium.h"
 #include "exhausted.h"
 #include "linear_status.h"
 #include "load_path.h"
 #include "matrix.h"
 #include "mean.h"
-#include "mean_rest.h"
 #include "whirl/engine/linear.h"
 
 /// Relative singular value below which a direction counts as a free motion and is not moved.

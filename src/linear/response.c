@@ -3,11 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "equilibrium.h"
 #include "exhausted.h"
 #include "linear_status.h"
 #include "matrix.h"
 #include "mean.h"
-#include "mean_rest.h"
 #include "periodic.h"
 #include "two_pi.h"
 #include "whirl/engine/linear.h"

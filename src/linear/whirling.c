@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "bracket.h"
-#include "modes_memory.h"
+#include "modes.h"
 
 /// Parts into which the interval between two neighbouring frequencies of the tables is divided.
 enum { PARTS = 2 };

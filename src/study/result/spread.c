@@ -462,44 +462,6 @@ const char *whirl_result_tolerance(const whirl_result *result, size_t index, cha
     return name;
 }
 
-/// Usual fields of a study, of which each station or contact has one number, or one for each of the first rows.
-static const struct {
-    const char *field, *column;
-    size_t rows;
-    bool derived; ///< only of derivatives
-} usual[] = {
-    {WHIRL_FIELD_ORBIT_MAX_RADIUS, "", 1, false},
-    {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, "forward", 1, true},
-    {WHIRL_FIELD_FLOQUET_MODULUS, "", 1, true},
-    {WHIRL_FIELD_UNBALANCE_AXES, "major", 1, false},
-    {WHIRL_FIELD_TRACE_SPECIAL, "", 1, true},
-    {WHIRL_FIELD_MODES_FREQUENCY, "", 4, false},
-    {WHIRL_FIELD_MODES_DAMPING_RATIO, "", 4, false},
-    {WHIRL_FIELD_MODES_CRITICAL, "value", 1, true},
-    {WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, "", 4, false},
-    {WHIRL_FIELD_STABILITY_COMPLETE, "", 1, false},
-    {WHIRL_FIELD_STATICS_ECCENTRICITY, "", 1, false},
-    {WHIRL_FIELD_TORSION_ANGLE_SUM, "", 1, false},
-    {WHIRL_FIELD_RUNUP_PEAK, "", 1, false},
-};
-
-bool spread_usual(const whirl_layout *layout, bool derived, size_t index, whirl_spread_of *of, size_t *which) {
-    for (size_t u = 0; u < sizeof usual / sizeof *usual; u++) {
-        const whirl_field *field = whirl_layout_field(layout, usual[u].field);
-        if (usual[u].derived && !derived) continue;
-        for (size_t k = 0; field && k < field->repeat * usual[u].rows; k++) {
-            const size_t row = k % usual[u].rows;
-            if (row >= field->rows || index-- > 0) continue;
-            *of = (whirl_spread_of){.row = row, .above = -INFINITY, .below = INFINITY};
-            *which = k / usual[u].rows;
-            snprintf(of->field, sizeof of->field, "%s", field->name);
-            snprintf(of->column, sizeof of->column, "%s", usual[u].column);
-            return true;
-        }
-    }
-    return false;
-}
-
 /// Gives the numbers that facts ("limit 1", ...) ask of a table, or the usual ones, by index.
 static bool asked_number(const whirl_result *result, const whirl_table *table, const char *asks, bool derived,
                          size_t index, whirl_spread_of *of) {

@@ -1,6 +1,6 @@
 /// Memory for modes, and modes about a known state.
-#ifndef LINEAR_MODES_MEMORY_H
-#define LINEAR_MODES_MEMORY_H
+#ifndef LINEAR_MODES_H
+#define LINEAR_MODES_H
 
 #include "whirl/engine/linear.h"
 

@@ -1,7 +1,7 @@
 // Film tables of the process: who holds them, and how threads make them together.
+#include "pad_tables.h"
 #include "pad_table.h"
 #include "pad_table_file.h"
-#include "pad_tables.h"
 
 #include <math.h>
 #include <stdatomic.h>

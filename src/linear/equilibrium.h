@@ -1,6 +1,6 @@
 /// The equilibrium of a mean system.
-#ifndef LINEAR_MEAN_REST_H
-#define LINEAR_MEAN_REST_H
+#ifndef LINEAR_EQUILIBRIUM_H
+#define LINEAR_EQUILIBRIUM_H
 
 #include "mean.h"
 

@@ -1,6 +1,6 @@
 // Tables of pads as files in the user's cache folder.
-#include "pad_table.h"
 #include "pad_table_file.h"
+#include "pad_table.h"
 
 #include <dirent.h>
 #include <fcntl.h>
