@@ -407,6 +407,18 @@ void assembly_inertial(assembly *to, size_t x, size_t y, double moment, double a
     for (size_t i = 0; i < 2; i++) add_load(to, &to->turnings, &to->turning_count, &to->turning_capacity, rows[i]);
 }
 
+/// Notes an unbalance along the directions in which its station does not move, where its weight turns the shaft, too.
+static void assembly_guide(assembly *to, const size_t *coordinate, double moment, double angle) {
+    if (coordinate[AXIS_X] == NO_COORDINATE) {
+        to->guided[0].cos += moment * cos(angle);
+        to->guided[0].sin -= moment * sin(angle);
+    }
+    if (coordinate[AXIS_Y] == NO_COORDINATE) {
+        to->guided[1].cos += moment * sin(angle);
+        to->guided[1].sin += moment * cos(angle);
+    }
+}
+
 void assembly_gyroscopic(assembly *to, size_t station, double polar) {
     const size_t *at = to->stations[station].coordinate, x = at[AXIS_TILT_X], y = at[AXIS_TILT_Y];
     if (to->stations[station].shaft != NO_SHAFT) {
@@ -425,6 +437,7 @@ void assembly_unbalance(assembly *to, size_t station, double moment, double angl
     if (to->balanced) return;
     if (at->ratio != 1.0 && moment != 0.0) to->aside = at->name;
     assembly_inertial(to, at->coordinate[AXIS_X], at->coordinate[AXIS_Y], moment, angle);
+    assembly_guide(to, at->coordinate, moment, angle);
     if (!in_plane(at) || to->phased) {
         assembly_turning(to, at->coordinate[AXIS_X], at->coordinate[AXIS_Y], moment * to->speed * to->speed, angle);
         return;

@@ -171,6 +171,7 @@ typedef struct assembly {
     station_runout *runouts; ///< runout of probes
     size_t turning_count, turning_capacity;
     turning_inertia *turnings; ///< inertias that turn with the rotor's own shaft
+    turning_inertia guided[2]; ///< likewise, sums along x and y of unbalances of stations that do not move that way
     size_t weight_count, weight_capacity;
     turning_inertia *weights; ///< forces by a pull of 1 m/s2 along x (cos) and along y (sin): kg, of tilts kg m
     double pull[2];           ///< gravity across the shafts, m/s2

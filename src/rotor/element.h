@@ -209,6 +209,11 @@ typedef struct whirl_element_type {
     /// quantity for which it stands times the power of the speed with which the state falls; 0 for other states.
     void (*paced)(const element *own, const double *states, double *out);
 
+    /// Optional, for an unbalance that turns at a fixed ratio of the shaft's speed: computes the force on each of its
+    /// first two ports by a unit of the shaft's acceleration, lever [2], kg m. speed: speed of the shaft for which its
+    /// numbers hold, rad/s. Returns its moment times that ratio, kg m; 0 if it does not turn with the shaft.
+    double (*lever)(const element *own, double speed, const double *states, double lever[2]);
+
     /// For states that turn at a constant rate: returns the rounds per revolution after which a state's effects repeat.
     /// NULL: never after whole revolutions.
     double (*rounds)(const element *own, size_t state);

@@ -67,6 +67,7 @@ struct whirl_rotor {
     station_twist *twists;           ///< [station_count]
     size_t turning_count;
     turning_inertia *turnings; ///< [turning_count] as in the assembly
+    turning_inertia guided[2]; ///< as in the assembly
     double pull[2];            ///< m/s2, gravity across the shafts
     double *weight;            ///< [2][degrees] force by a pull of 1 m/s2 along x, then along y: kg, of a tilt kg m
     shaft_drive drive;         ///< as in the assembly

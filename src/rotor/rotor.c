@@ -349,6 +349,7 @@ static whirl_rotor *finish(building *b) {
     if (b->assembly.frequencies)
         memcpy(rotor->frequencies, b->assembly.frequencies, rotor->frequency_count * sizeof *rotor->frequencies);
     rotor->turning_count = b->assembly.turning_count;
+    memcpy(rotor->guided, b->assembly.guided, sizeof rotor->guided);
     if (b->assembly.turnings)
         memcpy(rotor->turnings, b->assembly.turnings, rotor->turning_count * sizeof *rotor->turnings);
     memcpy(rotor->inertia, b->assembly.inertia, b->assembly.degrees * sizeof *rotor->inertia);

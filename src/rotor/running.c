@@ -55,7 +55,15 @@ typedef struct running_rotor {
     /// coordinate (force_). lost_ is the same for the unbalances of `lose`.
     double *own_cos, *own_sin, *force_cos, *force_sin;
     double *lost_cos, *lost_sin, *lost_force_cos, *lost_force_sin;
-    double *lever_force, *lever_acceleration; ///< [degrees] workspace: levers of theta'' on a coordinate
+    double *lever_force, *lever_acceleration;   ///< [degrees] workspace: levers of theta'' on a coordinate
+    double *geared_force, *geared_acceleration; ///< [degrees] workspace: those of unbalances at ratios of the speed
+    turning_inertia lost_guided[2];             ///< rotor->guided and the unbalances of `lose`
+    double *guided_lever;  ///< [2] workspace: levers of theta'' along x and y of what does not move that way
+    double *alone;         ///< [degrees] share of an unbalance's square by a row: 1 if its station moves one way only
+    double own_inertia;    ///< kg m2: what unbalances add to the inertia about the shaft's axis
+    double lost_inertia;   ///< kg m2: the same with those of `lose`
+    size_t geared_count;   ///< unbalances at ratios of the speed
+    double geared_inertia; ///< kg m2: what these add to the inertia about the shaft's axis
     unsigned char *along;  ///< [degrees] 0 for displacements of stations along x, 1 along y, 2 for all other
                            ///< coordinates
     double *block;         ///< all arrays from own_cos on
@@ -364,19 +372,69 @@ static bool running_probe_moves(const whirl_probe *probe, size_t way) {
     return probe->x != probe->y || (way == 1) == probe->along_y;
 }
 
+/// Computes the lever of an unbalance at a ratio of the shaft's speed, with the numbers of the speed w and the states
+/// [own->states]; returns as element_type.lever.
+static double running_geared_lever(const running_rotor *r, size_t index, double w, const double *states,
+                                   double lever[2]) {
+    element own = r->rotor->elements[index];
+    if (!own.type->lever || own.states == 0) return 0.0;
+    own.number = r->numbers + own.first_number;
+    return own.type->lever(&own, w * r->unit, states, lever);
+}
+
+/// Counts the unbalances at ratios of the speed. Each of them has the distance U/m from the axis, at which the mass of
+/// its station adds to the inertia of its shaft.
+static void running_count_geared(running_rotor *r) {
+    const whirl_rotor *rotor = r->rotor;
+    running_numbers_at(r, 1.0);
+    for (size_t i = 0; i < rotor->element_count; i++) {
+        const double start[MAX_ELEMENT_STATES] = {0.0};
+        const size_t *port = rotor->elements[i].port;
+        double lever[2];
+        const double moment = running_geared_lever(r, i, 1.0, start, lever);
+        if (moment == 0.0) continue;
+        const size_t at = port[0] != NO_COORDINATE ? port[0] : port[1];
+        if (at == NO_COORDINATE) continue;
+        r->geared_count++;
+        r->geared_inertia += moment * moment / rotor->inertia[at];
+    }
+}
+
+/// Returns what unbalances of the shaft, with those of `lose`, add to its inertia about its axis: of each place the
+/// square of its moment over its mass, kg m2.
+static double running_unbalance_inertia(const running_rotor *r) {
+    double sum = 0.0;
+    for (size_t i = 0; i < r->rotor->lanes.degrees; i++) {
+        const double c = r->force_cos[i] + r->lost_force_cos[i], s = r->force_sin[i] + r->lost_force_sin[i];
+        sum += r->alone[i] * (c * c + s * s) / r->rotor->inertia[i];
+    }
+    return sum;
+}
+
+static void running_lose(whirl_running *running, size_t count, const whirl_placed *placed);
+
 static whirl_status running_add_turnings(running_rotor *r) {
     const whirl_rotor *rotor = r->rotor;
     const size_t n = rotor->lanes.degrees;
-    r->block = calloc(14 * n + 2 * (r->at_speed + 2) + 3 * rotor->contact_count + 3, sizeof *r->block);
+    r->block = calloc(17 * n + 2 * (r->at_speed + 2) + 3 * rotor->contact_count + 5, sizeof *r->block);
     r->along = malloc(n + 1);
     if (!r->block || !r->along) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine whose speed changes");
     // Cut the block into arrays.
-    double **const parts[] = {&r->own_cos,        &r->own_sin,
-                              &r->force_cos,      &r->force_sin,
-                              &r->lost_cos,       &r->lost_sin,
-                              &r->lost_force_cos, &r->lost_force_sin,
-                              &r->lever_force,    &r->lever_acceleration,
-                              &r->torque,         &r->torque_acceleration};
+    double **const parts[] = {&r->own_cos,
+                              &r->own_sin,
+                              &r->force_cos,
+                              &r->force_sin,
+                              &r->lost_cos,
+                              &r->lost_sin,
+                              &r->lost_force_cos,
+                              &r->lost_force_sin,
+                              &r->lever_force,
+                              &r->lever_acceleration,
+                              &r->geared_force,
+                              &r->geared_acceleration,
+                              &r->alone,
+                              &r->torque,
+                              &r->torque_acceleration};
     enum { PARTS = sizeof parts / sizeof *parts };
     for (size_t i = 0; i < PARTS; i++) *parts[i] = r->block + i * n;
     r->place = r->block + PARTS * n;
@@ -384,7 +442,8 @@ static whirl_status running_add_turnings(running_rotor *r) {
     r->friction = r->slope + r->at_speed + 2;
     r->evaluations = r->friction + 3 * rotor->contact_count;
     r->shake = r->evaluations + 1;
-    r->shaken = r->shake + 2;
+    r->guided_lever = r->shake + 2;
+    r->shaken = r->guided_lever + 2;
     // Compute the accelerations by the ground, by unbalances and by turning loads.
     for (size_t way = 0; way < 2; way++) rotor_accelerate(rotor, rotor->weight + way * n, r->shaken + way * n);
     for (size_t i = 0; i < rotor->turning_count; i++) {
@@ -393,12 +452,20 @@ static whirl_status running_add_turnings(running_rotor *r) {
     }
     // Find the direction of each displacement: 0 along x, 1 along y, 2 neither.
     memset(r->along, 2, n);
+    for (size_t i = 0; i < n; i++) r->alone[i] = 0.5;
     for (size_t p = 0; p < rotor->station_count; p++)
-        for (unsigned char way = 0; way < 2; way++)
-            if (running_probe_moves(&rotor->probes[p], way))
-                r->along[way == 0 ? rotor->probes[p].x : rotor->probes[p].y] = way;
+        for (unsigned char way = 0; way < 2; way++) {
+            const whirl_probe *probe = &rotor->probes[p];
+            const size_t row = way == 0 ? probe->x : probe->y;
+            if (!running_probe_moves(probe, way)) continue;
+            r->along[row] = way;
+            if (!running_probe_moves(probe, 1 - way)) r->alone[row] = 1.0;
+        }
     rotor_accelerate(rotor, r->force_cos, r->own_cos);
     rotor_accelerate(rotor, r->force_sin, r->own_sin);
+    r->own_inertia = running_unbalance_inertia(r);
+    running_count_geared(r);
+    running_lose(&r->shown, 0, NULL);
     return whirl_ok();
 }
 
@@ -408,20 +475,28 @@ static void running_lose(whirl_running *running, size_t count, const whirl_place
     const size_t n = rotor->lanes.degrees;
     memset(r->lost_force_cos, 0, n * sizeof *r->lost_force_cos);
     memset(r->lost_force_sin, 0, n * sizeof *r->lost_force_sin);
+    memcpy(r->lost_guided, rotor->guided, sizeof r->lost_guided);
     for (size_t i = 0; i < count; i++) {
         const whirl_probe *probe = &rotor->probes[placed[i].station];
         const double c = placed[i].moment * cos(placed[i].angle), s = placed[i].moment * sin(placed[i].angle);
         if (running_probe_moves(probe, 0)) {
             r->lost_force_cos[probe->x] += c;
             r->lost_force_sin[probe->x] -= s;
+        } else {
+            r->lost_guided[0].cos += c;
+            r->lost_guided[0].sin -= s;
         }
         if (running_probe_moves(probe, 1)) {
             r->lost_force_cos[probe->y] += s;
             r->lost_force_sin[probe->y] += c;
+        } else {
+            r->lost_guided[1].cos += s;
+            r->lost_guided[1].sin += c;
         }
     }
     rotor_accelerate(rotor, r->lost_force_cos, r->lost_cos);
     rotor_accelerate(rotor, r->lost_force_sin, r->lost_sin);
+    r->lost_inertia = running_unbalance_inertia(r);
 }
 
 // ---------------------------------------------------------------- the equation of the shaft
@@ -572,10 +647,34 @@ static double running_find_torques(const running_rotor *r, const double *numbers
     return whole + running_add_drag(r, s, &out->drag);
 }
 
+/// Adds the levers of unbalances at ratios of the speed w, in a state x by the angle.
+static void running_add_geared(const running_rotor *r, double w, const double *x) {
+    const whirl_rotor *rotor = r->rotor;
+    const size_t n = rotor->lanes.degrees;
+    memset(r->geared_force, 0, n * sizeof *r->geared_force);
+    for (size_t i = 0; i < rotor->element_count; i++) {
+        const element *own = &rotor->elements[i];
+        double lever[2] = {0.0, 0.0};
+        if (running_geared_lever(r, i, w, x + n + own->state, lever) == 0.0) continue;
+        for (size_t p = 0; p < 2; p++)
+            if (own->port[p] != NO_COORDINATE)
+                r->geared_force[own->port[p]] += own->share[p] * lever[p];
+            else
+                r->guided_lever[p] += lever[p];
+    }
+    rotor_accelerate(rotor, r->geared_force, r->geared_acceleration);
+    for (size_t i = 0; i < n; i++) {
+        r->lever_force[i] += r->geared_force[i];
+        r->lever_acceleration[i] += r->geared_acceleration[i];
+    }
+}
+
 /// Computes the levers, which are force and acceleration of every coordinate by a unit of theta'', at the values C and
-/// S of the forcing.
+/// S of the forcing, of the unbalances that turn with the shaft.
 static void running_find_levers(const running_rotor *r, const double *forcing) {
     const double way = r->rotor->way, c = way * forcing[COS_TAU], s = way * forcing[SIN_TAU];
+    const turning_inertia *guided = r->how.lost ? r->lost_guided : r->rotor->guided;
+    for (size_t i = 0; i < 2; i++) r->guided_lever[i] = guided[i].cos * s - guided[i].sin * c;
     for (size_t i = 0; i < r->rotor->lanes.degrees; i++) {
         r->lever_force[i] = r->force_cos[i] * s - r->force_sin[i] * c;
         r->lever_acceleration[i] = r->own_cos[i] * s - r->own_sin[i] * c;
@@ -585,9 +684,8 @@ static void running_find_levers(const running_rotor *r, const double *forcing) {
     }
 }
 
-/// Returns the pull of gravity on an unbalance at a coordinate minus the acceleration of the ground, m/s2.
-static double running_pull_on(const running_rotor *r, size_t coordinate) {
-    const size_t way = r->along[coordinate];
+/// Returns the pull of gravity along x (way: 0) or y (way: 1) minus the acceleration of the ground, m/s2; 0 otherwise.
+static double running_pull(const running_rotor *r, size_t way) {
     return way < 2 ? r->rotor->pull[way] - r->shake[way] : 0.0;
 }
 
@@ -622,11 +720,13 @@ static faster running_faster(const running_rotor *r, const double *numbers, cons
         return (faster){rate / square, twists ? turned / inertia : 0.0};
     }
     // Unbalances act as levers.
+    inertia += (r->how.lost ? r->lost_inertia : r->own_inertia) + r->geared_inertia;
+    for (size_t way = 0; way < 2; way++) reaction -= r->guided_lever[way] * running_pull(r, way) / square;
     for (size_t i = 0; i < rotor->lanes.degrees; i++) {
         const double u = r->lever_force[i];
         if (u == 0.0) continue;
-        reaction += u * (rotor->unit[i] * w * w * a[i] - running_pull_on(r, i) / square);
-        inertia += u * (u / rotor->inertia[i] - rotor->unit[i] * r->lever_acceleration[i]);
+        reaction += u * (rotor->unit[i] * w * w * a[i] - running_pull(r, r->along[i]) / square);
+        inertia -= u * rotor->unit[i] * r->lever_acceleration[i];
     }
     torques->rotor = reaction * square;
     return (faster){(whole / square + turned + reaction) / inertia, turned / r->turn_inertia};
@@ -677,6 +777,7 @@ static const double *running_flow(const running_rotor *r, double w, const double
     const size_t n = r->rotor->lanes.degrees;
     *r->evaluations += 1.0;
     running_find_levers(r, forcing);
+    if (r->geared_count > 0) running_add_geared(r, fmax(w, slowest), x);
     rotor_flow_with(r->rotor, numbers, forcing, sides, x, dxdt);
     for (size_t i = 0; i < n && r->how.lost; i++)
         dxdt[n + i] += r->lost_cos[i] * forcing[COS_TAU] + r->lost_sin[i] * forcing[SIN_TAU];
@@ -1030,6 +1131,7 @@ whirl_status whirl_running_new(whirl_machine_at *make, const void *context, doub
     r->shown.by_angle = &r->by_angle;
     r->shown.by_time = &r->by_time;
     r->shown.unit = highest;
+    r->shown.geared = r->geared_count > 0;
     r->shown.contact_count = r->rotor->contact_count;
     r->shown.turn = running_set;
     r->shown.lose = running_lose;

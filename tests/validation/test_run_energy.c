@@ -9,9 +9,12 @@
 
 #include "support_check.h"
 #include "support_runs.h"
+#include "support_study.h"
 #include "whirl/engine/case.h"
+#include "whirl/engine/fields.h"
 #include "whirl/engine/integrate.h"
 #include "whirl/engine/linear.h"
+#include "whirl/engine/result.h"
 #include "whirl/engine/running.h"
 #include "whirl/engine/study.h"
 
@@ -290,11 +293,87 @@ static void fan(const seen *at, account *out) {
     add_drive(at, 60.0, 300.0 * pi, 5e-5, out);
 }
 
+// ---------------------------------------------------------------- unbalances of other shafts
+
+/// An unbalance: its moment, kg m, the ratio of its speed to the shaft's, and its angle at the beginning.
+typedef struct unbalance {
+    double moment, ratio, angle;
+} unbalance;
+
+/// A station of 3 kg on springs of 1e5 N/m and dampers of 50 N s/m that moves along x, along y, or both ways, with
+/// unbalances of its own shaft and of others, and a drive with the inertia 0.05 about axes through centres of mass.
+static void station_account(const seen *at, const unbalance *of, size_t count, bool along_x, bool along_y,
+                            account *out) {
+    const double mass = 3.0, w = at->speed;
+    const double x = along_x ? at->x[0] : 0.0, y = along_y ? at->y[0] : 0.0;
+    const double vx = along_x ? at->vx[0] : 0.0, vy = along_y ? at->vy[0] : 0.0;
+    double inertia = 0.05, c = 0.0, s = 0.0;
+    *out = (account){.energy = 0.5 * mass * square(vx, vy) + 5e4 * square(x, y) + mass * gravity * y,
+                     .taken = 50.0 * square(vx, vy)};
+    // Those that turn with the shaft have one centre of mass, the others each its own.
+    for (size_t i = 0; i < count; i++) {
+        const double phase = of[i].ratio * at->angle + of[i].angle, turned = of[i].moment * of[i].ratio;
+        out->energy += turned * w * (vy * cos(phase) - vx * sin(phase)) + of[i].moment * gravity * sin(phase);
+        if (of[i].ratio == 1.0) {
+            c += of[i].moment * cos(of[i].angle);
+            s += of[i].moment * sin(of[i].angle);
+        } else {
+            inertia += turned * turned / mass;
+        }
+    }
+    inertia += square(c, s) / mass;
+    out->energy += 0.5 * inertia * w * w;
+    add_drive(at, 6.0, 300.0, 1e-6, out);
+}
+
+#define STATION(moves, elements, more)                                                                                 \
+    "whirl: 1\nrotor:\n  speed: 100 rad/s\n  length_scale: 1 mm\n" more                                                \
+    "  stations: {disc: {mass: 3 kg, damping: 50 N.s/m, moves: " moves "}}\n  elements:\n" elements                    \
+    "    - gravity: 9.81 m/s2\n"                                                                                       \
+    "    - drive: {inertia: 0.05 kg.m2, torque: 6 N.m, no_load_speed: 300 rad/s, load_quadratic: 1e-6 N.m.s2}\n"       \
+    "study: {runup: {duration: 1 s, rtol: 1e-12}}\n"
+#define SPRING(along) "    - spring: {between: [disc, ground], stiffness: 1e5 N/m, along: " along "}\n"
+
+static const char geared_text[] =
+    STATION("xy",
+            SPRING("xy") "    - unbalance: {at: disc, moment: 3e-3 kg.m, angle: 30 deg}\n"
+                         "    - unbalance: {at: disc, moment: 1e-2 kg.m, angle: 70 deg, ratio: 0.37}\n"
+                         "    - unbalance: {at: disc, moment: 2e-3 kg.m, ratio: -2.5}\n",
+            "");
+static void geared(const seen *at, account *out) {
+    static const unbalance of[] = {{3e-3, 1.0, 30.0}, {1e-2, 0.37, 70.0}, {2e-3, -2.5, 0.0}};
+    unbalance turned[COUNT_OF(of)];
+    for (size_t i = 0; i < COUNT_OF(of); i++) {
+        turned[i] = of[i];
+        turned[i].angle *= pi / 180.0;
+    }
+    station_account(at, turned, COUNT_OF(of), true, true, out);
+}
+
+static const char along_x_text[] =
+    STATION("x",
+            SPRING("x") "    - unbalance: {at: disc, moment: 1.2e-2 kg.m, angle: 30 deg}\n"
+                        "    - unbalance: {at: disc, moment: 4e-3 kg.m, ratio: 2.5}\n",
+            "");
+static const char along_y_text[] =
+    STATION("y",
+            SPRING("y") "    - unbalance: {at: disc, moment: 1.2e-2 kg.m, angle: 30 deg}\n"
+                        "    - unbalance: {at: disc, moment: 4e-3 kg.m, ratio: 2.5}\n",
+            "");
+static const unbalance of_one_way[] = {{1.2e-2, 1.0, 0.52359877559829887}, {4e-3, 2.5, 0.0}};
+static void along_x(const seen *at, account *out) {
+    station_account(at, of_one_way, COUNT_OF(of_one_way), true, false, out);
+}
+static void along_y(const seen *at, account *out) {
+    station_account(at, of_one_way, COUNT_OF(of_one_way), false, true, out);
+}
+
 // ---------------------------------------------------------------- the gallery
 
 /// A run of a case of the gallery.
 typedef struct run_of {
     const char *what, *file;
+    const char *text;    ///< the case itself, where it is not a file
     size_t point;        ///< of the case
     bool rubs;           ///< a contact closes
     double length, from; ///< m, length scale; rad/s, speed at the beginning
@@ -304,12 +383,29 @@ typedef struct run_of {
 } run_of;
 
 static const run_of runs[] = {
-    {"run-up with a rub", "rub-run-up", 0, true, 1e-4, 0.0, 4.0, 0.0, rub_run_up},
-    {"motor that sticks at the critical speed", "sommerfeld", 0, false, 1e-3, 0.0, 30.0, 0.0, sommerfeld_weak},
-    {"motor that passes it", "sommerfeld", 1, false, 1e-3, 0.0, 60.0, 0.0, sommerfeld_strong},
-    {"start of a geared compressor", "motor-start", 0, false, 1e-3, 0.0, 2.0, 0.0, motor_start},
-    {"fan in films, from rest", "run-up", 0, false, 1e-4, 0.0, 1.0, 0.0, fan},
-    {"fan in films, blade loss, trip and rub", "run-up", 0, true, 1e-4, 560.0, 0.1, 0.02, fan}};
+    {"run-up with a rub", "rub-run-up", NULL, 0, true, 1e-4, 0.0, 4.0, 0.0, rub_run_up},
+    {"motor that sticks at the critical speed", "sommerfeld", NULL, 0, false, 1e-3, 0.0, 30.0, 0.0, sommerfeld_weak},
+    {"motor that passes it", "sommerfeld", NULL, 1, false, 1e-3, 0.0, 60.0, 0.0, sommerfeld_strong},
+    {"start of a geared compressor", "motor-start", NULL, 0, false, 1e-3, 0.0, 2.0, 0.0, motor_start},
+    {"fan in films, from rest", "run-up", NULL, 0, false, 1e-4, 0.0, 1.0, 0.0, fan},
+    {"fan in films, blade loss, trip and rub", "run-up", NULL, 0, true, 1e-4, 560.0, 0.1, 0.02, fan},
+    {"unbalances of other shafts", "", geared_text, 0, false, 1e-3, 0.0, 1.0, 0.0, geared},
+    {"unbalances on a station that moves along x", "", along_x_text, 0, false, 1e-3, 0.0, 1.0, 0.0, along_x},
+    {"unbalances on a station that moves along y", "", along_y_text, 0, false, 1e-3, 0.0, 1.0, 0.0, along_y}};
+
+/// Checks that the study, which follows a run by the angle of the shaft, ends in the same state.
+static void check_study(const run_of *run, const ledger *own, const double *x) {
+    const whirl_system *inner = own->running->by_time;
+    whirl_result *result = result_of_text(run->text);
+    check_within("Run energy", words("%s, by the angle: speed", run->what),
+                 x[inner->dimension - 3] * own->running->unit, first_number(result, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0),
+                 1e-6);
+    for (size_t axis = 0; axis < 2; axis++)
+        check_within("Run energy", words("%s, by the angle: place %zu, in length scales", run->what, axis),
+                     whirl_probe_value(&inner->probes[0], x, axis),
+                     first_number(result, WHIRL_FIELD_RUNUP_PLACE, 0, axis), 1e-6);
+    whirl_result_free(result);
+}
 
 /// Checks the balance of a run, of which a share of the work and of the energy at its beginning may be missing.
 static void check_balance(const run_of *run, double rtol) {
@@ -319,7 +415,10 @@ static void check_balance(const run_of *run, double rtol) {
     double x[MAX_STATE] = {0.0};
     sums found = {.given = 0.0};
     // Open the machine at the speed of its beginning.
-    require_ok(whirl_case_load(words("%s/%s.yaml", WHIRL_CASES, run->file), &problems, &object));
+    if (run->text)
+        object = case_of_text(run->text);
+    else
+        require_ok(whirl_case_load(words("%s/%s.yaml", WHIRL_CASES, run->file), &problems, &object));
     require_ok(whirl_case_study(object, &study));
     const whirl_batch *batch = &study.batches[0];
     const run_point at = {.study = &study, .value = batch->values ? batch->values[run->point] : NAN};
@@ -338,6 +437,7 @@ static void check_balance(const run_of *run, double rtol) {
     }
     check_within("Run energy", words("%s, rtol %g: share missing", run->what, rtol), 0.0,
                  found.missing / (found.given + stored), 1e-2 * rtol + 1e-12);
+    if (run->text) check_study(run, &own, x);
     if (run->rubs) check_holds("Run energy", words("%s: friction takes power", run->what), found.rubbing > 1.0);
     own.running->release(own.running);
     whirl_case_free(object);

@@ -222,6 +222,68 @@ static void samples_change_nothing(void **state) {
     whirl_result_free(few);
 }
 
+/// Two discs of 2 kg, 40 cm apart, with unbalances, on a shaft that a drive turns from rest.
+static whirl_result *run_unbalances(const char *rotor, const char *unbalances) {
+    char text[SIZE];
+    snprintf(text, sizeof text,
+             "whirl: 1\nrotor:\n  speed: 100 rad/s\n  length_scale: 1 mm\n%s"
+             "  stations: {a: {mass: 2 kg, damping: 50 N.s/m}, b: {mass: 2 kg, damping: 50 N.s/m}}\n"
+             "  elements:\n"
+             "    - spring: {between: [a, ground], stiffness: 5e4 N/m}\n"
+             "    - spring: {between: [b, ground], stiffness: 6e4 N/m}\n"
+             "    - spring: {between: [a, b], stiffness: 2e4 N/m}\n"
+             "    - drive: {inertia: 0.05 kg.m2, torque: 6 N.m, no_load_speed: 300 rad/s}\n"
+             "%s"
+             "study: {runup: {duration: 1.5 s, rtol: 1e-12, rows: 20, samples: 32}}\n",
+             rotor, unbalances);
+    return result_of_text(text);
+}
+
+/// The same unbalances said in other ways, and in the mirror, turn the shaft alike.
+static void unbalances_said_otherwise(void **state) {
+    static const struct {
+        const char *what, *rotor[2], *unbalances[2];
+        double mirrored; ///< sign of y in the second
+    } pairs[] = {
+        {"ratio 1",
+         {"", ""},
+         {"    - unbalance: {at: a, moment: 6e-3 kg.m, angle: 40 deg}\n",
+          "    - unbalance: {at: a, moment: 6e-3 kg.m, angle: 40 deg, ratio: 1}\n"},
+         1.0},
+        {"grade",
+         {"", ""},
+         {"    - unbalance: {at: a, moment: 4e-3 kg.m}\n    - unbalance: {at: b, moment: 4e-3 kg.m}\n",
+          "    - unbalance_grade: {planes: [a, b], grade: 200 mm/s, service_speed: 100 rad/s, mass: 4 kg, to_first: "
+          "0.2 "
+          "m, to_second: 0.2 m}\n"},
+         1.0},
+        {"mirrored, ratio 1.7",
+         {"", "  rotation: clockwise\n"},
+         {"    - unbalance: {at: a, moment: 5e-3 kg.m, ratio: 1.7}\n    - unbalance: {at: b, moment: 4e-3 kg.m}\n",
+          "    - unbalance: {at: a, moment: 5e-3 kg.m, ratio: 1.7}\n    - unbalance: {at: b, moment: 4e-3 kg.m}\n"},
+         -1.0},
+        {"mirrored, ratio -1.7",
+         {"", "  rotation: clockwise\n"},
+         {"    - unbalance: {at: b, moment: 5e-3 kg.m, ratio: -1.7}\n",
+          "    - unbalance: {at: b, moment: 5e-3 kg.m, ratio: -1.7}\n"},
+         -1.0},
+    };
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(pairs); i++) {
+        whirl_result *one = run_unbalances(pairs[i].rotor[0], pairs[i].unbalances[0]);
+        whirl_result *other = run_unbalances(pairs[i].rotor[1], pairs[i].unbalances[1]);
+        check_within("Run-up", words("unbalances, %s: speed", pairs[i].what),
+                     first_number(one, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0),
+                     first_number(other, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0), 1e-8);
+        for (size_t k = 0; k < 4; k++)
+            check_within("Run-up", words("unbalances, %s: place %zu", pairs[i].what, k),
+                         (k % 2 ? pairs[i].mirrored : 1.0) * first_number(one, WHIRL_FIELD_RUNUP_PLACE, k / 2, k % 2),
+                         first_number(other, WHIRL_FIELD_RUNUP_PLACE, k / 2, k % 2), 1e-8);
+        whirl_result_free(one);
+        whirl_result_free(other);
+    }
+}
+
 // ---------------------------------------------------------------- sensitivity
 
 /// Ueda's oscillator, x'' + 0.05 x' + x^3 = 7.5 cos t, as a disc at a constant speed, with a tolerance.
@@ -480,6 +542,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(sensitive_runs),
                                        cmocka_unit_test(two_discs_on_one_shaft),
                                        cmocka_unit_test(two_discs_otherwise),
+                                       cmocka_unit_test(unbalances_said_otherwise),
                                        cmocka_unit_test(sommerfeld),
                                        cmocka_unit_test(stationary_speeds),
                                        cmocka_unit_test(samples_change_nothing),

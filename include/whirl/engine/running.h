@@ -5,9 +5,10 @@
 ///     J theta'' = T - sum U_i g cos(theta + a_i) + sum u_i . q'',   u_i = U_i (sin(theta + a_i), -cos(theta + a_i)),
 ///
 /// with T the torque of the drive less its load, the friction of contacts and the drag of films and seals, and
-/// unbalances U_i at angles a_i. Their force is U_i theta'^2 (cos, sin)(theta + a_i) + u_i theta''. Where a torque
-/// turns a disc through its shaft it follows the disc's axis, and polar inertia adds no moment with theta''
-/// (docs/theory.md). Coefficients of films, bearings and seals are those of the speed of the moment.
+/// unbalances U_i at angles a_i. One that turns at a ratio n of the speed has n theta, and n u in both sums. Their
+/// force is U_i theta'^2 (cos, sin)(theta + a_i) + u_i theta''. Where a torque turns a disc through its shaft it
+/// follows the disc's axis, and polar inertia adds no moment with theta'' (docs/theory.md). Coefficients of films,
+/// bearings and seals are those of the speed of the moment.
 ///
 /// The independent variable of the equations is the angle, d/dtheta in place of d/dt, 2 pi for one revolution. For a
 /// machine that begins at rest, or hardly turns, it is the time.
@@ -115,6 +116,7 @@ struct whirl_running {
     bool in_time;         ///< only by_time is valid for this machine: torques depend on time, or stations twist
     double unit;          ///< speeds in states are multiples of it, rad/s; its inverse, s, is the unit of time
     double error;         ///< relative interpolation error of numbers between the speeds of the tables; 0: exact
+    bool geared;          ///< unbalances turn at fixed ratios of the shaft's speed
     size_t driver;        ///< station of the first motor, whose speed triggers events; the number of stations if no
                           ///< station twists
     size_t contact_count; ///< number of contacts

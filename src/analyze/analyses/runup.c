@@ -693,7 +693,8 @@ static whirl_status runup_compute(const whirl_resting *point, const whirl_record
         runup_empty(view);
         status = runup_run_machine(running, &c, &o, view, false, &stale);
     }
-    if (status.code == WHIRL_OK && view_numbers(view, STATIONARY, 0))
+    // The balance knows responses at the speed of the shaft only.
+    if (status.code == WHIRL_OK && view_numbers(view, STATIONARY, 0) && !running->geared)
         status = runup_find_stationary(point, running, o.drag, (size_t)o.stationary, c.highest,
                                        view_numbers(view, STATIONARY, 0), view_numbers(view, FOLD, 0));
     if (running) running->release(running);

@@ -7,6 +7,9 @@
 
 enum { AT, MOMENT, ANGLE, RATIO, SPEED, KEYPHASOR, KEY_COUNT };
 
+/// Laws of an unbalance with a phase of its own: of another shaft, or of one whose speed has a ratio to the rotor's.
+enum { UNBALANCE_ALONE, UNBALANCE_GEARED };
+
 static const whirl_key keys[KEY_COUNT] = {
     UNBALANCE_KEYS,
     [RATIO] = NUMBER_KEY("ratio", "rho", "1", DEFAULT("1"), WHIRL_FROM_TO(-HARMONIC_FASTEST, HARMONIC_FASTEST),
@@ -33,9 +36,21 @@ static whirl_status unbalance_build(const key_value *values, assembly *to, eleme
     if (values[KEYPHASOR].choice && ratio == 0.0)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "does not turn, expected a speed above 0 of the phase that defines sections");
+    out->law = values[RATIO].given ? UNBALANCE_GEARED : UNBALANCE_ALONE;
     element_on(&values[AT], to, AXIS_X, out);
     harmonic_force(out, to, moment * speed * speed, 1.0, angle, 0.0, ratio * to->turn);
     return whirl_ok();
+}
+
+/// Computes the lever as element_type.lever: the force is U phi'^2 n(phi) - U phi'' dn/dphi, with the phase phi whose
+/// rate is a constant ratio of the shaft's speed.
+static double unbalance_lever(const element *own, double speed, const double *states, double lever[2]) {
+    const double *n = own->number, rate = n[HARMONIC_RATE], c = cos(states[0]), s = sin(states[0]);
+    if (own->law != UNBALANCE_GEARED || rate == 0.0) return 0.0;
+    const double by = rate / (rate * rate * speed * speed);
+    lever[0] = by * (n[HARMONIC_XC] * s - n[HARMONIC_XS] * c);
+    lever[1] = by * (n[HARMONIC_YC] * s - n[HARMONIC_YS] * c);
+    return by * hypot(n[HARMONIC_XC], n[HARMONIC_XS]);
 }
 
 static bool unbalance_named_order(const element *own, size_t index, double *order, const char **name) {
@@ -55,6 +70,7 @@ const element_type unbalance_element = {
     .state_count = 1,
     .turning = 1,
     .rounds = harmonic_rounds,
+    .lever = unbalance_lever,
     .named_order = unbalance_named_order,
     .kernels = harmonic_kernels,
     .build = unbalance_build,

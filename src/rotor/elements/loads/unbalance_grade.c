@@ -109,6 +109,7 @@ static whirl_status unbalance_grade_build(const key_value *values, assembly *to,
         own[0] = own[3] = force * cos(angle);
         own[2] = force * sin(angle);
         own[1] = -own[2];
+        if (!to->balanced) assembly_inertial(to, out->port[2 * i], out->port[2 * i + 1], moment[1 + i], angle);
     }
     generic_scale(out, to, 1.0);
     return status;
