@@ -105,6 +105,31 @@ test('stations that twist are shown in degrees, without an orbit', async () => {
   assert.doesNotMatch(numbers, /\u00b5m|mean y/);
   assert.equal(await page.isVisible('.panel-run-orbit'), false);
   assert.equal(await page.isVisible('.panel-run-spectrum'), false);
+  // Torques of the motor and both couplings, over the time and at the cursor.
+  const chart = page.locator(card('The run over the time'));
+  const below = chart.getByLabel('What the lower chart shows');
+  assert.deepEqual((await below.locator('option').allTextContents()).slice(-4), [
+    'Torque: induction motor at motor',
+    'Torque: motor to wheel',
+    'Torque: pinion to compressor',
+    'Speeds of the stations',
+  ]);
+  const course = exported('train', 'torque_course').rows;
+  const count = course.length / 3;
+  await below.selectOption({ label: 'Torque: motor to wheel' });
+  const shaft = await table(page, card('The run over the time'));
+  assert.match(shaft.heading.at(-2), /largest in the row/);
+  assert.equal(shaft.rows.length, 1000);
+  assert.ok(Math.abs(shaft.rows[499][0] - 0.999) < 1e-9, 'the middle of its row');
+  const largest = Math.max(...course.slice(count, 2 * count).map((row) => row.at(-1)));
+  assert.ok(Math.abs(Math.max(...shaft.rows.map((row) => row.at(-2))) - largest) <= 1e-6 * largest);
+  await below.selectOption({ label: 'Speeds of the stations' });
+  const speeds = (await table(page, card('The run over the time'))).rows.at(-1).slice(-4);
+  assert.ok(Math.abs(speeds[2] / speeds[1] - 2) < 1e-6, 'the gear doubles the speed');
+  const found = await page.textContent('.run .numbers');
+  assert.match(found, /Torques at the cursor/);
+  assert.match(found, /132\.2/);
+  assert.match(found, /57\.92/);
   assert.deepEqual(complaints, []);
   await close();
 });

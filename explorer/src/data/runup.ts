@@ -20,6 +20,28 @@ export interface RunOrbit {
   readonly sampled: boolean;
 }
 
+/// A torque of a motor, or between two stations: its least and largest value in every row, N m. These rows are equal
+/// parts of the run, with or without the end of a turn.
+export interface RunTorque {
+  /// "motor to fan", "induction motor at motor"
+  readonly name: string;
+  readonly least: Float64Array;
+  readonly largest: Float64Array;
+}
+
+/// Kinds of torques in the field runup/torque_of; two stations join the first one, and those from MESH on.
+const TORQUE_KINDS = [
+  '',
+  'induction motor',
+  'synchronous start',
+  'short circuit',
+  'torque over time',
+  'mesh',
+  'rigid gear',
+  'spring with play',
+];
+const MESH = 5;
+
 /// A spectrum over the orders of the speed, in length scales.
 export interface RunSpectrum {
   readonly time: number;
@@ -48,6 +70,8 @@ export class RunUp {
     readonly lengthScale: number,
     readonly stations: readonly StationInfo[],
     readonly contacts: readonly string[],
+    /// True if `duration` is the time at which the run ended.
+    private readonly ended: boolean,
   ) {
     this.time = this.column(FIELD.RUNUP_TIME);
     this.speed = this.column(FIELD.RUNUP_SPEED);
@@ -66,7 +90,7 @@ export class RunUp {
       return found ? Float64Array.from(found.data.subarray(point * found.rows, (point + 1) * found.rows)) : NOTHING;
     };
     const end = diagram.number(point, FIELD.RUNUP_END_TIME);
-    return new RunUp(read, end, diagram.lengthScales[point] ?? run.length_scale, run.stations, run.contacts);
+    return new RunUp(read, end, diagram.lengthScales[point] ?? run.length_scale, run.stations, run.contacts, true);
   }
 
   /// Returns a run of the engine, which may not be complete.
@@ -79,7 +103,7 @@ export class RunUp {
     };
     // Take the time reached as the length of a run whose length is unknown before it ends.
     const reached = read(FIELD.RUNUP_TIME, 0, 0).reduce((most, time) => (time > most ? time : most), 0);
-    return new RunUp(read, duration > 0 ? duration : reached, lengthScale, stations, contacts);
+    return new RunUp(read, duration > 0 ? duration : reached, lengthScale, stations, contacts, false);
   }
 
   /// Returns all rows of a column of a field; empty if the run has none.
@@ -88,6 +112,41 @@ export class RunUp {
     const found = this.known.get(key) ?? this.read(field, which, column);
     this.known.set(key, found);
     return found;
+  }
+
+  /// Torques of motors, and of shafts, couplings and gears between stations that twist; none in other machines.
+  get torques(): readonly RunTorque[] {
+    const [kinds, first, second] = [0, 1, 2].map((column) => this.column(FIELD.RUNUP_TORQUE_OF, 0, column)) as [
+      Float64Array,
+      Float64Array,
+      Float64Array,
+    ];
+    const rows = this.time.length;
+    const part = (column: number, i: number) =>
+      this.column(FIELD.RUNUP_TORQUE_COURSE, 0, column).subarray(i * rows, (i + 1) * rows);
+    return Array.from(kinds, (kind, i) => ({
+      name: this.torqueName(kind, [first[i]!, second[i]!]),
+      least: part(0, i),
+      largest: part(1, i),
+    }));
+  }
+
+  /// Middle of every row of the torques, s. A stored run that ended early has rows without torques at its end, which
+  /// tell its planned length to half a row.
+  get torqueTimes(): Float64Array {
+    const rows = this.time.length;
+    const values = this.column(FIELD.RUNUP_TORQUE_COURSE, 0, 1).subarray(0, rows);
+    const last = values.reduce((found, value, row) => (Number.isFinite(value) ? row : found), 0);
+    const planned = this.ended && last < rows - 1 ? (this.duration * rows) / (last + 0.5) : this.duration;
+    return Float64Array.from({ length: rows }, (_, row) => ((row + 0.5) / rows) * planned);
+  }
+
+  private torqueName(kind: number, ends: readonly [number, number]): string {
+    const [first, second] = ends.map((end) => this.stations[end]?.name);
+    const words = TORQUE_KINDS[kind] ?? '';
+    if (kind === 0) return `${first ?? 'between stations'} to ${second ?? 'between stations'}`;
+    if (kind >= MESH) return `${words}, ${first ?? 'ground'} to ${second ?? 'ground'}`;
+    return first === undefined ? words : `${words} at ${first}`;
   }
 
   number(field: string, which = 0, column = 0): number {

@@ -281,6 +281,7 @@ export class RunView {
       ...stationsTable(subject, false),
       ...stationsTable(subject, true),
       ...contactsTable(subject),
+      ...torquesTable(subject),
       turnTable(subject),
     );
   }
@@ -336,6 +337,25 @@ function contactsTable({ run, row }: RunSubject): HTMLElement[] {
     return [name, force! > 0 ? 'closed' : 'open', shown(force!), shown(100 * share!, 3)];
   });
   return [numbersTable('Contacts at the cursor', ['contact', 'now', 'largest force (N)', 'of the turn (%)'], rows)];
+}
+
+/// Makes a table of the torques of motors and shafts: within the row of the cursor, and in the whole run.
+function torquesTable({ run, row, units }: RunSubject): HTMLElement[] {
+  const { factor, unit } = parameterMeasure('N m', units);
+  const { torques } = run;
+  if (torques.length === 0) return [];
+  const inRun = (i: number, column: number) => run.column(FIELD.RUNUP_TORQUE_EXTREME, 0, column)[i] ?? NaN;
+  const rows = torques.map(({ name, least, largest }, i) => [
+    name,
+    ...[largest[row] ?? NaN, least[row] ?? NaN, inRun(i, 0), inRun(i, 2)].map((value) => shown(value * factor)),
+    shown(inRun(i, 1)),
+  ]);
+  const heading = [
+    'torque',
+    ...['largest', 'least', 'largest of the run', 'least of the run'].map((text) => `${text} (${unit})`),
+    'largest at (s)',
+  ];
+  return [numbersTable('Torques at the cursor', heading, rows)];
 }
 
 /// Makes a table of the turns so far, and of the torques, which a run with a prescribed rate does not have.

@@ -18,6 +18,8 @@ interface Curve {
   readonly values: Float64Array;
   readonly dash: readonly number[];
   readonly colour: (colours: Theme) => string;
+  /// Place of every value on the axis, for values of all rows; absent: those of the rows with a turn.
+  readonly at?: Float64Array;
 }
 
 const DASHES = [[], [7, 4], [2, 3], [9, 3, 2, 3]] as const;
@@ -30,9 +32,14 @@ const COLOURS: readonly ((colours: Theme) => string)[] = [
 const SIGNS = ['\u2501', '\u254d', '\u2508', '\u2505'] as const;
 const KINDS = ['x', 'y', 'plain', 'plain'] as const;
 
-function curve(text: string, values: Float64Array, index: number): Curve {
+function curve(text: string, values: Float64Array, index: number, at?: Float64Array): Curve {
   const style = index % COLOURS.length;
-  return { text, values, dash: DASHES[style]!, colour: COLOURS[style]! };
+  return { text, values, dash: DASHES[style]!, colour: COLOURS[style]!, ...(at ? { at } : {}) };
+}
+
+/// Returns the rows of a curve that have values.
+function rowsOf({ at }: Curve, run: RunUp): readonly number[] {
+  return at ? Array.from(at.keys()) : run.rows;
 }
 
 function keyOf({ text, dash, colour }: Curve, index: number): Key {
@@ -101,6 +108,39 @@ function belowOf({ run, units }: RunSubject): readonly Below[] {
       curves: (subject) =>
         torques.map((name, i) => curve(name, scaled(subject.run.column(FIELD.RUNUP_TORQUE, 0, i), torque.factor), i)),
     },
+    ...run.torques.map(({ name }, i) => ({
+      id: `torque-${i}`,
+      text: `Torque: ${name}`,
+      axis: labelled('torque', torque.unit),
+      curves: (subject: RunSubject) => {
+        const own = subject.run.torques[i];
+        const at = subject.run.torqueTimes;
+        return own
+          ? [
+              curve('largest in the row', scaled(own.largest, torque.factor), 0, at),
+              curve('least', scaled(own.least, torque.factor), 1, at),
+            ]
+          : [];
+      },
+    })),
+    ...(run.torques.length > 0
+      ? [
+          {
+            id: 'speeds',
+            text: 'Speeds of the stations',
+            axis: labelled('speed', speed.unit),
+            curves: (subject: RunSubject) =>
+              subject.run.stations.map(({ name }, i) =>
+                curve(
+                  name,
+                  scaled(subject.run.column(FIELD.RUNUP_STATION_SPEED, i), speed.factor),
+                  i,
+                  subject.run.torqueTimes,
+                ),
+              ),
+          },
+        ]
+      : []),
   ];
 }
 
@@ -182,7 +222,7 @@ abstract class RunPair implements RunChart {
     this.main.setAxes(xLabel, upper);
     this.lower.setAxes(xLabel, lower);
     const shownRows = (curves: readonly Curve[]) =>
-      curves.map(({ values }) => subject.run.rows.map((row) => values[row]!));
+      curves.map((own) => rowsOf(own, subject.run).map((row) => own.values[row]!));
     this.main.show(this.stack.range, spanOf(shownRows(this.upperCurves)));
     this.lower.show(this.stack.range, lag ? [0, 360] : spanOf(shownRows(this.lowerCurves)));
     this.stack.redraw();
@@ -194,8 +234,16 @@ abstract class RunPair implements RunChart {
     const { subject } = this;
     if (!subject) return;
     const xs = this.along(subject);
-    for (const { values, dash, colour } of [...curves].reverse())
-      drawRows(pen, frame, xs, values, subject.run.rows, { colour: colour(colours), dash }, jump);
+    for (const own of [...curves].reverse())
+      drawRows(
+        pen,
+        frame,
+        own.at ?? xs,
+        own.values,
+        rowsOf(own, subject.run),
+        { colour: own.colour(colours), dash: own.dash },
+        jump,
+      );
   }
 
   keys(): readonly Key[] {
@@ -212,10 +260,11 @@ abstract class RunPair implements RunChart {
     const { run, units } = subject;
     const speed = parameterMeasure('rad/s', units);
     const curves = [...this.upperCurves, ...this.lowerCurves];
+    const at = curves.find((own) => own.at)?.at;
     return {
       heading: ['time (s)', labelled('speed', speed.unit), 'turns', ...curves.map(({ text }) => text)],
-      rows: run.rows.map((row) => [
-        run.time[row]!,
+      rows: (at ? Array.from(at.keys()) : run.rows).map((row) => [
+        at?.[row] ?? run.time[row]!,
         run.speed[row]! * speed.factor,
         run.column(FIELD.RUNUP_TURNS)[row]!,
         ...curves.map(({ values }) => values[row]!),
