@@ -3,7 +3,7 @@
 table and the picture of docs/benchmarks.md.
 
     bench/run.py BUILD [--docs FOLDER] [--rounds N] [--seconds S] [--core N] [--no-study]
-    bench/run.py BUILD --adaptive | --overhung | --branches | --map | --elements
+    bench/run.py BUILD --adaptive | --overhung | --branches | --map | --elements | --fit
 
 Every round runs every program once, in turn, so that a noisy computer is noisy for all; the best round of each counts.
 Speeds are by the processor time of the program; of the whole diagram the clock is printed, too. A program that is not
@@ -11,6 +11,7 @@ there is left out with a line that says so; one that ends in another state fails
 """
 import argparse
 import csv
+import json
 import os
 import pathlib
 import re
@@ -843,6 +844,70 @@ def measure_pads(options):
                        sentences="\n".join(pads_sentences(rates)), study=min(used), half=min(used) / 2)
 
 
+FIT = """
+## A fit
+
+Five parameters of a rotor that rubs, fitted to three orbits of 64 samples (`bench/fit.yaml`). *Orbits* are those that
+were computed, *error* is the largest of the five parameters against an independent program, as a part of them.
+Processor time of one core.
+
+{table}
+
+- *whirl run*: the command, from case file to result file, with exact derivatives.
+- *least_squares, orbits by whirl*: SciPy with derivatives by differences of two or three points; each orbit by whirl's
+  Newton method in C, from the one before (`bench/fit_orbits.c`).
+- *least_squares, fsolve, solve_ivp*: all by SciPy but the right-hand side, which is C.
+
+Two evaluations of 180 orbits with derivatives by five parameters, transients included, take `whirl run` {many:.3g} s of
+processor time: {half:.2g} s for one on two cores (aim: 1 s).
+"""
+
+
+FIT_FOUND = (0.9000638546263, 0.9998612866208, 9.995958362655, 0.0500193183249, 0.2000210795785)
+
+
+def fit_outcome(shown):
+    """Evaluations of all motions, and the largest error of a parameter."""
+    found = shown["points"][0]["fit"]
+    errors = [abs(row[2] / value - 1) for row, value in zip(found["unknown"], FIT_FOUND)]
+    return int(found["outcome"][2]), max(errors)
+
+
+def measure_fit(options):
+    python, library = python_with("scipy"), options.build / "bench" / "libbench_fit_orbits.so"
+    if not python:
+        say("left out: fits (no Python here can import SciPy)")
+        return ""
+    with tempfile.TemporaryDirectory() as folder:
+        call = [python, HERE / "fit_scipy.py", library, HERE / "fit.yaml"]
+        subprocess.run([*call, "write", folder], check=True)
+        spent = {}
+        for case in ("fit", "many"):
+            for _ in range(options.rounds):
+                start = processor_seconds_of_children()
+                run = [options.build / "whirl", "run", f"{folder}/{case}.yaml", "-q", "--threads=1", "--force", "-o",
+                       f"{folder}/{case}.h5"]
+                subprocess.run(on_cores(options.core, [str(word) for word in run]), check=True)
+                seconds = processor_seconds_of_children() - start
+                spent[case] = min(seconds, spent.get(case, seconds))
+        out = subprocess.run([options.build / "whirl", "show", f"{folder}/fit.h5", "--json"], capture_output=True,
+                             text=True, check=True).stdout
+        steps, error = fit_outcome(json.loads(out))
+        lines = ["| program | orbits | s | of whirl's time | error |", "|---|---:|---:|---:|---:|",
+                 f"| whirl run | {3 * (steps + 1)} | {short(spent['fit'])} | 1 | {error:.0e} |"]
+        for orbits_by, differences, name in (("whirl", "2-point", "least_squares, orbits by whirl, two points"),
+                                             ("whirl", "3-point", "least_squares, orbits by whirl, three points"),
+                                             ("scipy", "2-point", "least_squares, fsolve, solve_ivp, two points")):
+            best = None
+            for _ in range(1 if orbits_by == "scipy" else options.rounds):
+                row = subprocess.run(on_cores(options.core, [*map(str, call), orbits_by, differences]),
+                                     capture_output=True, text=True, check=True).stdout.split()
+                count, seconds, off = int(row[0]), float(row[1]), float(row[2])
+                best = seconds if best is None else min(best, seconds)
+            lines.append(f"| {name} | {count} | {short(best)} | {short(best / spent['fit'])} | {off:.0e} |")
+    return FIT.format(table="\n".join(lines), many=spent["many"], half=spent["many"] / 4)
+
+
 def wrapped(page):
     """The page with paragraphs and items in lines of at most 120 columns; tables, headings and pictures stay."""
     def filled(item):
@@ -895,6 +960,7 @@ def arguments():
     parser.add_argument("--branches", action="store_true", help="measure continuation of orbits only, and print")
     parser.add_argument("--elements", action="store_true", help="measure kernels of elements only, and print")
     parser.add_argument("--pads", action="store_true", help="measure bearings of pads only, and print")
+    parser.add_argument("--fit", action="store_true", help="measure a fit only, and print")
     parser.add_argument("--map", action="store_true", help="measure a map only, and print")
     return parser.parse_args()
 
@@ -921,6 +987,9 @@ def main():
     if options.map:
         say(wrapped(measure_map(options)))
         return
+    if options.fit:
+        say(wrapped(measure_fit(options)))
+        return
     before = os.getloadavg()[0]
     best = measure(programs(options.build), options)
     studies = {} if options.no_study else measure_studies(options)
@@ -931,6 +1000,7 @@ def main():
     page += measure_adaptive(options) + measure_overhung(options) + measure_branches(options) + measure_map(options)
     page += measure_elements(options)
     page += measure_pads(options)
+    page += measure_fit(options)
     if studies:
         page += STUDY.format(rounds=options.study_rounds, study="\n".join(study_table(best, studies)))
     page = wrapped(page)
