@@ -610,8 +610,9 @@ static const char *const rubbing = "whirl: 1\n"
                                    "  sweep: {parameter: omega, from: 0.8, to: 1.2, points: 3}\n";
 
 /// Makes derivatives of the orbit at a speed by parameters, sampled at `instants`.
-static void derive_orbit(double damping, double omega, size_t count, const char *const *names, size_t instants,
-                         double *multipliers, whirl_orbit_sensitivity **out) {
+static void derive_orbit(double damping, double omega, size_t count, const char *const *names,
+                         const whirl_orbit_options *options, size_t instants, double *multipliers,
+                         whirl_orbit_sensitivity **out) {
     static const double start[4] = {0.7, 0.0, 0.0, 0.7};
     char text[1024];
     whirl_case *object;
@@ -631,8 +632,7 @@ static void derive_orbit(double damping, double omega, size_t count, const char 
     whirl_integrator *integrator = make_integrator(machine.system, "dop853", 64);
     revolve(integrator, x, 60);
     whirl_integrator_free(integrator);
-    const whirl_orbit_options options = whirl_orbit_default();
-    require_ok(whirl_orbit_find(machine.system, x, 1, &options, &orbit));
+    require_ok(whirl_orbit_find(machine.system, x, 1, options, &orbit));
     for (size_t i = 0; i < 4; i++) {
         multipliers[2 * i] = orbit->multipliers[i].real;
         multipliers[2 * i + 1] = orbit->multipliers[i].imaginary;
@@ -648,7 +648,7 @@ static void derive_orbit(double damping, double omega, size_t count, const char 
         require_ok(whirl_sensitivity_new(&study, &batch, value, 0.0, &by[p]));
     }
     require_ok(whirl_extended_new(count, by, &extended));
-    require_ok(whirl_orbit_sensitivity_new(extended, orbit, &options, instants, out));
+    require_ok(whirl_orbit_sensitivity_new(extended, orbit, options, instants, out));
     whirl_extended_free(extended);
     for (size_t p = 0; p < count; p++) whirl_sensitivity_free(by[p]);
     whirl_orbit_free(orbit);
@@ -674,13 +674,14 @@ static void orbits(void **unused) {
         {-0.51811106553, 0.0093675537, -0.70495751138, -0.16267058181, 0.56770455722},
         {1.27530306952, -0.03397371348, 0.63227300053, -0.4653543606, -0.77527509466}};
     static const size_t place[4] = {0, 2, 1, 3};
+    const whirl_orbit_options options = whirl_orbit_default();
     for (int which = 0; which < 2; which++) {
         const double damping = which ? 0.4 : 0.0, omega = which ? 0.85 : 1.0;
         const double *at = which ? at_damped : at_one, (*by)[5] = which ? by_damped : by_plain;
         const char *name = which ? "damped contact" : "contact";
         double multipliers[8], off = 0.0, slopes_off = 0.0;
         whirl_orbit_sensitivity *orbit;
-        derive_orbit(damping, omega, 5, which ? damped : plain, 64, multipliers, &orbit);
+        derive_orbit(damping, omega, 5, which ? damped : plain, &options, 64, multipliers, &orbit);
         for (size_t i = 0; i < 4; i++) {
             const double rate = i % 2 ? omega : 1.0; // the digits are by time, the state by tau
             off = fmax(off, fabs(rate * orbit->states[place[i]] - at[i]));
@@ -699,9 +700,49 @@ static void orbits(void **unused) {
     }
 }
 
+/// Three methods that have nothing in common but the equations find the same orbit and derivatives at every instant.
+static void by_other_methods(void **unused) {
+    (void)unused;
+    enum { INSTANTS = 64 };
+    static const char *const names[] = {"e", "g", "k_r", "mu", "c"};
+    static const struct {
+        const char *method;
+        double rtol, tolerance;
+        int steps;
+    } others[] = {{"rodas5p", 1e-11, 1e-9, 512}, {"rk4", 1e-13, 1e-9, 4096}};
+    for (int which = 0; which < 2; which++) {
+        double multipliers[8];
+        whirl_orbit_sensitivity *of, *other;
+        const whirl_orbit_options exact = whirl_orbit_default();
+        derive_orbit(which ? 0.4 : 0.0, 0.85, 5, names, &exact, INSTANTS, multipliers, &of);
+        for (size_t m = 0; m < COUNT_OF(others); m++) {
+            whirl_orbit_options options = exact;
+            snprintf(options.integrate.method, sizeof options.integrate.method, "%s", others[m].method);
+            options.integrate.rtol = others[m].rtol;
+            options.integrate.atol = 1e-2 * others[m].rtol;
+            options.integrate.steps_per_revolution = others[m].steps;
+            options.integrate.located = true;
+            options.tolerance = 1e-10;
+            derive_orbit(which ? 0.4 : 0.0, 0.85, 5, names, &options, INSTANTS, multipliers, &other);
+            double off = 0.0, size = 0.0;
+            for (size_t i = 0; i < (size_t)INSTANTS * 5 * 4; i++) {
+                off = fmax(off, fabs(of->slopes[i] - other->slopes[i]));
+                size = fmax(size, fabs(of->slopes[i]));
+            }
+            check_within("Sensitivity",
+                         words("derivatives of an orbit with a %s at all instants: dop853 and %s, over the largest",
+                               which ? "damped contact" : "contact", others[m].method),
+                         0.0, off / size, others[m].tolerance);
+            whirl_orbit_sensitivity_free(other);
+        }
+        whirl_orbit_sensitivity_free(of);
+    }
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(every_element), cmocka_unit_test(expressions_of_a_case),
-                                       cmocka_unit_test(free_motion),   cmocka_unit_test(through_contacts),
-                                       cmocka_unit_test(refused),       cmocka_unit_test(orbits)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(every_element),   cmocka_unit_test(expressions_of_a_case),
+                                       cmocka_unit_test(free_motion),     cmocka_unit_test(through_contacts),
+                                       cmocka_unit_test(refused),         cmocka_unit_test(orbits),
+                                       cmocka_unit_test(by_other_methods)};
     return cmocka_run_group_tests_name("sensitivity", tests, NULL, NULL);
 }
