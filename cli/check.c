@@ -382,7 +382,12 @@ static int check_file(const check_arguments *arguments, const char *argument) {
     if (set != EXIT_DONE) return set;
     if (drawn != EXIT_DONE) return drawn;
     if (status.code == WHIRL_OK) return EXIT_DONE;
-    complain("%s: %s", path, status.message);
+    // Some sentences begin with the place in the case.
+    const size_t length = strlen(path);
+    if (strncmp(status.message, path, length) == 0 && status.message[length] == ':')
+        complain("%s", status.message);
+    else
+        complain("%s: %s", path, status.message);
     if (status.code == WHIRL_NO_MEMORY) guard_note_exhausted();
     return status.code == WHIRL_NO_MEMORY ? EXIT_FAILED : EXIT_BAD_INPUT;
 }

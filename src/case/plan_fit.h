@@ -11,6 +11,9 @@
 /// Most parameters that a table of measured numbers gives.
 enum { FIT_MAX_AT = WHIRL_MAX_GIVEN - WHIRL_MAX_UNKNOWNS - 1 };
 
+/// Most probes of a table with a noise of their own.
+enum { FIT_MAX_CHANNELS = 32 };
+
 typedef struct fit_unknown {
     const file_node *place;
     setting_list keys;
@@ -18,10 +21,19 @@ typedef struct fit_unknown {
     number_formula start, low, high;
 } fit_unknown;
 
+/// A probe with its noise.
+typedef struct fit_channel {
+    const file_node *place; ///< its key is the probe's heading
+    number_formula noise;
+} fit_channel;
+
 typedef struct fit_set {
     const file_node *place, *file; ///< place of the table in the case, and of its path; NULL after a problem
     setting_list keys;
-    condition_parts at; ///< parameters with their values in its motions
+    condition_parts at;   ///< parameters with their values in its motions
+    number_formula noise; ///< if it has one, and not one for each of the channels
+    size_t channel_count;
+    fit_channel channels[FIT_MAX_CHANNELS];
 } fit_set;
 
 typedef struct fit_parts {

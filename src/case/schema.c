@@ -165,11 +165,13 @@ static const whirl_key fit_unknown_keys[] = {
 
 static const whirl_key fit_data_keys[] = {
     CHOICE_KEY("file", REQUIRED, "",
-               "path of the table: displacements of probes over `angle` or `turns`, or amplitudes and lags of orders "
-               "over `speed` or a parameter"),
+               "path of the table: displacements of probes over `angle`, `turns` or `time`, or amplitudes and lags of "
+               "orders over `speed` or a parameter"),
     CHOICE_KEY("at", OPTIONAL, "", "parameters with the values that they had in this measurement"),
-    NUMBER_KEY("noise", "", "m", OPTIONAL, WHIRL_POSITIVE,
-               "standard deviation of these numbers, by which they are weighed; absent: all weigh the same"),
+    CHOICE_KEY(
+        "noise", OPTIONAL, "",
+        "standard deviation of these numbers, by which they are weighed, as a length, or {disc x: 2 um, disc y: 3 "
+        "um}: one for each probe; absent: all weigh the same"),
 };
 
 static const whirl_key motions_keys[] = {

@@ -172,7 +172,7 @@ static void rubbing_orbits(void **unused) {
     "study:\n"                                                                                                         \
     "  fit:\n"                                                                                                         \
     "    unknown: %s\n"                                                                                                \
-    "    data: bode.csv\n"                                                                                             \
+    "    data: %s\n"                                                                                                   \
     "    tolerance: 1e-10\n"
 
 /// Amplitudes and lags of a disc on a spring by their closed form, e w^2/(k/m - w^2 + i c w/m), at 9 speeds. Clockwise,
@@ -192,10 +192,14 @@ static void write_bode(double m, double k, double c, double e, bool clockwise) {
     fclose(file);
 }
 
-static whirl_result *run_disc(const char *scale, const char *rotation, const char *unknown) {
+static whirl_result *run_disc_with(const char *scale, const char *rotation, const char *unknown, const char *data) {
     char text[MAX_TEXT];
-    snprintf(text, sizeof text, DISC, scale, rotation, unknown);
+    snprintf(text, sizeof text, DISC, scale, rotation, unknown, data);
     return run_fit(text, 2);
+}
+
+static whirl_result *run_disc(const char *scale, const char *rotation, const char *unknown) {
+    return run_disc_with(scale, rotation, unknown, "bode.csv");
 }
 
 /// What was put in comes out, whatever the unit of the state, and clockwise, too.
@@ -215,6 +219,128 @@ static void closed_forms(void **unused) {
                          truth[u], unknown[8 * u + 2], 1e-9 * truth[u]);
         whirl_result_free(result);
     }
+}
+
+/// Response of the disc without its eccentricity, w^2/(k/m - w^2 + i c w/m): cosine and sine part.
+static void disc_gain(double w, double k, double gain[2]) {
+    const double real = k / 3.0 - w * w, imaginary = 52.0 * w / 3.0, square = real * real + imaginary * imaginary;
+    gain[0] = w * w * real / square;
+    gain[1] = w * w * imaginary / square;
+}
+
+/// A waveform at times that have nothing to do with the revolution.
+static void waveforms(void **unused) {
+    (void)unused;
+    static const double truth[3] = {33e3, 52.0, 38e-6}, w = 100.0;
+    static const char *const names[3] = {"k", "c", "e"};
+    char path[256];
+    double gain[2];
+    disc_gain(w, truth[0], gain);
+    path_of("waveform.csv", path);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fprintf(file, "time [ms], disc x [um], disc y [um]\n");
+    for (int i = 0; i < 100; i++) {
+        const double t = 0.00317 * i, size = 1e6 * truth[2];
+        fprintf(file, "%.17g, %.17g, %.17g\n", 1e3 * t, size * (gain[0] * cos(w * t) + gain[1] * sin(w * t)),
+                size * (gain[0] * sin(w * t) - gain[1] * cos(w * t)));
+    }
+    fclose(file);
+    // One speed tells two numbers: the stiffness and the eccentricity, with the damping known.
+    whirl_result *result = run_disc_with("1 mm", "counter-clockwise", "{k: , e: }",
+                                         "[{file: waveform.csv, at: {n: 100 rad/s, c: 52 N s/m}}]");
+    const double *unknown = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_FIT_UNKNOWN, 0);
+    for (int u = 0; u < 2; u++)
+        check_within("Fit", words("disc on a spring, waveform: %s", names[2 * u]), truth[2 * u], unknown[8 * u + 2],
+                     1e-7 * truth[2 * u]);
+    whirl_result_free(result);
+}
+
+/// Each probe has its own noise: the eccentricity is the mean of what they say, weighed by their squares.
+static void noise_by_probe(void **unused) {
+    (void)unused;
+    static const double said[2] = {36e-6, 40e-6}, noise[2] = {1e-6, 3e-6};
+    char path[256];
+    double top = 0.0, bottom = 0.0;
+    path_of("bode.csv", path);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fprintf(file, "speed [rad/s], disc x [m], disc x lag [rad], disc y [m], disc y lag [rad]\n");
+    for (int i = 0; i < 9; i++) {
+        const double w = 60.0 + 10.0 * i;
+        double gain[2];
+        disc_gain(w, 33e3, gain);
+        const double size = hypot(gain[0], gain[1]), lag = atan2(gain[1], gain[0]);
+        fprintf(file, "%.17g, %.17g, %.17g, %.17g, %.17g\n", w, said[0] * size, lag, said[1] * size,
+                lag + 0.25 * two_pi);
+        for (int p = 0; p < 2; p++) {
+            top += size * size * said[p] / (noise[p] * noise[p]);
+            bottom += size * size / (noise[p] * noise[p]);
+        }
+    }
+    fclose(file);
+    whirl_result *result =
+        run_disc_with("1 mm", "counter-clockwise", "{e: }",
+                      "{file: bode.csv, at: {c: 52 N s/m, k: 33 kN/m}, noise: {disc x: 1 um, disc y: 3 um}}");
+    const double *unknown = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_FIT_UNKNOWN, 0);
+    check_within("Fit", "noise by probe: e", top / bottom, unknown[2], 1e-9 * unknown[2]);
+    check_within("Fit", "noise by probe: standard error of e", 1.0 / sqrt(bottom), unknown[3], 1e-8 * unknown[3]);
+    whirl_result_free(result);
+}
+
+/// The least sum of squares over the eccentricity, on which the response depends linearly, for a stiffness.
+static double disc_profile(double (*measured)[2], double noise, double k) {
+    double squares = 0.0, product = 0.0, gains = 0.0, gain[2];
+    for (int i = 0; i < 9; i++) {
+        disc_gain(60.0 + 10.0 * i, k, gain);
+        for (int part = 0; part < 2; part++) {
+            squares += measured[i][part] * measured[i][part];
+            product += measured[i][part] * gain[part];
+            gains += gain[part] * gain[part];
+        }
+    }
+    return (squares - product * product / gains) / (noise * noise);
+}
+
+/// With much noise the interval of the stiffness is not symmetric.
+static void profiles(void **unused) {
+    (void)unused;
+    static const double noise = 60e-6, e = 38e-6, wide = 1.959963984540054;
+    double measured[9][2];
+    char path[256];
+    path_of("bode.csv", path);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fprintf(file, "speed [rad/s], disc x [m], disc x lag [rad]\n");
+    for (int i = 0; i < 9; i++) {
+        double gain[2];
+        disc_gain(60.0 + 10.0 * i, 33e3, gain);
+        measured[i][0] = e * gain[0] + noise * sin(5.0 * i + 1.0);
+        measured[i][1] = e * gain[1] + noise * cos(7.0 * i);
+        fprintf(file, "%.17g, %.17g, %.17g\n", 60.0 + 10.0 * i, hypot(measured[i][0], measured[i][1]),
+                atan2(measured[i][1], measured[i][0]));
+    }
+    fclose(file);
+    whirl_result *result = run_disc_with("1 mm", "counter-clockwise", "{k: {start: 33 kN/m}, e: }",
+                                         "{file: bode.csv, at: {c: 52 N s/m}, noise: 60 um}\n    profile: yes");
+    const whirl_table *table = &result->tables[0];
+    const double *unknown = whirl_table_field(table, 0, WHIRL_FIELD_FIT_UNKNOWN, 0);
+    const double *profile = whirl_table_field(table, 0, WHIRL_FIELD_FIT_PROFILE, 0);
+    // The minimum, and the ends at which the profile is 1.96^2 above it, by bisection.
+    const double found = unknown[2], half = unknown[4], least = disc_profile(measured, noise, found);
+    for (int side = 0; side < 2; side++) {
+        double inside = found, outside = found + (side ? 3.0 : -3.0) * half;
+        assert_true(disc_profile(measured, noise, outside) - least > wide * wide);
+        for (int i = 0; i < 60; i++) {
+            const double middle = 0.5 * (inside + outside);
+            *(disc_profile(measured, noise, middle) - least < wide * wide ? &inside : &outside) = middle;
+        }
+        check_within("Fit", words("profile interval of k, %s end", side ? "upper" : "lower"), inside, profile[side],
+                     3e-4 * half);
+    }
+    check_holds("Fit", "profile interval of k: not symmetric",
+                fabs(profile[0] + profile[1] - 2.0 * found) > 0.01 * half);
+    whirl_result_free(result);
 }
 
 /// Mass, damping and stiffness have a common factor that no unbalance response tells; the friction of a stator that is
@@ -452,7 +578,7 @@ static int make_folder(void **unused) {
 }
 
 static int remove_folder(void **unused) {
-    static const char *const names[] = {"orbit-1.csv", "orbit-2.csv", "orbit-3.csv", "bode.csv"};
+    static const char *const names[] = {"orbit-1.csv", "orbit-2.csv", "orbit-3.csv", "bode.csv", "waveform.csv"};
     char path[256];
     (void)unused;
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
@@ -464,6 +590,8 @@ static int remove_folder(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(rubbing_orbits), cmocka_unit_test(closed_forms),
-                                       cmocka_unit_test(not_determined), cmocka_unit_test(recovery)};
+                                       cmocka_unit_test(not_determined), cmocka_unit_test(recovery),
+                                       cmocka_unit_test(waveforms),      cmocka_unit_test(noise_by_probe),
+                                       cmocka_unit_test(profiles)};
     return cmocka_run_group_tests_name("fit", tests, make_folder, remove_folder);
 }

@@ -295,6 +295,7 @@ names.fit_unknown = 'fit/unknown';
 names.fit_correlation = 'fit/correlation';
 names.fit_motion = 'fit/motion';
 names.fit_number = 'fit/number';
+names.fit_profile = 'fit/profile';
 names.map_second = 'map/second';
 names.map_third = 'map/third';
 names.map_width = 'map/width';

@@ -80,3 +80,104 @@ def test_keys_are_named_as_a_case_has_them():
     ):
         with pytest.raises(whirl.BadInput, match=words):
             whirl.Case({**SPRING, "study": {"fit": fit}})
+
+
+def waveform():
+    """Displacements over time of the same disc at 100 rad/s, at times that no revolution divides."""
+    w, time = 100.0, 0.00317 * np.arange(80)
+    response = TRUTH["e"] * w**2 / (TRUTH["k"] / 3 - w**2 + 1j * TRUTH["c"] * w / 3)
+    turning = response * np.exp(1j * w * time)
+    return time, 1e6 * turning.real, 1e6 * turning.imag
+
+
+def check_waveform(data):
+    found = whirl.fit(SPRING, data, ["k", "e"], at={"n": "100 rad/s", "c": "52 N s/m"}, tolerance=1e-10)
+    for name in ("k", "e"):
+        assert found[name].value == pytest.approx(TRUTH[name], rel=1e-5)
+
+
+def test_files_of_other_programs(tmp_path):
+    import h5py
+
+    time, x, y = waveform()
+    names = {"time [s]": "t", "disc x [um]": "run/x", "disc y [um]": "run/y"}
+    # HDF5, by names of datasets; and with units as attributes.
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        file["t"], file["run/x"], file["run/y"] = time, x, y.reshape(-1, 1)
+        file["note"] = "no numbers"
+    check_waveform(whirl.read_measured(tmp_path / "a.h5", names))
+    with h5py.File(tmp_path / "b.h5", "w") as file:
+        for name, values, unit in (("time", time, "s"), ("disc x", x, "um"), ("disc y", y, "um")):
+            file[name] = values
+            file[name].attrs["unit"] = unit
+    check_waveform(tmp_path / "b.h5")
+    # A universal file, in text of two precisions and in bytes.
+    for kind in ("single", "double", "binary"):
+        (tmp_path / "a.uff").write_bytes(b"".join(record(kind, d, time, v) for d, v in ((1, x), (2, y))))
+        check_waveform(tmp_path / "a.uff")
+    with pytest.raises(whirl.BadInput, match="2 records, and no 3"):
+        whirl.read_measured(tmp_path / "a.uff", {"disc x [um]": 3})
+    with pytest.raises(whirl.BadInput, match="no vector 'z', expected one of run/x, run/y, t"):
+        whirl.read_measured(tmp_path / "a.h5", {"disc x [um]": "z"})
+    with pytest.raises(whirl.BadInput, match="no dataset 58"):
+        (tmp_path / "b.uff").write_text("    -1\n   151\nnothing\n    -1\n")
+        whirl.read_measured(tmp_path / "b.uff")
+    (tmp_path / "c.mat").write_text("no file of MATLAB")
+    with pytest.raises(whirl.BadInput, match="c.mat"):
+        whirl.read_measured(tmp_path / "c.mat")
+    cut = (tmp_path / "a.uff").read_bytes()[:700]
+    (tmp_path / "c.uff").write_bytes(cut)
+    with pytest.raises(whirl.BadInput, match="dataset 58 number 1 is damaged"):
+        whirl.read_measured(tmp_path / "c.uff")
+
+
+def test_files_of_matlab(tmp_path):
+    io = pytest.importorskip("scipy.io")
+    time, x, y = waveform()
+    io.savemat(tmp_path / "a.mat", {"t": time, "x": x, "y": y})
+    check_waveform(whirl.read_measured(tmp_path / "a.mat", {"time [s]": "t", "disc x [um]": "x", "disc y [um]": "y"}))
+
+
+def record(kind, direction, time, values):
+    """A dataset 58 as its specification lays it out (Structural Dynamics Research Laboratory, Cincinnati)."""
+    number, step = (2 if kind == "single" else 4), time[1] - time[0]
+    lines = [
+        *("NONE",) * 5,
+        f"{1:5d}{0:10d}{0:5d}{0:10d} {'disc':10s}{1:10d}{direction:4d} {'NONE':10s}{0:10d}{0:4d}",
+        f"{number:10d}{len(time):10d}{1:10d}{time[0]:13.5E}{step:13.5E}{0:13.5E}",
+        f"{17:10d}{0:5d}{0:5d}{0:5d} {'Time':20s} {'s':20s}",
+        f"{8:10d}{0:5d}{0:5d}{0:5d} {'Displacement':20s} {'um':20s}",
+        *(f"{0:10d}{0:5d}{0:5d}{0:5d} {'NONE':20s} {'NONE':20s}",) * 2,
+    ]
+    head = "\n".join(lines) + "\n"
+    if kind == "binary":
+        data = np.asarray(values, "<f8").tobytes()
+        title = f"    58b{1:6d}{2:6d}{11:12d}{len(data):12d}{0:6d}{0:6d}{0:12d}{0:12d}"
+        return f"    -1\n{title}\n{head}".encode() + data + b"\n    -1\n"
+    form, columns = ("{:13.5E}", 6) if kind == "single" else ("{:20.12E}", 4)
+    rows = ["".join(form.format(v) for v in values[i : i + columns]) for i in range(0, len(values), columns)]
+    return f"    -1\n    58\n{head}{chr(10).join(rows)}\n    -1\n".encode()
+
+
+def test_noise_of_probes_and_profiles():
+    data = {**bode(), "disc y [m]": bode()["disc x [m]"], "disc y lag [rad]": bode()["disc x lag [rad]"] + np.pi / 2}
+    options = {"at": {"c": "52 N s/m"}, "profile": True}
+    found = whirl.fit(SPRING, data, ["k", "e"], noise={"disc x": "1 um", "disc y": 3e-6}, **options)
+    assert set(np.unique(found.numbers[:, 8])) == {1e-6, 3e-6}
+    for own in found.values():  # the data are exact, so that intervals are those of the linear model but for its curve
+        half = own.high - own.value
+        assert own.profile_low == pytest.approx(own.low, abs=0.01 * half)
+        assert own.profile_high == pytest.approx(own.high, abs=0.01 * half)
+    assert np.isnan(whirl.fit(SPRING, data, ["e"], at={"c": 52.0, "k": 33e3})["e"].profile_low)
+    with pytest.raises(whirl.BadInput, match="noise.disk x: is no probe"):
+        whirl.fit(SPRING, data, ["k"], noise={"disk x": "1 um"})
+    with pytest.raises(whirl.BadInput, match="'disc y' has no noise"):
+        whirl.fit(SPRING, data, ["k"], noise={"disc x": "1 um"})
+
+
+def test_a_table_that_is_gone_is_named_where_it_stands(tmp_path):
+    text = whirl.Case(SPRING).text.split("study:")[0] + "study:\n  fit: {unknown: {k: }, data: gone.csv}\n"
+    (tmp_path / "a.yaml").write_text(text)
+    line = text.count("\n")
+    with pytest.raises(whirl.BadInput, match=rf"a.yaml:{line}:31: study.fit.data: cannot read .*gone.csv: No such"):
+        whirl.run(str(tmp_path / "a.yaml"))

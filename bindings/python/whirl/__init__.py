@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from .errors import OutOfMemory, ReadOnlyCopy, Stopped
     from .findings import Column, Sheet, Statement, Statements
     from .fitting import Estimate, Fit, fit
+    from .measured import read_measured
     from .result import Parameter, Result, Station, open, read
     from .running import run
     from .sampling import tolerances
@@ -43,6 +44,7 @@ _HOMES = {
     "open": "result",
     "read": "result",
     "run": "running",
+    "read_measured": "measured",
     "fit": "fitting",
     "Fit": "fitting",
     "Estimate": "fitting",

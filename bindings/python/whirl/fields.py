@@ -297,6 +297,7 @@ class FIELD:
     FIT_CORRELATION = "fit/correlation"
     FIT_MOTION = "fit/motion"
     FIT_NUMBER = "fit/number"
+    FIT_PROFILE = "fit/profile"
     MAP_SECOND = "map/second"
     MAP_THIRD = "map/third"
     MAP_WIDTH = "map/width"

@@ -21,6 +21,7 @@ import numpy as np
 from .case import Case, _block
 from .errors import BadInput
 from .fields import FIELD
+from .measured import SUFFIXES, read_measured
 from .running import run
 
 if TYPE_CHECKING:
@@ -45,6 +46,8 @@ class Estimate:
     low: float  #: lower end of the 95 % interval; NaN if the parameter is not determined
     high: float  #: its upper end
     known: str  #: "determined", "at a bound", "weak" (the interval is as wide as the bounds or the value), "unknown"
+    profile_low: float = float("nan")  #: lower end of the 95 % profile interval; NaN beyond its bounds or not asked for
+    profile_high: float = float("nan")  #: its upper end
 
 
 class Fit(Mapping):
@@ -66,10 +69,13 @@ class Fit(Mapping):
         self.starts = outcomes  #: one row a start, columns of the field ``fit/outcome``
         self._estimates = {}
         unknowns = table[FIELD.FIT_UNKNOWN].reshape(len(outcomes), -1, 8)
-        for index, start, value, error, half, _low, _high, known in unknowns[best]:
+        ends = np.full((len(unknowns[best]), 2), np.nan)
+        if FIELD.FIT_PROFILE in table:
+            ends = table[FIELD.FIT_PROFILE].reshape(len(outcomes), -1, 2)[best]
+        for (index, start, value, error, half, _low, _high, known), profile in zip(unknowns[best], ends):
             label = _KNOWN[int(known)] if np.isfinite(known) else "unknown"
             name = names[int(index)]
-            self._estimates[name] = Estimate(name, start, value, error, value - half, value + half, label)
+            self._estimates[name] = Estimate(name, start, value, error, value - half, value + half, label, *profile)
         count = len(self._estimates)
         #: [parameters, parameters] coefficients of correlation of the errors
         self.correlations = table[FIELD.FIT_CORRELATION].reshape(len(outcomes), count, -1)[best][:, :count]
@@ -104,7 +110,9 @@ def _table_of(data: Any, folder: str, number: int) -> str:
         path = Path(data)
         if not path.is_file():
             raise BadInput(f"there is no table {str(data)!r} of measured numbers")
-        return str(path.resolve())
+        if path.suffix.lower() not in SUFFIXES:
+            return str(path.resolve())
+        data = read_measured(path)
     columns = {str(name): np.asarray(data[name], float) for name in data}
     lengths = {len(column) for column in columns.values()}
     if len(lengths) != 1:
@@ -113,6 +121,10 @@ def _table_of(data: Any, folder: str, number: int) -> str:
     rows = np.column_stack(list(columns.values()))
     np.savetxt(path, rows, "%.17g", ",", header=",".join(columns), comments="")
     return str(path)
+
+
+def _length(value: str | float) -> str:
+    return value if isinstance(value, str) else f"{float(value)!r} m"
 
 
 def _where(bounds: Any) -> dict[str, Any]:
@@ -132,7 +144,7 @@ def fit(
     unknown: Mapping[str, Any] | Sequence[str],
     *,
     at: Mapping[str, Any] | Sequence[Mapping[str, Any]] | None = None,
-    noise: str | float | None = None,
+    noise: str | float | Mapping[str, str | float] | None = None,
     threads: int = 0,
     **options: Any,
 ) -> Fit:
@@ -143,20 +155,22 @@ def fit(
     case : Case, file or dict
         The machine; its study is replaced.
     data : file, DataFrame, dict of columns, or a list of them
-        Measured numbers. Headings say what a column is: "angle [deg]" with "disc x [um]" for an orbit, "speed [rpm]"
-        with "disc x [um]" and "disc x lag [deg]" for orders (guide, chapter 18).
+        Measured numbers. Headings say what a column is: "angle [deg]" or "time [s]" with "disc x [um]" for an orbit,
+        "speed [rpm]" with "disc x [um]" and "disc x lag [deg]" for orders (guide, chapter 18). Files are
+        comma-separated values, or what :func:`whirl.read_measured` reads.
     unknown : dict or list of names
         Parameters to find, each with None, (from, to), (start, from, to), or {"start": ..., "from": ..., "to": ...};
         texts have units, numbers are in SI.
     at : dict, or a list of one for each table, optional
         Values that parameters had in the measurement.
-    noise : text or float, optional
-        Standard deviation of the measured numbers: "2 um", or a number in m.
+    noise : text, float or dict, optional
+        Standard deviation of the measured numbers: "2 um", or a number in m; or one for each probe, {"disc x": "2 um",
+        "disc y": "3 um"}.
     threads : int
         Number of threads; 0: all cores.
     **options
         Other keys of ``study: {fit: ...}``: starts, revolutions, transient, loss, huber, steps, tolerance, rtol,
-        method.
+        method, profile.
 
     Raises
     ------
@@ -178,7 +192,9 @@ def fit(
             if place:
                 item["at"] = dict(place)
             if noise is not None:
-                item["noise"] = noise if isinstance(noise, str) else f"{float(noise)!r} m"
+                item["noise"] = (
+                    {k: _length(v) for k, v in noise.items()} if isinstance(noise, Mapping) else _length(noise)
+                )
             items.append(item)
         study = {"unknown": {name: _where(bounds) for name, bounds in names.items()}, "data": items, **options}
         text = machine + _block({"study": {"fit": study}}) + "\n"

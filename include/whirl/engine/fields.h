@@ -317,6 +317,7 @@
 #define WHIRL_FIELD_FIT_CORRELATION "fit/correlation"
 #define WHIRL_FIELD_FIT_MOTION "fit/motion"
 #define WHIRL_FIELD_FIT_NUMBER "fit/number"
+#define WHIRL_FIELD_FIT_PROFILE "fit/profile"
 
 #define WHIRL_FIELD_MAP_SECOND "map/second"
 #define WHIRL_FIELD_MAP_THIRD "map/third"

@@ -35,6 +35,7 @@ typedef struct whirl_fit_options {
     double tolerance;             ///< largest change of parameters in the last step, as part of them
     double rtol;                  ///< relative tolerance of the orbits' integration
     char method[WHIRL_NAME_SIZE]; ///< dop853 or rodas5p
+    bool profile;                 ///< find profile intervals, too
     int unknowns;                 ///< number of unknown parameters
     int motions;                  ///< number of motions
     int numbers;                  ///< number of measured numbers
@@ -47,10 +48,11 @@ const whirl_member *whirl_fit_members(void);
 
 /// A measured quantity of a motion x(theta), theta the angle of the shaft.
 typedef enum whirl_fit_quantity {
-    WHIRL_FIT_SAMPLE,   ///< displacement at an instant
-    WHIRL_FIT_COS,      ///< a of a cos(n theta) + b sin(n theta), the part of order n
-    WHIRL_FIT_SIN,      ///< b of the same part
-    WHIRL_FIT_AMPLITUDE ///< sqrt(a^2 + b^2)
+    WHIRL_FIT_SAMPLE,    ///< displacement at an instant
+    WHIRL_FIT_COS,       ///< a of a cos(n theta) + b sin(n theta), the part of order n
+    WHIRL_FIT_SIN,       ///< b of the same part
+    WHIRL_FIT_AMPLITUDE, ///< sqrt(a^2 + b^2)
+    WHIRL_FIT_WAVEFORM   ///< displacement after a time, with the mark on the x axis at time 0
 } whirl_fit_quantity;
 
 /// A measured number.
@@ -60,9 +62,9 @@ typedef struct whirl_fit_number {
     size_t station;              ///< index of its probe
     double angle;                ///< rad, direction of the probe from the x axis towards y
     whirl_fit_quantity quantity; ///< the measured quantity
-    double at;                   ///< revolutions since the motion's beginning; for a part, its order n
-    double value;                ///< m
-    double noise;                ///< m, standard deviation; 1 if it is not given
+    double at;    ///< revolutions since the motion's beginning; seconds, for a waveform; for a part, its order n
+    double value; ///< m
+    double noise; ///< m, standard deviation; 1 if it is not given
 } whirl_fit_number;
 
 /// A motion.
@@ -121,7 +123,8 @@ typedef struct whirl_fit_solution {
     double half[WHIRL_MAX_UNKNOWNS];  ///< half-widths of 95 % intervals, SI; NaN if unknown
     whirl_fit_known known[WHIRL_MAX_UNKNOWNS];                  ///< confidence in each
     double correlation[WHIRL_MAX_UNKNOWNS][WHIRL_MAX_UNKNOWNS]; ///< correlations of the unknowns
-    double *model;                                              ///< [number_count] m, the displacements of the machine
+    double profile[WHIRL_MAX_UNKNOWNS][2]; ///< ends of 95 % profile intervals, SI; NaN if unknown or not asked for
+    double *model;                         ///< [number_count] m, the displacements of the machine
     double *largest; ///< [motion_count] largest modulus of the orbit's multipliers: stable below 1
     double *speeds;  ///< [motion_count] rad/s
 } whirl_fit_solution;

@@ -3,7 +3,7 @@
 
 #include "analysis.h"
 
-enum { OUTCOME, UNKNOWN, CORRELATION, MOTION, NUMBER, FIELD_COUNT };
+enum { OUTCOME, UNKNOWN, CORRELATION, MOTION, NUMBER, PROFILE, FIELD_COUNT };
 
 static size_t fit_unknowns(const block_shape *shape) {
     return (size_t)shape->options->fit.unknowns;
@@ -15,6 +15,10 @@ static size_t fit_motions(const block_shape *shape) {
 
 static size_t fit_numbers(const block_shape *shape) {
     return (size_t)shape->options->fit.numbers;
+}
+
+static size_t fit_profiles(const block_shape *shape) {
+    return shape->options->fit.profile ? fit_unknowns(shape) : 0;
 }
 
 static const field_plan fields[FIELD_COUNT] = {
@@ -33,11 +37,14 @@ static const field_plan fields[FIELD_COUNT] = {
     [MOTION] = {WHIRL_FIELD_FIT_MOTION, "1",
                 "speed, multiplier (rad/s; largest modulus of the orbit's multipliers: stable below 1)",
                 WHIRL_PER_POINT, 2, fit_motions},
-    [NUMBER] =
-        {WHIRL_FIELD_FIT_NUMBER, "1",
-         "set, motion, station, angle, quantity, at, measured, model, noise (file and motion from 0; rad; 0 "
-         "displacement, 1 and 2 cosine and sine part of an order, 3 its amplitude; revolutions, or the order; m)",
-         WHIRL_PER_POINT, 9, fit_numbers},
+    [NUMBER] = {WHIRL_FIELD_FIT_NUMBER, "1",
+                "set, motion, station, angle, quantity, at, measured, model, noise (file and motion from 0; rad; 0 "
+                "displacement, 1 and 2 cosine and sine part of an order, 3 its amplitude, 4 displacement after a time; "
+                "revolutions, the order, or seconds; m)",
+                WHIRL_PER_POINT, 9, fit_numbers},
+    [PROFILE] = {WHIRL_FIELD_FIT_PROFILE, "1",
+                 "from, to (ends of the 95 % profile interval of each unknown, SI; NaN beyond its bounds)",
+                 WHIRL_PER_POINT, 2, fit_profiles},
 };
 
 static void fit_fill_unknown(const whirl_fit *fit, const whirl_fit_solution *s, size_t u, double *out) {
@@ -71,6 +78,8 @@ static whirl_status fit_compute(const whirl_resting *point, const whirl_record_o
     // Fill in unknowns and correlations.
     for (size_t u = 0; u < fit->unknown_count; u++) {
         fit_fill_unknown(fit, s, u, view_numbers(view, UNKNOWN, 0) + 8 * u);
+        for (size_t k = 0; k < 2 && found && options->fit.profile; k++)
+            view_numbers(view, PROFILE, 0)[2 * u + k] = s->profile[u][k];
         for (size_t k = 0; k < fit->unknown_count && found; k++)
             view_numbers(view, CORRELATION, 0)[WHIRL_MAX_UNKNOWNS * u + k] = s->correlation[u][k];
     }

@@ -172,6 +172,10 @@ const whirl_member *whirl_fit_members(void) {
             "relative tolerance of the orbits' integration"),
         FIT(WORD, method, "method", "", WHIRL_KEY_CHOICE, "dop853", WHIRL_ANY, "dop853|rodas5p",
             "of the integration; rodas5p for stiff machines"),
+        FIT(FLAG, profile, "profile", "", WHIRL_KEY_CHOICE, "no", WHIRL_ANY, "yes|no|true|false",
+            "find profile intervals, too, for which all other unknowns are fitted again: for parameters on which "
+            "motions "
+            "depend in a curved way"),
         FIT_COUNT(unknowns, WHIRL_MAX_UNKNOWNS, "number of unknown parameters"),
         FIT_COUNT(motions, WHIRL_MAX_FIT_MOTIONS, "number of motions"),
         FIT_COUNT(numbers, WHIRL_MAX_FIT_NUMBERS, "number of measured numbers"),

@@ -35,7 +35,8 @@ static void fit_list(figure_list *to, const drawing *of, const whirl_table *tabl
 /// Returns true if two rows belong to one line of a panel: same probe and, except for samples, same order.
 static bool fit_is_line(const double *a, const double *b) {
     const bool both = a[FIT_STATION] == b[FIT_STATION] && a[FIT_ANGLE] == b[FIT_ANGLE];
-    return both && (a[FIT_QUANTITY] == WHIRL_FIT_SAMPLE || a[FIT_AT] == b[FIT_AT]);
+    return both &&
+           (a[FIT_QUANTITY] == WHIRL_FIT_SAMPLE || a[FIT_QUANTITY] == WHIRL_FIT_WAVEFORM || a[FIT_AT] == b[FIT_AT]);
 }
 
 /// Writes what a panel shows of a row, measured and of the model, in SI. A row with a cosine part is followed by that
@@ -64,7 +65,7 @@ typedef struct fit_panel {
     const drawing *of;
     const whirl_table *table;
     size_t point, first, count; ///< rows of the file
-    bool samples;
+    bool samples, waveform;     ///< displacements over the angle or the time; else parts of orders over the speed
     double x_unit;
 } fit_panel;
 
@@ -72,9 +73,10 @@ static const double *fit_row(const fit_panel *p, size_t i) {
     return whirl_table_field(p->table, p->point, WHIRL_FIELD_FIT_NUMBER, 0) + FIT_NUMBERS * (p->first + i);
 }
 
-/// Returns the place of a row along the axis: degrees for samples, else the speed of its motion.
+/// Returns the place of a row along the axis: degrees, seconds, or the speed of its motion.
 static double fit_along(const fit_panel *p, const double *row) {
     if (p->samples) return 360.0 * row[FIT_AT];
+    if (p->waveform) return row[FIT_AT];
     const double *motions = whirl_table_field(p->table, p->point, WHIRL_FIELD_FIT_MOTION, 0);
     return motions[2 * (size_t)row[FIT_MOTION]] / p->x_unit;
 }
@@ -121,6 +123,7 @@ static void fit_describe(const drawing *of, const figure_place *place, whirl_fig
     const whirl_unit *length = &of->units->of[WHIRL_QUANTITY_LENGTH], *speed = &of->units->of[WHIRL_QUANTITY_SPEED];
     bool lags = false;
     p.samples = fit_row(&p, 0)[FIT_QUANTITY] == WHIRL_FIT_SAMPLE;
+    p.waveform = fit_row(&p, 0)[FIT_QUANTITY] == WHIRL_FIT_WAVEFORM;
     p.x_unit = speed->size;
     for (size_t i = 0; i < p.count; i++) lags = lags || fit_row(&p, i)[FIT_QUANTITY] == WHIRL_FIT_COS;
     // Displacements or amplitudes, their residuals, and lags.
@@ -131,22 +134,24 @@ static void fit_describe(const drawing *of, const figure_place *place, whirl_fig
         if (!panel) return;
         if (p.samples)
             snprintf(panel->x.label, sizeof panel->x.label, "angle of the shaft (deg)");
+        else if (p.waveform)
+            snprintf(panel->x.label, sizeof panel->x.label, "time (s)");
         else
             snprintf(panel->x.label, sizeof panel->x.label, "speed (%s)", speed->name);
         if (kind == FIT_LAG)
             snprintf(panel->y.label, sizeof panel->y.label, "lag (deg)");
         else
             snprintf(panel->y.label, sizeof panel->y.label, "%s (%s)",
-                     kind == FIT_RESIDUAL ? "residual"
-                     : p.samples          ? "displacement"
-                                          : "amplitude",
+                     kind == FIT_RESIDUAL      ? "residual"
+                     : p.samples || p.waveform ? "displacement"
+                                               : "amplitude",
                      length->name);
         fit_draw(&p, kind, kind == FIT_LAG ? two_pi / 360.0 : length->size, figure, panel);
     }
     snprintf(figure->caption, sizeof figure->caption,
              "Measured numbers (dots) and those of the machine with the fitted parameters (lines). Residuals are "
              "measured less fitted%s.",
-             p.samples ? "" : ", of amplitudes");
+             p.samples || p.waveform ? "" : ", of amplitudes");
 }
 
 const figure_kind fit_figure = {

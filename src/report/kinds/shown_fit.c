@@ -38,6 +38,7 @@ typedef struct shown_fit {
     size_t point;
     size_t unknowns, numbers;
     const double *outcome, *unknown, *correlation, *number;
+    const double *profile; ///< NULL: not asked for
 } shown_fit_of;
 
 static const char *fit_name(const shown_fit_of *f, size_t u) {
@@ -83,6 +84,14 @@ static void fit_find_failures(const finder *of) {
     }
 }
 
+/// States an end of a profile interval.
+static void fit_phrase_end(const finder *of, whirl_statement *own, const whirl_unit *unit, double end) {
+    if (isfinite(end))
+        phrase_unit(of, &own->found, unit, 6, end);
+    else
+        phrase_text(of, &own->found, "beyond its bounds");
+}
+
 /// States a parameter's value, and judges it if the measured numbers do not determine it.
 static void fit_find_unknown(const shown_fit_of *f, size_t u) {
     static const char *const not_known[] = {
@@ -107,6 +116,12 @@ static void fit_find_unknown(const shown_fit_of *f, size_t u) {
         phrase_text(of, &own->found, " to ");
         phrase_unit(of, &own->found, &unit, 6, row[FIT_VALUE] + row[FIT_HALF]);
     }
+    if (f->profile && isfinite(row[FIT_ERROR])) {
+        phrase_text(of, &own->found, ", by its profile ");
+        fit_phrase_end(of, own, &unit, f->profile[2 * u]);
+        phrase_text(of, &own->found, " to ");
+        fit_phrase_end(of, own, &unit, f->profile[2 * u + 1]);
+    }
     // State why it is not determined.
     if (known == WHIRL_FIT_DETERMINED) return;
     phrase_text(of, &own->asked, "determined by what was measured");
@@ -124,6 +139,8 @@ static void fit_find_sheet(const shown_fit_of *f) {
     sheet_column(of, sheet, "error", "standard error", WHIRL_QUANTITY_NUMBER, 3);
     sheet_column(of, sheet, "low", "95 % from", WHIRL_QUANTITY_NUMBER, 6);
     sheet_column(of, sheet, "high", "to", WHIRL_QUANTITY_NUMBER, 6);
+    if (f->profile) sheet_column(of, sheet, "profile_low", "by profile from", WHIRL_QUANTITY_NUMBER, 6);
+    if (f->profile) sheet_column(of, sheet, "profile_high", "by profile to", WHIRL_QUANTITY_NUMBER, 6);
     sheet_texts(of, sheet, "unit", "unit");
     sheet_texts(of, sheet, "determined", "determined");
     // Add a row for each parameter.
@@ -137,6 +154,7 @@ static void fit_find_sheet(const shown_fit_of *f) {
         cell_number(of, sheet, row[FIT_ERROR] / unit.size);
         cell_number(of, sheet, (row[FIT_VALUE] - row[FIT_HALF]) / unit.size);
         cell_number(of, sheet, (row[FIT_VALUE] + row[FIT_HALF]) / unit.size);
+        for (size_t k = 0; k < 2 && f->profile; k++) cell_number(of, sheet, f->profile[2 * u + k] / unit.size);
         cell_text(of, sheet, find_text(of->findings, "%s", unit.name));
         cell_text(of, sheet, known[(int)row[FIT_KNOWN]]);
     }
@@ -176,10 +194,14 @@ typedef struct fit_channel {
     double squares, largest, measured;
 } fit_channel;
 
+/// Returns true for a displacement at an instant; false for a part of an order.
+static bool fit_is_displacement(const double *row) {
+    return row[FIT_QUANTITY] == WHIRL_FIT_SAMPLE || row[FIT_QUANTITY] == WHIRL_FIT_WAVEFORM;
+}
+
 static bool fit_same_channel(const double *a, const double *b) {
     return a[FIT_SET] == b[FIT_SET] && a[FIT_STATION] == b[FIT_STATION] && a[FIT_ANGLE] == b[FIT_ANGLE] &&
-           (a[FIT_QUANTITY] == WHIRL_FIT_SAMPLE) == (b[FIT_QUANTITY] == WHIRL_FIT_SAMPLE) &&
-           (a[FIT_QUANTITY] == WHIRL_FIT_SAMPLE || a[FIT_AT] == b[FIT_AT]);
+           fit_is_displacement(a) == fit_is_displacement(b) && (fit_is_displacement(a) || a[FIT_AT] == b[FIT_AT]);
 }
 
 void fit_name_probe(const whirl_result *result, const double *row, char *name, size_t size) {
@@ -191,7 +213,7 @@ void fit_name_probe(const whirl_result *result, const double *row, char *name, s
         snprintf(direction, sizeof direction, "%s", degrees > 45.0 ? "y" : "x");
     else
         snprintf(direction, sizeof direction, "%.4g deg", degrees);
-    if (row[FIT_QUANTITY] == WHIRL_FIT_SAMPLE)
+    if (fit_is_displacement(row))
         snprintf(name, size, "%s %s", station, direction);
     else
         snprintf(name, size, "%s %s %gX", station, direction, row[FIT_AT]);
@@ -297,6 +319,7 @@ static void fit_find(const finder *of) {
     f.unknown = whirl_table_field(of->table, f.point, WHIRL_FIELD_FIT_UNKNOWN, 0);
     f.correlation = whirl_table_field(of->table, f.point, WHIRL_FIELD_FIT_CORRELATION, 0);
     f.number = whirl_table_field(of->table, f.point, WHIRL_FIELD_FIT_NUMBER, 0);
+    f.profile = whirl_table_field(of->table, f.point, WHIRL_FIELD_FIT_PROFILE, 0);
     for (size_t u = 0; u < f.unknowns; u++) fit_find_unknown(&f, u);
     fit_find_agreement(&f);
     fit_find_starts(&f);

@@ -6,6 +6,7 @@
 
 #include "deal.h"
 #include "fit_motions.h"
+#include "fit_profile.h"
 #include "kinds.h"
 #include "least_squares.h"
 #include "pass.h"
@@ -71,7 +72,7 @@ static whirl_status fit_describe(fit_work *w) {
     const double unit = noise ? 1.0 : s->deviation;
     const double wide = noise ? least_squares_student(SIZE_MAX) : least_squares_student(s->degrees);
     for (size_t u = 0; u < WHIRL_MAX_UNKNOWNS; u++) {
-        s->error[u] = s->half[u] = NAN;
+        s->error[u] = s->half[u] = s->profile[u][0] = s->profile[u][1] = NAN;
         s->known[u] = WHIRL_FIT_AT_BOUND;
         for (size_t k = 0; k < WHIRL_MAX_UNKNOWNS; k++) s->correlation[u][k] = NAN;
     }
@@ -128,7 +129,12 @@ static whirl_status fit_solve(fit_work *w, size_t slot) {
         return w->motions.status.code == WHIRL_STOPPED ? w->motions.status
                                                        : whirl_fail(WHIRL_NUMERICAL_FAILURE, "a fit lost a motion");
     fit_motions_keep(&w->motions);
-    return fit_describe(w);
+    const whirl_status described = fit_describe(w);
+    if (described.code != WHIRL_OK || !options->profile) return described;
+    // The sum rises by the square of the linear interval's half-width in standard errors.
+    const double wide = least_squares_student(options->noise > 0.0 ? SIZE_MAX : s->degrees);
+    const double unit = options->noise > 0.0 ? 1.0 : s->deviation;
+    return fit_profile(&w->motions, &problem, wide * wide * unit * unit, s);
 }
 
 /// Hands the solution to the analysis, which fills the block.

@@ -19,10 +19,33 @@ whirl_status fit_motions_make(fit_motions *m) {
     return m->kept && m->model ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for motions of a fit");
 }
 
+/// Copies the kept orbits. Returns false without memory.
+static bool copy_kept(const fit_motions *from, fit_motions *to) {
+    for (size_t i = 0; i < from->fit->motion_count; i++) {
+        const fit_orbit *own = &from->kept[i];
+        const size_t n = own->dimension, numbers = (1 + from->fit->unknown_count) * n;
+        to->kept[i] = *own;
+        to->kept[i].node = malloc((numbers + 1) * sizeof *own->node);
+        if (!to->kept[i].node) return false;
+        to->kept[i].slopes = to->kept[i].node + n;
+        if (n > 0) memcpy(to->kept[i].node, own->node, numbers * sizeof *own->node);
+    }
+    return true;
+}
+
+whirl_status fit_motions_copy(const fit_motions *from, fit_motions *to) {
+    *to = *from;
+    const whirl_status status = fit_motions_make(to);
+    if (status.code != WHIRL_OK) return status;
+    return copy_kept(from, to) ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for motions of a fit");
+}
+
 void fit_motions_free(fit_motions *m) {
     for (size_t i = 0; m->kept && i < 2 * m->fit->motion_count; i++) free(m->kept[i].node);
     free(m->kept);
     free(m->model);
+    m->kept = NULL;
+    m->model = NULL;
 }
 
 void fit_motions_keep(void *motions) {
@@ -114,6 +137,18 @@ static whirl_status place_begin(const fit_place *p, const whirl_system *system, 
     return status.code == WHIRL_OK ? whirl_orbit_find(system, x, revolutions, &p->options, orbit) : status;
 }
 
+/// Refuses measured waveforms of a machine whose speed depends on an unknown: the angle of the shaft at a time would
+/// too.
+static whirl_status place_check_speed(const fit_place *p, const whirl_machine *machine, const fit_orbit *kept) {
+    const whirl_fit *fit = p->of->fit;
+    const size_t motion = (size_t)(p->motion - fit->motions);
+    if (kept->dimension == 0 || kept->speed == machine->speed) return whirl_ok();
+    for (size_t i = 0; i < fit->number_count; i++)
+        if (fit->numbers[i].motion == motion && fit->numbers[i].quantity == WHIRL_FIT_WAVEFORM)
+            return whirl_fail(WHIRL_BAD_INPUT, "displacements over time need a speed that depends on no unknown");
+    return whirl_ok();
+}
+
 /// Finds the orbit: from the kept one and its derivatives, or after a transient.
 static whirl_status place_find(const fit_place *p, const whirl_machine *machine, const fit_orbit *kept,
                                whirl_orbit **orbit) {
@@ -152,11 +187,18 @@ static whirl_status place_derive(const fit_place *p, const whirl_orbit *orbit, w
 typedef struct probe_view {
     const whirl_probe *probe;
     double cos, sin; ///< cosine and sine of the direction
+    double speed;    ///< rad/s
     double lengths[1 + WHIRL_MAX_UNKNOWNS];
 } probe_view;
 
 static double view_along(const probe_view *v, const double *state) {
     return v->cos * whirl_probe_value(v->probe, state, 0) + v->sin * whirl_probe_value(v->probe, state, 1);
+}
+
+/// Returns a sum of the displacement and its derivative by the angle of the shaft.
+static double view_weighed(const probe_view *v, const double *state, const double weights[2]) {
+    return weights[0] * view_along(v, state) + weights[1] * (v->cos * whirl_probe_value(v->probe, state, 2) +
+                                                             v->sin * whirl_probe_value(v->probe, state, 3));
 }
 
 static void view_instant(const probe_view *v, const whirl_orbit_sensitivity *orbit, size_t index, double *value,
@@ -170,6 +212,29 @@ static void view_instant(const probe_view *v, const whirl_orbit_sensitivity *orb
     for (size_t u = 0; u < orbit->count; u++)
         slopes[u] = v->lengths[0] * view_along(v, orbit->slopes + (index * orbit->count + u) * n) +
                     v->lengths[1 + u] * displacement;
+}
+
+/// Writes the displacement at any place of the orbit, in revolutions, by the cubic polynomials with the values and
+/// slopes of the instants beside it.
+static void view_between(const probe_view *v, const whirl_orbit_sensitivity *orbit, double revolutions, double *value,
+                         double *slopes) {
+    const size_t n = orbit->dimension, all = orbit->revolutions * orbit->instants;
+    const double place = revolutions * (double)orbit->instants, below = floor(place), t = place - below;
+    const double step = two_pi / (double)orbit->instants;
+    const double weights[2][2] = {{(1.0 + 2.0 * t) * (1.0 - t) * (1.0 - t), step * t * (1.0 - t) * (1.0 - t)},
+                                  {t * t * (3.0 - 2.0 * t), step * t * t * (t - 1.0)}};
+    const double runout =
+        v->cos * whirl_probe_runout(v->probe, 0, revolutions) + v->sin * whirl_probe_runout(v->probe, 1, revolutions);
+    double displacement = runout;
+    for (size_t u = 0; u < orbit->count; u++) slopes[u] = 0.0;
+    for (size_t k = 0; k < 2; k++) {
+        const size_t index = ((size_t)below + k) % all;
+        displacement += view_weighed(v, orbit->states + index * n, weights[k]);
+        for (size_t u = 0; u < orbit->count; u++)
+            slopes[u] += v->lengths[0] * view_weighed(v, orbit->slopes + (index * orbit->count + u) * n, weights[k]);
+    }
+    *value = v->lengths[0] * displacement;
+    for (size_t u = 0; u < orbit->count; u++) slopes[u] += v->lengths[1 + u] * displacement;
 }
 
 /// Adds up one part of an order, 2/N sum x cos or sin.
@@ -195,6 +260,11 @@ static void view_number(const probe_view *v, const whirl_orbit_sensitivity *orbi
     case WHIRL_FIT_SAMPLE:
         view_instant(v, orbit, (size_t)lround(number->at * (double)orbit->instants), value, slopes);
         break;
+    case WHIRL_FIT_WAVEFORM: {
+        const double period = (double)orbit->revolutions, passed = number->at * fabs(v->speed) / two_pi;
+        view_between(v, orbit, passed - period * floor(passed / period), value, slopes);
+        break;
+    }
     case WHIRL_FIT_COS:
     case WHIRL_FIT_SIN:
         view_order(v, orbit, number->at, number->quantity == WHIRL_FIT_SIN, value, slopes);
@@ -211,14 +281,17 @@ static void view_number(const probe_view *v, const whirl_orbit_sensitivity *orbi
 }
 
 /// Computes the values of a motion's measured quantities on its orbit, and their derivatives [numbers][unknowns].
-static void place_numbers(const fit_place *p, const whirl_system *system, const whirl_orbit_sensitivity *orbit,
+static void place_numbers(const fit_place *p, const whirl_machine *machine, const whirl_orbit_sensitivity *orbit,
                           const double *lengths, double *model, double *slopes) {
     const whirl_fit *fit = p->of->fit;
     const size_t motion = (size_t)(p->motion - fit->motions);
     for (size_t i = 0; i < fit->number_count; i++) {
         const whirl_fit_number *number = &fit->numbers[i];
         if (number->motion != motion) continue;
-        probe_view view = {&system->probes[number->station], cos(number->angle), sin(number->angle), {0.0}};
+        probe_view view = {.probe = &machine->system->probes[number->station],
+                           .cos = cos(number->angle),
+                           .sin = sin(number->angle),
+                           .speed = machine->speed};
         memcpy(view.lengths, lengths, sizeof view.lengths);
         view_number(&view, orbit, number, &model[i], slopes + i * fit->unknown_count);
     }
@@ -251,9 +324,10 @@ static whirl_status place_compute(const fit_motions *m, size_t index, const doub
     double lengths[1 + WHIRL_MAX_UNKNOWNS] = {1.0};
     place_make(&p, m, index, values);
     whirl_status status = place_machine(&p, &machine);
+    if (status.code == WHIRL_OK) status = place_check_speed(&p, &machine, &m->kept[index]);
     if (status.code == WHIRL_OK) status = place_find(&p, &machine, &m->kept[index], &orbit);
     if (status.code == WHIRL_OK) status = place_derive(&p, orbit, &derived, lengths);
-    if (status.code == WHIRL_OK) place_numbers(&p, machine.system, derived, lengths, m->model, slopes);
+    if (status.code == WHIRL_OK) place_numbers(&p, &machine, derived, lengths, m->model, slopes);
     if (status.code == WHIRL_OK) status = place_note(&p, &machine, orbit, derived, &m->tried[index]);
     whirl_orbit_sensitivity_free(derived);
     whirl_orbit_free(orbit);

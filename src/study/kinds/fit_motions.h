@@ -32,6 +32,9 @@ typedef struct fit_motions {
 whirl_status fit_motions_make(fit_motions *m);
 void fit_motions_free(fit_motions *m);
 
+/// Makes motions with the same kept orbits. WHIRL_NO_MEMORY. Freed likewise.
+whirl_status fit_motions_copy(const fit_motions *from, fit_motions *to);
+
 /// Evaluates residuals [numbers], model less measured over noise, and their derivatives [numbers][unknowns], as
 /// least_squares_solve asks; false if a motion has no orbit near the one kept.
 bool fit_motions_evaluate(void *motions, const double *values, double *residuals, double *derivatives);

@@ -1,0 +1,97 @@
+function found = whirl_fit(given_case, data, unknown, varargin)
+% WHIRL_FIT  Fits parameters of a machine to measured motions.
+%   FOUND = WHIRL_FIT(CASE, DATA, UNKNOWN) takes the text of a case or its file, whose study is replaced; the name of a
+%   table (guide, chapter 18), or a cell of headings and columns, {'speed [rpm]', n, 'disc x [um]', x}; and a struct of
+%   the unknown parameters, each [] or [from to] in SI: struct('k', [0.6e6 2e6], 'e', []).
+%
+%   WHIRL_FIT(..., NAME, VALUE, ...) sets further keys of the study fit: 'starts', 'profile', 'loss', ...; 'noise', in
+%   metres or as a text '2 um'; and 'at', a struct of parameters in SI that the measurement had.
+%
+%   FOUND has a struct for each unknown, with start, value, error, low and high (95 %), profile ([low high]) and known:
+%   'determined', 'at a bound', 'weak' or 'unknown'; FOUND.result is that of WHIRL_RUN.
+%
+%   Errors: as those of WHIRL_RUN.
+%
+%   See also WHIRL_RUN.
+if nargin < 3 || ~isstruct(unknown) || mod(numel(varargin), 2) ~= 0
+    error('whirl:badInput', ...
+          'whirl_fit takes a case, measured numbers, a struct of unknowns, and pairs of names and values');
+end
+text = text_of(given_case);
+if ~any(text == 10)
+    text = fileread(file_of(text));
+end
+written = '';
+if iscell(data)
+    written = [tempname() '.csv'];
+    write_columns(written, data);
+    data = written;
+end
+item = struct('file', whole_path(text_of(data)));
+fit = struct();
+for i = 1:2:numel(varargin)
+    value = varargin{i + 1};
+    if any(strcmp(varargin{i}, {'noise', 'at'}))
+        if isnumeric(value)
+            value = sprintf('%.17g m', value);
+        end
+        item.(varargin{i}) = value;
+    else
+        fit.(varargin{i}) = value;
+    end
+end
+names = fieldnames(unknown);
+for i = 1:numel(names)
+    bounds = unknown.(names{i});
+    fit.unknown.(names{i}) = struct();
+    if ~isempty(bounds)
+        fit.unknown.(names{i}) = struct('from', bounds(1), 'to', bounds(2));
+    end
+end
+fit.data = {item};
+% JSON is YAML: the study in one line replaces that of the case.
+kept = regexprep([text char(10)], '(?m)^study:.*\n(?:(?:[ \t#].*)?\n)*', '', 'dotexceptnewline');
+kept = [kept 'study: ' jsonencode(struct('fit', fit)) char(10)];
+try
+    result = whirl_run(kept, 'progress', false);
+catch problem
+    forget(written);
+    rethrow(problem);
+end
+forget(written);
+found = struct('result', result);
+words = {'determined', 'at a bound', 'weak', 'unknown'};
+table = result.fit.fit;
+[~, best] = min(table.outcome(:, 4));
+for i = 1:numel(names)
+    row = reshape(table.unknown(best, i, :), 1, []);
+    own = struct('start', row(2), 'value', row(3), 'error', row(4), 'low', row(3) - row(5), 'high', row(3) + row(5));
+    own.known = words{row(8) + 1};
+    own.profile = [NaN NaN];
+    if isfield(table, 'profile')
+        own.profile = reshape(table.profile(best, i, :), 1, []);
+    end
+    found.(names{i}) = own;
+end
+end
+
+function write_columns(name, data)
+stream = fopen(name, 'w');
+fprintf(stream, '%s\n', strjoin(data(1:2:end), ', '));
+columns = cell2mat(cellfun(@(column) column(:), data(2:2:end), 'UniformOutput', false));
+form = [repmat('%.17g, ', 1, size(columns, 2) - 1) '%.17g\n'];
+fprintf(stream, form, columns.');
+fclose(stream);
+end
+
+function name = whole_path(name)
+if isempty(regexp(name, '^(/|~|[A-Za-z]:)', 'once'))
+    name = fullfile(pwd(), name);   % the case is run from elsewhere
+end
+end
+
+function forget(name)
+if ~isempty(name)
+    delete(name);
+end
+end

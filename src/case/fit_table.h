@@ -1,0 +1,46 @@
+/// Tables of measured numbers of a fit: which motion each number is of.
+#ifndef CASE_FIT_TABLE_H
+#define CASE_FIT_TABLE_H
+
+#include "plan_fit.h"
+#include "whirl/internal/csv.h"
+
+enum { FIT_MAX_COLUMNS = 2 + 4 * WHIRL_MAX_PROBES };
+
+/// Contents of a column.
+typedef struct fit_column {
+    enum { FIT_ANGLE, FIT_TIME, FIT_SPEED, FIT_PARAMETER, FIT_DISPLACEMENT, FIT_LAG } kind;
+    size_t station;
+    double direction, order; ///< rad; order of vectors
+    double size;             ///< SI per unit
+    const parameter *parameter;
+    size_t lag;   ///< column of the lag of a displacement, or its own column
+    double noise; ///< standard deviation of its numbers, m; 1 if it is not given
+} fit_column;
+
+/// The lists of a fit while its tables are read.
+typedef struct fit_maker {
+    case_reader *reader;
+    valuation *v;
+    const fit_parts *parts;
+    whirl_fit fit;
+    whirl_fit_motion *motions;
+    whirl_fit_number *numbers;
+    size_t motion_capacity, number_capacity;
+    int revolutions;
+    double checksum;
+    // The present table.
+    size_t set;
+    csv_table table;
+    fit_column columns[FIT_MAX_COLUMNS];
+    const whirl_given *at; ///< parameters that the table gives
+    size_t at_count;
+    double noise;                           ///< standard deviation of its numbers, m; 1 if it is not given
+    double channel_noise[FIT_MAX_CHANNELS]; ///< those of fit_set.channels, m
+} fit_maker;
+
+/// Reads the table of a file, and adds its motions and numbers. WHIRL_BAD_INPUT with the place of the error, in the
+/// case or in the table; WHIRL_NO_MEMORY.
+whirl_status fit_table_read(fit_maker *m, const fit_set *set);
+
+#endif

@@ -1,0 +1,33 @@
+% What was put in comes out: a disc on a spring, from columns and from a table; bad input has the command's sentences.
+function wrong(call, part)
+  try
+    call();
+  catch problem
+    assert(problem.identifier, 'whirl:badInput');
+    assert(~isempty(strfind(problem.message, part)), problem.message);
+    return
+  end
+  error('no error: %s', func2str(call));
+end
+machine = sprintf('%s\n', 'whirl: 1', 'title: A disc', ...
+  'parameters: {n: 100 rad/s, k: 30 kN/m, c: 52 N s/m, e: 50 um}', 'rotor:', '  speed: = n', '  length_scale: 1 mm', ...
+  '  stations: {disc: {mass: 3 kg, damping: = c, eccentricity: = e}}', '  elements:', ...
+  '    - shaft: {between: [disc, ground], k1: = k}', 'study:', '  # replaced', '  response: {}');
+w = (60:10:140)';
+response = 38e-6 * w.^2 ./ (33e3 / 3 - w.^2 + 1i * 52 * w / 3);
+data = {'speed [rad/s]', w, 'disc x [m]', abs(response), 'disc x lag [rad]', -angle(response)};
+found = whirl_fit(machine, data, struct('k', [10e3 90e3], 'e', []), 'tolerance', 1e-10, 'noise', 1e-6, 'profile', true);
+assert([found.k.value found.e.value], [33e3 38e-6], -1e-8);
+assert(found.k.known, 'determined');
+assert(found.k.profile, [found.k.low found.k.high], 0.01 * (found.k.high - found.k.low));
+file = fopen('bode.csv', 'w');
+fprintf(file, 'speed [rad/s], disc x [m], disc x lag [rad]\n');
+fprintf(file, '%.17g, %.17g, %.17g\n', [w abs(response) -angle(response)]');
+fclose(file);
+again = whirl_fit(machine, 'bode.csv', struct('k', [10e3 90e3], 'e', []), 'tolerance', 1e-10, 'noise', '1 um');
+assert(again.k.value, found.k.value, -1e-12);
+assert(isnan(again.k.profile));
+wrong(@() whirl_fit(machine, 'gone.csv', struct('k', [])), 'gone.csv');
+wrong(@() whirl_fit(machine, data, struct('kk', [])), 'kk');
+wrong(@() whirl_fit(machine, data, 'k'), 'whirl_fit takes a case');
+disp('all well');
