@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "derived_fields.h"
+#include "orbit_options.h"
 #include "resting_point.h"
 #include "richardson.h"
 #include "two_pi.h"
@@ -541,7 +542,7 @@ whirl_status derived_of_motion(const whirl_study *study, const whirl_batch *batc
     if (verdict.regime != WHIRL_PERIODIC || verdict.period < 1) return whirl_ok();
     // Tolerances are as fine for the batch's smallest lengths as usual ones are for the unit.
     const bool stiff = strcmp(batch->integrate.method, "rodas5p") == 0;
-    derived_motion m = {.of = &d, .options = varied_orbit_options(batch->integrate.method, stiff ? 1e-10 : 1e-13)};
+    derived_motion m = {.of = &d, .options = orbit_options_by(batch->integrate.method, stiff ? 1e-10 : 1e-13)};
     if (batch->integrate.atol < 1e-9) m.options.integrate.atol *= batch->integrate.atol / 1e-9;
     whirl_status status = motion_derive(&m, machine->system, end, (size_t)verdict.period);
     if (status.code == WHIRL_OK) status = motion_fill(&m, machine->system);

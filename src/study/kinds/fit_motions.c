@@ -1,4 +1,5 @@
 #include "fit_motions.h"
+#include "orbit_options.h"
 #include "turns.h"
 #include "two_pi.h"
 #include "varied.h"
@@ -80,7 +81,7 @@ static void place_make(fit_place *p, const fit_motions *of, size_t index, const 
     p->batch.given = p->given;
     p->batch.given_count = count;
     p->batch.speed = p->motion->speed;
-    p->options = varied_orbit_options(fit->method, fit->rtol);
+    p->options = orbit_options_by(fit->method, fit->rtol);
 }
 
 static whirl_status place_machine(const fit_place *p, whirl_machine *machine) {

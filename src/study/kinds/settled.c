@@ -4,13 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "orbit_options.h"
 #include "turns.h"
-#include "varied.h"
 #include "whirl/engine/linear.h"
 
 whirl_orbit_options whirl_batch_orbits(const whirl_batch *batch) {
     const whirl_trace_options *trace = &batch->record.trace;
-    whirl_orbit_options options = varied_orbit_options(batch->integrate.method, trace->rtol);
+    whirl_orbit_options options = orbit_options_by(batch->integrate.method, trace->rtol);
     options.segments = trace->segments;
     return options;
 }

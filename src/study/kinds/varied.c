@@ -1,6 +1,5 @@
 #include "varied.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -48,14 +47,4 @@ whirl_status varied_orbit(const whirl_study *study, const whirl_batch *batch, do
     whirl_extended_free(extended);
     for (size_t p = 0; p < count; p++) whirl_sensitivity_free(by[p]);
     return status;
-}
-
-whirl_orbit_options varied_orbit_options(const char *method, double rtol) {
-    whirl_orbit_options options = whirl_orbit_default();
-    whirl_integrate_options *integrate = &options.integrate;
-    if (strcmp(method, "rodas5p") == 0) strcpy(integrate->method, "rodas5p");
-    integrate->atol *= rtol / integrate->rtol;
-    integrate->rtol = rtol;
-    options.tolerance = fmax(options.tolerance, 10.0 * rtol);
-    return options;
 }

@@ -28,7 +28,4 @@ whirl_status varied_orbit(const whirl_study *study, const whirl_batch *batch, do
                           const whirl_orbit_options *options, size_t instants, double *lengths,
                           whirl_orbit_sensitivity **out);
 
-/// Returns options for orbits by the method "rodas5p", or else dop853, at a relative tolerance.
-whirl_orbit_options varied_orbit_options(const char *method, double rtol);
-
 #endif
