@@ -27,7 +27,6 @@
 #include "whirl/engine/orbit.h"
 #include "whirl/engine/record.h"
 #include "whirl/engine/report.h"
-#include "whirl/engine/response_peaks.h"
 #include "whirl/engine/result.h"
 #include "whirl/engine/rotor.h"
 #include "whirl/engine/running.h"

@@ -14,8 +14,8 @@
 #include "support_study.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/case.h"
-#include "whirl/engine/response_peaks.h"
 #include "whirl/engine/rotor.h"
+#include "whirl/internal/response_peaks.h"
 
 enum { SIZE = 4096 };
 static const double pi = 3.14159265358979323846, g = 9.80665;

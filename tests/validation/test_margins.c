@@ -10,7 +10,7 @@
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/engine/response_peaks.h"
+#include "whirl/internal/response_peaks.h"
 
 enum { POINTS = 3201, MOST = 8 };
 

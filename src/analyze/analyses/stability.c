@@ -5,7 +5,7 @@
 
 #include "analysis.h"
 #include "bracket.h"
-#include "whirl/engine/response_peaks.h"
+#include "whirl/internal/response_peaks.h"
 
 enum {
     SPEED,

@@ -1,7 +1,7 @@
 // Peaks of a response over the speed: amplification factors, and the separation margins that they require.
 #include <math.h>
 
-#include "whirl/engine/response_peaks.h"
+#include "whirl/internal/response_peaks.h"
 
 /// A response at rising speeds.
 typedef struct curve {

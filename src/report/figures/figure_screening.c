@@ -4,7 +4,7 @@
 
 #include "figure_build.h"
 #include "figure_kinds.h"
-#include "whirl/engine/response_peaks.h"
+#include "whirl/internal/response_peaks.h"
 
 /// Returns true if a point has a place in the diagram.
 static bool stands(const whirl_table *table, size_t point) {

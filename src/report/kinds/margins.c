@@ -8,7 +8,7 @@
 #include "name_list.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/descriptor.h"
-#include "whirl/engine/response_peaks.h"
+#include "whirl/internal/response_peaks.h"
 
 bool margin_running(const whirl_table *table, double *low, double *high) {
     const double from = table->record.running_low, to = table->record.running_high;

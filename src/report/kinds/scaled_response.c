@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "whirl/engine/analyze.h"
-#include "whirl/engine/response_peaks.h"
+#include "whirl/internal/response_peaks.h"
 
 /// Returns true if any station has a clearance.
 static bool scaled_has_clearances(const whirl_result *result, const whirl_table *table) {

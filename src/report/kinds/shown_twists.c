@@ -6,8 +6,8 @@
 
 #include "margins.h"
 #include "shown_kinds.h"
-#include "whirl/engine/response_peaks.h"
 #include "whirl/engine/torsion.h"
+#include "whirl/internal/response_peaks.h"
 
 static const double degree = 3.14159265358979323846 / 180.0;
 
