@@ -118,7 +118,7 @@ static void read_number(case_reader *reader, const distribution_parts *own, cons
     if (given) formula_read(reader, given->place, &key, result);
 }
 
-static void check_keys(case_reader *reader, const distribution_parts *own) {
+static void tolerances_check_keys(case_reader *reader, const distribution_parts *own) {
     const setting *within = settings_find(&own->keys, "within"), *from = settings_find(&own->keys, "from");
     const setting *to = settings_find(&own->keys, "to"), *mean = settings_find(&own->keys, "mean");
     const setting *deviation = settings_find(&own->keys, "deviation");
@@ -150,7 +150,7 @@ bool distribution_read(case_reader *reader, const file_node *where, distribution
         if (!read_within(where, unit, own, why)) problem_at(reader->problems, where, "%s", why);
     } else if (where->kind == NODE_MAPPING) {
         settings_read(reader, where, &schema_distribution, &own->keys);
-        check_keys(reader, own);
+        tolerances_check_keys(reader, own);
         const setting *within = settings_find(&own->keys, "within");
         if (within && within->place->kind != NODE_TEXT)
             problem_at(reader->problems, within->place, "is %s, expected bounds such as 0.2 mm +- 5 %%",

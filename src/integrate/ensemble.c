@@ -240,7 +240,7 @@ static size_t fast_lanes(const whirl_ensemble *e) {
 }
 
 /// Completes an ensemble with an attached method.
-static whirl_status finish(whirl_ensemble *e, size_t lanes, whirl_ensemble **out) {
+static whirl_status ensemble_finish(whirl_ensemble *e, size_t lanes, whirl_ensemble **out) {
     e->lanes.stride = (lanes + e->isa->lanes - 1) / e->isa->lanes;
     e->lanes.lane_count = e->lane_count = e->lanes.stride * e->isa->lanes;
     if (!ensemble_allocate(e))
@@ -276,7 +276,7 @@ static whirl_status ensemble_make(const whirl_system *system, const whirl_integr
         fill_lanes(e, options);
         e->lanes.perturbations = perturbations;
         if (e->lanes.places && attach_location(e, options, lanes))
-            status = finish(e, lanes > 0 ? lanes : fast_lanes(e), out);
+            status = ensemble_finish(e, lanes > 0 ? lanes : fast_lanes(e), out);
         else
             status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble");
     }
@@ -346,7 +346,7 @@ whirl_status whirl_ensemble_alone(const whirl_system *system, const whirl_integr
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble");
     }
     fill_shape(e);
-    status = finish(e, lanes, out);
+    status = ensemble_finish(e, lanes, out);
     if (status.code != WHIRL_OK) {
         whirl_ensemble_free(e);
         return status;

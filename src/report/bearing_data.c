@@ -208,7 +208,7 @@ whirl_status whirl_bearing_write_json(const whirl_bearing_table *table, const ch
 
 // ---------------------------------------------------------------- CSV
 
-static void put_number(FILE *out, double value, const char *end) {
+static void bearing_put_number(FILE *out, double value, const char *end) {
     char text[NUMBER_SIZE] = "";
     if (isfinite(value)) number_text(value, text);
     fprintf(out, "%s%s", text, end);
@@ -242,14 +242,14 @@ whirl_status whirl_bearing_write_csv(const whirl_bearing_table *table, const cha
                               point->pressure,
                               point->flow,
                               point->power};
-        for (size_t k = 0; k < sizeof row / sizeof *row; k++) put_number(out, row[k], ",");
-        for (int k = 0; k < 8; k++) put_number(out, point->reduced[0][k / 4][k / 2 % 2][k % 2], ",");
-        put_number(out, point->critical_mass, ",");
-        put_number(out, point->error_place, ",");
-        put_number(out, point->error_stiffness, ",");
-        put_number(out, point->error_damping, ",");
-        put_number(out, point->viscosity, ",");
-        put_number(out, point->temperature, ",");
+        for (size_t k = 0; k < sizeof row / sizeof *row; k++) bearing_put_number(out, row[k], ",");
+        for (int k = 0; k < 8; k++) bearing_put_number(out, point->reduced[0][k / 4][k / 2 % 2][k % 2], ",");
+        bearing_put_number(out, point->critical_mass, ",");
+        bearing_put_number(out, point->error_place, ",");
+        bearing_put_number(out, point->error_stiffness, ",");
+        bearing_put_number(out, point->error_damping, ",");
+        bearing_put_number(out, point->viscosity, ",");
+        bearing_put_number(out, point->temperature, ",");
         // Write failure and remarks in the last column.
         fprintf(out, "\"%s", point->failure);
         for (size_t k = 0; k < point->remark_count; k++) {
@@ -304,7 +304,7 @@ static size_t frequencies_of(const whirl_bearing_table *table, double *out) {
 
 static void put_list(FILE *out, const char *name, const double *numbers, size_t count) {
     fprintf(out, "        %s: [", name);
-    for (size_t i = 0; i < count; i++) put_number(out, numbers[i], i + 1 < count ? ", " : "]\n");
+    for (size_t i = 0; i < count; i++) bearing_put_number(out, numbers[i], i + 1 < count ? ", " : "]\n");
 }
 
 /// Writes the table of coefficient k: for each speed a list over the frequencies.
@@ -315,7 +315,7 @@ static void put_sheet(FILE *out, const whirl_bearing_table *table, const double 
         for (size_t f = 0; f < count; f++) {
             double all[2][2][2];
             whirl_bearing_reduced(table->bearing, point, frequencies[f] / point->speed, all);
-            put_number(out, all[k / 4][k / 2 % 2][k % 2], f + 1 < count ? ", " : "]");
+            bearing_put_number(out, all[k / 4][k / 2 % 2][k % 2], f + 1 < count ? ", " : "]");
         }
     }
     fputs(table->count > 1 ? "]\n" : "\n", out);
@@ -332,10 +332,10 @@ static void put_coefficients(FILE *out, const whirl_bearing_table *table, bool o
         fprintf(out, "        %s: %s", names[k], count == 0 && table->count > 1 ? "[" : "");
         if (count > 0) put_sheet(out, table, frequencies, count, k);
         for (size_t i = 0; i < table->count && count == 0; i++)
-            put_number(out, table->points[i].reduced[0][k / 4][k / 2 % 2][k % 2],
-                       i + 1 < table->count ? ", "
-                       : i > 0              ? "]\n"
-                                            : "\n");
+            bearing_put_number(out, table->points[i].reduced[0][k / 4][k / 2 % 2][k % 2],
+                               i + 1 < table->count ? ", "
+                               : i > 0              ? "]\n"
+                                                    : "\n");
     }
 }
 
@@ -354,7 +354,7 @@ whirl_status whirl_bearing_write_element(const whirl_bearing_table *table, const
     put_coefficients(out, table, over);
     if (of->pads.tilting && !over) {
         fputs("        whirl_ratio: ", out);
-        put_number(out, of->ratios[0], "\n");
+        bearing_put_number(out, of->ratios[0], "\n");
     }
     return ferror(out) ? whirl_fail(WHIRL_IO_ERROR, "an element of a bearing cannot be written") : whirl_ok();
 }

@@ -24,7 +24,7 @@ static void put_name(FILE *stream, const whirl_result *result, const char *what,
     fputs(name, stream);
 }
 
-static void put_number(FILE *stream, double value) {
+static void dataset_put_number(FILE *stream, double value) {
     if (isfinite(value))
         fprintf(stream, ",%.17g", value);
     else
@@ -51,14 +51,14 @@ void whirl_dataset_write_index(const whirl_result *result, FILE *stream) {
         fprintf(stream, "%zu,%.0f,%.0f,%s,", row++, whirl_table_number(table, p, WHIRL_FIELD_DATASET_RECORD, 0),
                 whirl_table_number(table, p, WHIRL_FIELD_DATASET_MACHINE, 0), whirl_split_name((whirl_split)split));
         put_name(stream, result, "label", (size_t)label + 1);
-        put_number(stream, whirl_table_number(table, p, WHIRL_FIELD_DATASET_SEVERITY, 0));
+        dataset_put_number(stream, whirl_table_number(table, p, WHIRL_FIELD_DATASET_SEVERITY, 0));
         fprintf(stream, ",%s,%s", judged ? verdict : "", judged ? whirl_confidence_name(found.confidence) : "");
-        put_number(stream, records_contact(result, table, p));
-        put_number(stream, whirl_table_number(table, p, WHIRL_FIELD_DATASET_SPEED, 0));
-        put_number(stream, whirl_table_number(table, p, WHIRL_FIELD_DATASET_BEGIN, 0));
+        dataset_put_number(stream, records_contact(result, table, p));
+        dataset_put_number(stream, whirl_table_number(table, p, WHIRL_FIELD_DATASET_SPEED, 0));
+        dataset_put_number(stream, whirl_table_number(table, p, WHIRL_FIELD_DATASET_BEGIN, 0));
         fprintf(stream, ",%.0f", whirl_table_number(table, p, WHIRL_FIELD_DATASET_SEED, 0));
         const double *values = whirl_table_field(table, p, WHIRL_FIELD_DATASET_VALUES, 0);
-        for (size_t i = 0; i < parameters; i++) put_number(stream, values ? values[i] : (double)NAN);
+        for (size_t i = 0; i < parameters; i++) dataset_put_number(stream, values ? values[i] : (double)NAN);
         fputs("\r\n", stream);
     }
 }

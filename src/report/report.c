@@ -145,7 +145,7 @@ static whirl_status write_figures(report *made, const whirl_result *const *resul
 }
 
 /// Runs all scripts and notes in the figures whether they were drawn.
-static whirl_status draw(report *made, const char *program) {
+static whirl_status report_draw(report *made, const char *program) {
     const size_t count = made->figures.count;
     gnuplot_job *jobs = calloc(count + 1, sizeof *jobs);
     char(*scripts)[FIGURE_FILE_SIZE] = calloc(count + 1, sizeof *scripts);
@@ -224,7 +224,7 @@ static whirl_status report_make(report *made, const whirl_result *const *results
     whirl_status status = folder_make(directory);
     if (status.code == WHIRL_OK) status = write_figures(made, results, count, directory);
     if (status.code != WHIRL_OK) return status;
-    const whirl_status drawn = draw(made, options->gnuplot);
+    const whirl_status drawn = report_draw(made, options->gnuplot);
     if (drawn.code == WHIRL_NO_MEMORY) return drawn;
     if (options->claims) report_compare(made, results, count, options->claims);
     status = write_page(made, results, names, count, directory, options, ANALYSES);

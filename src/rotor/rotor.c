@@ -325,7 +325,7 @@ static void add_phase(whirl_rotor *rotor, const building *b) {
     rotor_system_fill(rotor);
 }
 
-static whirl_rotor *finish(building *b) {
+static whirl_rotor *rotor_finish(building *b) {
     // Allocate one block for the rotor and its arrays.
     scale_body(&b->assembly);
     whirl_rotor *rotor = body_gather(&b->assembly.body, &b->panels) ? calloc(1, rotor_lay_out(NULL, NULL, b)) : NULL;
@@ -445,7 +445,7 @@ whirl_status whirl_rotor_outline(const whirl_design *design, whirl_rotor **out) 
     }
     if (status.code == WHIRL_OK) status = building_finish(&b);
     if (status.code == WHIRL_OK) status = check_states(&b);
-    whirl_rotor *rotor = status.code == WHIRL_OK ? finish(&b) : NULL;
+    whirl_rotor *rotor = status.code == WHIRL_OK ? rotor_finish(&b) : NULL;
     if (status.code == WHIRL_OK && !rotor)
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu stations", design->station_count);
     if (status.code == WHIRL_OK) status = coupling_fill(&rotor->coupled, &b.assembly);

@@ -203,8 +203,8 @@ static void begin_column(whirl_status *status, column *out, hid_t parent, const 
     if (!column_buffer(out, chunk)) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory to store %s", name);
 }
 
-static void column_of(whirl_status *status, column *out, hid_t parent, const char *name, shape points,
-                      const size_t *dimensions, int rank, bool single) {
+static void put_make_column(whirl_status *status, column *out, hid_t parent, const char *name, shape points,
+                            const size_t *dimensions, int rank, bool single) {
     column_lay(out, points, dimensions, rank, single ? sizeof(float) : sizeof(double));
     put_group_above(status, parent, name);
     if (status->code == WHIRL_OK) out->type = H5Tcopy(single ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE);
@@ -213,13 +213,13 @@ static void column_of(whirl_status *status, column *out, hid_t parent, const cha
 
 void column_of_numbers(whirl_status *status, column *out, hid_t parent, const char *name, shape points,
                        const size_t *dimensions, int rank, const char *unit) {
-    column_of(status, out, parent, name, points, dimensions, rank, false);
+    put_make_column(status, out, parent, name, points, dimensions, rank, false);
     put_text_attribute(status, out->dataset, "unit", unit);
 }
 
 void column_of_singles(whirl_status *status, column *out, hid_t parent, const char *name, shape points,
                        const size_t *dimensions, int rank, const char *unit) {
-    column_of(status, out, parent, name, points, dimensions, rank, true);
+    put_make_column(status, out, parent, name, points, dimensions, rank, true);
     put_text_attribute(status, out->dataset, "unit", unit);
 }
 

@@ -60,7 +60,7 @@ whirl_status whirl_user_system_curves(whirl_user_system *system, const char *par
     return status;
 }
 
-static void put_number(FILE *out, const char *before, double number) {
+static void branches_put_number(FILE *out, const char *before, double number) {
     char text[NUMBER_SIZE];
     number_text(number, text);
     fprintf(out, "%s%s", before, text);
@@ -69,13 +69,13 @@ static void put_number(FILE *out, const char *before, double number) {
 void user_put_branches(const whirl_user_system *system, FILE *out) {
     const user_branches *own = &system->branches;
     fprintf(out, "over %s", system->parameters[own->parameter].name);
-    put_number(out, " from ", own->bounds[0]);
-    put_number(out, " to ", own->bounds[1]);
-    for (size_t i = 0; i < own->count; i++) put_number(out, i > 0 ? ", " : ", begun at ", own->at[i]);
+    branches_put_number(out, " from ", own->bounds[0]);
+    branches_put_number(out, " to ", own->bounds[1]);
+    for (size_t i = 0; i < own->count; i++) branches_put_number(out, i > 0 ? ", " : ", begun at ", own->at[i]);
     if (!own->curves) return;
     fprintf(out, "; curves over %s", system->parameters[own->second].name);
-    put_number(out, " from ", own->second_bounds[0]);
-    put_number(out, " to ", own->second_bounds[1]);
+    branches_put_number(out, " from ", own->second_bounds[0]);
+    branches_put_number(out, " to ", own->second_bounds[1]);
 }
 
 // ---------------------------------------------------------------- their study

@@ -192,8 +192,8 @@ static double convert(const whirl_channel *channel, double value) {
 }
 
 /// Adds noise, and converts volts to the numbers of the channel.
-static void finish(const whirl_channel *channel, uint64_t seed, size_t index, size_t count, double *values,
-                   float *out) {
+static void sensors_finish(const whirl_channel *channel, uint64_t seed, size_t index, size_t count, double *values,
+                           float *out) {
     for (size_t k = 0; k < count; k += 2) {
         double normals[2] = {0.0};
         if (channel->noise > 0.0) random_normals(seed, 2 * index, k / 2, normals);
@@ -271,7 +271,7 @@ whirl_status whirl_channels_sample(const whirl_record *record, const whirl_chann
             own[k] = channels[c].sensitivity *
                      pulse_share(&channels[c], sampling->seed, c, place - 0.5 * wide, place + 0.5 * wide);
         }
-        finish(&channels[c], sampling->seed, c, samples, own, out + c * samples);
+        sensors_finish(&channels[c], sampling->seed, c, samples, own, out + c * samples);
     }
     free(signals);
     return whirl_ok();

@@ -26,13 +26,13 @@ typedef struct tree_builder {
 static int line_of(const yaml_event_t *event) {
     return (int)event->start_mark.line + 1;
 }
-static int column_of(const yaml_event_t *event) {
+static int tree_column(const yaml_event_t *event) {
     return (int)event->start_mark.column + 1;
 }
 
 /// Reports a problem that stops parsing.
 static bool stop(tree_builder *b, const yaml_event_t *event, const char *message) {
-    problem_in_file(b->problems, line_of(event), column_of(event), "%s", message);
+    problem_in_file(b->problems, line_of(event), tree_column(event), "%s", message);
     return false;
 }
 
@@ -45,7 +45,7 @@ static file_node *add_node(tree_builder *b, const yaml_event_t *event, node_kind
     }
     *made = (file_node){.kind = kind,
                         .line = line_of(event),
-                        .column = column_of(event),
+                        .column = tree_column(event),
                         .from = event->start_mark.index,
                         .to = event->end_mark.index,
                         .parent = b->open};
@@ -94,7 +94,7 @@ static bool take_scalar(tree_builder *b, const yaml_event_t *event) {
         if (length == 0) return stop(b, event, "has an empty key, expected a name");
         b->key = text;
         b->key_line = line_of(event);
-        b->key_column = column_of(event);
+        b->key_column = tree_column(event);
         b->key_from = event->start_mark.index;
         return true;
     }
@@ -204,10 +204,10 @@ static bool report_duplicates(const file_node *mapping, whirl_problems *problems
 
 /// Reports duplicate keys at a node and below it. The recursion is as deep as the tree, at most TREE_MAX_DEPTH. Returns
 /// false without memory.
-static bool check_keys(const file_node *at, whirl_problems *problems) {
+static bool tree_check_keys(const file_node *at, whirl_problems *problems) {
     if (at->kind == NODE_MAPPING && at->count > 1 && !report_duplicates(at, problems)) return false;
     for (const file_node *child = at->first; child; child = child->next)
-        if (!check_keys(child, problems)) return false;
+        if (!tree_check_keys(child, problems)) return false;
     return true;
 }
 
@@ -224,7 +224,7 @@ whirl_status tree_read(const char *text, size_t length, memory_arena *arena, whi
     tree_builder b = {.arena = arena, .problems = problems};
     tree_parse(&b, &parser);
     yaml_parser_delete(&parser);
-    if (b.no_memory || (b.done && !check_keys(b.root, problems)))
+    if (b.no_memory || (b.done && !tree_check_keys(b.root, problems)))
         return whirl_fail(WHIRL_NO_MEMORY, "no memory to parse %.200s", problems->file);
     if (!b.done && problems->count == 0) problem_in_file(problems, 1, 1, "is empty, expected a mapping of keys");
     *root = b.done ? b.root : NULL;

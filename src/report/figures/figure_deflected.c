@@ -99,7 +99,7 @@ static margin_row next_peak(const drawing *of, const whirl_table *table, double 
     return largest;
 }
 
-static int by_number(const void *a, const void *b) {
+static int deflected_by_number(const void *a, const void *b) {
     const size_t one = *(const size_t *)a, other = *(const size_t *)b;
     return (one > other) - (one < other);
 }
@@ -125,7 +125,7 @@ static size_t choose_points(const drawing *of, const whirl_table *table, size_t 
             if (axis > most) most = axis, largest = point;
         }
     if (largest < table->count) points[count++] = largest;
-    qsort(points, count, sizeof *points, by_number);
+    qsort(points, count, sizeof *points, deflected_by_number);
     return count;
 }
 

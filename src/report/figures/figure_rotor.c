@@ -426,7 +426,7 @@ static void fit_standing(const pen *p) {
     p->panel->y.shown = l->to_scale;
 }
 
-static void draw(const pen *p) {
+static void figure_rotor_draw(const pen *p) {
     machine_layout *l = p->l;
     if (l->to_scale) draw_shafts(p);
     draw_links(p);
@@ -462,7 +462,7 @@ static void rotor_describe(const drawing *of, const figure_place *place, whirl_f
     if (l->model.stands) p.upright = l->model.rises ? 1.0 : -1.0;
     p.cm = p.upright != 0.0 ? length / 12.0 : length / (figure->width - 1.2);
     // Draw the machine, and size the panel.
-    draw(&p);
+    figure_rotor_draw(&p);
     if (p.upright != 0.0)
         fit_standing(&p);
     else

@@ -13,7 +13,7 @@ const char *shown_owner(const drawing *of, const figure_place *place) {
 }
 
 /// Writes the name of the column; "" if the field has one number.
-static void column_of(const figure_place *place, char name[WHIRL_NAME_SIZE]) {
+static void shown_field_column(const figure_place *place, char name[WHIRL_NAME_SIZE]) {
     char names[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE];
     *name = '\0';
     if (whirl_field_column_names(place->field, names)) snprintf(name, WHIRL_NAME_SIZE, "%s", names[place->column]);
@@ -22,7 +22,7 @@ static void column_of(const figure_place *place, char name[WHIRL_NAME_SIZE]) {
 void shown_quantity(const figure_place *place, char *text, size_t size) {
     const char *meaning = place->field->meaning, *last = strrchr(place->field->name, '/');
     char column[WHIRL_NAME_SIZE];
-    column_of(place, column);
+    shown_field_column(place, column);
     // A meaning that lists codes ("0: ...") cannot serve as a name.
     const bool named = !*column && *meaning && !strchr("0123456789", *meaning);
     if (named)
@@ -100,7 +100,7 @@ void shown_label(const drawing *of, const figure_place *place, char *label, size
     char quantity[WHIRL_NAME_SIZE], symbol[WHIRL_NAME_SIZE + 2], column[WHIRL_NAME_SIZE];
     const measure how = measure_of(place);
     shown_quantity(place, quantity, sizeof quantity);
-    column_of(place, column);
+    shown_field_column(place, column);
     // Write a column named by a single letter as a symbol.
     const size_t before = strlen(quantity) - strlen(column);
     snprintf(symbol, sizeof symbol, strlen(column) == 1 ? "%.*s$%s$" : "%.*s%s", (int)before, quantity,

@@ -20,7 +20,8 @@ static whirl_status write_json(const whirl_figure *figure, const char *folder, c
 }
 
 /// Writes script and data to a folder, and draws the picture next to it.
-static whirl_status draw(const whirl_figure *figure, const char *folder, const char *format, const char *program) {
+static whirl_status figure_write_draw(const whirl_figure *figure, const char *folder, const char *format,
+                                      const char *program) {
     report_file file;
     whirl_status status = report_file_open(&file, folder, "figure.dat");
     if (status.code != WHIRL_OK) return status;
@@ -54,7 +55,7 @@ static whirl_status write_drawn(const whirl_figure *figure, const char *path, co
     char own[FILE_PATH_SIZE], picture[FILE_PATH_SIZE];
     whirl_status status = folder_make_temporary(folder, own);
     if (status.code != WHIRL_OK) return status;
-    status = draw(figure, own, format, program);
+    status = figure_write_draw(figure, own, format, program);
     if (status.code == WHIRL_IO_ERROR) status = gnuplot_failure(figure, own);
     if (status.code == WHIRL_MISSING_PROGRAM)
         status =

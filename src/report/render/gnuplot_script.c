@@ -54,7 +54,7 @@ static double place(const whirl_axis *axis, double value) {
     return value > 0.0 ? log10(value) : (double)NAN;
 }
 
-static void put_number(FILE *data, double value, bool last) {
+static void gnuplot_put_number(FILE *data, double value, bool last) {
     char text[NUMBER_SIZE] = "NaN";
     if (isfinite(value)) snprintf(text, sizeof text, "%.9g", value);
     fprintf(data, "%s%c", text, last ? '\n' : ' ');
@@ -86,11 +86,11 @@ static void write_series(FILE *data, const whirl_panel *panel, const whirl_serie
             continue;
         }
         open = true;
-        put_number(data, place(&panel->x, series->x[k]), false);
-        put_number(data, place(&panel->y, series->y[k]), !series->y_to && !series->x_to && !series->values);
-        if (series->x_to) put_number(data, place(&panel->x, series->x_to[k]), false);
-        if (series->y_to) put_number(data, place(&panel->y, series->y_to[k]), !series->values);
-        if (series->values) put_number(data, series->values[k], true);
+        gnuplot_put_number(data, place(&panel->x, series->x[k]), false);
+        gnuplot_put_number(data, place(&panel->y, series->y[k]), !series->y_to && !series->x_to && !series->values);
+        if (series->x_to) gnuplot_put_number(data, place(&panel->x, series->x_to[k]), false);
+        if (series->y_to) gnuplot_put_number(data, place(&panel->y, series->y_to[k]), !series->values);
+        if (series->values) gnuplot_put_number(data, series->values[k], true);
     }
 }
 

@@ -70,7 +70,7 @@ static void pass_station_tangents(const block *b, size_t station_count) {
 
 /// Returns the numbers that a term multiplies, of the state or of perturbation n; NULL if the term does not act on
 /// perturbations.
-static const vec *column_of(const linear_term *term, const block *b, size_t n) {
+static const vec *machine_column(const linear_term *term, const block *b, size_t n) {
     switch (term->source) {
     case SOURCE_PLACE:
         return b->q + n * b->next + term->column * b->stride;
@@ -89,7 +89,7 @@ static void pass_terms(const whirl_rotor *rotor, const block *b) {
         const linear_term *term = &rotor->terms[i];
         const vec *number = b->numbers + (rotor->plane_count * STATION_NUMBERS + i) * b->stride;
         for (size_t n = 0; n <= b->perturbations; n++) {
-            const vec *column = column_of(term, b, n);
+            const vec *column = machine_column(term, b, n);
             vec *a = b->a + n * b->next_v + term->row * b->stride;
             if (column)
                 for (size_t k = 0; k < b->vectors; k++) a[k] = v_fma(number[k], column[k], a[k]);

@@ -199,7 +199,7 @@ static bool is_finite(const pad_table *table) {
 }
 
 /// Finishes a table from its values at nodes. For films that cannot be solved it contains NaN.
-static void finish(making *with, const pad_table_key *key) {
+static void pad_tables_finish(making *with, const pad_table_key *key) {
     const bool failed = with->error.code != WHIRL_OK, from_file = with->next == 0;
     for (size_t i = 0; failed && i < PAD_COEFFICIENTS; i++) with->table->coefficients[i] = NAN;
     if (!failed && !from_file) pad_table_splines(with->table);
@@ -225,7 +225,7 @@ static whirl_status end_making(size_t i, bool found) {
     // Interpolate outside the guard, since this takes a while.
     with->open = false;
     lock_leave(&guard);
-    finish(with, &slots[i].key);
+    pad_tables_finish(with, &slots[i].key);
     const uint64_t checksum = pad_table_checksum(with->table);
     lock_take(&guard);
     // Publish the table.

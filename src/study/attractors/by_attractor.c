@@ -9,7 +9,7 @@ double whirl_missed_share(size_t starts) {
     return starts > 0 ? 1.0 - pow(0.05, 1.0 / (double)starts) : 1.0;
 }
 
-static int by_number(const void *left, const void *right) {
+static int attractor_by_number(const void *left, const void *right) {
     const whirl_coexisting *a = left, *b = right;
     if (a->number != b->number) return a->number < b->number ? -1 : 1;
     return (a->place > b->place) - (a->place < b->place);
@@ -78,7 +78,8 @@ static whirl_status view_table(const whirl_table *source, whirl_table *view) {
     view->planned = found.places;
     found.items = NULL;
     whirl_coexistence_free(&found);
-    if (view->row == 0 && view->count > 0) qsort(view->attractors, view->count, sizeof *view->attractors, by_number);
+    if (view->row == 0 && view->count > 0)
+        qsort(view->attractors, view->count, sizeof *view->attractors, attractor_by_number);
     return finish_view(view);
 }
 

@@ -245,7 +245,7 @@ static whirl_status give_numbers(search *s, size_t *most) {
 
 // ---------------------------------------------------------------- the whole
 
-static int by_number(const void *left, const void *right) {
+static int coexistence_by_number(const void *left, const void *right) {
     const whirl_coexisting *a = left, *b = right;
     if (a->place != b->place) return a->place < b->place ? -1 : 1;
     return (a->number > b->number) - (a->number < b->number);
@@ -269,7 +269,7 @@ static whirl_status coexistence_find(search *s, whirl_coexistence *found) {
     if (status.code == WHIRL_OK) status = give_numbers(s, &found->attractors);
     if (status.code != WHIRL_OK) return status;
     take_labels(s, found->labels);
-    qsort(s->items, s->count, sizeof *s->items, by_number);
+    qsort(s->items, s->count, sizeof *s->items, coexistence_by_number);
     found->items = s->items;
     found->count = s->count;
     s->items = NULL;
@@ -295,7 +295,7 @@ whirl_status whirl_table_coexistence(const whirl_table *table, whirl_coexistence
 const whirl_coexisting *whirl_coexistence_at(const whirl_coexistence *found, const whirl_table *table, size_t point) {
     if (point >= table->count || found->labels[point] == 0) return NULL;
     const whirl_coexisting wanted = {.place = whirl_table_place(table, point), .number = found->labels[point]};
-    return bsearch(&wanted, found->items, found->count, sizeof *found->items, by_number);
+    return bsearch(&wanted, found->items, found->count, sizeof *found->items, coexistence_by_number);
 }
 
 void whirl_coexistence_free(whirl_coexistence *found) {

@@ -236,7 +236,7 @@ typedef struct ranked {
     size_t replicate;
 } ranked;
 
-static int by_number(const void *a, const void *b) {
+static int spread_by_number(const void *a, const void *b) {
     const ranked *x = a, *y = b;
     return (x->number > y->number) - (x->number < y->number);
 }
@@ -269,7 +269,7 @@ static whirl_status spread_quantiles(const drawn *of, whirl_spread *s) {
             const double x = of->numbers[j * of->each + m];
             if (spread_is_number(x)) sorted[count++] = (ranked){x, j % WHIRL_REPLICATES};
         }
-    qsort(sorted, count, sizeof *sorted, by_number);
+    qsort(sorted, count, sizeof *sorted, spread_by_number);
     s->least = count > 0 ? sorted[0].number : (double)NAN;
     s->most = count > 0 ? sorted[count - 1].number : (double)NAN;
     for (size_t q = 0; q < WHIRL_QUANTILES; q++) {
@@ -374,7 +374,7 @@ static size_t *points_by_slot(const whirl_table *table, size_t planned) {
 }
 
 /// Returns the number of a machine: of its point at a place, or the worst of all its points.
-static double draw(const wanted *of, const size_t *points, size_t places, size_t machine, size_t place) {
+static double spread_draw(const wanted *of, const size_t *points, size_t places, size_t machine, size_t place) {
     const bool all = place == WHIRL_ANYWHERE;
     double worst = NAN;
     for (size_t k = all ? 0 : place; k < (all ? places : place + 1); k++) {
@@ -403,7 +403,7 @@ static whirl_status spread_table(const wanted *of, const whirl_spread_of *limits
                               ? whirl_ok()
                               : whirl_fail(WHIRL_NO_MEMORY, "no memory for the numbers of %zu samples", own.samples);
     for (size_t m = 0; status.code == WHIRL_OK && m < own.samples * own.each; m++)
-        own.numbers[m] = (m + 1) * places <= planned ? draw(of, points, places, m, place) : (double)INFINITY;
+        own.numbers[m] = (m + 1) * places <= planned ? spread_draw(of, points, places, m, place) : (double)INFINITY;
     if (status.code == WHIRL_OK) status = spread_of_drawn(&own, limits, spread);
     free(points);
     free(own.numbers);

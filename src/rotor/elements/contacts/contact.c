@@ -164,7 +164,7 @@ static bool contact_has_friction(const key_value *values) {
            values[FRICTION_LAW].choice != COULOMB;
 }
 
-static whirl_status check_keys(const key_value *values) {
+static whirl_status contact_check_keys(const key_value *values) {
     const int law = values[LAW].choice, rubbing = values[FRICTION_LAW].choice;
     const bool falls = rubbing != COULOMB, bristles = rubbing == LUGRE;
     // Each law needs some keys, and does not use others.
@@ -217,7 +217,7 @@ static int law_of(const key_value *values) {
 static whirl_status contact_build(const key_value *values, assembly *to, element *out) {
     const double length = to->length, fast = to->clock * length, n = values[POWER].number;
     const double kinetic = values[FRICTION].number, half = 0.5 * values[ARC_WIDTH].number;
-    whirl_status status = check_keys(values);
+    whirl_status status = contact_check_keys(values);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
     // Choose the law and its state, and convert the numbers to the rotor's units.

@@ -14,7 +14,7 @@ static inline void begin(const element *own, const block *b, size_t k, film_work
     film_begin(own, b->stride, number, number[FILM_TWICE * b->stride], b->q + k, b->v + k, work, at);
 }
 
-static inline void finish(const element *own, const block *b, size_t k, const film_state *film) {
+static inline void film_finish(const element *own, const block *b, size_t k, const film_state *film) {
     const vec *number = numbers_of(b, own) + k, strength = number[FILM_STRENGTH * b->stride];
     tangent_block tangent;
     film_add(film, strength, &b->a[own->port[0] * b->stride + k], &b->a[own->port[1] * b->stride + k]);
@@ -24,7 +24,7 @@ static inline void finish(const element *own, const block *b, size_t k, const fi
 }
 
 static void film_element_flow(const element *first, size_t count, const block *b) {
-    film_flow(first, count, b, begin, finish);
+    film_flow(first, count, b, begin, film_finish);
 }
 
 const element_kernels ISA(film_kernels) = {.flow = film_element_flow};

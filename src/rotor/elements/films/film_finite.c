@@ -127,7 +127,7 @@ static void lengthen(const element *own, size_t stride, const vec *number, const
     }
 }
 
-static inline void finish(const element *own, const block *b, size_t k, const film_state *film) {
+static inline void film_finite_finish(const element *own, const block *b, size_t k, const film_state *film) {
     const vec *number = numbers_of(b, own) + k, strength = number[FILM_STRENGTH * b->stride];
     vec force[2] = {v_set(0.0), v_set(0.0)};
     tangent_block tangent;
@@ -140,7 +140,7 @@ static inline void finish(const element *own, const block *b, size_t k, const fi
 }
 
 static void film_finite_flow(const element *first, size_t count, const block *b) {
-    film_flow(first, count, b, begin, finish);
+    film_flow(first, count, b, begin, film_finite_finish);
 }
 
 const element_kernels ISA(film_finite_kernels) = {.flow = film_finite_flow};

@@ -227,7 +227,7 @@ static whirl_status put_loop(const key_value *values, const assembly *to, double
 
 // ---------------------------------------------------------------- the rest
 
-static whirl_status check_keys(const key_value *values) {
+static whirl_status magnetic_check_keys(const key_value *values) {
     const bool linear = values[LAW].choice == LINEAR, given = values[CONSTANT].given;
     // Both laws need some keys, and do not use others.
     static const struct {
@@ -306,7 +306,7 @@ static void put_failure(const key_value *values, const assembly *to, element *ou
 static whirl_status magnetic_build(const key_value *values, assembly *to, element *out) {
     const double length = to->length;
     // Add the states of the controller, which come first.
-    whirl_status status = check_keys(values);
+    whirl_status status = magnetic_check_keys(values);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     out->law = values[LAW].choice == LINEAR ? MAGNETIC_LINEAR : 0;
     out->states = 0;
