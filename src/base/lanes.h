@@ -35,7 +35,7 @@ typedef void lanes_switches(const lanes_view *view, void *values, void *rates);
 typedef void lanes_forcing(const void *model, size_t stride, size_t vectors, const void *t, void *forcing);
 
 /// Writes the normal forces [contact_count] at (q, v), 0 while open, in the model's unit of force; and, unless NULL,
-/// the effect of friction, [contact_count][2] as in whirl_system.friction.
+/// the torque and power of friction, [contact_count][2] as in whirl_system.friction.
 typedef void lanes_contacts(const lanes_view *view, void *normal_force, void *friction);
 
 /// A state is degrees positions, then their derivatives, then first-order states.

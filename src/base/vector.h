@@ -2,8 +2,8 @@
 ///
 /// VECTOR_ISA is one of the numbers below, and the including file is compiled for it; the default is the first. Every
 /// operation rounds as in IEEE 754, and multiply-adds are explicit: in fused builds v_fma rounds once, in others twice.
-/// Builds that agree in that give the same bits whatever their width and compiler. This is the only file with
-/// intrinsics and compiler extensions.
+/// All fused builds give the same bits, and so do all others, whatever their width and compiler. Intrinsics are used in
+/// this file only.
 #ifndef BASE_VECTOR_H
 #define BASE_VECTOR_H
 
@@ -14,8 +14,9 @@
 /// Functions that must be inlined: a call would store and load all their operands.
 #define VECTOR_INLINE static inline __attribute__((always_inline))
 
-/// Unrolls a loop of a constant number of rounds, at most eight, so that arrays of vectors become registers;
-/// VECTOR_BY_TWO before a loop of at most 32.
+/// VECTOR_FOR begins a loop of a constant number of rounds, at most 8, and unrolls it, so that arrays of vectors stay
+/// in registers. VECTOR_WHOLE before a loop unrolls up to 32 rounds; VECTOR_BY_TWO before a loop takes two rounds at
+/// once.
 #if defined(__clang__)
 #define VECTOR_FOR(i, rounds) _Pragma("unroll") for (size_t i = 0; i < (rounds); i++)
 #define VECTOR_WHOLE _Pragma("unroll")
@@ -42,8 +43,9 @@
 #define ISA_NAME(name, set) ISA_JOIN(name, set)
 #define ISA(name) ISA_NAME(name, ISA_SUFFIX)
 
-/// Instruction sets of a build: all of its processor; those of every processor, if WHIRL_PORTABLE is defined; or these
-/// and one more, WHIRL_WIDE, with the number WHIRL_WIDE_ISA, for builds that are slow to compile.
+/// Instruction sets of a build for x86-64: all; with WHIRL_PORTABLE scalar and 128 only; with WHIRL_WIDE these two and
+/// the one that WHIRL_WIDE names, of number WHIRL_WIDE_ISA, which compiles faster than all. Builds for other processors
+/// have scalar and 128.
 #if !defined(__x86_64__) || defined(WHIRL_PORTABLE)
 #define VECTOR_BUILT(number) ((number) <= VECTOR_128)
 #elif defined(WHIRL_WIDE)
@@ -52,7 +54,8 @@
 #define VECTOR_BUILT(number) ((number) < VECTOR_ISAS)
 #endif
 
-/// Declares the functions of all instruction sets; and makes their table by number, NULL for those not built.
+/// FOR_EVERY_ISA declares a function of every instruction set of the build. EVERY_ISA is the table of these functions
+/// by the number of the set, with NULL for sets that are not built.
 #if VECTOR_BUILT(VECTOR_FMA) && VECTOR_BUILT(VECTOR_AVX2)
 #define FOR_EVERY_ISA(type, name) extern type name##_scalar, name##_128, name##_fma, name##_avx2, name##_avx512
 #define EVERY_ISA(address, name)                                                                                       \
@@ -144,10 +147,11 @@ static inline vec v_flip(vec a, vec sign) {
         _mm512_ternarylogic_epi64(_mm512_castpd_si512(a), _mm512_castpd_si512(sign), bit, EXCLUSIVE_OR_OF_AND));
 }
 
-/// Subtracts the bits of a, or half of them, from `magic`, as whole numbers. Seeds of Newton's method.
+/// Subtracts the bit pattern of a, read as a 64-bit integer, from `magic`: the first guess of a Newton iteration.
 static inline vec v_seed(long long magic, vec a) {
     return _mm512_castsi512_pd(_mm512_sub_epi64(_mm512_set1_epi64(magic), _mm512_castpd_si512(a)));
 }
+/// Subtracts half of this integer.
 static inline vec v_seed_half(long long magic, vec a) {
     return _mm512_castsi512_pd(
         _mm512_sub_epi64(_mm512_set1_epi64(magic), _mm512_srli_epi64(_mm512_castpd_si512(a), 1)));
@@ -332,7 +336,7 @@ static inline vec v_power_of_2(vec k) {
 
 #elif VECTOR_ISA == VECTOR_128
 
-/// Vectors of the compiler for other processors (NEON, WebAssembly); nothing is fused, as on x86.
+/// The compiler's vector type, for NEON and WebAssembly. Nothing is fused, as in the SSE2 version above.
 enum { VECTOR_LANES = 2 };
 typedef double vec __attribute__((vector_size(16)));
 typedef long long vec_mask __attribute__((vector_size(16)));
@@ -432,7 +436,8 @@ static inline vec v_fms(vec a, vec b, vec c) {
 static inline vec v_fnma(vec a, vec b, vec c) {
     return VECTOR_FUSED ? fma(-a, b, c) : c - a * b;
 }
-/// Minimum and maximum, like the processor's instructions: the second operand if one is not a number.
+/// Minimum and maximum. If an operand is not a number, the result is the second one, as of the processor's
+/// instructions.
 static inline vec v_min(vec a, vec b) {
     return a < b ? a : b;
 }

@@ -132,7 +132,7 @@ static const whirl_key columns[COLUMNS] = {
 static const whirl_group columns_group = {
     "course_table", "a table over the time of a run", "", columns, COLUMNS, NULL, NULL};
 
-/// Most rows of a table of a file.
+/// Maximum number of rows of a table of a file.
 enum { MAX_FILE_ROWS = 200000 };
 
 /// Reads the file of a table with a reader of its own: a list of rows, each with time and the column. NULL after a

@@ -8,7 +8,7 @@
 
 #include <stddef.h>
 
-/// Most parameters that a table of measured numbers gives.
+/// Maximum number of parameters that a table of measured numbers gives.
 enum { FIT_MAX_AT = WHIRL_MAX_GIVEN - WHIRL_MAX_UNKNOWNS - 1 };
 
 /// Most probes of a table with a noise of their own.

@@ -210,11 +210,12 @@ static const whirl_key event_keys[] = {
                "a formula or a comparison: it happens once it is not below 0, or holds (time, speed, STATION_x, "
                "STATION_y, STATION_radius, STATION_vx, STATION_vy, STATION_speed and parameters, in SI)"),
     CHOICE_KEY("after", OPTIONAL, "", "name of the event that must have happened before"),
-    CHOICE_KEY("trip", DEFAULT("no"), "yes|no|true|false", "yes: the motor is lost, its load is not"),
+    CHOICE_KEY("trip", DEFAULT("no"), "yes|no|true|false", "yes: the motor trips; the load stays"),
     CHOICE_KEY("end", DEFAULT("no"), "yes|no|true|false", "yes: the run ends"),
     CHOICE_KEY("loss_at", OPTIONAL, "", "station where a blade is lost: an unbalance appears"),
-    NUMBER_KEY("loss_moment", "", "kg m", OPTIONAL, WHIRL_POSITIVE, "that unbalance"),
-    ANGLE_KEY("loss_angle", "", "loss_at", "where it is on the shaft, as angles of unbalances"),
+    NUMBER_KEY("loss_moment", "", "kg m", OPTIONAL, WHIRL_POSITIVE, "unbalance that the lost blade leaves"),
+    ANGLE_KEY("loss_angle", "", "loss_at",
+              "angle on the shaft of the unbalance that the lost blade leaves, as of other unbalances"),
     CHOICE_KEY("change", OPTIONAL, "", "names of parameters with the values that they have from then on"),
 };
 

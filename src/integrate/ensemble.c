@@ -53,7 +53,7 @@ bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_opti
     return strcmp(options->method, "rk4") == 0 && !(options->located && system->lanes->slides);
 }
 
-/// Most perturbations. Memory grows with the square of the dimension, and with the number of lanes.
+/// Maximum number of perturbations. Memory grows with the square of the dimension, and with the number of lanes.
 enum { MAX_PERTURBATIONS = 256 };
 
 bool whirl_ensemble_follows(const whirl_system *system, const whirl_integrate_options *options) {

@@ -32,7 +32,7 @@ double drive_load(const shaft_drive *drive, double speed, double slip);
 /// it is unlimited.
 double drive_highest(const shaft_drive *drive);
 
-/// Most torques of a rotor; most states of a torque; most numbers of its law.
+/// Maximum number of torques of a rotor; of states of a torque; of numbers of its law.
 enum { MAX_TORQUES = 16, TORQUE_STATES = 4, TORQUE_NUMBERS = 8 };
 
 /// Time, speed and angle at which a torque acts, SI; the latter are positive in the sense of its station's rotation.

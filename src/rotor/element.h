@@ -142,8 +142,8 @@ typedef struct element_kernels {
     /// stride.
     void (*switches)(const element *own, const struct block *b, void *values, void *rates);
 
-    /// Writes the normal force of the element's contact in newtons and, unless NULL, the effect of its friction: two
-    /// rows of the block's stride, as in whirl_system.friction.
+    /// Writes the normal force of the element's contact in newtons and, unless NULL, the torque and the power of its
+    /// friction: two rows of the block's stride, as in whirl_system.friction.
     void (*contact)(const element *own, const struct block *b, void *force, void *friction);
 } element_kernels;
 

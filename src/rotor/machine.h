@@ -97,7 +97,8 @@ struct whirl_rotor {
     const char **contact_names;
 };
 
-/// Most first-order states that the elements of a rotor have together; most coordinates; most rows of accelerations.
+/// Maximum number of first-order states that the elements of a rotor have together; of coordinates; of rows of
+/// accelerations.
 enum {
     MAX_OWN_STATES = 2 * WHIRL_MAX_ELEMENTS,
     MAX_DEGREES = AXES * WHIRL_MAX_STATIONS,

@@ -32,7 +32,7 @@ static whirl_status scales_check(const whirl_user_system *system) {
     return whirl_ok();
 }
 
-/// Most slope evaluations per trial revolution, so that a solver with tiny steps does not delay the study.
+/// Maximum number of slope evaluations per trial revolution, so that a solver with tiny steps does not delay the study.
 static const long most_calls = 20000;
 
 /// A trial run of points of a study, to observe the sizes of coordinates.

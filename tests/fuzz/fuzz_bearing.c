@@ -1,4 +1,4 @@
-// Any bytes as a bearing's file: refused with a problem, or a bearing that can be computed.
+// Reads any bytes as the file of a bearing: they are refused with a problem, or are a bearing that can be computed.
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -13,7 +13,8 @@ static void require(int condition) {
     if (!condition) abort();
 }
 
-/// What the solver takes for granted. It is not called: one point takes seconds under the sanitizers.
+/// Checks the preconditions of the solver. The solver is not called, because a point takes seconds under the
+/// sanitizers.
 static void check(const whirl_bearing *bearing) {
     require(bearing->count >= 1 && bearing->pads.count >= 1 && bearing->pads.count <= WHIRL_MAX_PADS);
     require(bearing->ratio_count >= 1 && bearing->ratio_count <= WHIRL_MAX_WHIRL_RATIOS);

@@ -11,7 +11,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/// One period by the classical method of Runge and Kutta.
+/// Carries x over one period by the classical method of Runge and Kutta.
 static void carry(slope_fn slope, const void *model, size_t n, double period, int steps, double *x) {
     const double h = period / steps;
     for (int i = 0; i < steps; i++) {
@@ -64,7 +64,7 @@ static double square_between(size_t n, const double *a, const double *b) {
     return sum;
 }
 
-/// The angle of the curve's point nearest to p, among equal ones.
+/// Returns, of 120 equally spaced angles, the one whose point on the curve is nearest to p.
 static double near_angle(const whirl_torus *torus, const double *p) {
     enum { LOOKS = 120 };
     double nearest = INFINITY, angle = 0.0, x[MAX_COORDINATES];
@@ -77,7 +77,7 @@ static double near_angle(const whirl_torus *torus, const double *p) {
     return angle;
 }
 
-/// Newton's step to the nearest point.
+/// Returns Newton's step from an angle to that of the curve's point nearest to p.
 static double step_to_nearest(const whirl_torus *torus, const double *p, double angle) {
     const double h = 1e-4;
     double slope = 0.0, bend = 0.0, x[3][MAX_COORDINATES];

@@ -1,5 +1,5 @@
-// Springs with play and with a cube, and dry friction, between any coordinates: periods, amplitudes, and where motions
-// stick, along displacements and tilts.
+// Springs with play, cubic springs and dry friction between any coordinates, along displacements and tilts: periods,
+// amplitudes, and the places where motions stick.
 #include <complex.h>
 #include <math.h>
 #include <setjmp.h>
@@ -50,7 +50,7 @@ static whirl_rotor *make(double speed, const part *parts, size_t count) {
     return rotor;
 }
 
-/// The index of a tilt, and what the state has of `radians`.
+/// Index of a tilt in the state, and the conversion of radians to the state's unit.
 static size_t tilt(int station, int across) {
     return TILTS + 2 * (size_t)station + (size_t)across;
 }
@@ -60,8 +60,8 @@ static double of_radians(int station, double radians) {
 
 // ---------------------------------------------------------------- play between tilts
 
-/// Both at rest with the relative tilt A: through the play of +-g at w (A - g), w^2 = k (1/I1 + 1/I2), and back after
-/// 2 pi/w + 4 g/(w (A - g)).
+/// Stations that are released at rest with the relative tilt A cross the play +-g at the rate w (A - g), where w^2 is k
+/// (1/I1 + 1/I2). The period is 2 pi/w + 4 g/(w (A - g)).
 static void play_between_tilts(void **unused) {
     (void)unused;
     const double k = 300.0, g = 0.01, a = 0.04, w = sqrt(k * (1.0 / inertia[0] + 1.0 / inertia[1]));
@@ -82,9 +82,10 @@ static void play_between_tilts(void **unused) {
     whirl_rotor_free(rotor);
 }
 
-// ---------------------------------------------------------------- cubes
+// ---------------------------------------------------------------- cubic springs
 
-/// x'' + (k1 + k3 x^2) x = 0 of the relative displacement: 4 K(m)/sqrt(k1 + k3 A^2), m = k3 A^2/(2 (k1 + k3 A^2)).
+/// Returns the period of x'' + (k1 + k3 x^2) x = 0, x the relative displacement, with the amplitude A:
+///     4 K(m)/sqrt(k1 + k3 A^2),    m = k3 A^2/(2 (k1 + k3 A^2))
 static double period_of(double k1, double k3, double a) {
     const double square = k1 + k3 * a * a;
     double x = 1.0, y = sqrt(1.0 - k3 * a * a / (2.0 * square));
@@ -123,7 +124,8 @@ static void cubes(void **unused) {
     }
 }
 
-/// Along both axes alike in all directions: a circle of radius A is gone round at sqrt((k1 + k3 A^2)/m).
+/// A cubic spring along two axes is isotropic. A circular orbit of radius A has the angular speed w, with w^2 = (k1 +
+/// k3 A^2)/m.
 static void a_cube_all_around(void **unused) {
     (void)unused;
     for (int tilts = 0; tilts < 2; tilts++) {
@@ -150,7 +152,8 @@ static void a_cube_all_around(void **unused) {
 
 // ---------------------------------------------------------------- friction
 
-/// Half a turn takes 2 F/k from the amplitude, about a middle at +-F/k; it sticks where |x| < F/k.
+/// In every half period the mass swings about +-F/k, and its amplitude falls by 2 F/k. It sticks at a turning point
+/// where |x| < F/k.
 static void friction_stops_it(void **unused) {
     (void)unused;
     static const char *const along[] = {"x", "tilt_x"};
@@ -168,7 +171,8 @@ static void friction_stops_it(void **unused) {
         revolve(integrator, x, 1);
         check_within("Friction", words("along %s: amplitude after a turn, less 4 F/k", along[tilts]), a - 4.0 * f / k,
                      x[at] / unit, 1e-12);
-        revolve(integrator, x, 4); // .13, -.09, .05, -.01, where 1 N of the spring holds it no more
+        // Turning points are .13, -.09, .05 and -.01, where the spring has 1 N against 2 N of friction.
+        revolve(integrator, x, 4);
         check_within("Friction", words("along %s: where it sticks", along[tilts]), 0.01, fabs(x[at] / unit), 1e-12);
         check_within("Friction", words("along %s: its velocity there", along[tilts]), 0.0, x[DEGREES + at], 1e-13);
         whirl_integrator_free(integrator);
@@ -176,9 +180,9 @@ static void friction_stops_it(void **unused) {
     }
 }
 
-/// Den Hartog (1931): forced without a stop, amplitude P/k sqrt(V^2 - (F/P)^2 U^2), V = 1/(1 - b^2), U = sin(pi/b)/(b
-/// (1
-/// + cos(pi/b))), b the speed over the natural frequency. Between two stations, of which one stands by its mass.
+/// Den Hartog (1931): a forced motion without stops has the amplitude P/k sqrt(V^2 - (F/P)^2 U^2), where b is the speed
+/// over the natural frequency, V = 1/(1 - b^2), and U = sin(pi/b)/(b (1 + cos(pi/b))). Spring and friction hold the
+/// station to the ground.
 static void forced_through_friction(void **unused) {
     (void)unused;
     static const double ratios[] = {0.7, 1.4};
@@ -208,7 +212,7 @@ static void forced_through_friction(void **unused) {
     }
 }
 
-/// Smoothed, along both axes, it points against the velocity between the stations.
+/// Smoothed friction along two axes acts against the relative velocity.
 static void friction_points_back(void **unused) {
     (void)unused;
     const double f = 7.0, v0 = 0.1;
@@ -265,8 +269,8 @@ static void jacobians(void **unused) {
     whirl_rotor_free(rotor);
 }
 
-/// All perturbations over located contacts and jumps: ln |det| of what a turn makes of them, by the exact derivatives
-/// of steps and switches, and by differences of the motion.
+/// ln |det| of the monodromy matrix of one revolution with located contacts and jumps: by the exact derivatives of
+/// steps and switches, and by finite differences of the motion.
 static void perturbations(void **unused) {
     (void)unused;
     static const part parts[] = {

@@ -1,6 +1,5 @@
-// What must not change a reported number: the method of integration, and how a study is split: into points by
-// themselves, among threads, among shares. One small machine of every element of the registry, all fields of its
-// tables.
+// Reported numbers do not depend on the method of integration, nor on how a study is split: into single points, among
+// threads, among shares. The tests compare all fields of the tables of one small machine for each element.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -19,7 +18,8 @@
 
 // ---------------------------------------------------------------- methods
 
-/// What motions by two methods are compared in: what they are, and not how a method came to it.
+/// Fields that are not compared between methods: they describe how a method reached its result (recurrence, exponents,
+/// steps, confidence).
 static const char *const of_the_way[] = {"regime/recurrence", "regime/revolutions",  "regime/settl",
                                          "regime/exponent",   "regime/chaos",        "regime/advice",
                                          "regime/step",       "regime/agreement",    "regime/followed",

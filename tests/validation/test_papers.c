@@ -1,5 +1,5 @@
-// Papers of the field, redone as cases: how their claims stand beside what is found, and where that is known otherwise.
-// What was read of each paper, and what was not, stands in its case and in the verification manual.
+// Published studies as cases. Their claims are compared with whirl's results, and these with independent values where
+// some exist. Each case and the verification manual say which parts of the paper were read.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -15,7 +15,7 @@
 #include "whirl/engine/case.h"
 #include "whirl/engine/claims.h"
 
-/// cases/FILE.yaml with a parameter assigned ("": none), but for its first `skipped` batches.
+/// Runs cases/FILE.yaml with the assignments, a list that NULL ends, without its first `skipped` batches.
 static whirl_result *run_paper(const char *file, const char *assignments[], size_t skipped) {
     whirl_problems problems = {0};
     whirl_case *object;
@@ -34,7 +34,8 @@ static whirl_result *run_paper(const char *file, const char *assignments[], size
     return result;
 }
 
-/// How every claim of cases/FILE-claims.yaml stands, a letter each: a(grees), p(artly), d(isagrees), - not compared.
+/// Compares the claims of cases/FILE-claims.yaml with a result. `expected` has a letter for each claim: a(grees),
+/// p(artly), d(isagrees), - (not compared).
 static void check_claims(const char *file, const char *who, const whirl_result *result, const char *expected) {
     static const char letters[] = {
         [WHIRL_NOT_COMPARED] = '-', [WHIRL_AGREES] = 'a', [WHIRL_AGREES_PARTLY] = 'p', [WHIRL_DISAGREES] = 'd'};
@@ -50,7 +51,7 @@ static void check_claims(const char *file, const char *who, const whirl_result *
     whirl_claims_free(claims);
 }
 
-/// Value of the n-th special point of a kind, in the order of the branches.
+/// Returns the parameter's value at the n-th special point of a kind, from 0, in the order of the branches.
 static double special_value(const whirl_result *result, whirl_special kind, size_t n) {
     const whirl_table *branch = whirl_result_table(result, "branch");
     assert_non_null(branch);
@@ -62,7 +63,8 @@ static double special_value(const whirl_result *result, whirl_special kind, size
 
 // ---------------------------------------------------------------- Wang and Khonsari 2006
 
-/// Where the sense changes along the curve of Hopf points, by the second parameter.
+/// Finds the points of a curve of Hopf points between super- and subcritical ones: values of the first and the second
+/// parameter. Returns their number.
 static size_t changes_of_sense(const whirl_result *result, double *seconds, double *values, size_t most) {
     const whirl_table *curves = whirl_result_table(result, "curves");
     size_t count = 0;
@@ -81,7 +83,8 @@ static size_t changes_of_sense(const whirl_result *result, double *seconds, doub
     return count;
 }
 
-/// Where the first Lyapunov coefficient vanishes, journals without mass, by a program of its own with 36 digits.
+/// The zeros of the first Lyapunov coefficient, for journals without mass, are from an independent program with 36
+/// digits.
 static void flexible_rotor(void **state) {
     static const struct {
         const char *stiffness, *claims;
@@ -126,7 +129,7 @@ static void floating_rings(void **state) {
 
 // ---------------------------------------------------------------- Jiang and Ulbrich 2001, Jiang 2007
 
-/// Folds and losses of stability of the circular orbit in lasting contact, in closed form.
+/// The circular orbit in lasting contact has its folds and losses of stability at values of a closed form.
 static void annular_rub(void **state) {
     (void)state;
     whirl_result *result = run_paper("annular-rub", (const char *[]){NULL}, 0);
@@ -141,7 +144,10 @@ static void annular_rub(void **state) {
     whirl_result_free(result);
 }
 
-/// Behind its onset the rotor rolls in its stator: R w = r W and W^2 = 1 + kappa (1 - 1/r).
+/// After the onset of dry whip the rotor rolls backward in its stator without slip:
+///     R w = r W,    W^2 = 1 + kappa (1 - 1/r)
+/// with the speed w and the whirl W over the natural frequency, the radii R = 20 of the rotor and r of the orbit over
+/// the gap, and the stiffness kappa = 2 of the contact over that of the shaft. For w = 1.3, W/w = 1.303089.
 static void dry_whip(void **state) {
     (void)state;
     whirl_result *result = run_paper("dry-whip", (const char *[]){NULL}, 0);

@@ -40,7 +40,8 @@ def _places():
 
 
 def _open():
-    # The library stays open until the program ends: Python frees remaining objects, such as cases, after modules.
+    # RTLD_NODELETE keeps the library loaded. At exit Python frees this module before the last cases, whose finalizers
+    # still call the library.
     kept = ffi.RTLD_NOW | getattr(ffi, "RTLD_NODELETE", 0)
     for place in _places():
         try:

@@ -3,7 +3,7 @@ import type { Frame } from './chart';
 import { pixelOf } from './theme';
 import { SvgPen, type Pen } from './pen';
 
-/// Most cells that are drawn as rectangles.
+/// Maximum number of cells that are drawn as rectangles.
 const MAX_RECTANGLES = 20_000;
 
 export interface Sheet {

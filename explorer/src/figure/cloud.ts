@@ -6,7 +6,7 @@ import { textSize } from './figure';
 import type { Pen } from './pen';
 import { pixelOf, type Theme } from './theme';
 
-/// Most dots drawn as shapes in an SVG; more dots become a picture inside it.
+/// Maximum number of dots drawn as shapes in an SVG; more dots become a picture inside it.
 const MAX_SHAPES = 20_000;
 
 const LAST_PERIODIC = 3;

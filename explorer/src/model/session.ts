@@ -55,7 +55,7 @@ export class Session {
     | undefined;
   private readonly maps = new Map<Run | undefined, MapPlanes | undefined>();
   private refined: MapRefinement | undefined;
-  /// Key of the map's cut that the first sight shows.
+  /// Key of the map's cut in the first diagram (`sights.first`).
   private cutKey = '';
   /// Cases by the names of their machines.
   readonly originals = new Map<string, CaseInfo>();
@@ -132,7 +132,7 @@ export class Session {
     return partOf(this.machine.run, this.address.part);
   }
 
-  /// The stored run of the machine; within a part, only with the tables of its live view.
+  /// The stored run of the machine; if a part is open, the run with only the tables that its live view shows.
   get run(): Run | undefined {
     return this.part?.run ?? this.machine.run;
   }
@@ -152,7 +152,7 @@ export class Session {
     return this.moves || this.runsUp;
   }
 
-  /// The stored runs of a run-up, along their parameter.
+  /// Diagram of stored run-ups, one point for each value of the varied parameter; undefined for other studies.
   get atRuns(): Diagram | undefined {
     return this.runsUp ? this.storedDiagram : undefined;
   }
@@ -310,8 +310,8 @@ export class Session {
     return this.followed.tori;
   }
 
-  /// Returns the orbit of a choice; undefined for motions, and for orbits without data: branches belong to the
-  /// unchanged machine.
+  /// Returns the stored orbit of a choice. Undefined for a motion, for a changed machine (branches belong to the
+  /// machine of the case), and for an orbit without data.
   orbitOf({ orbit, assignments }: Side): OrbitOfBranch | undefined {
     return orbit === undefined || assignments.size > 0 ? undefined : this.branches?.orbit(orbit);
   }
@@ -464,7 +464,7 @@ export class Session {
       this.place(side, [[plane.parameter, plane.value]]);
   }
 
-  /// Opens the first sight: the stored diagram, or an empty one over the range of the sweep.
+  /// Opens the first diagram: the stored one, or an empty one over the range of the sweep.
   openParameter(view = this.address.range): void {
     const { run } = this;
     const swept = this.runsUp ? run!.tables[0]!.parameter : sweptParameter(this.original, run?.tables[0]?.parameter);

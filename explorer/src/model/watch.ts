@@ -34,7 +34,7 @@ export class Watch {
 
   constructor(
     private readonly engine: Engine,
-    /// Request with the initial state; absent: the case's start.
+    /// The motion to show. Without `state` it starts as the case does.
     private readonly request: Omit<TransientRequest, 'revolutions' | 'samplesPerRevolution'>,
     private readonly station: StationInfo,
     private readonly contactNames: readonly string[],

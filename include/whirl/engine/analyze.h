@@ -63,7 +63,7 @@ typedef struct whirl_field {
     size_t singles;
 } whirl_field;
 
-/// Most fields of a block, and most columns with names.
+/// Maximum number of fields of a block, and of columns with names.
 enum { WHIRL_MAX_FIELDS = 384, WHIRL_MAX_COLUMNS = 32 };
 
 /// The fields of a point's block.

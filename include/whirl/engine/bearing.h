@@ -18,7 +18,7 @@
 extern "C" {
 #endif
 
-/// Most pads of a bearing.
+/// Maximum number of pads of a bearing.
 enum { WHIRL_MAX_PADS = 12 };
 
 /// Factors of turbulence of a film.

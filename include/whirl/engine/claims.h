@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-/// Most lines of a spectrum or orders of whirl in a claim, and most kinds of special points of branches.
+/// Maximum number of lines of a spectrum or orders of whirl in a claim, and of kinds of special points of branches.
 enum { WHIRL_MAX_CLAIM_LINES = 8, WHIRL_MAX_CLAIM_KINDS = 6 };
 
 /// Durations of contact.

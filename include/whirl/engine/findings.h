@@ -36,7 +36,7 @@ typedef struct whirl_piece {
     int digits;       ///< significant digits
 } whirl_piece;
 
-/// Most pieces of a phrase.
+/// Maximum number of pieces of a phrase.
 enum { WHIRL_PHRASE_PIECES = 24 };
 
 /// A sentence, or a part of one, with its numbers as numbers.

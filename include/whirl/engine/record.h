@@ -72,7 +72,7 @@ typedef struct whirl_runup_options {
     double angle;                  ///< rad, angle of the shaft at the beginning
     char begin[WHIRL_NAME_SIZE];   ///< state at the beginning: "rest", "centre" or "steady"
     double settle;                 ///< turns at the first speed before a "steady" beginning
-    double trip_time, trip_speed;  ///< s and rad/s at which the motor is lost; 0: never
+    double trip_time, trip_speed;  ///< s and rad/s at which the motor trips; 0: never
     char loss_at[WHIRL_NAME_SIZE]; ///< station where an unbalance appears, or ""
     double loss_moment, loss_angle, loss_time, loss_speed; ///< kg m, rad, s, rad/s
     char change[WHIRL_NAME_SIZE];                          ///< names of parameters that change in the run, or ""

@@ -49,9 +49,9 @@ struct whirl_table {
     size_t plane;                ///< points of a plane of the map, row by row; else 0
     /// Starts for each parameter value; the table has all values with the first start, then with the next; or 0.
     size_t starts;
-    /// Most rounds of starts from the ends of neighbours' motions (whirl_batch.neighbours), and number of parameter
-    /// values of the study. These points have the slots of further starts, of which any may be missing. Both 0: no such
-    /// starts.
+    /// Maximum number of rounds of starts from the ends of neighbours' motions (whirl_batch.neighbours), and number of
+    /// parameter values of the study. These points have the slots of further starts, of which any may be missing. Both
+    /// 0: no such starts.
     size_t neighbours, places;
     /// For a refined map: number of points of the finest grid, which slots index, and width of the first squares in
     /// grid steps. Squares were halved as long as their points differed. The field "map/width" of a point is the width

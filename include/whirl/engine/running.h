@@ -25,7 +25,7 @@
 extern "C" {
 #endif
 
-/// Most events of the course of a run; most numbers of a speed table; index that stands for no event.
+/// Maximum number of events of the course of a run; of numbers of a speed table; index that stands for no event.
 enum { WHIRL_MAX_EVENTS = 16, WHIRL_MAX_SPEEDS = 256, WHIRL_NO_EVENT = WHIRL_MAX_EVENTS };
 
 /// An event of a run: it happens once, as soon as one of its conditions holds.
@@ -35,7 +35,7 @@ typedef struct whirl_run_event {
     int passing;       ///< 1: by a rising speed, -1: by a falling one, 0: by both
     bool when;         ///< true if it happens when its formula is not below 0
     size_t after;      ///< the event that must have happened before; WHIRL_NO_EVENT: none
-    bool trip;         ///< the motor is lost
+    bool trip;         ///< the motor trips
     bool end;          ///< the run ends
     bool changes;      ///< parameters of the machine have other values from then on
     whirl_placed lost; ///< the unbalance that appears; moment 0: none

@@ -11,7 +11,7 @@
 extern "C" {
 #endif
 
-/// Most lines of a spectrum.
+/// Maximum number of lines of a spectrum.
 enum { WHIRL_MAX_LINES = 16 };
 
 /// A line of a spectrum. Amplitudes are zero to peak.

@@ -35,7 +35,7 @@ typedef struct whirl_given {
     double value;     ///< in SI
 } whirl_given;
 
-/// Most parameters that all points of a batch have at other values than the case.
+/// Maximum number of parameters that all points of a batch have at other values than the case.
 enum { WHIRL_MAX_GIVEN = 16 };
 
 /// A batch: points with the same options.
@@ -77,10 +77,11 @@ typedef struct whirl_batch {
     /// Starts for each parameter value, 0 or 1 for that of the machine only. The table has all points with the first
     /// start, then all with the next. Not for carried batches, branches and machines at rest.
     size_t starts;
-    /// Most rounds of starts from neighbours (along a sweep; along all axes of a map), in addition to several starts;
-    /// 0: none. Each parameter value starts once from the end of a motion on every attractor of a neighbour that none
-    /// of its own motions reached and from which it has not started, up to WHIRL_MAX_NEIGHBOUR_STARTS in all. The
-    /// rounds end when no value lacks one. These points follow all others in the table, and count in no share.
+    /// Maximum number of rounds of starts from neighbours (along a sweep; along all axes of a map), in addition to
+    /// several starts; 0: none. Each parameter value starts once from the end of a motion on every attractor of a
+    /// neighbour that none of its own motions reached and from which it has not started, up to
+    /// WHIRL_MAX_NEIGHBOUR_STARTS in all. The rounds end when no value lacks one. These points follow all others in the
+    /// table, and count in no share.
     size_t neighbours;
     /// A study of tolerances: `count` is the number of points of all machines of all samples, `row` points for each
     /// machine; 0 samples: no such study.
@@ -119,7 +120,7 @@ const double *whirl_batch_values(const whirl_batch *batch, size_t axis, const ch
 /// Returns the members of a batch for cases (part "study"); static, ended by a member without a part.
 const whirl_member *whirl_batch_members(void);
 
-/// Most batches of a study.
+/// Maximum number of batches of a study.
 enum { WHIRL_MAX_BATCHES = 32 };
 
 /// Limits of refined maps.

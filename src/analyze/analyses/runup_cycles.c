@@ -6,7 +6,7 @@
 #include "runup_parts.h"
 #include "whirl/signals.h"
 
-/// Most turning points of a torque that are kept. A run with more has no count of cycles.
+/// Maximum number of turning points of a torque that are kept. A run with more has no count of cycles.
 enum { MAX_TURNING_POINTS = 4000000 };
 
 /// Appends a value. It replaces the last value if it continues in the direction of the last two. Returns false without

@@ -82,7 +82,7 @@ typedef struct runup_views {
     size_t *due;
 } runup_views;
 
-/// Most stationary speeds, and most folds.
+/// Maximum number of stationary speeds, and of folds.
 enum { RUNUP_STATIONARY = 8 };
 
 /// Finds the stationary speeds up to `highest`, rad/s, at which the drive's torque equals the torque that brakes the

@@ -47,7 +47,7 @@ static const whirl_member members[] = {
          "yes: the parameter is the stiffness of springs that replace all bearings; seals are left out"),
     WHOLE("antinodes_of", antinodes_of, "unbalance", "antinodes_of", "0", 0, 64, false,
           "n: unbalances of 2 x 6350 W/N g mm, in place of the machine's own, at the antinodes of the n-th forward "
-          "critical speed; N running_to, W kg on bearings; 0: the machine's own"),
+          "critical speed; W: mass in kg that bearings carry there, N: running_to in rpm; 0: the machine's own"),
     MEMBER(whirl_record_options, WORD, "placed_at", placed_at, "unbalance", false, "at", "", "", WHIRL_KEY_CHOICE,
            false, "", WHIRL_ANY, "", "a station for one such unbalance, in place of antinodes", ""),
     MEMBER(whirl_record_options, WORD, "probes_at", probes_at, "unbalance", false, "probes_at", "", "",
@@ -88,9 +88,9 @@ static const whirl_member members[] = {
     RUNNING(trip, "trip", "speed up to which clearances are checked; 0: all speeds of the study"),
     FLAG(spectra, "", "no", "whole spectra are kept"),
     FLAG(waveform, "", "yes", "waveforms are recorded"),
-    FLAG(orbits, "", "no", "orbits of motions that have come to rest are looked for"),
+    FLAG(orbits, "", "no", "searches the periodic orbit of a settled motion"),
     WHOLE("growth", growth, "", "growth", "1", 0, WHIRL_GROWTH_ALL, false,
-          "perturbations that are followed: 0 none, 1 one, 2 all"),
+          "perturbations that are carried: 0 none, 1 one, 2 all"),
     // Overrides for the recording of details.
     WHOLE(NULL, transient, "detail", "transient", "", 0, WHIRL_MAX_TRANSIENT, false,
           "revolutions before the record; absent: as in integrate"),
@@ -131,7 +131,7 @@ const whirl_member *whirl_trace_members(void) {
               "yes: the tori that begin at Neimark-Sacker points of orbits are followed, too, stable or not"),
         TRACE_WHOLE("trace_torus_nodes", torus_nodes, "63", WHIRL_MIN_TORUS_NODES, WHIRL_MAX_TORUS_NODES,
                     "largest number of nodes of the closed curve of a torus, beyond which it counts as rough; an even "
-                    "number is one more"),
+                    "number is raised by one"),
         TRACE_WHOLE("trace_torus_points", torus_points, "200", 1, 1000000,
                     "largest number of points of one branch of tori"),
         TRACE(
@@ -156,26 +156,25 @@ const whirl_member *whirl_trace_members(void) {
 const whirl_member *whirl_fit_members(void) {
     static const whirl_member fits[] = {
         FIT(WHOLE, revolutions, "revolutions", "1", WHIRL_KEY_WHOLE, "1", WHIRL_FROM_TO(1, WHIRL_MAX_ORBIT), NULL,
-            "of the period of the motions: 1 synchronous, 2 after a doubling"),
+            "period of the motions in revolutions: 1 if synchronous, 2 after a doubling"),
         FIT(WHOLE, transient, "transient", "1", WHIRL_KEY_WHOLE, "200", WHIRL_FROM_TO(0, WHIRL_MAX_TRANSIENT), NULL,
-            "most revolutions by which a motion comes near its orbit at the first values"),
+            "maximum number of transient revolutions before the orbit is searched, at the first values"),
         FIT(WORD, loss, "loss", "", WHIRL_KEY_CHOICE, "squares", WHIRL_ANY, "squares|huber",
-            "squares of residuals, or huber: squares up to some standard deviations, then straight: against outliers; "
-            "needs noise"),
+            "squares of residuals, or huber, against outliers: squares up to `huber` standard deviations, linear "
+            "beyond; needs noise"),
         FIT(NUMBER, huber, "huber", "1", WHIRL_KEY_NUMBER, "2", WHIRL_POSITIVE, NULL,
-            "these standard deviations, for loss: huber"),
+            "for loss: huber, number of standard deviations beyond which the loss is linear"),
         FIT(WHOLE, most_steps, "steps", "1", WHIRL_KEY_WHOLE, "100", WHIRL_FROM_TO(1, 100000), NULL,
-            "most evaluations of all motions"),
+            "maximum number of evaluations of all motions"),
         FIT(NUMBER, tolerance, "tolerance", "1", WHIRL_KEY_NUMBER, "1e-8", WHIRL_ABOVE_TO(1e-13, 0.1), NULL,
-            "largest change of unknowns in the last step, as part of them"),
+            "relative change of the unknowns in a step below which the fit ends"),
         FIT(NUMBER, rtol, "rtol", "1", WHIRL_KEY_NUMBER, "1e-11", WHIRL_ABOVE_TO(1e-14, 1e-6), NULL,
             "relative tolerance of the orbits' integration"),
         FIT(WORD, method, "method", "", WHIRL_KEY_CHOICE, "dop853", WHIRL_ANY, "dop853|rodas5p",
-            "of the integration; rodas5p for stiff machines"),
+            "method of integration; rodas5p for stiff machines"),
         FIT(FLAG, profile, "profile", "", WHIRL_KEY_CHOICE, "no", WHIRL_ANY, "yes|no|true|false",
             "find profile intervals, too, for which all other unknowns are fitted again: for parameters on which "
-            "motions "
-            "depend in a curved way"),
+            "motions depend in a curved way"),
         FIT_COUNT(unknowns, WHIRL_MAX_UNKNOWNS, "number of unknown parameters"),
         FIT_COUNT(motions, WHIRL_MAX_FIT_MOTIONS, "number of motions"),
         FIT_COUNT(numbers, WHIRL_MAX_FIT_NUMBERS, "number of measured numbers"),
@@ -241,59 +240,61 @@ const whirl_member *whirl_runup_members(void) {
     static const whirl_member runs[] = {
         RUNUP_NUMBER(from, "speed_from", "rad/s", "0", WHIRL_NOT_NEGATIVE, "speed at the beginning; 0: at rest"),
         RUNUP_NUMBER(to, "speed_to", "rad/s", "0", WHIRL_NOT_NEGATIVE,
-                     "speed at which the rate ends; from then on it stays until `duration`, or the run ends there"),
+                     "speed at which the rate ends; the speed then stays until `duration`, or the run ends"),
         RUNUP_NUMBER(rate, "rate", "rad/s2", "0", WHIRL_NOT_NEGATIVE,
-                     "by which the speed changes towards speed_to; 0: the drive of the machine turns the shaft"),
-        RUNUP_NUMBER(duration, "duration", "s", "0", WHIRL_NOT_NEGATIVE, "of the run; 0: until speed_to is reached"),
-        RUNUP_NUMBER(angle, "angle", "rad", "0", WHIRL_ANY, "of the shaft at the beginning"),
+                     "rate at which the speed changes towards speed_to; 0: the drive of the machine turns the shaft"),
+        RUNUP_NUMBER(duration, "duration", "s", "0", WHIRL_NOT_NEGATIVE,
+                     "duration of the run; 0: until speed_to is reached"),
+        RUNUP_NUMBER(angle, "angle", "rad", "0", WHIRL_ANY, "angle of the shaft at the beginning"),
         RUNUP(WORD, begin, "", WHIRL_KEY_CHOICE, "rest", WHIRL_ANY, "rest|centre|steady",
-              "where the machine rests at the first speed, all stations in the centre, or the motion that has settled "
-              "at that speed"),
+              "state at the beginning: the position of rest at the first speed, all stations in the centre, or the "
+              "motion that has settled at that speed"),
         RUNUP_NUMBER(settle, "settle", "1", "500", WHIRL_FROM_TO(0, 1e7),
-                     "turns at the first speed before a steady beginning"),
+                     "for begin: steady, turns at the first speed before the run"),
         RUNUP_NUMBER(trip_time, "trip_time", "s", "0", WHIRL_NOT_NEGATIVE,
-                     "when the motor is lost, its load is not; 0: never"),
+                     "time at which the motor trips; the load stays; 0: never"),
         RUNUP_NUMBER(trip_speed, "trip_speed", "rad/s", "0", WHIRL_NOT_NEGATIVE,
-                     "speed at which the motor is lost when it is first passed; 0: never"),
+                     "speed at which the motor trips when it is first passed; the load stays; 0: never"),
         RUNUP(WORD, loss_at, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
               "station where a blade is lost: an unbalance appears"),
-        RUNUP_NUMBER(loss_moment, "loss_moment", "kg m", "0", WHIRL_NOT_NEGATIVE, "that unbalance"),
+        RUNUP_NUMBER(loss_moment, "loss_moment", "kg m", "0", WHIRL_NOT_NEGATIVE,
+                     "unbalance that the lost blade leaves"),
         RUNUP_NUMBER(loss_angle, "loss_angle", "rad", "0", WHIRL_ANY,
-                     "where it is on the shaft, as angles of unbalances"),
+                     "angle on the shaft of the unbalance that the lost blade leaves, as of other unbalances"),
         RUNUP_NUMBER(loss_time, "loss_time", "s", "0", WHIRL_NOT_NEGATIVE,
-                     "when; 0: at the beginning, or by loss_speed"),
+                     "time at which the blade is lost; 0: at the beginning, or by loss_speed"),
         RUNUP_NUMBER(loss_speed, "loss_speed", "rad/s", "0", WHIRL_NOT_NEGATIVE,
-                     "speed at which it is lost when it is first passed; 0: by loss_time"),
+                     "speed at which the blade is lost when it is first passed; 0: by loss_time"),
         RUNUP(WORD, change, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
               "names of parameters with the values that they have from an instant of the run on"),
         RUNUP_NUMBER(change_time, "change_time", "s", "0", WHIRL_NOT_NEGATIVE,
-                     "when these parameters change; 0: by change_speed"),
+                     "time at which the parameters of `change` change; 0: by change_speed"),
         RUNUP_NUMBER(change_speed, "change_speed", "rad/s", "0", WHIRL_NOT_NEGATIVE,
-                     "speed at which they change when it is first passed; 0: by change_time"),
+                     "speed at which the parameters of `change` change when it is first passed; 0: by change_time"),
         RUNUP(WORD, events, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
               "a list of further events, each at a time, at a speed or when a formula is no longer below 0"),
         MEMBER(whirl_runup_options, WHOLE, "runup_event_count", event_count, "", false, "event_count", "", "1",
                WHIRL_KEY_WHOLE, false, "0", WHIRL_FROM_TO(0, WHIRL_MAX_EVENTS), NULL,
-               "number of these events, and of a change of parameters", ""),
+               "number of the events, and of a change of parameters", ""),
         RUNUP(WORD, speeds, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
               "in place of a rate: the speed over the time as a list of [time, speed], straight between, or a file of "
               "comma-separated values with the columns time and speed"),
         RUNUP(WORD, rate_law, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
               "in place of a rate: the rate, rad/s2, as a formula of time and speed, a list of [time, rate], or a file "
-              "with "
-              "these columns; speed_to is the highest speed"),
+              "with these columns; speed_to is the highest speed"),
         RUNUP(
             WORD, torque_law, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
             "the torque of the drive's motor, N m, as a formula of time and speed, a list of [time, torque], or a file "
             "with these columns"),
         RUNUP(WORD, load_law, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
-              "the torque of the drive's load, N m, likewise: [time, load]"),
-        RUNUP(
-            WORD, ground_x, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
-            "the acceleration of the ground along x, m/s2, likewise: [time, ground_x], straight between; 0 before and "
-            "after a table"),
+              "the torque of the drive's load, N m, as a formula of time and speed, a list of [time, load], or a file "
+              "with these columns"),
+        RUNUP(WORD, ground_x, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
+              "the acceleration of the ground along x, m/s2, as a formula of time and speed, a list of [time, "
+              "ground_x], or a file with these columns, straight between; 0 before and after a table"),
         RUNUP(WORD, ground_y, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
-              "the acceleration of the ground along y, m/s2, likewise: [time, ground_y]"),
+              "the acceleration of the ground along y, m/s2, as that along x: a formula, a list of [time, ground_y], "
+              "or a file"),
         RUNUP(
             WORD, sensitivity, "", WHIRL_KEY_CHOICE, "contacts", WHIRL_ANY, "contacts|yes|no",
             "a copy of the motion that begins nearby is followed, to see how fast small changes grow: in machines with "
@@ -305,22 +306,23 @@ const whirl_member *whirl_runup_members(void) {
             "speeds at which the torque of a drive is compared with what brakes the shaft, to find stationary speeds; "
             "0: none"),
         RUNUP(WHOLE, rows, "1", WHIRL_KEY_WHOLE, "400", WHIRL_FROM_TO(2, 100000), NULL,
-              "of the result, at equal times: each shows the last turn of the shaft before it ends"),
+              "number of rows of the result, at equal times: each shows the last turn of the shaft before its time"),
         RUNUP(WHOLE, samples, "1", WHIRL_KEY_WHOLE, "128", WHIRL_FROM_TO(16, 65536), NULL,
-              "instants of a turn at which the motion is seen"),
+              "number of instants of a turn at which the motion is observed"),
         RUNUP_NUMBER(rtol, "rtol", "1", "1e-8", WHIRL_ABOVE_TO(1e-14, 1e-2), "relative tolerance"),
         RUNUP(WORD, method, "", WHIRL_KEY_CHOICE, "dop853", WHIRL_ANY, "dop853|rodas5p",
-              "of integration; rodas5p for machines whose fast modes are damped hard"),
+              "method of integration; rodas5p for machines whose fast modes are damped hard"),
         RUNUP(WHOLE, spectra, "1", WHIRL_KEY_WHOLE, "0", WHIRL_FROM_TO(0, 10000), NULL,
-              "spectra of the result, at equal times: each shows the last turns before it; 0: none"),
+              "number of spectra of the result, at equal times: each is of the last turns before its time; 0: none"),
         RUNUP(WHOLE, spectrum_turns, "1", WHIRL_KEY_WHOLE, "16", WHIRL_FROM_TO(2, 1024), NULL,
               "turns of the shaft in a spectrum; its bins are multiples of 1/spectrum_turns of the speed"),
         RUNUP_NUMBER(highest_order, "highest_order", "1", "5", WHIRL_ABOVE_TO(0, 1000),
                      "multiple of the speed up to which spectra are kept"),
         RUNUP_NUMBER(slow_roll, "slow_roll", "rad/s", "0", WHIRL_NOT_NEGATIVE,
-                     "speed whose motion at 1X is slow roll, and is taken from that at all speeds; 0: none"),
+                     "speed of slow roll: its motion at 1X is subtracted from that at all speeds; 0: none"),
         RUNUP(WHOLE, orbits, "1", WHIRL_KEY_WHOLE, "0", WHIRL_FROM_TO(0, 1000), NULL,
-              "orbits of the result, at equal times: each is the last turn before it; and that of the largest motion"),
+              "number of orbits of the result, at equal times: each is the last turn before its time; one more is that "
+              "of the largest motion; 0: none"),
         RUNUP(WHOLE, waveform, "1", WHIRL_KEY_WHOLE, "0", WHIRL_FROM_TO(0, 1024), NULL,
               "turns of motions and contact forces that are kept around their largest, and around the first four "
               "events; 0: none"),
@@ -333,7 +335,7 @@ double whirl_runup_duration(const whirl_runup_options *options) {
     return options->duration > 0.0 ? options->duration : fabs(options->to - options->from) / options->rate;
 }
 
-/// Most numbers of a station in a window, or in all spectra of a run.
+/// Maximum number of values of a station in one window of a run, in all its spectra, or in its orbits and waveforms.
 static const double MAX_RUNUP_NUMBERS = 4e6;
 
 bool whirl_runup_driven(const whirl_runup_options *o) {
@@ -459,7 +461,7 @@ int whirl_record_samples(const whirl_record_options *options, int steps_per_revo
 }
 
 whirl_status whirl_record_options_check(const whirl_record_options *options) {
-    // Advised options may exceed the limits of cases.
+    // The ranges of keys are not checked here: refinement may raise options beyond them (whirl_advice_apply).
     if (options->transient < 0 || options->record < 1 || options->transient > INT_MAX - options->record)
         return whirl_fail(WHIRL_BAD_INPUT, "transient is %d and record %d revolutions, expected at least 0 and 1",
                           options->transient, options->record);

@@ -6,13 +6,13 @@
 #include "record_block.h"
 #include "recurrence.h"
 
-/// Additional cost of a revolution with a perturbation, in revolutions.
+/// Additional cost of a revolution for each perturbation, in revolutions.
 static const double perturbed = 0.5;
 
 /// Newton steps of a search, and the largest share of a point's revolutions that it may cost.
 static const double steps = 3.0, most_share = 0.25;
 
-/// Largest distance, over its size, of a motion that is on the orbit.
+/// Largest distance from the orbit, divided by motion_size, at which a motion counts as on it.
 static const double elsewhere = 1e-4;
 
 /// Largest distance of a neutral multiplier from the unit circle.

@@ -71,7 +71,7 @@ typedef struct runup_happening {
     double time, at; ///< s and rad/s of the shaft; NaN: never
 } runup_happening;
 
-/// Most events: a trip and a loss of the options, and the events of a course.
+/// Maximum number of events: a trip and a loss of the options, and the events of a course.
 enum { RUNUP_EVENTS = WHIRL_MAX_EVENTS + 2 };
 
 /// Writes the events of the options themselves, a trip and a loss, to out [RUNUP_EVENTS]; returns their number. The

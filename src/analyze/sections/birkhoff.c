@@ -26,10 +26,11 @@ static moments weighted_moments(const section *all, size_t coordinate, size_t fi
     return (moments){sum / weights, squares / weights};
 }
 
-/// Sums over the coordinates of the section.
+/// Comparison of the halves over all coordinates of the section.
 typedef struct comparison {
-    double difference;  ///< mean square difference of the averages of the halves, in spreads
-    double early, late; ///< square of the spread of the halves
+    double difference;  ///< largest squared difference between the halves: of the means over the variance, of the mean
+                        ///< squares over the squared variance
+    double early, late; ///< sums of the variances of the first and of the second half
 } comparison;
 
 static double birkhoff_variance(const section *all, size_t coordinate, double *mean) {
@@ -45,13 +46,13 @@ static double birkhoff_variance(const section *all, size_t coordinate, double *m
 
 static void compare_halves(const section *all, size_t coordinate, double size, comparison *sums) {
     double centre;
-    const double spread = birkhoff_variance(all, coordinate, &centre);
-    if (!(sqrt(spread) > 1e-9 * size)) return; // only rounding moves here
+    const double variance = birkhoff_variance(all, coordinate, &centre);
+    if (!(sqrt(variance) > 1e-9 * size)) return; // the coordinate moves by rounding only
     const size_t half = all->count / 2;
     const moments early = weighted_moments(all, coordinate, 0, half, centre);
     const moments late = weighted_moments(all, coordinate, all->count - half, half, centre);
-    const double mean = (late.mean - early.mean) * (late.mean - early.mean) / spread;
-    const double square = (late.square - early.square) * (late.square - early.square) / (spread * spread);
+    const double mean = (late.mean - early.mean) * (late.mean - early.mean) / variance;
+    const double square = (late.square - early.square) * (late.square - early.square) / (variance * variance);
     sums->difference = fmax(sums->difference, fmax(mean, square));
     sums->early += early.square - early.mean * early.mean;
     sums->late += late.square - late.mean * late.mean;
@@ -62,7 +63,7 @@ regularity regularity_find(const section *all, double size) {
     if (all->count < MIN_POINTS) return (regularity){NAN, NAN};
     comparison sums = {0};
     for (size_t i = 0; i < all->dimension; i++) compare_halves(all, i, size, &sums);
-    if (!(sums.early > 0.0)) return (regularity){16.0, 1.0}; // a single point
+    if (!(sums.early > 0.0)) return (regularity){16.0, 1.0}; // the section is a single point
     return (regularity){fmin(16.0, -0.5 * log10(fmax(sums.difference, 1e-32))),
                         sqrt(fmax(sums.late, 0.0) / sums.early)};
 }

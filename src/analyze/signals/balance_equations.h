@@ -16,7 +16,7 @@ static inline void balance_set(double out[2], double complex value) {
     out[1] = cimag(value);
 }
 
-/// Most unknowns: a vibration without weights, and one for every plane or set.
+/// Maximum number of unknowns: a vibration without weights, and one for every plane or set.
 enum { BALANCE_UNKNOWNS = WHIRL_MAX_PLANES + 1 };
 
 /// Complex least squares: unknowns x [n] of weighted rows a x = b, by their normal equations; b in side.

@@ -1,6 +1,6 @@
-/// Dense matrices: linear equations, eigenvalues, modes. By Eigen (except matrix_orthogonal), which is compiled for the
-/// browser, too, and gives the same bits on all processors with IEEE arithmetic (of eigenvectors all but the last bits,
-/// since compilers divide complex numbers in different ways).
+/// Dense matrices: linear equations, eigenvalues, modes. All functions but matrix_orthogonal use Eigen, in the browser,
+/// too. Results have the same bits on all processors with IEEE arithmetic. Only eigenvectors may differ in their last
+/// bits, because compilers divide complex numbers in different ways.
 ///
 /// All matrices are row-major. Every function returns false without memory, if a number is not finite, and in the cases
 /// that its own comment names; its output is then undefined. For order 0 all return true and write nothing.
@@ -26,9 +26,9 @@ bool matrix_symmetric_modes(size_t n, const double *k, const double *m, double *
 /// double shifts (Golub, Van Loan 2013, 7.5). False if these do not converge, or, with errno ENOMEM, without memory.
 bool matrix_eigen(size_t n, double *a, double *real, double *imaginary, double *vectors);
 
-/// Computes eigenvalues like matrix_eigen, and bounds how far rounding may have moved each eigenvalue, rounding [n], or
-/// NULL: the norm of the balanced matrix times the rounding unit and, for slow ones with hardly any damping, the
-/// condition of the eigenvalue (Golub, Van Loan 2013, 7.2.2). Requires vectors.
+/// Computes eigenvalues like matrix_eigen. Unless NULL, rounding [n] becomes a bound of each eigenvalue's rounding
+/// error: the norm of the balanced matrix times the rounding unit. For slow eigenvalues with hardly any damping the
+/// bound is multiplied by their condition (Golub, Van Loan 2013, 7.2.2). `rounding` requires `vectors`.
 bool matrix_eigen_rounding(size_t n, double *a, double *real, double *imaginary, double *vectors, double *rounding);
 
 /// Solves A x = b for `count` right-hand sides, b [count][n], by elimination with row exchanges; b becomes x. False if
@@ -39,12 +39,12 @@ bool matrix_solve(size_t n, const double *a, size_t count, double *b);
 bool matrix_solve_complex(size_t n, const double *a, size_t count, double *b);
 
 /// Solves for a symmetric and positive definite (its lower triangle is read), by Cholesky's factors. False if
-/// it is not.
+/// a is not positive definite.
 bool matrix_solve_definite(size_t n, const double *a, size_t count, double *b);
 
-/// Solves for a that may be singular: the shortest x whose A x comes nearest to b, without singular
-/// directions below `tolerance` times the largest (complete orthogonal decomposition). One right-hand side b [n].
-/// Writes the rank to `rank`, unless NULL.
+/// Solves for a that may be singular: b [n] becomes the least-squares solution of least norm, by a complete orthogonal
+/// decomposition (Golub, Van Loan 2013, 5.5.2). The rank is the number of pivots, in a QR decomposition with exchange
+/// of columns, above `tolerance` times the largest; smaller ones count as 0. Writes the rank to `rank`, unless NULL.
 bool matrix_solve_shortest(size_t n, const double *a, double tolerance, double *b, size_t *rank);
 
 /// Reduces a [n][n] to h with a = q h q', nothing below the first subdiagonal of h and q [n][n] orthogonal

@@ -9,7 +9,7 @@
 #include "utf8.h"
 #include "whirl/status.h"
 
-/// Returns the bytes of the first `characters` characters.
+/// Returns the length in bytes of the first `characters` characters.
 static size_t byte_offset(const char *text, size_t length, size_t characters) {
     size_t at = 0;
     for (size_t i = 0; i < characters && at < length; i++) {
@@ -100,8 +100,9 @@ static char *edit_add(const char *text, size_t length, const file_node *root, co
     return found || !dot ? NULL : edit_add(text, length, root, parent, member);
 }
 
-/// Returns the text without a member of a mapping. In braces its comma goes too; elsewhere its lines do, unless a dash
-/// precedes it in the first line. NULL without memory.
+/// Returns the text without a member of a mapping. In a flow mapping the member's comma is removed with it. In a block
+/// mapping its lines are; if the dash of a list item precedes the member, only the text up to the next key is removed.
+/// NULL without memory.
 static char *take_away(const char *text, size_t length, const file_node *node) {
     size_t from = byte_offset(text, length, node->key_from), to = byte_offset(text, length, node->to), unused;
     if (node->kind == NODE_LIST) list_extent(text, length, node, &unused, &to);
@@ -201,8 +202,8 @@ static char *write_value(const char *text, size_t length, const file_node *root,
     return edited;
 }
 
-/// Returns the text without that node (NULL: unchanged), or NULL if the node would remain, or the rest would be
-/// invalid.
+/// Returns the text without `node`, or a copy of the text if `node` is NULL. Returns NULL without memory, and if the
+/// path would still exist or the rest could not be read.
 static char *without(const char *text, size_t length, const file_node *node, const char *path) {
     if (!node) return splice(text, length, 0, 0, "", "", "");
     char *edited = node->key ? take_away(text, length, node) : NULL;

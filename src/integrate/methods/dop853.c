@@ -34,8 +34,8 @@ static void take_stage(const stepper_variation *v, int i, size_t size, double h,
     for (size_t d = 0; d < size; d++) out[d] = from[d] + h * out[d];
 }
 
-/// Returns the error of perturbation `which` over the step by the kernel's formula, divided by the tolerance by its
-/// length.
+/// Returns the error estimate of perturbation `which` over the step, by the formula of the kernel, divided by its
+/// tolerance: rtol times its length, at the beginning or the end, whichever is larger.
 static double estimated_error(const stepper *c, size_t which) {
     const stepper_variation *v = &c->variation;
     const size_t n = c->dimension, first = which * n;

@@ -10,7 +10,7 @@
 #include "whirl/engine/system.h"
 #include "whirl/engine/watched.h"
 
-/// Observations, all [...][stride vectors].
+/// Observations. Every array of numbers has a last dimension, not shown below, of `stride` vectors.
 typedef struct lanes_observe {
     size_t probe_count, contact_count;
     const whirl_probe *probes;   ///< [probe_count]
@@ -59,8 +59,8 @@ typedef struct rk4_lanes {
     double *k[3], *stage_q, *stage_v; ///< [rates], [degrees], [rates] workspace
     double *now;                      ///< [forcing_count] workspace
     double *divergence[4], *volume;   ///< [1] divergence at the stages of a step, and its integral over time
-    /// [perturbations] products of their lengths since the last logarithm was taken; NULL: perturbations are not made
-    /// orthonormal.
+    /// [perturbations] lengths: products of the perturbations' lengths since the last logarithm was taken; growth: sums
+    /// of these logarithms. NULL: perturbations are not made orthonormal.
     double *lengths, *growth;
     void (*note)(const struct rk4_lanes *lanes);
     lanes_located located;
@@ -71,8 +71,8 @@ typedef struct rk4_lanes {
     void *context;
 } rk4_lanes;
 
-/// Returns the number of steps between two orthonormalisations of perturbations. There are 64 of them in a revolution
-/// and one at its end, so that fast decays are not lost in rounding.
+/// Returns the number of steps between two orthonormalisations of perturbations. A revolution has at most 64 of them,
+/// one at its end: often enough that fast decays are not lost in rounding.
 static inline int rk4_orthonormal_steps(int steps) {
     enum { TIMES = 64 };
     return (steps + TIMES - 1) / TIMES;

@@ -58,7 +58,8 @@ static double integrated_divergence(stepper *c) {
     return c->length * sum;
 }
 
-/// Returns the norm of the error of perturbation `which`, which is its last increment.
+/// Returns the error estimate of perturbation `which` over the step, the length of its last increment, divided by its
+/// tolerance (stepper_varied_tolerance).
 static double estimated_error(const stepper *c, size_t which) {
     const size_t n = c->dimension;
     const double *error = c->variation.k[RODAS5P_STAGES - 1] + which * n;

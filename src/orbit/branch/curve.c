@@ -84,8 +84,8 @@ static double curve_size_of(void *context, const double *u, const double *value)
     return fmax(c->size(c->context, u, value), fabs(value[c->count]));
 }
 
-/// Most steps and halvings of Newton's method. They are small since points are near their prediction; otherwise a
-/// shorter step is cheaper.
+/// Maximum number of steps and halvings of Newton's method. They are small since points are near their prediction;
+/// otherwise a shorter step is cheaper.
 enum { MAX_STEPS = 8, MAX_HALVINGS = 2 };
 
 newton_result curve_correct(curve *c, const double *direction, double *u) {

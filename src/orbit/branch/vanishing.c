@@ -17,7 +17,7 @@ static void take_into(product *p, double real, double imaginary) {
     p->real = next;
 }
 
-/// Multiplies by a factor divided by its possible size, so that products of many factors do not overflow.
+/// Multiplies by a factor divided by `size`, an upper bound of its modulus, so that long products do not overflow.
 static void take_over(product *p, double real, double imaginary, double size) {
     take_into(p, real / size, imaginary / size);
 }
@@ -26,7 +26,8 @@ static double vanishing_size_of(const whirl_orbit *orbit, size_t i) {
     return hypot(orbit->multipliers[i].real, orbit->multipliers[i].imaginary);
 }
 
-/// Returns the product of (multiplier - at) over all multipliers. It is real because multipliers come in pairs.
+/// Returns the product of (multiplier - at) over all multipliers except the trivial one, each factor divided by
+/// |multiplier| + 1. The product is real because complex multipliers come in conjugate pairs.
 static double product_about(const whirl_orbit *orbit, double at) {
     const size_t own = orbit_own_multiplier(orbit);
     product all = {1.0, 0.0};
@@ -49,7 +50,8 @@ static product of_pair(const whirl_orbit *orbit, size_t i, size_t k) {
     return both;
 }
 
-/// Returns the product of this test function over all pairs.
+/// Returns the product of of_pair over all pairs of multipliers without the trivial one, each factor divided by its
+/// upper bound.
 static double product_of_pairs(const whirl_orbit *orbit) {
     const size_t own = orbit_own_multiplier(orbit);
     product all = {1.0, 0.0};

@@ -6,8 +6,8 @@
 #include "inner_modes.h"
 #include "lock.h"
 
-/// Most shafts that are remembered, and most numbers of all of them (64 MiB). Problems with fewer inner coordinates
-/// than MIN_INNER are solved without being remembered.
+/// Maximum number of shafts that are remembered, and of numbers of all of them (64 MiB). Problems with fewer inner
+/// coordinates than MIN_INNER are solved without being remembered.
 enum { MAX_SHAFTS = 16, MAX_NUMBERS = 8 << 20, MIN_INNER = 24 };
 
 /// A problem and its solution, which follows it in memory.

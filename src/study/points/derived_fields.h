@@ -8,7 +8,8 @@
 #include "whirl/engine/spread.h"
 #include "whirl/engine/study.h"
 
-/// Lists the numbers of a layout that are derived: at most WHIRL_MAX_DERIVED places in its blocks; returns how many.
+/// Lists the numbers of a layout that are differentiated: their places in its blocks, at most WHIRL_MAX_DERIVED.
+/// Returns how many.
 size_t derived_list(const whirl_derivatives *derivatives, const whirl_system *system, const whirl_layout *layout,
                     whirl_spread_at numbers[WHIRL_MAX_DERIVED]);
 

@@ -1,4 +1,4 @@
-// Access to the journal of a run, by one thread at a time.
+// The journal of a run: a critical section gives it to one thread at a time.
 #include "run_journal.h"
 #include "whirl/engine/study.h"
 
@@ -15,7 +15,7 @@ bool run_journal_read(const whirl_point_store *journal, const journal_entry *e) 
 
 whirl_status run_journal_write(const whirl_point_store *journal, const journal_entry *e) {
     whirl_status status = whirl_ok();
-    // Memory that ran out in this thread may have changed its points.
+    // If memory ran out in this thread, the block may be wrong.
     if (errno == ENOMEM) return whirl_fail(WHIRL_NO_MEMORY, "no memory to compute a point");
     if (!journal) return status;
 #pragma omp critical(whirl_journal)

@@ -1,4 +1,5 @@
-/// The journal of a run, for any thread.
+/// The journal of a run. All functions may be called from any thread; one thread at a time has the journal. For a
+/// journal NULL they read and write nothing.
 #ifndef STUDY_RUN_JOURNAL_H
 #define STUDY_RUN_JOURNAL_H
 
@@ -16,11 +17,11 @@ typedef struct journal_entry {
     size_t dimension;
 } journal_entry;
 
-/// Access to the journal of a run, for any thread. Without a journal (NULL) nothing is read or written.
-/// Reads the entry of a point; false if there is none.
+/// Reads the entry of a point. Returns false if there is none.
 bool run_journal_read(const whirl_point_store *journal, const journal_entry *entry);
 
-/// Writes an entry. WHIRL_NO_MEMORY if memory has run out in the calling thread since errno was 0.
+/// Writes an entry. Returns WHIRL_NO_MEMORY if errno is ENOMEM: memory ran out in this thread while it computed the
+/// point, so the block may be wrong. The caller sets errno to 0 before the computation.
 whirl_status run_journal_write(const whirl_point_store *journal, const journal_entry *entry);
 
 /// Syncs entries to disk.
@@ -31,17 +32,17 @@ static inline bool run_journal_saves(const whirl_point_store *journal) {
     return journal && journal->save;
 }
 
-/// Seconds after which a point under way is saved, and saved again: shorter ones are cheaper to repeat.
+/// Seconds between two saves of a point under way, the first after its beginning. Shorter points are cheaper to repeat.
 static const double save_interval = 5.0;
 
-/// Returns when points are to be saved next, if saving took from `begun` to `now`: large states on a slow disk are
-/// saved less often, so that saving takes at most a twentieth of the time. All in seconds of clock_seconds.
+/// Returns the time of the next save after one that took from `begun` to `now`. Large states on a slow disk are saved
+/// less often, so that saving takes at most a twentieth of the time. All times are seconds of clock_seconds.
 double save_next(double begun, double now);
 
 /// Stores the states of a worker's motions under way.
 void run_journal_save(const whirl_point_store *journal, size_t worker, const whirl_point_state *states, size_t count);
 
-/// Returns the stored state of a point that begins [*size], to be freed; NULL without one.
+/// Returns the stored state [*size] of a point that begins, to be freed by the caller; NULL without one.
 void *run_journal_state(const whirl_point_store *journal, size_t batch, size_t slot, double *revolutions, size_t *size);
 
 #endif

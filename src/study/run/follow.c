@@ -1,7 +1,7 @@
 // Follows chaos that may be transient. No finite record proves that chaos lasts: transients of hundreds and thousands
 // of revolutions are common near the ends of an attractor's range. Chaotic points with a neighbour of another regime,
-// or without neighbours, are therefore continued from their ends in perturbed copies. What is done follows from the
-// blocks alone.
+// or without neighbours, are therefore continued from their last states in perturbed copies. Stored blocks alone decide
+// which points are followed, so a resumed run follows the same ones.
 #include <math.h>
 #include <stdlib.h>
 
@@ -11,7 +11,7 @@
 #include "study_run.h"
 #include "whirl/engine/study.h"
 
-/// Length of a copy over the point's revolutions; doubled in every round of refinement.
+/// Revolutions of a copy divided by those of the point; doubled in every round of refinement.
 static const int first_length = 3;
 
 /// Neighbours on either side that are compared, and the fewest points of a batch whose neighbours count.
@@ -49,7 +49,8 @@ static pass copy_pass(const study_run *run, size_t batch, int round, int copy) {
     return p;
 }
 
-/// Returns true for points that are clearly chaotic, have not settled so far, and whose end is known.
+/// Returns true for a clearly chaotic point near an end of chaos whose copies have not settled and whose last state is
+/// stored.
 static bool is_due(const study_run *run, size_t batch, size_t slot) {
     const whirl_table *table = &run->result->tables[batch];
     const whirl_verdict verdict = whirl_table_verdict(table, slot);

@@ -1,4 +1,5 @@
-// Starts from neighbours: what a tilted double well has is known in closed form, and found from wherever it is met.
+// Starts from neighbouring points: the attractors of a tilted double well are known in closed form. Both must be found
+// at all points between its folds.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -15,8 +16,9 @@ enum { POINTS = 41, STARTS = 2, SLOTS = POINTS * (STARTS + 16) };
 #include "memory_store.h"
 #include "sweep_study.h"
 
-/// x' = p + x - x^3 + cos(2 pi t)/2: about two stable rests where |p| < 2/(3 sqrt 3), about one elsewhere. The motion
-/// about them, a = .08 to either side, brings the folds closer together by 3/2 a^2 of their places.
+/// x' = p + x - x^3 + cos(2 pi t)/2: stable oscillations around two rests for |p| < 2/(3 sqrt 3), around one for other
+/// p. Their amplitude a = .08 moves the folds to |p| = 2/(3 sqrt 3) (1 - 9/4 a^2), by averaging. Values are .05 apart,
+/// so that none lies between.
 typedef struct well {
     double p, start[1];
     whirl_system system;
@@ -31,7 +33,7 @@ static void slope(const void *model, double t, const double *forcing, const doub
     dxdt[0] = ((const well *)model)->p + x[0] - x[0] * x[0] * x[0] + 0.5 * cos(6.283185307179586 * t);
 }
 
-/// All starts go to the upper rest above p = -.1, about, and to the lower one below.
+/// Makes the machine of a value. Both starts lead to the upper rest if p is above about -.1, else to the lower one.
 static whirl_status machine(const void *family, const whirl_batch *batch, double value, whirl_machine *out) {
     well *own = malloc(sizeof *own);
     (void)family;
@@ -59,7 +61,8 @@ static whirl_study study(double values[POINTS], size_t rounds) {
     return s;
 }
 
-/// Places with two attractors; and whether they are where two rests are.
+/// Returns the number of attractors that only a start from a neighbour found. *right: exactly the values between the
+/// folds have two attractors.
 static size_t count_double(const whirl_result *result, bool *right) {
     whirl_coexistence found;
     const whirl_table *table = result->tables;
@@ -79,7 +82,7 @@ static size_t count_double(const whirl_result *result, bool *right) {
     return count;
 }
 
-/// Both rests are found up to their folds, a place further in every round.
+/// Both rests are found up to their folds: in every round one value further at either end.
 static void both_rests_are_found_to_their_folds(void **state) {
     double values[POINTS];
     bool right;
@@ -98,7 +101,7 @@ static void both_rests_are_found_to_their_folds(void **state) {
     whirl_result_free(result);
 }
 
-/// A start is where the neighbour's motion ended, and the table says whose.
+/// A start from a neighbour is the last state of that neighbour's motion, and the table has the neighbour's number.
 static void starts_are_ends(void **state) {
     double values[POINTS];
     const whirl_study s = study(values, 100);
@@ -142,14 +145,14 @@ static whirl_result *run_with(const whirl_study *s, memory_store *memory, whirl_
     return result;
 }
 
-/// Threads, shares, what is known of earlier runs, and where blocks lie change no bit; also where verdicts are
-/// confirmed.
+/// The number of threads, shares, points recalled from a store, and the place of blocks change no bit, with and without
+/// `confirm`.
 static void no_bit_depends_on_how_it_is_computed(void **state) {
     double values[POINTS];
     (void)state;
     for (size_t kept = 0; kept < 2; kept++) {
         whirl_study s = study(values, 100);
-        s.batches[0].confirm = !kept; // else blocks do not stay with the store
+        s.batches[0].confirm = !kept; // blocks of confirmed points stay in memory, so `kept` needs unconfirmed ones
         whirl_result *whole = run(&s, 1);
         memory_store *memory = store_new(SLOTS, 1);
         for (size_t number = 1; number <= 3; number++)

@@ -1,4 +1,4 @@
-// Squares that are divided where labels differ, against what the labels' field is known to be.
+// Squares that are divided where labels differ, on a plane whose labels are known at every point.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -11,7 +11,7 @@
 
 #include "squares.h"
 
-/// Labels over a plane, and what was asked for so far.
+/// Labels over a plane, and the points that squares have requested so far.
 typedef struct field {
     squares plane;
     int *labels;
@@ -55,7 +55,8 @@ static void destroy(field *f) {
     free(f->widths);
 }
 
-/// Asks squares of a share of `shares` (from 0), and makes known what they ask for, until they ask for nothing new.
+/// Refines the first squares of one of `shares` shares (from 0): makes the points known that they request, until they
+/// request no new one.
 static void refine(field *f, size_t share, size_t shares) {
     f->plane.alone = shares > 1;
     for (bool more = true; more; f->rounds++) {
@@ -74,7 +75,7 @@ static size_t asked(const field *f) {
     return count;
 }
 
-/// The label that a point has: its own, or that of the square that was not divided.
+/// Labels every point: with its own label if it was requested, else with that of its undivided square.
 static void paint(const field *f, int *painted) {
     const size_t columns = f->plane.columns, rows = f->plane.rows;
     for (size_t i = 0; i < f->count; i++) painted[i] = 99;
@@ -98,8 +99,8 @@ static bool is_on_a_boundary(const field *f, size_t i) {
 
 // ---------------------------------------------------------------- tests
 
-/// The boundary of the disc, and the tongue, which is thinner than every square but the smallest: each point on a
-/// boundary is known, all others have the label that they would have, and the points are a multiple of the boundary's.
+/// A disc, and a tongue that is thinner than all but the smallest squares: every point on a boundary is computed, every
+/// other point gets its right label, and the number of computed points is in proportion to the boundary.
 static void boundaries_are_known_to_the_finest_width(void **state) {
     field f;
     (void)state;
@@ -114,7 +115,8 @@ static void boundaries_are_known_to_the_finest_width(void **state) {
         assert_true(f.asked[i]);
         boundary++;
     }
-    // The first corners; and a point on a boundary is in at most 4 squares of each of 4 widths, with 9 points each.
+    // The bound is measured: the corners of first squares, and four points for each point on a boundary. (At worst a
+    // point on a boundary would need 4 squares of each of 4 widths, with 9 points each.)
     const size_t first = 17 * 17;
     assert_true(boundary > 1000 && asked(&f) > boundary);
     assert_true(asked(&f) < first + 4 * boundary);
@@ -123,7 +125,7 @@ static void boundaries_are_known_to_the_finest_width(void **state) {
     destroy(&f);
 }
 
-/// Brute force: a square is left as it is only where all points on its edges that its first square asked for agree.
+/// Brute force: the four corners of every undivided square are computed and have equal labels, none of them in doubt.
 static void squares_that_are_left_agree(void **state) {
     field f;
     (void)state;
@@ -142,8 +144,8 @@ static void squares_that_are_left_agree(void **state) {
     destroy(&f);
 }
 
-/// Every point of the plane is asked for, or in exactly one square that was left as it is: also where the last squares
-/// are smaller, where there is one row or column, and where one square is larger than the plane.
+/// Every point of the plane is computed or lies in an undivided square: also if the last squares are smaller, in planes
+/// of one row or column, and with one square that is larger than the plane.
 static void squares_make_the_plane(void **state) {
     static const size_t sizes[][3] = {{100, 71, 16}, {18, 17, 16}, {40, 1, 8}, {1, 40, 8},
                                       {7, 5, 64},    {1, 1, 4},    {2, 2, 2}};
@@ -163,8 +165,9 @@ static void squares_make_the_plane(void **state) {
     }
 }
 
-/// What first squares ask for alone does not depend on the others: in shares they ask for the same, which is part of
-/// what all ask for together; and these ask for no more where they go on from there.
+/// First squares that are `alone` request points of their own, whichever points other shares made known. The points of
+/// all shares are a subset of those of a joint refinement. A joint refinement that starts from them ends with the same
+/// points and widths.
 static void shares_make_the_whole(void **state) {
     field whole, alone;
     (void)state;
@@ -196,7 +199,7 @@ static void shares_make_the_whole(void **state) {
     destroy(&alone);
 }
 
-/// The order in which points become known does not matter: here a few at a time, from the last on.
+/// The order in which points become known does not matter: in g a few become known at a time, the last ones first.
 static void the_order_does_not_matter(void **state) {
     field f, g;
     (void)state;

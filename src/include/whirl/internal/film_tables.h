@@ -10,7 +10,7 @@
 extern "C" {
 #endif
 
-/// Most tables of all rotors of a process.
+/// Maximum number of tables of all rotors of a process.
 enum { WHIRL_MAX_FILM_TABLES = 4096 };
 
 /// A set of tables: one bit a table of the process. All zero: the empty set.

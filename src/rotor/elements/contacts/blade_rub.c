@@ -10,7 +10,7 @@
 
 enum { MAX_BLADES = KERNEL_SWITCHES };
 
-/// Numbers, in the notation of blade_rub_kernel.h: the casing's radius in length scales; p - 1; f_k with the sign of
+/// Numbers, in the notation of blade_rub_kernel.h: the casing's radius in length scales; p - 1; mu with the sign of
 /// the rotation; theta' by tau; theta_0; cosine and sine of the angle between blades; a length scale in metres with the
 /// sign of the rotation; the power in W of 1 N that moves a length scale by tau; of each blade k_j in newtons by length
 /// scales to the power p, and l_j.

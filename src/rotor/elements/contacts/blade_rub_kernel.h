@@ -1,10 +1,11 @@
 // Blades whose tips pass a casing. Blade j, of length l_j from the shaft's axis, points along e_j at the angle
-// theta_j = theta + 2 pi j/n, theta = theta_0 + tau. Its tip t_j = d + l_j e_j is pressed in where it is further from
-// the casing's centre than the casing's radius:
+// theta_j = theta + 2 pi j/n, theta = theta_0 + tau. The casing of radius R presses on a tip t_j = d + l_j e_j that is
+// farther from its centre than R. The force on the disc is
 //
-//     depth_j = |t_j| - (l + gap),    f = -sum_j k_j depth_j^p (1 + f_k J) t_j/|t_j|,    J a quarter turn,
+//     f = -sum_j k_j depth_j^p (1 + mu J) t_j/|t_j|,    depth_j = |t_j| - R,
 //
-// with friction against the rotation, since the tips' speed is nearly that of the rotation. theta - theta_0 is a state.
+// summed over depths above 0, with the exponent p of the law, the coefficient of friction mu, and J a quarter turn.
+// Friction acts against the rotation, since the tips' speed is nearly that of the rotation. theta - theta_0 is a state.
 // The depths are the switches.
 
 /// Computes the depths of all blades.
@@ -21,8 +22,10 @@ static inline void KERNEL(switches)(const element *own, const kernel_view *view,
         const num tip[2] = {n_add(d[0], n_scale(length, x)), n_add(d[1], n_scale(length, y))};
         const num far = n_sqrt(n_fma(tip[0], tip[0], n_mul(tip[1], tip[1])));
         values[j] = n_sub(far, n_of(number[BLADE_CASING * stride]));
+        // Turn to the next blade. The multiply-add is written out, because gcc 12 may fuse one of these sums unasked
+        // (whirlKernels.cmake), and all fused builds must give the same bits.
         const num next = n_sub(n_scale(c, x), n_scale(sine, y));
-        y = n_fma(n_of(sine), x, n_scale(c, y)); // explicitly, as in magnetic_kernel.h
+        y = n_fma(n_of(sine), x, n_scale(c, y));
         x = next;
     }
 }
@@ -34,7 +37,7 @@ VECTOR_INLINE void KERNEL(blades_by)(const element *own, const kernel_view *view
     const vec *number = view->number;
     const vec c = number[BLADE_APART_COS * stride], sine = number[BLADE_APART_SIN * stride];
     const num none = n_set(0.0), least = n_set(0x1p-800), casing = n_of(number[BLADE_CASING * stride]);
-    num x, y, sum_x = none, sum_y = none, sizes = none; // own copies: registers
+    num x, y, sum_x = none, sum_y = none, sizes = none; // local sums, which the compiler keeps in registers
     n_sincos(n_add(s[0], n_of(number[BLADE_START * stride])), &y, &x);
     for (int j = 0; j < blades_of(own); j++) {
         const vec length = number[(size_t)(BLADE_LENGTHS + j) * stride];
@@ -54,7 +57,7 @@ VECTOR_INLINE void KERNEL(blades_by)(const element *own, const kernel_view *view
         sum_y = n_fma(part, tip[1], sum_y);
         sizes = n_add(sizes, force);
         const num next = n_sub(n_scale(c, x), n_scale(sine, y));
-        y = n_fma(n_of(sine), x, n_scale(c, y)); // explicitly, as in magnetic_kernel.h
+        y = n_fma(n_of(sine), x, n_scale(c, y)); // as in KERNEL(switches)
         x = next;
     }
     sum[0] = sum_x;
@@ -83,7 +86,8 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
 }
 
 #ifndef NUMBERS_DUAL
-/// Computes the effect of friction, two rows, of tips that move with the disc and around it.
+/// Computes the torque of friction on the shaft (out[0]) and its power (out[stride]). Tips move with the disc and turn
+/// about it.
 static inline void KERNEL(rubbing)(const element *own, const kernel_view *view, const vec *d, const vec *w,
                                    const vec *s, vec *out) {
     const size_t stride = view->stride;
@@ -99,7 +103,8 @@ static inline void KERNEL(rubbing)(const element *own, const kernel_view *view, 
         const vec depth = v_max(v_sub(far, number[BLADE_CASING * stride]), zero), least = v_set(0x1p-800);
         const vec power_of = v_pow(v_max(depth, least), number[BLADE_POWER * stride]);
         const vec push = v_div(v_mul(number[(size_t)(BLADE_STIFFNESSES + j) * stride], v_mul(depth, power_of)), far);
-        const vec lever = v_mul(length, v_fma(x, tip[0], v_mul(y, tip[1]))); // along the casing, times `far`
+        // Arm of the friction about the shaft, and velocity of the tip along the casing, both times `far`.
+        const vec lever = v_mul(length, v_fma(x, tip[0], v_mul(y, tip[1])));
         const vec moving = v_fma(number[BLADE_RATE * stride], lever, v_fms(tip[0], w[1], v_mul(tip[1], w[0])));
         torque = v_fma(push, lever, torque);
         power = v_fma(push, moving, power);

@@ -32,7 +32,7 @@
 /// same, while y, B, P and angle have the opposite sign.
 enum { FILM_CLEARANCE, FILM_CLEARANCE_SQUARE, FILM_STRENGTH, FILM_TWICE, FILM_QUARTER, FILM_NUMBERS };
 
-/// Most vectors that may be in a film at the same time.
+/// Maximum number of vectors that may be in a film at the same time.
 enum { FILM_PLACES = 4 };
 
 /// Vectors on their way through a film in three phases, place by place: film_begin, at the end of which the CPU's

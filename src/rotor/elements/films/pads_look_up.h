@@ -45,8 +45,8 @@ enum {
     PADS_NUMBERS = PADS_FIRST + MAX_PADS * PAD_NUMBERS
 };
 
-/// Most states of a bearing with tilting pads: tilt and rate of every pad (without inertia only the tilt); and on
-/// yielding pivots also the outward displacement of every pad and its rate.
+/// Maximum number of states of a bearing with tilting pads: tilt and rate of every pad (without inertia only the tilt);
+/// and on yielding pivots also the outward displacement of every pad and its rate.
 enum { PADS_STATES = 2 * MAX_PADS, PADS_YIELDING_STATES = 2 * PADS_STATES };
 
 /// Returns true if the pads tilt without inertia.
