@@ -299,7 +299,7 @@ static double distance(const machine *m, const double *a, const double *b) {
     return sqrt(sum);
 }
 
-/// What a motion is: a number of revolutions after which it closes, or one of these.
+/// Kind of a motion: the number of revolutions after which it closes, or one of these.
 enum { DIVERGED = -1, QUASI_PERIODIC = -2, CHAOTIC = -3, UNCLEAR = -4 };
 
 typedef struct finding {
@@ -309,7 +309,7 @@ typedef struct finding {
 
 static double sections[SECTIONS][MOST];
 
-/// The fewest revolutions after which every section of the last ones comes back, or 0.
+/// Returns the least number of revolutions after which every one of the last sections returns, or 0.
 static int closes_after(const machine *m) {
     for (int n = 1; n <= LONGEST; n++) {
         double farthest = 0.0;

@@ -1,4 +1,4 @@
-/// What programs in extended precision share. How many coordinates a state has, N, is said before this is included.
+/// Functions that the programs in extended precision share. Define N, the number of coordinates of a state, before.
 #ifndef REFERENCES_EXTENDED_H
 #define REFERENCES_EXTENDED_H
 

@@ -234,8 +234,8 @@ static void expand(expansion *e) {
 
 // ---------------------------------------------------------------- the motion
 
-/// What some revolutions make of a start: columns 0 to 7 of `by` are the derivatives of the end by the start, column 8
-/// is that by r_k.
+/// End of a motion over some revolutions: columns 0 to 7 of `by` are its derivatives by the start, column 8 is that by
+/// r_k.
 typedef struct period {
     real end[N], by[N][BY];
     int contacts; ///< that begin
@@ -243,7 +243,7 @@ typedef struct period {
     real extremum[MAX_EXTREMA];
 } period;
 
-/// A series' value and rate at h.
+/// Returns the value of a series at h, and its rate.
 static real value_at(const series *s, int order, real h, real *rate) {
     real sum = s->at[order].value;
     *rate = 0.0L;
@@ -251,7 +251,7 @@ static real value_at(const series *s, int order, real h, real *rate) {
     return sum;
 }
 
-/// The zero between a and b, where the signs differ, of r^2 - gap^2, or of its rate.
+/// Returns the zero of r^2 - gap^2, or of its rate, between a and b, where the signs differ.
 static real zero_between(const expansion *e, bool of_rate, real a, real b) {
     real rate, value = value_at(&e->beyond, e->order, b, &rate);
     const bool rises = (of_rate ? rate : value) > 0.0L;
@@ -263,7 +263,8 @@ static real zero_between(const expansion *e, bool of_rate, real a, real b) {
     return 0.5L * (a + b);
 }
 
-/// How far a step of h may go: to where the contact begins or ends; *switches then. Notes extrema on the way.
+/// Returns the length of a step of at most h, which ends where the contact begins or ends: then *switches is true.
+/// Notes extrema on the way.
 static real step_length(const expansion *e, real h, bool *switches, period *p) {
     real rate, last_rate, from = 0.0L;
     value_at(&e->beyond, e->order, 0.0L, &rate);
@@ -280,7 +281,7 @@ static real step_length(const expansion *e, real h, bool *switches, period *p) {
     return h;
 }
 
-/// A step over which the last terms of no coordinate exceed the tolerance.
+/// Returns a step over which the last terms of no coordinate exceed the tolerance.
 static real safe_step(const expansion *e, real tolerance) {
     real h = 0.125L;
     for (int k = e->order - 1; k <= e->order; k++)
@@ -288,7 +289,7 @@ static real safe_step(const expansion *e, real tolerance) {
     return h;
 }
 
-/// The motion's state at h becomes the start of the next step.
+/// Makes the motion's state at h the start of the next step.
 static void move_on(expansion *e, real h) {
     for (int i = 0; i < N; i++) {
         number sum = e->x[i].at[e->order];
@@ -386,7 +387,7 @@ static bool correct(const accuracy *a, const orbit *from, real length, orbit *o)
 /// SINGULAR is what a fold is told by where no tangent is known.
 typedef enum point_kind { FOLD, DOUBLING, TORUS, TOUCH, SINGULAR } point_kind;
 
-/// Which extremum of the radius is nearest to the gap.
+/// Returns the number of the extremum of the radius that is nearest to the gap.
 static int nearest_extremum(const period *p) {
     int nearest = 0;
     for (int i = 1; i < p->extrema; i++)
@@ -529,7 +530,8 @@ static int find_all(void) {
     return largest < 1e-14L ? 0 : 1;
 }
 
-/// Whether the points of a table, in the order of the tasks, close and are special, without looking for them.
+/// Confirms the points of a table, in the order of the tasks: prints by how much their orbits do not close, and the
+/// value of the test function. Does not search. Returns 0 if all tasks have a point.
 static int confirm(FILE *table) {
     char line[1024];
     size_t i = 0;
@@ -550,7 +552,7 @@ static int confirm(FILE *table) {
     return i == TASKS ? 0 : 1;
 }
 
-/// Without arguments the table; with one, "confirm", a table is read that is to be confirmed.
+/// Prints the table; with the argument "confirm", reads a table and confirms it.
 int main(int count, char **arguments) {
     return count > 1 && strcmp(arguments[1], "confirm") == 0 ? confirm(stdin) : find_all();
 }

@@ -1,5 +1,5 @@
-// Where the motion of the paper's rotor changes, and how: the calibrated reading, beside a program in extended
-// precision and beside motions that are left to settle on both sides of every change.
+// Changes of the motion of the paper's rotor, in the calibrated reading: compared with a program in extended precision,
+// and with motions that settle on both sides of every change.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -81,7 +81,7 @@ enum { PIECES = sizeof pieces / sizeof *pieces };
 
 // ---------------------------------------------------------------- what is found
 
-/// What the program in extended precision says, the case, and the labelled points of all pieces.
+/// Results of the program in extended precision, the case, and the branches of all pieces.
 typedef struct known {
     peer_point points[8];
     size_t count;
@@ -288,7 +288,8 @@ typedef struct brute_force {
     size_t count;
 } brute_force;
 
-/// How far from a special point motions are looked at: where orbits double, the next doubling is nearer than 1e-3.
+/// Returns the distance from a special point at which motions are compared. After the doubling from 14 revolutions the
+/// next one is nearer than 1e-3.
 static double aside_of(settled above, settled below) {
     return above.returns == 14 && below.returns == 28 ? 5e-5 : 5e-4;
 }

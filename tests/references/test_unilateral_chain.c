@@ -18,7 +18,7 @@
 
 enum { N = 4, STATE = 1, CONTACTS = STATE + N, MULTIPLIERS };
 
-/// What the program in extended precision says, and the case of the same chain.
+/// Results of the program in extended precision, and the case of the same chain.
 typedef struct reference {
     peer_point points[32];
     size_t count;

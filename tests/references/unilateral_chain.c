@@ -35,8 +35,8 @@ typedef struct accuracy {
 
 // ---------------------------------------------------------------- the motion
 
-/// What a period makes of a start, in theta = W t: columns 0 to 3 of `by` are the derivatives of the end by the start,
-/// column 4 is that by W. State: q1, q2, dq1/dt, dq2/dt.
+/// End of a motion over a period, in theta = W t: columns 0 to 3 of `by` are its derivatives by the start, column 4 is
+/// that by W. State: q1, q2, dq1/dt, dq2/dt.
 typedef struct period {
     real end[N], by[N][N + 1];
     int touches; ///< contacts that begin
@@ -309,8 +309,8 @@ static int follow(const accuracy *a, special *points) {
 
 // ---------------------------------------------------------------- the table
 
-/// Where the motion touches, its multipliers are those of the motion that does not, and go on from there as a square
-/// root: no arithmetic has their digits, and none are printed.
+/// Returns true if the multipliers of a point are printed. At a first touch they are those of the motion without
+/// contact, and change from there like a square root, so that no arithmetic gives their digits.
 static bool has_multipliers(const special *p) {
     return strcmp(p->kind, "touch") != 0;
 }

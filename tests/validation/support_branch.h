@@ -38,7 +38,7 @@ whirl_orbit *find_orbit(const test_family *family, size_t revolutions, const whi
 whirl_branch *follow_branch(const test_family *family, const whirl_orbit *start, int direction,
                             const whirl_branch_options *options);
 
-/// The point of that kind, counted from 0; NULL where there are not so many.
+/// Returns special point number `which` of a kind, from 0; NULL if there are fewer.
 const whirl_branch_point *special_point(const whirl_branch *branch, whirl_special kind, size_t which);
 
 /// Follows a special point over the family's parameter and another one of its numbers, from `low` to `high`, in the
@@ -46,13 +46,13 @@ const whirl_branch_point *special_point(const whirl_branch *branch, whirl_specia
 whirl_branch *follow_curve(const test_family *family, size_t other, const whirl_branch_point *start, int direction,
                            double low, double high, const whirl_branch_options *options);
 
-/// How many there are of a kind.
+/// Returns the number of special points of a kind.
 size_t count_special(const whirl_branch *branch, whirl_special kind);
 
-/// What programs in extended precision call it.
+/// Returns the word for a kind of special point in the output of the programs in extended precision.
 const char *special_word(whirl_special special);
 
-/// Sum of ln|multiplier|.
+/// Returns the sum of ln|multiplier| over all multipliers.
 double sum_of_logarithms(const whirl_orbit *orbit);
 
 #endif

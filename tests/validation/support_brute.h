@@ -19,13 +19,13 @@ typedef struct brute {
     int dimension, steps, transient;
 } brute;
 
-/// What a motion came to: its period in revolutions, 0 where it does not return, and the section over the last of them.
+/// End of a motion: its period in revolutions, 0 if it does not return, and its section over the last revolutions.
 typedef struct outcome {
     int period;
     double section[SEEN][2], mean;
 } outcome;
 
-/// Where a motion from x has come to after the transient; x is its state then.
+/// Carries a motion from x over the transient, and returns its end; x becomes its last state.
 outcome brute_follow(const brute *b, double *x, double tolerance);
 
 /// The calibrated reading (cases/paper.yaml): disc and journal, in clearances and tau = omega t; x1, y1, x2, y2.

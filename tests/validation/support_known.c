@@ -190,7 +190,7 @@ static void check_known_total(const char *what, int least) {
 
 // ---------------------------------------------------------------- all families
 
-/// What a run is of.
+/// The families that a run judges: their name, the stride through their motions, the least number of right verdicts.
 static struct {
     const char *what;
     size_t stride;

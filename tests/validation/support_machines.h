@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/// What a machine cannot be asked.
+/// Properties of machines, for the tests that do not apply to them.
 enum {
     MACHINE_TURNS = 1,   ///< coefficients that turn with the shaft: no limit of speed 0, no response about rest
     MACHINE_NO_REST = 2, ///< nothing at rest or at speed 0
@@ -34,7 +34,7 @@ typedef struct unit_pair {
 /// Systems of units; each ends with a pair without a unit.
 extern const unit_pair units_inch[], units_feet[], units_millimetre[], units_si[];
 
-/// How a machine is written.
+/// Form in which the case of a machine is written.
 typedef struct machine_view {
     bool mirrored;          ///< as seen in a mirror, by x -> -x; it turns clockwise
     bool reversed;          ///< stations and elements in the other order

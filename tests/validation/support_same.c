@@ -10,7 +10,7 @@
 
 enum { PRINTED = 3 }; ///< numbers of a field that are printed where they differ
 
-/// A point of a table of a result, and what its numbers are compared in.
+/// A point of a table of a result, and the sizes by which its numbers are compared.
 typedef struct place {
     const whirl_result *result;
     const whirl_table *table;
@@ -43,12 +43,12 @@ static place place_of(const whirl_result *result, const whirl_table *table, size
     return p;
 }
 
-/// Whether a column holds orders, whatever the unit of the others.
+/// Returns true if a column holds orders; the field's unit is then that of its other columns.
 static bool is_order(const whirl_field *field, size_t column) {
     return column == 0 && strncmp(field->meaning, "order, ", 7) == 0;
 }
 
-/// What a number is multiplied by to be in SI.
+/// Returns the factor from a column's unit to SI.
 static double factor_of(const place *p, const whirl_field *field, size_t column) {
     if (is_order(field, column)) return 1.0;
     return strcmp(field->unit, "length") == 0  ? p->length
@@ -56,7 +56,7 @@ static double factor_of(const place *p, const whirl_field *field, size_t column)
                                                : 1.0;
 }
 
-/// The station or contact of a result that has the name of number `which` of another one.
+/// Returns the station or contact of the other result that has the name of number `which` of this one.
 static size_t partner(const place *one, const whirl_field *field, size_t which, const place *other) {
     if (field->extent == WHIRL_PER_STATION)
         for (size_t i = 0; i < other->result->station_count; i++)
@@ -76,12 +76,12 @@ static bool is_one_of(const char *name, const char *const *of) {
     return false;
 }
 
-/// The number of another field of the same shape.
+/// Returns the number at the same place of another field of the same shape.
 static double beside(const place *p, const char *name, size_t which, size_t index) {
     return whirl_table_field(p->table, p->point, name, which)[index];
 }
 
-/// What a number is in the mirror, by x -> -x, of a machine that then turns the other way.
+/// Returns the number that the mirrored machine (x -> -x, it turns the other way) should have here.
 static double mirrored(const place *p, const whirl_field *field, size_t which, size_t index, double number) {
     static const char *const across[] = {"x", "vx", "x_cos", "x_sin", "kxy", "kyx", "cxy", "cyx", "along x", NULL};
     static const char *const late[] = {"x", "first", "forward", "backward", NULL};
@@ -98,7 +98,7 @@ static double mirrored(const place *p, const whirl_field *field, size_t which, s
 
 // ---------------------------------------------------------------- comparing
 
-/// The turn of an angle after which it is the same: axes have no sense.
+/// Returns the period of an angle in degrees, 180 for an axis without a sense; 0 for a field that is no angle.
 static double turn_of(const whirl_field *field) {
     if (strcmp(field->unit, "deg") != 0) return 0.0;
     return strcmp(field->name, WHIRL_FIELD_UNBALANCE_INCLINATION) == 0 ? 180.0 : 360.0;
@@ -109,7 +109,7 @@ static double distance(const whirl_field *field, double a, double b) {
     return turn > 0.0 ? fabs(remainder(a - b, turn)) : fabs(a - b);
 }
 
-/// What a difference is compared with: the largest number of the field that is no order.
+/// Returns the size that a difference is divided by: in general the largest number of the field that is no order.
 static double scale_of(const place *p, const whirl_field *field, size_t column) {
     const double *numbers = whirl_table_field(p->table, p->point, field->name, 0);
     const bool plain = strcmp(field->unit, "1") == 0;
@@ -122,13 +122,13 @@ static double scale_of(const place *p, const whirl_field *field, size_t column) 
     return factor_of(p, field, column) * largest;
 }
 
-/// What is told from the last digits of a motion that comes to rest, which any rounding changes.
+/// Fields that depend on the last digits of a motion that comes to rest, which any rounding changes.
 static const char *const of_rounding[] = {WHIRL_FIELD_REGIME_RECURRENCE_TREND, WHIRL_FIELD_REGIME_REGULARITY,
                                           WHIRL_FIELD_REGIME_SETTLING_ERROR,   WHIRL_FIELD_REGIME_SWELLING,
                                           WHIRL_FIELD_EVIDENCE_SETTLING,       NULL};
 
-/// What is measured on a perturbed copy of a motion, and how far from each other these numbers may be in a mirror, in
-/// which the copy begins elsewhere: four times their standard errors.
+/// Returns the allowed difference of fields that are measured on a perturbed copy of a motion, else 0. In a mirror the
+/// copy begins elsewhere: there four standard errors are added.
 static double allowed_of_growth(const place *one, const whirl_field *field, const place *other, const same_rule *rule) {
     static const char *const measured[] = {WHIRL_FIELD_LYAPUNOV_LARGEST,     WHIRL_FIELD_LYAPUNOV_ERROR,
                                            WHIRL_FIELD_REGIME_EXPONENT,      WHIRL_FIELD_REGIME_EXPONENT_ERROR,
@@ -159,12 +159,12 @@ static double sign_of_shape(const place *one, const whirl_field *field, size_t r
     return product < 0.0 ? -1.0 : 1.0;
 }
 
-/// Multipliers come by falling modulus: several of one modulus in any order.
+/// Returns true for a field whose rows may be in another order: multipliers of one modulus.
 static bool is_set(const whirl_field *field, const same_rule *rule) {
     return rule->tolerance > 0.0 && strcmp(field->name, WHIRL_FIELD_FLOQUET_MULTIPLIERS) == 0;
 }
 
-/// The number of `b` that belongs to number i of `a`: the same place, of sets that in the row that is nearest.
+/// Returns the number of `b` that belongs to number i of `a`: at the same place, or for a set in the nearest row.
 static double counterpart(const whirl_field *field, const double *a, const double *b, size_t i, bool set) {
     const size_t row = i / field->columns * field->columns;
     size_t nearest = row;
@@ -174,7 +174,7 @@ static double counterpart(const whirl_field *field, const double *a, const doubl
     return b[nearest + i % field->columns];
 }
 
-/// Where something is largest is known to the square root of rounding.
+/// Returns the least tolerance of a field: the place of a maximum is known to the square root of rounding only.
 static double least_tolerance(const whirl_field *field, const same_rule *rule) {
     return rule->tolerance > 0.0 && strcmp(field->name, WHIRL_FIELD_MODES_SENSITIVITY_FREQUENCY) == 0 ? 1e-7 : 0.0;
 }

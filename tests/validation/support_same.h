@@ -7,10 +7,11 @@
 
 #include "whirl/engine/result.h"
 
-/// How two results may differ.
+/// Allowed differences of two results.
 typedef struct same_rule {
     double tolerance; ///< of numbers, over the largest of their field; of rates over the fastest one; 0: bits
-    /// Of what is measured on a perturbed copy of a motion (exponents, growth, settling), whose distance has 8 digits.
+    /// Tolerance of numbers that are measured on a perturbed copy of a motion (exponents, growth, settling), whose
+    /// distance has 8 digits.
     double of_growth;
     bool mirrored;               ///< the other one is of the machine seen in a mirror, by x -> -x
     const char *const *left_out; ///< names of fields that are not compared, or their beginnings; NULL ends them

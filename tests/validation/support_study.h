@@ -15,7 +15,7 @@ whirl_result *run_case_at(const char *file, size_t batches, const double *values
 /// The case of a text; fails the test with what is wrong with it. Freed by whirl_case_free.
 whirl_case *case_of_text(const char *text);
 
-/// What a text's case finds on one thread. Freed by whirl_result_free.
+/// Runs the case of a text on one thread and returns its result. Freed by whirl_result_free.
 whirl_result *result_of_text(const char *text);
 
 /// Number `which` of a field of a point; fails the test where the result has no such field.

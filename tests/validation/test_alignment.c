@@ -1,5 +1,5 @@
-// What shafts and bearings bring with them at rest, against closed forms: journals in their films, bent shafts that
-// turn so, raised bearings, and the first critical speed on rigid supports with the screening diagram of stability.
+// Shafts and bearings at rest, against closed forms: journals in their films, bent shafts that turn, raised bearings,
+// and the first critical speed on rigid supports with the screening diagram of stability.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

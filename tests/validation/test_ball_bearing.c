@@ -34,7 +34,7 @@ static whirl_rotor *make_bearing(double speed, double cage, double angle) {
     return built;
 }
 
-/// Where the weight rests while the balls stand still.
+/// Returns the position of rest under the weight while the balls stand still.
 static double rest_of(const whirl_system *system) {
     double low = 3.0, high = 20.0;
     for (int i = 0; i < 200; i++) {

@@ -114,8 +114,8 @@ static whirl_result *run_rotor(const char *zeta, const char *study) {
     return run_text(text);
 }
 
-/// How many revolutions the motion repeats after that begins at a row's orbit, displaced by 1e-3 of it, at another
-/// speed; 0: after none up to 4.
+/// Returns the period in revolutions, up to 4, on which a motion settles that begins at a row's orbit, displaced by
+/// 1e-3 of it, at another speed; 0 if there is none.
 static int settled_period(const whirl_table *table, size_t row, double omega) {
     enum { PASSED = 6000, D = 4 };
     char text[2048];
@@ -153,7 +153,7 @@ static void changes_of_a_rotor_that_rubs(void **state) {
     whirl_result *result =
         run_rotor("0.1", "  branch: {parameter: omega, from: 1, to: 4, at: [1.5, 1.8], switches: 1}\n");
     const whirl_table *table = whirl_result_table(result, "branch");
-    // What settles at 1.8 lies on the branch that begins at 1.5: it is not followed again.
+    // The settled motion at 1.8 lies on the branch that begins at 1.5, which is not followed again.
     double last = 0.0;
     for (size_t i = 0; i < table->count; i++) {
         const double branch = number(table, i, "trace/number");
@@ -167,7 +167,7 @@ static void changes_of_a_rotor_that_rubs(void **state) {
     check_within("branch", "Jeffcott rotor with rub, doubling: P-1 settles .001 before", 1.0,
                  settled_period(table, doubling, at - 1e-3), 0.0);
     check_within("branch", "... and P-2 .001 beyond", 2.0, settled_period(table, doubling, at + 1e-3), 0.0);
-    // Where the small orbit ends by a fold, the motion goes over to the large one, which no fold of its own ends there.
+    // Beyond the fold of the small orbit the motion jumps to the large one, which has no fold there.
     check_holds("branch", "before the fold of the small orbit P-1 settles far from it",
                 settled_period(table, fold, table->values[fold] - 1e-3) == 1);
     // A branch of twice the period begins, stable, at the doubling.
@@ -181,7 +181,7 @@ static void changes_of_a_rotor_that_rubs(void **state) {
     whirl_result_free(result);
 }
 
-/// Where a curve over the damping ends is a special point of the rotor with that damping.
+/// The last point of a curve over the damping is a special point of the rotor with that damping.
 static void curves_of_a_rotor_that_rubs(void **state) {
     static const char *const ranges[] = {"from: 3.25, to: 3.3, at: [3.26]", "from: 1.05, to: 1.15, at: [1.14]"};
     static const whirl_special kinds[] = {WHIRL_FOLD, WHIRL_GRAZE};

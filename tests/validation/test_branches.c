@@ -436,8 +436,8 @@ static void grazes_are_located(void **state) {
     }
 }
 
-/// What an orbit does that would go through the stop as if it were not there: it is beyond it without a contact, or
-/// deeper in it than its own speed can drive it, v/sqrt(s).
+/// Returns true for an orbit that ignores the stop: it is beyond it without a contact, or deeper in it than its speed
+/// can drive it, v/sqrt(s).
 static bool goes_through(const whirl_orbit *orbit, double stiffness, double W) {
     const double speed = fmax(orbit->high[1], -orbit->low[1]) * W, depth = orbit->high[0] - 1.0;
     return (depth > 1e-9 && orbit->touches[0].intervals == 0) || depth > speed / sqrt(stiffness);
@@ -596,8 +596,8 @@ static void the_curve_of_folds_has_a_cusp(void **state) {
     whirl_orbit_free(start);
 }
 
-/// Where period doubling begins in the plane of force and damping: at the last point of the curve a branch of its own
-/// doubles at the same force.
+/// Follows the onset of period doubling in the plane of force and damping. At the damping of the curve's last point a
+/// separate branch doubles at the same force.
 static void the_curve_of_doublings(void **state) {
     (void)state;
     test_family family = oscillator_family(1.2, 0.3, -1.0, 1.0, 0.2);

@@ -1,7 +1,7 @@
-// What chaos may end on, and how sure verdicts are of transient chaos: Lorenz's system, whose equilibria are stable up
-// to r = 470/19 and draw in all motions up to 24.06 (Sparrow 1982); a rub, case C4 at w = 3.62, whose motions end on a
-// P-3 in thousands of revolutions; and Ueda's oscillator, whose chaos is all that there is (Ueda 1980, k = 0.05,
-// B = 7.5).
+// Attractors on which chaos may end, and the confidence of verdicts on transient chaos: Lorenz's system, whose
+// equilibria are stable up to r = 470/19 and draw in all motions up to 24.06 (Sparrow 1982); a rub, case C4 at w
+// = 3.62, whose motions end on a P-3 in thousands of revolutions; and Ueda's oscillator, whose chaos is all that there
+// is (Ueda 1980, k = 0.05, B = 7.5).
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

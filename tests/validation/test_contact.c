@@ -111,7 +111,8 @@ static void powers(void **unused) {
     }
 }
 
-/// What comes out of the law for a given restitution.
+/// Impacts by the law of Lankarani and Nikravesh: the rebound satisfies its first integral, and is near the coefficient
+/// of restitution.
 static void restitution(void **unused) {
     (void)unused;
     static const char *const digits[][2] = {{".9", NULL}, {".7", NULL}, {".5", NULL}};
@@ -330,7 +331,7 @@ static void stick_slip(void **unused) {
 
 // ---------------------------------------------------------------- places, laws and derivatives
 
-/// What stands in a stator that moves: a law each.
+/// Contacts with a stator that moves, one for each law.
 enum { LAWS = 5 };
 static const struct law {
     const char *name;

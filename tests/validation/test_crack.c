@@ -178,7 +178,8 @@ static void switching_monodromy(const cracked *c, double matrix[N * N]) {
     multiply(open, half, matrix);
 }
 
-/// How far the multipliers are from the switching crack's with so many terms of the square wave: the farther one's.
+/// Returns the larger of the distances of both multipliers from those of the switching crack, with so many terms of the
+/// square wave.
 static double switching_error(const cracked *shape, int terms) {
     cracked c = *shape;
     double matrix[N * N];
@@ -210,7 +211,7 @@ static void switching_crack(void **unused) {
 
 // ---------------------------------------------------------------- in lanes
 
-/// Where rest goes in some revolutions under weight, by the ensemble of a method.
+/// Carries x, which begins at 0, over some revolutions under weight, by the ensemble of a method.
 static void carry_in_lanes(const whirl_system *system, const char *method, double rtol, int revolutions, double *x) {
     whirl_integrate_options options = whirl_integrate_default();
     whirl_ensemble *ensemble;
@@ -226,7 +227,7 @@ static void carry_in_lanes(const whirl_system *system, const char *method, doubl
     whirl_ensemble_free(ensemble);
 }
 
-/// Where rest goes by the same method alone.
+/// Carries x by an integrator of the same method.
 static void carry_alone(const whirl_system *system, const char *method, double rtol, int revolutions, double *x) {
     whirl_integrate_options options = whirl_integrate_default();
     whirl_integrator *integrator;

@@ -138,8 +138,8 @@ static void backward_too(void **unused) {
     }
 }
 
-/// Where damped frequencies meet the speed, found by following modes: another way to the same numbers, here of bearings
-/// with two stiffnesses, in which whirls are ellipses.
+/// Speeds at which damped frequencies meet the speed, by following modes: another way to the same numbers. The bearings
+/// have two stiffnesses, so that whirls are ellipses.
 static void as_modes_meet_the_speed(void **unused) {
     static const char bearing[] = "kxx: 1 MN/m, kyy: 0.2 MN/m";
     double speeds[MOST];
@@ -206,7 +206,7 @@ static void pedestals_in_series(void **unused) {
                                "study:\n  critical_speeds: {parameter: k, values: [1e6, 2e7, 1e9], bearings: yes}\n");
     whirl_result *result = run(object);
     for (size_t i = 0; i < 3; i++) {
-        // Of w^2: m s x^2 - (m (k + K) + k s) x + k K = 0.
+        // x = w^2 is a root of m s x^2 - (m (k + K) + k s) x + k K = 0.
         const double a = m * pedestal, b = m * (k[i] + below) + k[i] * pedestal, c = k[i] * below;
         const double root = sqrt(b * b - 4.0 * a * c),
                      expected[] = {sqrt(2.0 * c / (b + root)), sqrt((b + root) / (2.0 * a))};
@@ -349,7 +349,7 @@ static void springs_stand_for_bearings(void **unused) {
     whirl_case_free(own);
 }
 
-/// Where the film carries `load` of F0: Newton's method on whirl_film_force, by differences.
+/// Finds the place where the film carries `load` times F0, by Newton's method on whirl_film_force with differences.
 static void rest_in_film(double load, double at[2]) {
     const double h = 1e-6;
     at[0] = 0.3, at[1] = -0.3;
@@ -365,7 +365,7 @@ static void rest_in_film(double load, double at[2]) {
     }
 }
 
-/// Of a film it is the derivative of its force where the journal rests at that very speed.
+/// The stiffness of a film is the derivative of its force at the journal's position of rest at that speed.
 static void stiffness_of_films(void **unused) {
     (void)unused;
     whirl_case *object =
@@ -395,7 +395,7 @@ static void stiffness_of_films(void **unused) {
     whirl_case_free(object);
 }
 
-/// What such speeds are not of is refused, with the reason.
+/// Machines without such speeds are refused, with the reason.
 static void refusals(void **unused) {
     static const struct {
         const char *elements, *reason;

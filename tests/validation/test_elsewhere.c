@@ -27,7 +27,8 @@ static const char *machine_on(const char *elements, const char *study) {
     return text;
 }
 
-/// Where a spring of stiffness -k, cubic k3 and a pull balance: the roots of k3 x^3 - k x = pull, the least first.
+/// Finds the equilibria of a spring of stiffness -k and cubic k3 under a pull: the roots of k3 x^3 - k x = pull, the
+/// least first.
 static void wells(double k, double k3, double pull, double root[3]) {
     const double p = k / k3, q = pull / k3, size = 2.0 * sqrt(p / 3.0);
     const double angle = acos(4.0 * q / (size * size * size)) / 3.0;
@@ -39,7 +40,7 @@ static void wells(double k, double k3, double pull, double root[3]) {
     }
 }
 
-/// Of a buckled spring: below the fold, |pull| < 2 k sqrt(k/(27 k3)) = 0.385 N, the search ends in the middle, which is
+/// A buckled spring: below the fold, |pull| < 2 k sqrt(k/(27 k3)) = 0.385 N, the search ends in the middle, which is
 /// unstable; from the value beyond the fold it leads into the well there.
 static void two_wells(void **state) {
     static const double pulls[] = {-0.25, -0.16, -0.05, 0.05, 0.16, 0.25};

@@ -123,7 +123,7 @@ static void isotropic_bearings(void **unused) {
     whirl_case_free(object);
 }
 
-/// What the book prints of 5.9.1, to 1e-3.
+/// The frequencies of example 5.9.1 as the book prints them, to 1e-3.
 static void as_printed(void **unused) {
     static const double still[] = {86.66, 86.66, 274.31, 274.31, 716.78};
     static const double turning[] = {85.39, 87.80, 251.78, 294.71, 600.18};
@@ -267,7 +267,7 @@ static double onset_of(const whirl_case *object) {
     return onset;
 }
 
-/// How far the motion goes from where it rests, at most, in so many revolutions.
+/// Returns the largest distance of the motion from its rest in so many revolutions.
 static double largest_way(whirl_integrator *integrator, const double *rest, double *x, size_t degrees,
                           int revolutions) {
     double largest = 0.0;

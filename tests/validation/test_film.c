@@ -61,7 +61,7 @@ static void a1_force_is_the_integral_of_the_pressure(void **unused) {
 
 static void a1_force_at_the_cut_of_the_angle(void **unused) {
     (void)unused;
-    // Where B = y + 2x' vanishes, an arc tangent of one argument errs by pi.
+    // At B = y + 2x' = 0 an arc tangent of one argument is wrong by pi.
     const double states[2][4] = {{0.4, -0.2, 0.1, 0.5}, {0.4, -0.2, 0.1, -0.5}};
     for (int i = 0; i < 2; i++) {
         double expected[2], obtained[2];
@@ -143,7 +143,7 @@ static void a3_forces_of_a_resting_journal(void **unused) {
     check_within("A3", "largest relative difference from f_r, f_t for e = .01 to .98", 0.0, worst, 1e-13);
 }
 
-/// Where the journal of a rotor rests, by Newton's method on the equations of motion.
+/// Finds the position of rest of a rotor's journal, by Newton's method on the equations of motion.
 static void find_equilibrium(const whirl_system *system, double position[2]) {
     double state[4] = {position[0], position[1], 0.0, 0.0};
     for (int i = 0; i < 30; i++) {
@@ -208,7 +208,7 @@ static void closed_coefficients(double e, double k[4], double c[4]) {
     c[3] = 2.0 * pi * h * (pi2 * p * p + 48.0 * e2) / (e * root);
 }
 
-/// Where a load along -y holds the journal at eccentricity ratio e, and sigma = F0/W there.
+/// Finds the place at eccentricity ratio e where a load along -y holds the journal, and returns sigma = F0/W there.
 static double place_journal(double e, double position[2]) {
     const double phi = atan2(pi * sqrt(1.0 - e * e), 4.0 * e);
     double force[2];

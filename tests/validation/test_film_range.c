@@ -1,4 +1,4 @@
-// How far the law of short bearings carries: its force beside that of films of finite length, by Reynolds' equation.
+// Range of the law of short bearings: its force compared with that of films of finite length, by Reynolds' equation.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -65,7 +65,7 @@ static void finite_lengths_have_both_limits(void **unused) {
     }
 }
 
-/// What the theory says of it.
+/// The shares of the load in the table of docs/theory.md.
 static void the_short_law_is_too_strong_beyond_its_range(void **unused) {
     (void)unused;
     static const struct {

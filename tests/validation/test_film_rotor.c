@@ -15,7 +15,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/// Where a load along -y holds the journal at eccentricity ratio e (A3), and sigma = F0/W there.
+/// Finds the place at eccentricity ratio e where a load along -y holds the journal (A3). Returns sigma = F0/W there.
 static double place_journal(double e, double position[2]) {
     const double phi = atan2(pi * sqrt(1.0 - e * e), 4.0 * e);
     double force[2];

@@ -202,7 +202,7 @@ static whirl_result *run_disc(const char *scale, const char *rotation, const cha
     return run_disc_with(scale, rotation, unknown, "bode.csv");
 }
 
-/// What was put in comes out, whatever the unit of the state, and clockwise, too.
+/// Fits find the parameters of closed forms, for any unit of the state, and clockwise, too.
 static void closed_forms(void **unused) {
     (void)unused;
     static const struct {

@@ -152,7 +152,7 @@ static reference near_graze(uint64_t *seed) {
     }
 }
 
-/// What one block of motions showed.
+/// Counts over one block of motions.
 typedef struct tally {
     int motions, touched, faint, miscounted;
     double apart; ///< largest difference of an end state

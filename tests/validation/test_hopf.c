@@ -85,7 +85,7 @@ static void circles_begin_at_the_hopf_point(void **state) {
     const double square = (sqrt(3.0) - 1.0) / 2.0;
     check_within("Hopf", "circles, at p = .5: square of the radius", square, radius * radius, 1e-10);
     check_within("Hopf", "circles, its period", 2.0 * pi / 1.7, last->orbit->period, 1e-10);
-    // Of perturbations of the radius, (r^2)' = 2 r^2 (p - r^2 - r^4).
+    // Perturbations of the radius follow (r^2)' = 2 r^2 (p - r^2 - r^4).
     check_within("Hopf", "circles, its multiplier", exp(-2.0 * square * (1.0 + 2.0 * square) * 2.0 * pi / 1.7),
                  last->orbit->multipliers[1].real, 1e-10);
     whirl_branch_free(whirling);

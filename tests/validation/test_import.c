@@ -72,7 +72,7 @@ static void magnet_of_ross(double gap, double bias, double area, double turns, d
     *by_place = *by_current * bias / gap;
 }
 
-/// What the file says of magnets, gains of parts and PID, beside linear magnets by hand.
+/// Magnets, gains of parts and PID from the file, compared with linear magnets by hand.
 static void test_magnetic(void **state) {
     char by_hand[1024];
     double by_current, by_place, clock;
@@ -210,7 +210,7 @@ static double *jacobian_with(size_t edits, const char *line, size_t from, size_t
     return columns;
 }
 
-/// What elements have of their own adds up: of the first two and of the other four, beyond that of none, is that of
+/// Effects of the options of elements add up: that of the first two elements plus that of the other four is that of
 /// all.
 static void test_options_add_up(void **state) {
     static const char *const lines[] = {"gyroscopic = false\n", "alpha = 12.0\n", "beta = 3e-5\n"};

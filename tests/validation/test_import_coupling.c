@@ -19,7 +19,7 @@ static const double pi = 3.14159265358979323846, speed = 300.0;
 
 // ---------------------------------------------------------------- matrices
 
-/// Of a node: displacements and slopes in both planes.
+/// Coordinates of a node: displacements and slopes in both planes.
 enum { X, SLOPE_X, Y, SLOPE_Y, PER_NODE };
 enum { MOST = 9 * PER_NODE };
 
@@ -211,8 +211,8 @@ static void test_coupled(void **state) {
     free(text);
 }
 
-/// What differs in x and y is a bearing between both shafts; inertia about a diameter is half the polar one where the
-/// file has none.
+/// A coupling that differs in x and y becomes a bearing between both shafts. Its inertia about a diameter is half the
+/// polar one if the file has none.
 static void test_unequal(void **state) {
     pencil matrices = {.size = 8 * PER_NODE};
     coupling unequal = plain;

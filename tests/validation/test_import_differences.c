@@ -1,4 +1,4 @@
-// What ROSS computes otherwise of the same numbers, and by how much: the notes of an import say so.
+// Results that ROSS computes otherwise from the same numbers, and by how much, as the notes of an import say.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

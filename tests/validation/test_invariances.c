@@ -63,7 +63,7 @@ static void check_standing(const char *name, const char *part, double one, doubl
     whirl_result_free(result);
 }
 
-/// What turns with the shaft stays at its angle of t = 0.
+/// At standstill everything that turns with the shaft stays at its angle of t = 0.
 static void what_turns_stands_still(void **state) {
     (void)state;
     check_standing("unequal stiffness", "shaft: {between: [mass, ground], k1: 1 MN/m, k2: 1.3 MN/m}", 1e6, 1.3e6);

@@ -1,6 +1,6 @@
-// What must not change a reported number: the side from which a machine is looked at, the length that displacements
-// are told in, the units of a case, the order of its stations and elements. One small machine of every element of the
-// registry, all fields of its tables at rest and in motion.
+// Reported numbers do not depend on the side from which a machine is seen, the length scale, the units of a case, and
+// the order of its stations and elements. The tests compare all fields of the tables, at rest and in motion, of one
+// small machine for each element.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

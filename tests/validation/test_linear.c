@@ -149,7 +149,8 @@ static void gyroscopic_modes(void **unused) {
 
 // ---------------------------------------------------------------- journals in films
 
-/// Where a load along -y holds the journal at eccentricity ratio e (case A3), and sigma = F0/W there.
+/// Finds the place at eccentricity ratio e where a load along -y holds the journal (case A3). Returns sigma = F0/W
+/// there.
 static double place_journal(double e, double position[2]) {
     const double phi = atan2(pi * sqrt(1.0 - e * e), 4.0 * e);
     double force[2];

@@ -87,7 +87,7 @@ static void as_by_hand(void **state) {
     }
 }
 
-/// What is wrong with a number of a list is told at its place.
+/// The message about a wrong number of a list names its place.
 static void wrong_numbers(void **state) {
     static const struct {
         const char *extension, *sentence;

@@ -109,7 +109,7 @@ static whirl_rotor *make(const char *element, const char *moves, bool spring) {
     return rotor;
 }
 
-/// Where the coordinates of one machine are in the other: displacements, velocities, then states of elements.
+/// Finds the coordinates of one machine in the other: displacements, velocities, then states of elements.
 static size_t match(const whirl_system *one, const whirl_system *other, const char *moves, size_t *at) {
     size_t count = 0;
     const bool along_y = strcmp(moves, "y") == 0;

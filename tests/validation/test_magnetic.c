@@ -124,7 +124,7 @@ static void poles(void **unused) {
     }
 }
 
-/// What a loop of sensor, PID, filter and amplifier is at s.
+/// Returns the transfer function of a loop of sensor, PID, filter and amplifier at s.
 static double complex loop_at(double complex s) {
     const double complex sensor = 1.0 / (1.0 + 1.4 * s / 9e3 + s * s / 81e6);
     const double complex pid = 2e4 + 1e5 / s + 40.0 * s / (1.0 + 2e-4 * s);

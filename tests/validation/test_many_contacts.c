@@ -99,7 +99,7 @@ static void carry(const whirl_rotor *rotor, size_t count, const char *method, bo
     free(u);
 }
 
-/// How far discs are from themselves alone.
+/// Returns the largest difference between discs in one machine and the same discs in machines of their own.
 static double apart(const char *method, bool located) {
     static double all[TOLD * DISCS];
     double alone[TOLD], most = 0.0;

@@ -60,8 +60,8 @@ static void margins(void **unused) {
                  0.0);
 }
 
-/// Where a range begins or ends on the side of a peak, or another peak is beside it, there is one point of half power
-/// or none: for small damping both other ways give 1/(2 z), too.
+/// If a range ends on the side of a peak, or another peak is near, there is one point of half power or none. For small
+/// damping both other ways give 1/(2 z), too.
 static void other_ways(void **unused) {
     static double r[POINTS], size[POINTS], lag[POINTS];
     static const double z = 0.01;

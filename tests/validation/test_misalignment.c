@@ -205,7 +205,7 @@ static const char *const printed[] = {"-2.00002800022", "33.0000045", ".55000002
                                       "-.1000002",      "1.1000002",  ".200001600012"};
 static const char *const reactions[] = {"FX1", "FY1", "MX1", "MY1", "MX2", "MY2"};
 
-/// Of reactions FX1, FY1, ... the forces on x, y of both places and the moments on their tilts.
+/// Writes reactions FX1, FY1, ... as the forces on x, y of both places and the moments on their tilts.
 static void as_forces(const double *of, double *force) {
     const double all[DEGREES] = {of[0], of[1], -of[0], -of[1], -of[3], of[2], -of[5], of[4]};
     memcpy(force, all, sizeof all);

@@ -224,7 +224,7 @@ static void put_evidence(double r_k, const char *what, double value) {
     if (!isnan(value)) printf("evidence | r_k = %.2f, %s | - | %.4g | - | -\n", r_k, what, value);
 }
 
-/// What supports the verdict, beside the exponent.
+/// Checks the evidence for the verdict other than the exponent.
 static void check_evidence(const whirl_table *table, size_t point, const whirl_verdict *verdict) {
     const known_point *k = &known[point];
     char name[64];

@@ -68,7 +68,7 @@ static void plane_of_springs(double *values, double *seconds) {
     }
 }
 
-/// Of a stacked map every plane has one row, and the forces change from plane to plane.
+/// Runs the study of springs. In a stacked map every plane has one row, and the forces change from plane to plane.
 static whirl_result *run_springs(size_t rounds, bool stacked) {
     static const char *const analyses[] = {"poincare", "orbit", "regime"};
     static double values[PLACES], seconds[PLACES], nothing[PLACES];
@@ -122,7 +122,7 @@ static double section_distance(const whirl_table *table, size_t point, const dou
     return fabs(section[0] - seen[0]);
 }
 
-/// What a map of springs has found, beside brute force.
+/// Results of a map of springs, compared with brute force.
 typedef struct tally {
     int several;    ///< places at which brute force knows two motions
     int differing;  ///< places with another number of attractors

@@ -48,7 +48,7 @@ static bool differs(const whirl_verdict *a, const whirl_verdict *b) {
     return a->regime != b->regime || a->period != b->period || a->curves != b->curves;
 }
 
-/// What the points that are periodic have cost, revolutions of Newton's method included.
+/// Cost of the periodic points, revolutions of Newton's method included.
 typedef struct cost {
     size_t periodic, ended, differing, other_orbit, less_trusted;
     double motion, newton;
@@ -98,7 +98,7 @@ static void the_papers_diagram(void **state) {
     whirl_case_free(d.object);
 }
 
-/// Where every point starts from the attractor of the one before it, it goes to another one where the whole run does.
+/// A carried sweep whose periodic motions end early leaves an attractor at the same values as the whole run.
 /// (Aperiodic points that follow a chaotic one start from other points of it, by rounding: those in doubt may differ.)
 static void carried_both_ways(void **state) {
     enum { POINTS = 24 };

@@ -328,8 +328,8 @@ static void supplied(void **unused) {
     assert_int_equal(whirl_pads_at(&bearing, (const double[]){0.0, 0.0}, &state).code, WHIRL_BAD_INPUT);
 }
 
-/// What a pad without inertia is to the journal with its tilt eliminated: Z* t = 0 and t Z* = 0, so one stiffness along
-/// the radius, det Z/(t Z t). A spring at its pivot is in series.
+/// Returns the stiffness of a pad without inertia, its tilt eliminated: Z* t = 0 and t Z* = 0 leave one along the
+/// radius, det Z/(t Z t). A spring at its pivot is in series.
 static double complex alone(const whirl_pad *pad, double of[2][2][2], double ratio) {
     const double t[] = {-sin(pad->pivot), cos(pad->pivot)};
     double complex z[2][2], along = 0.0;

@@ -37,7 +37,7 @@ static const layout layouts[] = {{"4 pads, load between", 4, 45.0, 75.0},
                                  {"5 pads, load between", 5, 18.0, 60.0},
                                  {"5 pads, load on", 5, 54.0, 60.0}};
 
-/// What holds the pads besides their films.
+/// Inertia and springs of pads.
 typedef struct tilt_case {
     const char *name;
     double inertia, stiffness;

@@ -120,8 +120,8 @@ static motion period(motion at) {
     return at;
 }
 
-/// What became of a start: the way that it turns in the end, the period in which that was clear, and the growth of a
-/// perturbation up to every period.
+/// End of a motion: the way that it turns, the period in which that was clear, and the growth of a perturbation up to
+/// every period.
 typedef struct fate {
     int way, life;
     double growth[PERIODS];

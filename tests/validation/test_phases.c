@@ -66,7 +66,7 @@ static double complex response(double complex force, double nu, double t) {
     return force * cexp(I * nu * t) / (stiffness - mass * nu * nu + I * damping * nu) / scale;
 }
 
-/// Of all forces of the test below.
+/// Returns the sum of the responses to all forces of the test below.
 static double complex all_responses(double t) {
     static const double ratio = 1.5, turning = 0.6180339887498949, hertz = 31.0, second = -1.25;
     const double nu[] = {ratio * speed, turning * speed, two_pi * hertz, second * speed};

@@ -95,7 +95,7 @@ static int locate(const exact *of, const double x[2]) {
     return at;
 }
 
-/// Where (y, v) leaves the piece within `span`, by bisection; y lies outside at `span`.
+/// Returns the time at which (y, v) leaves the piece, by bisection; y is outside at `span`.
 static double leave(const exact *of, const piece *on, double t, double span, const double x[2]) {
     double inside = 0.0, outside = span, y[2];
     for (int i = 0; i < 200; i++) {

@@ -17,10 +17,10 @@
 /// p of 1 N, Pa: of a ball of 10 mm on a race of 15 mm with a groove of 5.2 mm, by the elliptic integrals themselves.
 static const double hertz_of_1_n = 2.25656085e8;
 
-/// What stands before what is compared.
+/// Prefix of the name of each comparison.
 static char whose[80];
 
-/// Agreement to within a part of what is expected.
+/// Checks agreement to within a relative tolerance.
 static void check_relative(const char *what, double obtained, double expected, double tolerance) {
     check_within("RA", words("%s%s", whose, what), expected, obtained, tolerance * fabs(expected));
 }

@@ -43,7 +43,7 @@ static whirl_rotor *make(const char *kind, double speed, double scale, double ma
 
 // ---------------------------------------------------------------- equilibria of rollers
 
-/// Where the weight along x rests, in lengths of the scale.
+/// Returns the position of rest under a weight along x, in length scales.
 static double rest_of(const whirl_system *system, double low, double high) {
     double x[8] = {0}, slope[8];
     for (int i = 0; i < 200; i++) {

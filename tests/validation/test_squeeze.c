@@ -58,7 +58,7 @@ static void damper_force(const whirl_rotor *rotor, bool is_long, const double s[
     evaluate_rhs(whirl_rotor_system(rotor), 0.0, state, slope);
     for (int i = 0; i < 2; i++) {
         force[i] = slope[4 + i] / (is_long ? 12.0 : 1.0);
-        // What acts on the housing is the opposite.
+        // The force on the housing is the opposite.
         assert_true(slope[6 + i] == -slope[4 + i]);
     }
 }
@@ -314,7 +314,7 @@ static void derivative(void **unused) {
     }
 }
 
-/// Where nothing moves, forces and derivatives are numbers: the half film damps half as much as the whole one.
+/// At rest forces and derivatives are finite: the half film damps half as much as the whole one.
 static void at_rest(void **unused) {
     (void)unused;
     for (int k = 0; k < 4; k += 2) {
@@ -426,7 +426,7 @@ static void rotor_orbits(void **unused) {
         double roots[3], state[8];
         const int count = circles(speeds[i], roots);
         assert_int_equal(count, speeds[i] == 600.0 ? 3 : 1);
-        // Of three circles the middle one is unstable (White 1972).
+        // The middle one of three circles is unstable (White 1972).
         for (int k = 0; k < count; k += 2) {
             settle(speeds[i], roots[k], state);
             const char *which = count == 1 ? "" : k ? ", large orbit" : ", small orbit";

@@ -196,7 +196,7 @@ static const char *const paper_study = "study:\n"
                                        "  integrate: {method: dop853, rtol: 1e-6, transient: 8000, record: 100}\n"
                                        "  analyze: [poincare, regime, lyapunov, orbit, rub, floquet]\n";
 
-/// Whether a motion is one of those that are looked for.
+/// Returns true if a motion is of the searched kind.
 static bool is_sought(const ratio *at, int period, double largest) {
     return period == at->period && largest > at->low && largest < at->high;
 }

@@ -1,4 +1,4 @@
-// What the weight does to shafts, against closed forms: sag, moments and loads of uniform beams, influence of
+// Effect of the weight on shafts, against closed forms: sag, moments and loads of uniform beams, influence of
 // elevations, and the alignment of two rotors at a rigid coupling.
 #include <math.h>
 #include <setjmp.h>

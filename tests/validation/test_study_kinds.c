@@ -1,5 +1,4 @@
-// What holds of studies of every kind: files of finished runs, and of runs that were stopped before their
-// first point.
+// Properties of studies of every kind: files of finished runs, and of runs that were stopped before their first point.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -231,7 +230,7 @@ static void finished_files_are_recognised(void **state) {
         if (!whirl_result_same_study(read, outline, difference, sizeof difference))
             fail_msg("%s: %s", difference, studies[i].study);
         no_verdict_is_said(result, studies[i].study);
-        // Of another machine it is not.
+        // A result of another machine is not of the same study.
         read->parameters[0].value += 0.1;
         assert_false(whirl_result_same_study(read, outline, difference, sizeof difference));
         whirl_result_free(read);

@@ -1,4 +1,4 @@
-// How long chaos lives: copies of motions whose mean life is known.
+// Lifetime of chaos: copies of motions whose mean life is known.
 //
 // The section of the flow follows a map (test_verdicts_maps.c): a parabola that overshoots the interval 0 .. 1 by p
 // loses a motion after pi/(2 sqrt(p)) revolutions in the mean, by the density 1/(pi sqrt(x (1 - x))) of p = 0, with
@@ -44,7 +44,7 @@ static whirl_integrate_options steps(void) {
     return options;
 }
 
-/// What becomes of copies of a motion that was chaotic for 400 revolutions; false where it was not.
+/// Follows copies of a motion that was chaotic for 400 revolutions. Returns false if it was not.
 static bool follow_copies(double p, double start, double exponent, whirl_survival *found) {
     const whirl_system system = {.dimension = 4, .period = 2.0 * pi, .rhs = rhs, .model = &p};
     const double x[] = {start, 0.0, 0.0, 0.0};

@@ -42,7 +42,7 @@ static whirl_synchronous synchronous_of(whirl_rotor *rotor, const double *start,
     return found;
 }
 
-/// How far z = amplitude e^(-i lag) is from what it should be, over that.
+/// Returns the relative error of z = amplitude e^(-i lag).
 static double distance(const whirl_synchronous *found, int part, double complex expected) {
     const double complex z = found->amplitude[part] * cexp(-I * found->lag[part] * degree);
     return cabs(z - expected) / cabs(expected);

@@ -192,7 +192,7 @@ static void test_probability(void **state) {
     // Intervals of independent samples are wide for these, whose errors are smaller.
     assert_int_equal(inside, SEEDS);
     assert_true(errors < sqrt(0.0625 * 0.9375 / 512.0));
-    // Of 8 cases at 95 % fewer than 6 are near once in 300 times.
+    // With a probability of 95 % for each, fewer than 6 of 8 cases are near once in 300 times.
     for (size_t i = 0; i < 3; i++)
         if (near[i] < 6) fail_msg("estimate %zu: near in %zu of %d cases", i, near[i], SEEDS);
 }

@@ -60,8 +60,8 @@ static double extreme_excess(double omega, double K, int p, int q, int side) {
     return excess(omega, K, p, q, 0.5 * (low + high));
 }
 
-/// Where the tongue p/q begins (side 1) or ends (side -1): the excess grows with Omega, and orbits are there while its
-/// largest is positive and its least negative.
+/// Returns the Omega at which the tongue p/q begins (side 1) or ends (side -1). The excess grows with Omega, and orbits
+/// exist while its largest value is positive and its least one negative.
 static double boundary(double K, int p, int q, int side) {
     double low = (double)p / q - 0.5, high = (double)p / q + 0.5;
     while (high - low > 1e-14) {
@@ -181,7 +181,7 @@ static size_t tongues_at(double K, tongue tongues[16]) {
     return count;
 }
 
-/// What is expected of a point: the period of its tongue, 0 outside of all, -1 within a cell of a boundary.
+/// Returns the expected period of a point: that of its tongue, 0 outside of all, -1 within a cell of a boundary.
 static int expected_at(const tongue *tongues, size_t count, double omega) {
     int expected = 0;
     for (size_t i = 0; i < count; i++) {

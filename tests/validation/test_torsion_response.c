@@ -299,7 +299,7 @@ static void varying_mesh(void **state) {
     }
 }
 
-/// What must not change a number: the sense of rotation, the length scale, the order of stations.
+/// Numbers do not depend on the sense of rotation, the length scale, and the order of stations.
 static void invariances(void **state) {
     char text[SIZE], turned[SIZE + 32];
     static const char *const fields[] = {WHIRL_FIELD_TORSION_TORQUE, WHIRL_FIELD_TORSION_TORQUE_LAG};

@@ -16,7 +16,7 @@
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 static const char *const id = "unlike machines";
 
-/// What stands in a case: its stations, elements and the parameter's values; p is swept.
+/// Contents of a case: its stations, elements and the values of the swept parameter p.
 typedef struct tempting {
     const char *what, *stations, *elements;
     double values[4];
@@ -116,7 +116,8 @@ static const tempting refused[] = {{"tilts that begin within the sweep",
                                     "    - spring: {between: [disc, ground], stiffness: 1e6, damping: 100}\n",
                                     {1.0, 2.0, 3.0, 4.0}}};
 
-/// What a run of that point says, in the study of the first point with the others put into it behind the case's back.
+/// Returns the status of a run of the study of the first point, to which the test adds the other values after the case
+/// was checked.
 static whirl_status run_unchecked(const tempting *of) {
     whirl_case *object =
         case_of_text(text_of(of, words("sweep: {parameter: p, values: [%g]}", of->values[0]), "dop853"));

@@ -152,13 +152,13 @@ static double iterate(double r, double x, int count) {
     return x;
 }
 
-/// What is 0 where the middle comes back after k (superstable P-k), or, with `meets`, where it falls on the unstable
-/// fixed point 1 - 1/r after k: chaos with an invariant density (Misiurewicz 1981).
+/// Returns a function of r that is 0 if the middle returns after k steps (superstable P-k), or with `meets` if it falls
+/// on the unstable fixed point 1 - 1/r after k: chaos with an invariant density (Misiurewicz 1981).
 static double condition(double r, int k, bool meets) {
     return iterate(r, 0.5, k) - (meets ? 1.0 - 1.0 / r : 0.5);
 }
 
-/// Whether it is 0 earlier.
+/// Returns true if this condition holds for a smaller k, too.
 static bool is_earlier(double r, int k, bool meets) {
     for (int j = 1; j < k; j++)
         if (fabs(condition(r, j, meets)) < 1e-7) return true;
@@ -233,7 +233,7 @@ static bool make_transient(size_t index, known_motion *m) {
 
 // ---------------------------------------------------------------- growth
 
-/// Of multipliers, in turns.
+/// Angles of multipliers, in turns.
 static const double angles[] = {0.0, 0.5, 0.25, 0.3819660112501052, 0.01};
 
 /// Multipliers above 1: from 1e-6 on, some leave all bounds within the run, and slow ones do not.

@@ -31,9 +31,9 @@ static double bending(void) {
 
 // ---------------------------------------------------------------- the heavy cantilever
 
-/// What is 0 at a natural frequency of a cantilever clamped at x = 0 and free at x = 1, whose weight pulls it
-/// (pull > 0: it hangs) or presses it: w'''' = pull ((1 - x) w')' + square w, by a power series about the clamp; pull
-/// is q L^3/EI and square is omega^2 m L^4/EI.
+/// Returns a function that is 0 at the natural frequencies of a cantilever clamped at x = 0 and free at x = 1, whose
+/// weight pulls it (pull > 0: it hangs) or presses it: w'''' = pull ((1 - x) w')' + square w, by a power series about
+/// the clamp; pull is q L^3/EI and square is omega^2 m L^4/EI.
 static double free_end(double pull, double square) {
     long double bent[2] = {0.0L, 0.0L}, sheared[2] = {0.0L, 0.0L};
     for (int which = 0; which < 2; which++) {
@@ -167,7 +167,7 @@ static void chain(void **state) {
 
 // ---------------------------------------------------------------- axial forces and bearings
 
-/// Of a field of statics at a station.
+/// Returns number `which` of a field of statics at a station.
 static double at(const whirl_result *result, const char *field, size_t station, size_t which) {
     const double *numbers = whirl_table_field(&result->tables[0], 0, field, station);
     return numbers ? numbers[which] : (double)NAN;

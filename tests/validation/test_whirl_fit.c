@@ -459,7 +459,7 @@ static double growth_at(const whirl_case *object, double q) {
     return growth;
 }
 
-/// Where a mode neither grows nor decays, coefficients at its frequency are the impedance itself.
+/// For a mode that neither grows nor decays, the coefficients at its frequency are the impedance itself.
 static void tilting_pads(void **state) {
     whirl_problems problems = {0};
     whirl_case *object;
@@ -548,7 +548,7 @@ static void refused(void **state) {
                            "most fit_error, 2 %: more poles, closer frequencies or a larger fit_error"));
 }
 
-/// What a result of the case tells of.
+/// Returns the result of a case with this bearing.
 static whirl_result *told_of(const char *bearing) {
     static char text[WHOLE], problems[WHOLE];
     whirl_case *object = NULL;

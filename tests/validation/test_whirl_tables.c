@@ -265,7 +265,7 @@ static void own_state(void **state) {
     }
 }
 
-/// Where the decay is 0, K and C at the damped frequency are Z itself: m w^2 = K(w), q = w C(w).
+/// At a decay of 0, K and C at the damped frequency are Z itself: m w^2 = K(w), q = w C(w).
 static void onset(void **state) {
     static char text[3][TEXT];
     const solid s = {10.0, 1e6, 2e5, 2e-3};

@@ -142,7 +142,7 @@ static void test_points_in_doubt_are_refined(void **state) {
         const int times = refined_steps(i) / STEPS;
         assert_int_equal(verdict.regime, WHIRL_PERIODIC);
         assert_int_equal(verdict.confidence, WHIRL_HIGH);
-        // What is unstable is told at once, and how many steps are not; then twice as many once more.
+        // One round refines an unstable point with a stable number of steps, and confirms it with twice as many.
         assert_int_equal(number(result, i, "refine/rounds"), is_wrong(i) ? 1 : 0);
         assert_int_equal(number(result, i, "refine/steps_per_revolution"), refined_steps(i));
         assert_int_equal(number(result, i, "refine/transient"), 60);

@@ -30,7 +30,8 @@ static bool open_point(void *context, size_t batch, size_t slot) {
     return !((const table *)context)->known[batch][slot];
 }
 
-/// A quarter of the pieces for the first run, a third of what is left for the second, and so on; in twos and threes.
+/// Deals pieces to a run, two or three at a time: in all a quarter of them to the first run, a third of the rest to the
+/// second, and so on.
 static size_t claim(void *context, size_t batch, size_t count, size_t *first) {
     table *all = context;
     assert_true(batch < 2 && all->dealt[batch] <= count);
@@ -60,7 +61,7 @@ static whirl_status gather(void *context) {
     return whirl_ok();
 }
 
-/// What a run gives; `stop` ends it.
+/// Runs the study as run `number` of all and returns its result; `stop` ends it.
 static whirl_result *run_one(table *all, size_t number, const whirl_stop *stop, whirl_status *status) {
     const whirl_point_store store = {.keep = memory_keep, .recall = memory_recall, .context = all->stores[number]};
     const bool last = number + 1 == RUNS;
@@ -91,7 +92,7 @@ static void run_others(table *all) {
     }
 }
 
-/// Whose stores have what a run before has left, of every third point or nothing.
+/// Makes the runs and their stores. If `resumed`, an earlier run left parts of the points in the store of the last run.
 static void begin(table *all, const whirl_study *s, bool resumed) {
     *all = (table){.study = s};
     for (size_t i = 0; i < RUNS; i++) all->stores[i] = store_new(slots_of(s), 1);
@@ -100,13 +101,14 @@ static void begin(table *all, const whirl_study *s, bool resumed) {
     whirl_result_free(run_kept(s, own, WHIRL_OK));
     for (size_t slot = 0; slot < own->slots; slot++) {
         for (size_t pass = 0; pass < 2; pass++) {
-            // Of some points the confirmation is missing, of others both; what is left of a chain is its beginning.
+            // A third of the points is complete, a third lacks the confirmation, a third is missing. Of a carried chain
+            // its first third is there.
             const bool carried = s->batches[0].carry != WHIRL_CARRY_NONE;
             const bool keep = carried ? slot < POINTS / 3 : slot % 3 == 0 || (slot % 3 == 1 && pass == 0);
             own->known[pass][slot] = all->known[pass][slot] = own->known[pass][slot] && keep;
         }
     }
-    // Whoever is dealt a chain goes on with it.
+    // Every run can continue a chain that it is dealt.
     for (size_t i = 0; i + 1 < RUNS && s->batches[0].carry != WHIRL_CARRY_NONE; i++)
         memcpy(all->stores[i], own, sizeof *own);
 }
@@ -143,7 +145,7 @@ static void test_all_together_make_the_whole(void **state) {
         }
 }
 
-/// What is known is not dealt out. A chain of which something is missing is, to a run that has the rest of it.
+/// Points that are known are not dealt out. An incomplete chain is dealt, to a run that has the rest of it.
 static void test_what_is_known_is_not_dealt(void **state) {
     double values[POINTS];
     (void)state;

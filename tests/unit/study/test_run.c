@@ -208,7 +208,7 @@ static void test_recalled_points_change_no_bit(void **state) {
     }
 }
 
-/// Where a table is large its blocks stay with the store: to be asked for one by one, the same to the bit.
+/// Blocks of a large table stay with the store. Recalled one by one, they are the same to the bit.
 static void test_blocks_may_stay_with_the_store(void **state) {
     double values[POINTS];
     const whirl_study s = study(values, WHIRL_CARRY_BOTH);

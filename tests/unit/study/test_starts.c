@@ -24,7 +24,7 @@ static void halton_is_as_published(void **state) {
     for (size_t i = 0; i < sizeof three / sizeof *three; i++) assert_true(fabs(whirl_halton(i, 1) - three[i]) < 1e-15);
 }
 
-/// Of 2^3 x 3^2 points in a row one lies in every box of an eighth by a ninth: what makes them even.
+/// The sequence of Halton is even: of 2^3 x 3^2 successive points every box of an eighth by a ninth has one.
 static void halton_fills_boxes(void **state) {
     int boxes[8][9] = {{0}};
     (void)state;
@@ -208,7 +208,7 @@ static void attractors_go_on_along_a_sweep(void **state) {
     drop(&table);
 }
 
-/// Of two candidates the nearer one goes on; half of the motion's extent, 4 here, is too far.
+/// An attractor continues to the nearer of two candidates; one at half of the motion's extent, 4 here, is too far.
 static void the_nearest_goes_on(void **state) {
     whirl_table table = make(3, 2, 0);
     (void)state;
@@ -344,7 +344,7 @@ static void views_have_attractors_once(void **state) {
     }
 }
 
-/// Of n starts all miss what a share p of them leads to with the chance (1 - p)^n.
+/// All n starts miss an attractor to which a share p of starts leads with the probability (1 - p)^n.
 static void missed_shares(void **state) {
     (void)state;
     for (size_t n = 1; n < 100; n += 7) assert_true(fabs(pow(1.0 - whirl_missed_share(n), (double)n) - 0.05) < 1e-12);
