@@ -72,10 +72,10 @@ for (const width of [1280, 390])
     assert.ok(figures.length >= 4, `${figures.length} figures`);
     assert.ok(figures.every((whole) => whole));
     // The points in detail are a link away, and the last column of the last row can be brought into sight.
-    await page.click('nav a[href="#points-1"]');
+    await page.click('nav a[href="#regimes-detail-1"]');
     const box = await page.evaluate(() => {
-      const table = document.querySelector('#points-1 ~ .scroll table, #points-1 ~ div table');
-      const top = document.querySelector('#points-1').getBoundingClientRect().top;
+      const table = document.querySelector('#regimes-detail-1 ~ .scroll table, #regimes-detail-1 ~ div table');
+      const top = document.querySelector('#regimes-detail-1').getBoundingClientRect().top;
       const last = table.rows[table.rows.length - 1].lastElementChild;
       last.scrollIntoView({ block: 'center', inline: 'end' });
       const { left, right, width: size } = last.getBoundingClientRect();

@@ -2,8 +2,6 @@
 #include "explorer_contents.h"
 #include "document.h"
 #include "findings_render.h"
-#include "law_range_text.h"
-#include "motions_text.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/findings.h"
 #include "whirl/engine/result.h"
@@ -66,23 +64,6 @@ static bool put_value(FILE *stream, const char *key, bool well, json_t *value) {
 
 // ---------------------------------------------------------------- tables
 
-/// Returns notes on a table: its motions in words, parameter ranges outside validity limits, contacts at rest.
-static json_t *notes_of(bool *well, const contents *of, const whirl_table *table) {
-    char motions[MOTIONS_TEXT_SIZE], text[RANGE_TEXT_SIZE];
-    json_t *notes = json_array();
-    if (motions_beside(table)) {
-        motions_text(&of->units, of->view, of->machine, table, motions);
-        document_append(well, notes, document_text(motions));
-    }
-    for (size_t i = 0; *whirl_result_law_range(of->view, i); i++)
-        if (law_range_text(&of->units, table, i, text)) document_append(well, notes, document_text(text));
-    if (no_equilibrium_text(&of->units, table, text)) document_append(well, notes, document_text(text));
-    if (other_equilibrium_text(&of->units, table, text)) document_append(well, notes, document_text(text));
-    for (size_t i = 0; i < of->view->contact_count; i++)
-        if (closed_contact_text(&of->units, table, i, text)) document_append(well, notes, document_text(text));
-    return notes;
-}
-
 /// Returns the name of the live view in which the page shows a table; "" if it has none. Live views compute motions of
 /// the case's machine.
 static const char *view_of(const whirl_table *table) {
@@ -93,7 +74,7 @@ static const char *view_of(const whirl_table *table) {
     return kind == &shown_modes ? "modes" : kind == &shown_unbalance ? "unbalance" : "";
 }
 
-/// Writes every table: name, kind, live view, notes.
+/// Writes every table: name, kind, live view.
 static bool put_tables(const contents *of) {
     bool well = true;
     json_t *tables = json_array();
@@ -101,9 +82,8 @@ static bool put_tables(const contents *of) {
         const shown_kind *kind = shown_kind_of(table);
         json_t *one = json_object();
         document_put(&well, one, "table", document_text(table->name));
-        document_put(&well, one, "title", document_text(kind ? kind->name : "Motions"));
+        document_put(&well, one, "title", document_text(kind->name));
         document_put(&well, one, "view", document_text(view_of(table)));
-        document_put(&well, one, "notes", notes_of(&well, of, table));
         document_append(&well, tables, one);
     }
     return put_value(of->stream, "parts", well, tables);

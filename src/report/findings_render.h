@@ -38,7 +38,7 @@ void sheet_write_latex(FILE *stream, const whirl_sheet *sheet);
 void sheet_write_markdown(FILE *stream, const whirl_sheet *sheet);
 
 /// Writes statements and sheets of a table as text. points, rows: largest numbers of rows of sheets with a row for each
-/// point, and of other sheets. Returns false without memory.
+/// point, and of other sheets; SIZE_MAX: all, and sheets that summaries leave out. Returns false without memory.
 bool findings_write_table(FILE *stream, const whirl_findings *findings, const char *table, size_t points, size_t rows);
 
 /// Writes a warning about a point of a bearing, or about the bearing as a whole (point NULL). units: NULL for those of

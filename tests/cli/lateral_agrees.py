@@ -19,7 +19,7 @@ import sys
 
 
 def plain(markup):
-    return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]+>", " ", markup))).strip()
+    return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]+>", " ", markup))).strip().replace("\u00b1", "+-")
 
 
 def numbers(text):

@@ -36,11 +36,15 @@ FIXED = {
     r"Critical speeds and thresholds of stability": "a title",
     r"Amplitudes say whether they are zero to peak \(0-p\) or peak to peak \(p-p\)\.": "the convention",
     r"Time against the rotation: .*": "a definition",
+    r"Amplitudes and phase lags of x, of y, and of the circular motions .*": "a definition",
+    r"The exponent is the mean over all watched revolutions, .*": "a definition",
+    r"Every point was started from .*": "the method",
+    r"At the (running speed|frequency of the \w+) \(1X\)": "a title",
 }
 
 
 def plain(markup):
-    return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]+>", " ", markup))).strip().replace(" .", ".")
+    return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]+>", " ", markup))).strip().replace(" .", ".").replace("\u00b1", "+-")
 
 
 def sentences(markup):
@@ -387,6 +391,180 @@ def clearances_unknown(result, own):
     assert own["verdict"] == "not known" and not own["found"]["text"]
 
 
+def of_several_starts(result, table):
+    return result.file[table].attrs.get("starts", 1) > 1
+
+
+def motions(result, own):
+    """How many come back, diverge, are in doubt, have no verdict or end early."""
+    table, text = own["table"], own["found"]["text"]
+    match = re.fullmatch(r"(\d+), not judged \(analyze: regime\): (\d+) revolutions[^;]*(?:; (\d+) of them ended early.*)?", text)
+    if match:
+        assert int(match[1]) == len(result.values(table)) and int(match[2]) == result.option(table, "record")
+        assert int(match[3] or 0) == missing(result, table).sum(), f"{missing(result, table).sum()} have no numbers"
+        return
+    codes, periods = result.field(table, "regime/code"), result.field(table, "regime/period")
+    match = re.fullmatch(r"(?P<one>\d+) of (?P<all>\d+) come back every revolution(?:, \d+ diverge \(.*?\))?"
+                         r"(?:, (?P<doubt>\d+) are in doubt)?(?P<rest>.*)", text)
+    assert match, text
+    if of_several_starts(result, table):
+        of_starts(result, table, match)
+        return
+    assert int(match["all"]) == len(codes) and int(match["one"]) == np.sum((codes == 1) & (periods == 1)), f"{codes}, {periods}"
+    doubt = np.sum(result.field(table, "regime/confidence") == 0)
+    assert int(match["doubt"] or 0) == doubt, f"{doubt} in doubt"
+
+
+def of_starts(result, table, match):
+    """Motions from several starts a point: how many starts have no verdict, at how many points none has one, and that the
+    others are told."""
+    codes, values = result.field(table, "regime/code"), result.values(table)
+    told = {value: np.any(codes[values == value] > 0) for value in set(values)}
+    starts = re.search(r"(\d+) of (\d+) starts have no verdict(?: \(at (\d+) of (\d+) points none of them has one\))?", match["rest"])
+    without, empty = np.sum(codes == 0), sum(not one for one in told.values())
+    assert (int(starts[1]) if starts else 0) == without, f"{without} of {len(codes)} starts"
+    assert not starts or int(starts[3] or 0) == empty, f"{empty} of {len(told)} points"
+    assert int(match["one"]) <= int(match["all"]) >= len(told) - empty, f"{len(told)} points"
+
+
+def touches_motions(result, own):
+    """Where motions touch, how long and how hard."""
+    table, name, text = own["table"], own["what"], own["found"]["text"]
+    if of_several_starts(result, table):
+        return
+    share = result.field(table, "rub/share")[:, result.contacts.index(name)]
+    force = result.field(table, "rub/max_force")[:, result.contacts.index(name)] * result.file["case"].attrs["force_scale"]
+    match = re.match(r"touches in (\d+) of (\d+) motions.*?at most (\S+) % of the time and with (\S+) N", text)
+    assert (text == "never touches") == (np.nanmax(share) == 0) and (match or text == "never touches"), f"{name}: {share}"
+    if match:
+        assert int(match[1]) == np.sum(share > 0) and rounds_to(100 * np.nanmax(share), match[3]) and rounds_to(np.nanmax(force), match[4])
+
+
+def nearest(result, own):
+    table, wall = own["table"], re.match(r"(\S+) % of its radial (clearance|gap)", own["found"]["text"])
+    if of_several_starts(result, table):
+        return
+    at = result.stations.index(own["station"])
+    reach = result.file["stations"]["gap" if wall[2] == "gap" else "clearance"][at]
+    parameter = result.option(table, "parameter")
+    parameter = parameter.decode() if isinstance(parameter, bytes) else parameter
+    if wall[2] == "gap" and re.search(rf"gap: = {parameter}\b", result.file["case/text"].asstr("utf-8")[0]):
+        reach = result.values(table) / result.lengths(table)
+    seen = 100 * np.nanmax(result.field(table, "orbit/max_radius")[:, at] / reach)
+    assert rounds_to(seen, wall[1]), f"{seen} %"
+
+
+def no_other_motions(result, own):
+    assert not of_several_starts(result, own["table"]) and own["found"]["text"] == "not searched for (starts)"
+
+
+CODES = {"P": 1, "quasi-periodic": 2, "chaotic": 3, "undetermined": 0, "diverged": 4}
+
+
+def regimes(result, own):
+    """Ends of ranges are points with the regime told; ranges that change have several."""
+    table = own["table"]
+    values, codes, periods = result.values(table), result.field(table, "regime/code"), result.field(table, "regime/period")
+    told = iter(own["found"]["values"])
+    for part in own["found"]["text"].split("; "):
+        match = re.match(r"(changing: )?(.*?) (from|at) ", part)
+        ends = [next(told) for _ in range(2 if match[3] == "from" else 1)]
+        for value in ends:
+            here = np.isclose(values, value, rtol=1e-12)
+            assert here.any(), f"no point at {value}"
+            names = {f"P-{int(periods[i])}" if codes[i] == 1 else next(name for name, code in CODES.items() if code == codes[i])
+                     for i in np.flatnonzero(here)}
+            assert names & set(match[2].split(", ")) or "rests" in match[2], f"{names} at {value}"
+
+
+def confidence(result, own):
+    table, text = own["table"], own["found"]["text"]
+    grades = result.field(table, "regime/confidence")
+    single = re.match(r"(high|fair|low) \(", text)
+    if single:
+        assert ["low", "fair", "high"][int(grades[0])] == single[1], f"{grades}"
+        return
+    match = re.fullmatch(r"(\d+) high, (\d+) fair, (\d+) low", text)
+    told = [int(match[i]) for i in (3, 2, 1)]
+    counts = [int(np.sum(grades == i)) for i in range(3)]
+    if of_several_starts(result, table):
+        assert sum(told) == len([one for one in result.json["attractors"] if one["table"] == table])
+    else:
+        assert told == counts, f"{counts}"
+
+
+def rubbing(result, own):
+    table = own["table"]
+    share = np.nanmax(result.field(table, "rub/share"), axis=1)
+    match = re.fullmatch(r"at (\d+) of (\d+) points", own["found"]["text"])
+    assert match and (of_several_starts(result, table) or (int(match[1]), int(match[2])) == (np.sum(share > 0), len(share))), f"{share}"
+
+
+def undetermined(result, own):
+    """No more points than have no verdict; the first is one of them."""
+    table = own["table"]
+    codes, values = result.field(table, "regime/code"), result.values(table)
+    match = re.match(r"at (\d+) points?", own["found"]["text"])
+    assert match and 0 < int(match[1]) <= np.sum(codes == 0), f"{np.sum(codes == 0)}"
+    first = [value for value in own["found"]["values"][:1] if "first at" in own["found"]["text"]]
+    assert all(np.isclose(values[codes == 0], value, rtol=1e-12).any() for value in first), f"{first}"
+
+
+def to_settle(result, own):
+    assert (result.field(own["table"], "regime/code") == 0).any()
+
+
+def without_verdict(result, own):
+    codes = result.field(own["table"], "regime/code")
+    match = re.match(r"(\d+) of (\d+) starts", own["found"]["text"])
+    assert match and (int(match[1]), int(match[2])) == (np.sum(codes == 0), len(codes)), f"{codes}"
+
+
+def several(result, own):
+    places = {}
+    for one in result.json["attractors"]:
+        if one["table"] == own["table"]:
+            places.setdefault(str(one["parameters"]), set()).add(one["attractor"])
+    count = sum(len(numbers) > 1 for numbers in places.values())
+    match = re.match(r"side by side at (\d+) of (\d+) point|found at no point", own["found"]["text"])
+    assert match and int(match[1] or 0) == count, f"{count}"
+
+
+def missed(result, own):
+    match = re.match(r"(\d+) for each point miss an attractor that (\S+) % of all lead to", own["found"]["text"])
+    count = int(result.file[own["table"]].attrs["starts"])
+    assert match and int(match[1]) == count and rounds_to(100 * (1 - 0.05 ** (1 / count)), match[2])
+
+
+def motion(result, own):
+    table, text = own["table"], own["found"]["text"]
+    if text.startswith("no verdict"):
+        assert result.field(table, "regime/code") is None
+        return
+    name = re.match(r"P|rests|[\w-]+", text)[0]
+    assert CODES.get(name, 1) == result.field(table, "regime/code")[0], text
+
+
+def reason(result, own):
+    exponent = result.field(own["table"], "regime/exponent")
+    match = re.search(r"largest exponent (\S+) \+- ", own["found"]["text"])
+    assert not match or np.isclose(exponent.ravel()[0], float(match[1]), atol=2e-1), f"{exponent}"
+
+
+def beyond(result, own):
+    """Of what goes beyond the range of a law: the limit, the most that was reached, at how many points and where first."""
+    table = own["table"]
+    match = re.fullmatch(r".* up to (?P<most>\S+?)(?: [^\s,]+)?, .*; reached (?P<reached>\S+?)"
+                         r"(?: [^\s(]+)?(?: \((?P<points>\d+) of \d+ points, first at .*\))?", own["found"]["text"])
+    reached, most = np.moveaxis(result.field(table, "ranges/reached"), -1, 0).reshape(2, len(result.values(table)), -1)
+    found = [row for row in range(reached.shape[1]) if rounds_to(np.nanmax(reached[:, row]), match["reached"])
+             and rounds_to(most[0, row], match["most"])]
+    assert found, f"{np.nanmax(reached, axis=0)}"
+    left = reached[:, found[0]] > most[:, found[0]]
+    assert not match["points"] or int(match["points"]) == left.sum(), f"{left.sum()} points"
+    assert not own["found"]["values"] or np.isclose(own["found"]["values"][0], result.values(table)[left.argmax()])
+
+
 STATEMENTS = {
     "critical speeds with damping, and thresholds of stability": critical,
     "stability": stability_of_modes,
@@ -407,6 +585,20 @@ STATEMENTS = {
     "largest motion": largest_motion,
     "stability, Level I": level_one,
     "stability, Level II": level_two,
+    "motions": motions,
+    "nearest to a wall": nearest,
+    "other motions": no_other_motions,
+    "regimes": regimes,
+    "confidence": confidence,
+    "rub": rubbing,
+    "undetermined": undetermined,
+    "undetermined points": to_settle,
+    "without a verdict": without_verdict,
+    "several attractors": several,
+    "starts": missed,
+    "motion": motion,
+    "reason": reason,
+    "beyond its law": beyond,
 }
 
 
@@ -441,59 +633,6 @@ def check_shafts(result):
         assert min(row["from"] for row in own) <= shaft["centre"] <= max(row["to"] for row in own)
 
 
-def motions(result, match):
-    table = match["table"]
-    codes, periods = result.field(table, "regime/code"), result.field(table, "regime/period")
-    if result.file[table].attrs.get("starts", 1) > 1:
-        of_starts(result, table, match)
-        return
-    assert int(match["all"]) == len(codes) and int(match["one"]) == np.sum((codes == 1) & (periods == 1)), f"{codes}, {periods}"
-    doubt = np.sum(result.field(table, "regime/confidence") == 0)
-    assert int(match["doubt"] or 0) == doubt, f"{doubt} in doubt"
-    near_and_touching(result, table, match["rest"])
-
-
-def of_starts(result, table, match):
-    """Motions from several starts a point: how many starts have no verdict, at how many points none has one, and that the
-    others are told."""
-    codes, values = result.field(table, "regime/code"), result.values(table)
-    told = {value: np.any(codes[values == value] > 0) for value in set(values)}
-    starts = re.search(r"(\d+) of (\d+) starts have no verdict(?: \(at (\d+) of (\d+) points none of them has one\))?", match["rest"])
-    without, empty = np.sum(codes == 0), sum(not one for one in told.values())
-    assert (int(starts[1]) if starts else 0) == without, f"{without} of {len(codes)} starts"
-    assert not starts or int(starts[3] or 0) == empty, f"{empty} of {len(told)} points"
-    assert int(match["one"]) <= int(match["all"]) >= len(told) - empty, f"{len(told)} points"
-
-
-def near_and_touching(result, table, rest):
-    """Where motions touch, how long and how hard, and where they come nearest to a wall."""
-    for name in result.contacts if result.field(table, "rub/share") is not None else []:
-        own = re.search(re.escape(name) + r" (never touches|touches in (\d+) of (\d+) motions.*?at most (\S+) % of the time and with (\S+) N)", rest)
-        share = result.field(table, "rub/share")[:, result.contacts.index(name)]
-        force = result.field(table, "rub/max_force")[:, result.contacts.index(name)] * result.file["case"].attrs["force_scale"]
-        assert own and (own[1] == "never touches") == (np.nanmax(share) == 0), f"{name}: {share}"
-        if own[2]:
-            assert int(own[2]) == np.sum(share > 0) and rounds_to(100 * np.nanmax(share), own[4]) and rounds_to(np.nanmax(force), own[5])
-    wall = re.search(r"nearest to the wall at (\S+), to (\S+) % of its radial (clearance|gap)", rest)
-    if wall:
-        at = result.stations.index(wall[1])
-        reach = result.file["stations"]["gap" if wall[3] == "gap" else "clearance"][at]
-        parameter = result.option(table, "parameter")
-        parameter = parameter.decode() if isinstance(parameter, bytes) else parameter
-        if wall[3] == "gap" and re.search(rf"gap: = {parameter}\b", result.file["case/text"].asstr("utf-8")[0]):
-            reach = result.values(table) / result.lengths(table)
-        seen = 100 * np.nanmax(result.field(table, "orbit/max_radius")[:, at] / reach)
-        assert rounds_to(seen, wall[2]), f"{seen} %"
-
-
-def unjudged(result, match):
-    table = match["table"]
-    assert int(match["all"]) == len(result.values(table)) and int(match["record"]) == result.option(table, "record")
-    lost = missing(result, table).sum()
-    assert int(match["lost"] or 0) == lost, f"{lost} have no numbers"
-    near_and_touching(result, table, match["rest"])
-
-
 def left_out(result, title, match):
     """Stations without a figure in that table of responses."""
     count = 0
@@ -506,34 +645,9 @@ def left_out(result, title, match):
     assert int(match[1]) == count, f"{count} have none"
 
 
-def beyond(result, match):
-    """Of what goes beyond the range of a law: the limit, the most that was reached, at how many points and where first."""
-    table = match["table"]
-    reached, most = np.moveaxis(result.field(table, "ranges/reached"), -1, 0).reshape(2, len(result.values(table)), -1)
-    found = [row for row in range(reached.shape[1]) if rounds_to(np.nanmax(reached[:, row]), match["reached"])
-             and rounds_to(most[0, row], match["most"])]
-    assert found, f"{np.nanmax(reached, axis=0)}"
-    left = reached[:, found[0]] > most[:, found[0]]
-    assert not match["points"] or int(match["points"]) == left.sum(), f"{left.sum()} points"
-    assert not match["first"] or rounds_to(result.values(table)[left.argmax()] / UNITS[match["unit"]], match["first"])
-
-
 def conditions(result, match):
     told = result.file["provenance"].attrs[f"{match['table']} with"]
     assert (told.decode() if isinstance(told, bytes) else told) == match["what"], told
-
-
-def check_motions(result, table, text):
-    for pattern, check in (
-        (r"(?P<one>\d+) of (?P<all>\d+) motions come back every revolution(?:, \d+ diverge \(.*?\))?"
-         r"(?:, (?P<doubt>\d+) are in doubt)?(?P<rest>.*)", motions),
-        (r"(?P<all>\d+) motions?, not judged \(analyze: regime\): (?P<record>\d+) revolutions[^;]*"
-         r"(?:; (?P<lost>\d+) of them ended early[^;]*)?(?P<rest>.*)", unjudged)):
-        match = re.fullmatch(pattern, text)
-        if match:
-            check(result, {**match.groupdict(), "table": table})
-            return True
-    return False
 
 
 def check_other(result, title, text):
@@ -549,21 +663,11 @@ def check_other(result, title, text):
     if match:
         left_out(result, title, match)
         return True
-    match = re.fullmatch(r"Beyond its law: (?P<table>\w+), .* up to (?P<most>\S+?)(?: [^\s,]+)?, .*; reached (?P<reached>\S+)"
-                         r"(?: \((?P<points>\d+) of \d+ points, first at (?P<first>\S+)(?: (?P<unit>\S+))?\))?", text)
-    if match:
-        beyond(result, match)
-        return True
     match = re.fullmatch(r"(?P<table>\w+), with (?P<what>.*)", text)
     if match and match["table"] in result.tables():
         conditions(result, match)
         return True
-    if text.startswith("Nonlinear motions. "):
-        parts = re.split(r"(?:^|\s)(\w+): (?=\d+ (?:of|motion))", text)[1:]
-        parts[-1] = re.sub(r" Motions or rests go beyond the range of a law \d+ times?: see chapter 2\.$", "", parts[-1])
-        return len(parts) > 0 and all(check_motions(result, *part) for part in zip(parts[::2], parts[1::2]))
-    table = title.split(",")[0]
-    return table in result.tables() and check_motions(result, table, text)
+    return False
 
 
 def main(path, page):
@@ -577,7 +681,8 @@ def main(path, page):
     for own in result.json.get("statements", []):
         try:
             shown_agrees(own)
-            check = touches if own["what"] in result.contacts else line_jump if own["what"].startswith("line of order ") else None
+            of_run = result.field(own["table"], "runup/force") is not None if own["table"] else False
+            check = (touches if of_run else touches_motions) if own["what"] in result.contacts else line_jump if own["what"].startswith("line of order ") else None
             (check or STATEMENTS[own["what"]])(result, own)
         except KeyError as error:
             faults.append(f"{own['what']}: no check of {error}")

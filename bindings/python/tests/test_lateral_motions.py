@@ -32,9 +32,10 @@ def test_motions_with_unbalances_by_rule(tmp_path):
             assert np.allclose(motions["spectrum/synchronous"][point][:, :2], expected, rtol=1e-6, atol=1e-12)
     result.save(tmp_path / "r.h5")
     summary = subprocess.run([COMMAND, "show", tmp_path / "r.h5"], capture_output=True, text=True, check=True).stdout
-    lines = [line for line in summary.splitlines() if "motions come back" in line]
+    lines = [line for line in summary.splitlines() if "come back every revolution" in line]
     assert len(lines) == 4
     assert "with unbalances by rule at the antinodes of forward mode 1, 6 times as large" in lines[0]
-    assert "they come nearest to the wall at middle" in lines[0]
-    assert "rub at middle never touches. Coexisting motions were not searched for (starts)." in lines[0]
+    assert summary.count("nearest to a wall at middle: ") == 4
+    assert summary.count("rub at middle: never touches\n") == 4
+    assert summary.count("other motions: not searched for (starts)\n") == 4
     assert "with the machine's own unbalances" in lines[2]

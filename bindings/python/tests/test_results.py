@@ -486,11 +486,9 @@ def test_warnings_of_the_library_are_shown(tmp_path):
     (told,) = case.warnings
     assert [str(one.message) for one in shown] == [told] == result.warnings and shown[0].filename == __file__
     assert repr(result).endswith(", 1 warning>")
-    assert str(result).splitlines()[1:] == [
-        f"warning: {told}",
-        "response: 1 point",
-        "weight: none: the machine has no gravity",
-    ]
+    lines = str(result).splitlines()
+    assert lines[1:4] == [f"warning: {told}", "response: 1 point", f"  motion: {result['response'].verdicts[0]}"]
+    assert lines[4].startswith("  reason: ") and lines[-1] == "weight: none: the machine has no gravity"
     result.save(tmp_path / "a.h5")
     for again in (whirl.open(tmp_path / "a.h5"), whirl.read(tmp_path / "a.h5")):
         assert again.warnings == [told] and repr(again).endswith(", 1 warning>")

@@ -1,4 +1,4 @@
-"""Findings on machines at rest, branches, tori and spectra: statements and sheets of the library."""
+"""Findings: statements and sheets of the library."""
 
 from __future__ import annotations
 
@@ -66,6 +66,7 @@ class Column:
     digits: int  #: significant digits in documents; 0 for a column of texts
     zero: float = 0.0  #: offset of temperature units: 273.15 for degC, 459.67 for degF
     between: str | None = None  #: separator of several numbers in a cell; None for single numbers
+    meaning: str = ""  #: what its numbers are, in a sentence; "" if the heading says it
 
     @property
     def title(self) -> str:

@@ -27,6 +27,8 @@ export interface Sheet {
   readonly name: string;
   readonly title: string;
   readonly about?: string;
+  /// Numbers to look up, which are folded at first.
+  readonly looked_up?: boolean;
   readonly columns: readonly Column[];
   /// Numbers in SI (several in some cells) or texts; null for an empty cell.
   readonly rows: readonly (readonly (number | string | null | readonly (number | null)[])[])[];
@@ -40,7 +42,6 @@ export interface StoredContents {
     readonly table: string;
     readonly title: string;
     readonly view: LiveView;
-    readonly notes: readonly string[];
   }[];
   readonly statements?: readonly Statement[];
   readonly sheets?: readonly Sheet[];
@@ -76,6 +77,7 @@ export interface Part {
   readonly view: LiveView;
   /// The run with only the tables of the live view.
   readonly run: Run;
+  /// Warnings of the run; empty but for the machine.
   readonly notes: readonly string[];
   readonly statements: readonly Statement[];
   readonly sheets: readonly Sheet[];
@@ -103,7 +105,7 @@ function readParts(run: Run, parts: NonNullable<StoredContents['parts']>): reado
     return {
       ...{ id, title, view },
       run: { ...run, tables },
-      notes: parts.filter(({ table }) => names.includes(table)).flatMap(({ notes }) => notes),
+      notes: [],
       statements: of(statements),
       sheets: of(sheets),
       figures: of(figures).map(({ figure }) => figure),

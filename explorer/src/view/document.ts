@@ -82,7 +82,7 @@ function csvOfSheet({ columns, rows }: Sheet): string {
 
 /// Makes the card of a sheet; empty columns are left out.
 function sheetCard(sheet: Sheet): HTMLElement {
-  const { table, name, title, about, columns, shown } = sheet;
+  const { table, name, title, about, looked_up, columns, shown } = sheet;
   const kept = columns.map((_, c) => c).filter((c) => shown.some((row) => row[c] !== ''));
   const of = (row: readonly string[]) => kept.map((c) => row[c]!);
   const save = () => download(`${fileName(table, name)}.csv`, 'text/csv', csvOfSheet(sheet));
@@ -91,10 +91,11 @@ function sheetCard(sheet: Sheet): HTMLElement {
     { class: 'numbers', role: 'region', tabindex: 0, 'aria-label': `${title}: table` },
     numbersTable(title, of(columns.map(headingOf)), shown.map(of)),
   );
+  const content = about ? [el('p', { class: 'how' }, about), numbers] : [numbers];
   return card(
     title,
     [button('\u2913 CSV', `${title}: save as CSV`, save, { 'data-save': 'csv' })],
-    about ? [el('p', { class: 'how' }, about), numbers] : [numbers],
+    looked_up ? [el('details', {}, el('summary', {}, 'Numbers to look up'), ...content)] : content,
     { 'data-sheet': `${table}/${name}` },
   );
 }

@@ -200,8 +200,10 @@ export class Page {
   }
 
   private showTop(): void {
-    const { machine, machines, address, scales, moves, intro } = this.session;
+    const { machine, machines, address, scales, moves, intro, part } = this.session;
     this.topbar.show(machine, intro, machines, address.units, scales.symbol, address.b !== undefined, !moves);
+    // Stored statements and tables keep the units of the report.
+    this.topbar.offerUnits(part?.view !== '');
   }
 
   private showAll(): void {

@@ -125,6 +125,11 @@ export class Topbar {
     this.frequency.rename('order', atRest ? units.speed : 'X');
   }
 
+  /// Shows the choice of units, or hides it.
+  offerUnits(offered: boolean): void {
+    for (const choice of [this.length, this.speed, this.frequency, this.amplitude]) choice.root.hidden = !offered;
+  }
+
   private unitSegments(
     label: string,
     choices: readonly { value: string; text: string; title?: string }[],

@@ -36,13 +36,10 @@ typedef struct whirl_piece {
     int digits;       ///< significant digits
 } whirl_piece;
 
-/// Maximum number of pieces of a phrase.
-enum { WHIRL_PHRASE_PIECES = 24 };
-
 /// A sentence, or a part of one, with its numbers as numbers.
 typedef struct whirl_phrase {
-    size_t count;                            ///< number of pieces
-    whirl_piece pieces[WHIRL_PHRASE_PIECES]; ///< [count]
+    size_t count;        ///< number of pieces
+    whirl_piece *pieces; ///< [count]
 } whirl_phrase;
 
 /// One finding about a machine.
@@ -67,6 +64,7 @@ typedef struct whirl_column {
     double zero;         ///< offset of temperatures (whirl_shown_units.zero); else 0
     int digits;          ///< significant digits; 0: a column of texts
     const char *between; ///< separator of several numbers in a cell: ", " or " to "; NULL: one number per cell
+    const char *meaning; ///< what its numbers are, in a sentence; NULL if the heading says it
 } whirl_column;
 
 /// A cell: a text, numbers, or nothing.
@@ -75,6 +73,7 @@ typedef struct whirl_cell {
     size_t count;          ///< number of numbers; 0: none
     double number;         ///< the first number, in SI
     const double *numbers; ///< [count] if there are several; else NULL
+    const char *colour;    ///< colour of a regime or an attractor in figures, "#366EFB"; NULL: none
 } whirl_cell;
 
 /// A table as documents show it.
@@ -85,6 +84,8 @@ typedef struct whirl_sheet {
     const char *about;    ///< sentences that explain it, or ""
     size_t columns, rows; ///< numbers of columns and rows
     bool of_points;       ///< rows are points: summaries show only the first and the last
+    bool looked_up;       ///< pages fold it, and summaries leave it out
+    bool unsummarized;    ///< summaries leave it out, as statements say the same or it is long
     whirl_column *column; ///< [columns]
     whirl_cell *cells;    ///< [rows][columns]
     size_t given;         ///< number of cells of the last row that are filled

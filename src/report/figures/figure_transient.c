@@ -16,7 +16,8 @@
 enum { MAX_MOTIONS = 6, MAX_STEPS = 1500 };
 
 static bool is_transient(const whirl_table *table) {
-    return !shown_kind_of(table) && !whirl_layout_has_verdict(&table->layout) && table->row == 0 && !table->source;
+    return shown_kind_of(table) == &shown_motions && !whirl_layout_has_verdict(&table->layout) && table->row == 0 &&
+           !table->source;
 }
 
 static bool has_waveform(const whirl_table *table, size_t point, size_t station) {

@@ -19,12 +19,9 @@
 
 static void find_table(const finder *of) {
     const shown_kind *kind = shown_kind_of(of->table);
-    if (!kind) {
-        find_lost(of);
-        find_lines(of);
-    } else if (of->table->count > 0 || whirl_analysis_kind(of->table->analyses)->found) {
+    if (of->table->count > 0 || whirl_analysis_kind(of->table->analyses)->found || kind == &shown_motions)
         kind->find(of);
-    }
+    find_ranges(of);
     find_derivatives(of);
 }
 

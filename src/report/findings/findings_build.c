@@ -99,9 +99,16 @@ whirl_phrase *find_at(const finder *of, size_t point, const char *what) {
     return &own->found;
 }
 
+/// Returns a new piece of a phrase. Room for pieces doubles when it is full.
 static whirl_piece *phrase_piece(const finder *of, whirl_phrase *phrase) {
-    if (phrase->count < WHIRL_PHRASE_PIECES) return &phrase->pieces[phrase->count++];
-    return &find_lost(of)->piece;
+    const size_t count = phrase->count;
+    if ((count & (count - 1)) == 0) {
+        whirl_piece *larger = find_take(of->findings, (count ? 2 * count : 1) * sizeof *larger);
+        if (!larger) return &find_lost(of)->piece;
+        if (count > 0) memcpy(larger, phrase->pieces, count * sizeof *larger);
+        phrase->pieces = larger;
+    }
+    return &phrase->pieces[phrase->count++];
 }
 
 void phrase_text(const finder *of, whirl_phrase *phrase, const char *format, ...) {
@@ -212,8 +219,11 @@ void sheet_values(const finder *of, whirl_sheet *sheet, const char *heading, int
     const whirl_unit unit = whirl_shown_parameter(of->units, of->table->parameter);
     const char *const own =
         find_text(of->findings, "%s", of->table->parameter); // a copy: the view may be freed before the findings
+    char words[WHIRL_NAME_SIZE];
+    snprintf(words, sizeof words, "%s", heading);
+    for (char *at = words; (at = strchr(at, '_')) != NULL;) *at = ' ';
     sheet_add_numbers(of, sheet, *heading ? heading : own,
-                      *heading ? find_text(of->findings, "%s %s", heading, own) : own, &unit, digits, NULL);
+                      *heading ? find_text(of->findings, "%s %s", words, own) : own, &unit, digits, NULL);
 }
 
 /// Returns true if two cells show the same: equal texts, and numbers that differ only by rounding.
@@ -276,6 +286,10 @@ void cell_text(const finder *of, whirl_sheet *sheet, const char *text) {
 
 void cell_station(const finder *of, whirl_sheet *sheet, size_t station) {
     cell_text(of, sheet, find_text(of->findings, "%s", of->result->stations[station].name));
+}
+
+void cell_colour(const finder *of, whirl_sheet *sheet, const char *colour) {
+    if (!of->findings->failed) sheet->cells[(sheet->rows - 1) * sheet->columns + sheet->given - 1].colour = colour;
 }
 
 void cell_value(const finder *of, whirl_sheet *sheet, size_t point) {

@@ -86,6 +86,7 @@ void cell_number(const finder *of, whirl_sheet *sheet, double number);
 void cell_numbers(const finder *of, whirl_sheet *sheet, size_t count, const double *numbers);
 void cell_text(const finder *of, whirl_sheet *sheet, const char *text);
 void cell_station(const finder *of, whirl_sheet *sheet, size_t station);
+void cell_colour(const finder *of, whirl_sheet *sheet, const char *colour); ///< colours the last cell; static text
 void cell_value(const finder *of, whirl_sheet *sheet,
                 size_t point); ///< value of the parameter; empty in a table without a parameter
 

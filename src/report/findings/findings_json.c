@@ -49,6 +49,7 @@ static json_t *sheet_json(bool *well, const whirl_sheet *sheet) {
     document_put(well, one, "name", document_text(sheet->name));
     document_put(well, one, "title", document_text(sheet->title));
     if (*sheet->about) document_put(well, one, "about", document_text(sheet->about));
+    if (sheet->looked_up) document_put(well, one, "looked_up", json_true());
     // Put the headings of columns.
     for (const whirl_column *column = sheet->column; column < sheet->column + sheet->columns; column++) {
         json_t *heading = json_object();
@@ -59,6 +60,7 @@ static json_t *sheet_json(bool *well, const whirl_sheet *sheet) {
         if (column->zero != 0.0) document_put(well, heading, "zero", document_number(column->zero));
         document_put(well, heading, "digits", json_integer(column->digits));
         if (column->between) document_put(well, heading, "between", document_text(column->between));
+        if (column->meaning) document_put(well, heading, "meaning", document_text(column->meaning));
         document_append(well, columns, heading);
     }
     // Put each row twice: as numbers in SI, and as texts in the units of display.

@@ -34,6 +34,7 @@ whirl_status whirl_sheet_write(const whirl_sheet *sheet, whirl_sheet_form form, 
 }
 
 bool findings_write_table(FILE *stream, const whirl_findings *findings, const char *table, size_t points, size_t rows) {
+    const bool summary = rows < SIZE_MAX;
     bool well = true;
     for (size_t i = 0; i < findings->statement_count; i++)
         if (strcmp(findings->statements[i].table, table) == 0) {
@@ -41,9 +42,11 @@ bool findings_write_table(FILE *stream, const whirl_findings *findings, const ch
             statement_text(&findings->statements[i], text, sizeof text);
             fprintf(stream, "  %s\n", text);
         }
-    for (size_t i = 0; i < findings->sheet_count && well; i++)
-        if (strcmp(findings->sheets[i].table, table) == 0)
-            well = sheet_write_text(stream, &findings->sheets[i], findings->sheets[i].of_points ? points : rows);
+    for (size_t i = 0; i < findings->sheet_count && well; i++) {
+        const whirl_sheet *sheet = &findings->sheets[i];
+        if (strcmp(sheet->table, table) == 0 && !(summary && (sheet->looked_up || sheet->unsummarized)))
+            well = sheet_write_text(stream, sheet, sheet->of_points ? points : rows);
+    }
     return well;
 }
 

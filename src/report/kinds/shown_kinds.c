@@ -6,6 +6,6 @@ static const shown_kind *const kinds[] = {SHOWN_KINDS(KIND_AT)};
 
 const shown_kind *shown_kind_of(const whirl_table *table) {
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
-        if (whirl_layout_field(&table->layout, kinds[i]->field)) return kinds[i];
-    return NULL;
+        if (!kinds[i]->field || whirl_layout_field(&table->layout, kinds[i]->field)) return kinds[i];
+    return &shown_motions;
 }

@@ -1,5 +1,4 @@
-/// Findings on tables whose points are not motions. Each kind of table has a file in this folder, and a word in
-/// SHOWN_KINDS below. Tables of motions are shown by summary, figures and pages.
+/// Findings on tables. Each kind of table has a file in this folder, and a word in SHOWN_KINDS below.
 #ifndef REPORT_SHOWN_KINDS_H
 #define REPORT_SHOWN_KINDS_H
 
@@ -9,15 +8,18 @@
 #include "whirl/internal/model.h"
 
 typedef struct shown_kind {
-    const char *field;         ///< field that only its tables have
+    const char *field;         ///< field that only its tables have; NULL: any table
     const char *anchor, *name; ///< anchor and name of its section
     const char *about;         ///< introduction to all sections of the kind, written once; NULL: none
     const char *held; ///< clause on contacts that are closed at rest; NULL: that small motions do not open them
     void (*find)(const finder *of); ///< adds the findings on a table
 } shown_kind;
 
-/// Returns the kind of a table; NULL for motions.
+/// Returns the kind of a table; never NULL.
 const shown_kind *shown_kind_of(const whirl_table *table);
+
+/// Returns true if a table has motions next to studies at rest (study: motions).
+bool motions_beside(const whirl_table *table);
 
 /// Adds the findings on the machine: weight, shafts, stations, bearings and other parts.
 void find_machine(const finder *of);
@@ -38,6 +40,10 @@ void find_train(const finder *of, const whirl_model *model);
 /// Adds a statement on motions without any number, for tables without verdicts.
 void find_lost(const finder *of);
 
+/// Adds statements on points beyond the range of a law, on places of rest that were not found or are not the only ones,
+/// and on contacts that are closed at rest.
+void find_ranges(const finder *of);
+
 /// Adds the findings on spectral lines of motions along a parameter, below and above the synchronous one.
 void find_lines(const finder *of);
 
@@ -48,7 +54,7 @@ int shown_modes_growing(const whirl_table *table, size_t point);
 /// The kinds. The kind of a table is the first one whose field it has.
 #define SHOWN_KINDS(kind)                                                                                              \
     kind(tolerances) kind(branches) kind(tori) kind(modes) kind(unbalance) kind(critical_speeds) kind(stability)       \
-    kind(statics) kind(runup) kind(twists) kind(fit) kind(records)
+    kind(statics) kind(runup) kind(twists) kind(fit) kind(records) kind(motions)
 // clang-format on
 #define SHOWN_KIND(name) extern const shown_kind shown_##name;
 SHOWN_KINDS(SHOWN_KIND)

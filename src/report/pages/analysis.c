@@ -8,7 +8,6 @@
 
 #include "found.h"
 #include "html.h"
-#include "motions_text.h"
 #include "page.h"
 #include "page_findings.h"
 #include "scaled_response.h"
@@ -35,13 +34,13 @@ typedef struct analysis_document {
     const char *asks; ///< why a result may have no criteria
     size_t count;
     const chapter *chapters; ///< [count]
-    bool moves;              ///< it has a summary of motions
+    bool moves;              ///< it says if there are no motions
 } analysis_document;
 
 /// Returns true for the tables of a chapter (`by`).
 static bool is_of_chapter(const whirl_table *table, const void *by) {
     const chapter *own = by;
-    return own->field ? whirl_layout_field(&table->layout, own->field) != NULL : shown_kind_of(table) == NULL;
+    return own->field ? whirl_layout_field(&table->layout, own->field) != NULL : shown_kind_of(table) == &shown_motions;
 }
 
 /// Returns true for tables with findings that belong to no chapter of a document (`by`).
@@ -49,48 +48,17 @@ static bool is_of_no_chapter(const whirl_table *table, const void *by) {
     const analysis_document *document = by;
     for (size_t i = 0; i < document->count; i++)
         if (is_of_chapter(table, &document->chapters[i])) return false;
-    return shown_kind_of(table) != NULL;
+    return shown_kind_of(table) != &shown_motions;
 }
 
 // ---------------------------------------------------------------- summary
 
-/// Writes a paragraph on the motions of a table.
-static void write_motion_text(const page *to, size_t result, const whirl_table *table, void *context) {
-    size_t *const written = context;
-    char text[MOTIONS_TEXT_SIZE];
-    motions_text(&to->units[result], to->results[result], to->machines[result], table, text);
-    html_printf(to->stream, "%s%s: %s", (*written)++ ? " " : "", table->name, text);
-}
-
-/// Returns the number of validity ranges that were left, in all tables.
-static size_t laws_left(const whirl_result *result) {
-    size_t count = 0;
-    whirl_left left;
-    for (size_t t = 0; t < result->table_count; t++)
-        for (size_t i = 0; *whirl_result_law_range(result, i); i++)
-            count += whirl_table_left(&result->tables[t], i, &left) > 0;
-    return count;
-}
-
 static void write_found(const page *to, const analysis_document *document) {
-    size_t written = 0;
     fputs("<section id=\"found\">\n<h2>1. What was found</h2>\n<ol>\n", to->stream);
-    found_at_rest(to, document->asks);
-    if (!document->moves) {
-        fputs("</ol>\n", to->stream);
-        page_asked(to);
-        fputs("</section>\n", to->stream);
-        return;
-    }
-    fputs("<li><strong>Nonlinear motions.</strong> ", to->stream);
-    found_each(to, is_of_chapter, &(chapter){.field = NULL}, write_motion_text, &written);
-    if (!written) fputs("Not computed (study: motions).", to->stream);
-    size_t beyond = 0;
-    for (size_t r = 0; r < to->count; r++) beyond += laws_left(to->results[r]);
-    if (beyond > 0)
-        html_printf(to->stream, " Motions or rests go beyond the range of a law %zu time%s: see chapter 2.", beyond,
-                    beyond > 1 ? "s" : "");
-    fputs("</li>\n</ol>\n", to->stream);
+    found_statements(to, document->asks);
+    if (document->moves && found_each(to, is_of_chapter, &(chapter){.field = NULL}, NULL, NULL) == 0)
+        fputs("<li><strong>Nonlinear motions.</strong> Not computed (study: motions).</li>\n", to->stream);
+    fputs("</ol>\n", to->stream);
     page_asked(to);
     fputs("</section>\n", to->stream);
 }
@@ -136,17 +104,6 @@ static void write_section(const page *to, const whirl_table *table, const char *
     }
 }
 
-/// Writes motions in time: a paragraph on all of them, then each one.
-static void write_motions(const page *to, size_t result, const whirl_table *table) {
-    char text[MOTIONS_TEXT_SIZE];
-    motions_text(&to->units[result], to->results[result], to->machines[result], table, text);
-    fputs("<p>", to->stream);
-    html_text(to->stream, text);
-    fputs("</p>\n", to->stream);
-    page_motions(to, result, table);
-    write_findings(to, result, table);
-}
-
 /// Writes all figures of a table except responses of stations that are not checked.
 static void write_figures(const page *to, size_t result, const whirl_table *table) {
     const bool response = whirl_layout_field(&table->layout, WHIRL_FIELD_UNBALANCE_PROBE) != NULL;
@@ -177,10 +134,7 @@ static void write_table(const page *to, size_t result, const whirl_table *table,
     fputs("<h3>", to->stream);
     html_printf(to->stream, "%s%s%s", table->name, *with ? ", with " : "", with);
     fputs("</h3>\n", to->stream);
-    // Write figures, and the motions of tables of points.
     write_figures(to, result, table);
-    if (!kind) write_motions(to, result, table);
-    if (!kind) return;
     // Explain the kind of table once.
     if (kind != state->kind && kind->about) {
         fputs("<p>", to->stream);

@@ -15,10 +15,10 @@ typedef bool choose_table(const whirl_table *table, const void *by);
 /// Returns the number of tables.
 size_t found_each(const page *to, choose_table *chosen, const void *by, each_table *act, void *context);
 
-/// Writes the findings of studies at rest, and the number of criteria that hold; `lacks`: why there may be none.
-void found_at_rest(const page *to, const char *lacks);
+/// Writes the statements of all tables, and the number of criteria that hold; `lacks`: why there may be none.
+void found_statements(const page *to, const char *lacks);
 
-/// Writes the summary of a table: kinds of motion with their ranges, confidence, doubts, attractors, jumps.
+/// Writes the statements of a table below its heading.
 void found_table(const page *to, size_t result, const whirl_table *table);
 
 #endif

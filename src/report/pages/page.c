@@ -75,29 +75,27 @@ static bool has_figures(const page *to, size_t result, bool diagrams) {
     return found;
 }
 
-/// Returns true if points of the study have several starts.
-static bool has_starts(const whirl_result *result) {
-    for (size_t i = 0; i < result->table_count; i++)
-        if (result->tables[i].source && result->tables[i].count > 0) return true;
-    return false;
-}
-
-/// Returns the kind of a table that has a section of its own, else NULL: a table over two parameters has only a figure.
-static const shown_kind *section_of(const whirl_table *table) {
+/// Returns the kind of a table that has a section of its own, else NULL: a table at rest over two parameters has only a
+/// figure, and motions may have no sheet.
+static const shown_kind *section_of(const page *to, size_t r, const whirl_table *table) {
     const shown_kind *kind = shown_kind_of(table);
-    return kind && !*table->second ? kind : NULL;
+    if (kind != &shown_motions) return *table->second ? NULL : kind;
+    for (size_t i = 0; i < to->findings[r]->sheet_count; i++)
+        if (strcmp(to->findings[r]->sheets[i].table, table->name) == 0) return kind;
+    return NULL;
 }
 
 /// Writes the heading of a table's section, "Peaks of the response", with the table's own name if there are several,
 /// and its anchor.
-static void name_section(const whirl_result *result, const whirl_table *table, char *name, char *anchor, size_t size) {
-    const shown_kind *kind = section_of(table);
+static void name_section(const page *to, size_t r, const whirl_table *table, char *name, char *anchor, size_t size) {
+    const shown_kind *kind = section_of(to, r, table);
     size_t alike = 0;
     bool first = true;
-    for (size_t t = 0; t < result->table_count; t++) {
-        const bool same = section_of(&result->tables[t]) == kind;
+    for (const whirl_table *other = to->results[r]->tables;
+         other < to->results[r]->tables + to->results[r]->table_count; other++) {
+        const bool same = section_of(to, r, other) == kind;
         alike += same;
-        first = first && !(same && &result->tables[t] < table);
+        first = first && !(same && other < table);
     }
     snprintf(name, size, alike > 1 ? "%s: %s" : "%s", kind->name, table->name);
     snprintf(anchor, size, first ? "%s" : "%s-%s", kind->anchor, table->name);
@@ -107,48 +105,36 @@ static void write_kinds(const page *to, size_t r) {
     for (size_t t = 0; t < to->results[r]->table_count; t++) {
         const whirl_table *table = &to->results[r]->tables[t];
         char name[256], anchor[256];
-        if (!section_of(table)) continue;
-        name_section(to->results[r], table, name, anchor, sizeof name);
+        const shown_kind *kind = section_of(to, r, table);
+        if (!kind) continue;
+        name_section(to, r, table, name, anchor, sizeof name);
         fprintf(to->stream, "<h3 id=\"%s-%zu\">%s</h3>\n", anchor, r + 1, name);
-        if (strcmp(anchor, section_of(table)->anchor) == 0 && section_of(table)->about) {
+        if (strcmp(anchor, kind->anchor) == 0 && kind->about) {
             fputs("<p>", to->stream);
-            html_text(to->stream, section_of(table)->about);
+            html_text(to->stream, kind->about);
             fputs("</p>\n", to->stream);
         }
         page_sheets(to, r, table);
     }
 }
 
-/// Writes the findings of motions along a parameter.
-static void write_motions(const page *to, size_t r) {
-    for (size_t t = 0; t < to->results[r]->table_count; t++)
-        if (!shown_kind_of(&to->results[r]->tables[t])) page_sheets(to, r, &to->results[r]->tables[t]);
-}
-
 static void write_result_contents(const page *to, size_t r) {
     // Link to the result.
     const whirl_result *result = to->results[r];
-    const whirl_table *sweep = whirl_result_role(result, WHIRL_ROLE_SURVEY);
     fprintf(to->stream, "<li><a href=\"#result-%zu\">", r + 1);
     html_text(to->stream, to->names[r]);
     fputs("</a>\n<ul>\n", to->stream);
-    // Link to its figures and verdicts.
+    // Link to its figures.
     if (has_figures(to, r, true)) write_entry(to->stream, "diagrams", r + 1, page_diagrams_title(result));
     if (has_figures(to, r, false)) write_entry(to->stream, "motions", r + 1, "Single points");
-    if (sweep && sweep->count > 0 && whirl_layout_has_verdict(&sweep->layout))
-        write_entry(to->stream, "regimes", r + 1, "Regimes");
     // Link to the sections of its tables.
     for (size_t t = 0; t < result->table_count; t++) {
         char name[256], anchor[256];
-        if (!section_of(&result->tables[t])) continue;
-        name_section(result, &result->tables[t], name, anchor, sizeof name);
+        if (!section_of(to, r, &result->tables[t])) continue;
+        name_section(to, r, &result->tables[t], name, anchor, sizeof name);
         write_entry(to->stream, anchor, r + 1, name);
     }
-    // Link to attractors, single points and provenance.
-    if (whirl_result_role(result, WHIRL_ROLE_BASIN) || has_starts(result))
-        write_entry(to->stream, "attractors", r + 1, "Attractors");
-    if (detail_table(result) && detail_table(result)->count > 0)
-        write_entry(to->stream, "points", r + 1, "Points in detail");
+    // Link to options and provenance.
     write_entry(to->stream, "computed", r + 1, "What was computed");
     if (result->fact_count > 0) write_entry(to->stream, "provenance", r + 1, "Provenance");
     fputs("</ul></li>\n", to->stream);
@@ -186,13 +172,7 @@ static void write_result(const page *to, size_t result) {
     page_parts(to, result);
     page_found(to, result);
     page_figures(to, result);
-    page_intervals(to, result);
     write_kinds(to, result);
-    page_attractors(to, result);
-    page_starts(to, result);
-    page_jumps(to, result);
-    write_motions(to, result);
-    page_points(to, result);
     page_computed(to, result);
     page_provenance(to, result);
     fputs("</section>\n", to->stream);

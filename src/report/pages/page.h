@@ -67,14 +67,8 @@ void page_claims(const page *to);               ///< the table of claims, and cl
 void page_found(const page *to, size_t result); ///< verdicts in numbers, and the main figure
 void page_parameters(const page *to, size_t result);
 void page_computed(const page *to, size_t result); ///< computed tables, parameters
-void page_warnings(const page *to, size_t result); ///< warnings, laws used beyond their range, doubtful places of rest
+void page_warnings(const page *to, size_t result); ///< warnings of the run
 void page_provenance(const page *to, size_t result);
-void page_intervals(const page *to, size_t result);  ///< regimes along the sweep
-void page_jumps(const page *to, size_t result);      ///< jumps between neighbours of one regime
-void page_attractors(const page *to, size_t result); ///< attractors of a basin
-void page_starts(const page *to, size_t result);     ///< attractors of places with several starts
-void page_points(const page *to, size_t result);     ///< the table of points
-void page_motions(const page *to, size_t result, const whirl_table *table); ///< verdicts, sizes and contacts of motions
 const char *
 page_diagrams_title(const whirl_result *result);  ///< title of a result's diagrams over parameters; static text
 void page_machine(const page *to, size_t result); ///< the machine's drawing

@@ -6,6 +6,7 @@
 #include "html.h"
 #include "page.h"
 #include "page_findings.h"
+#include "quantities.h"
 
 enum { CELL_SIZE = 1024, MAX_ROWS = 80 };
 
@@ -21,6 +22,7 @@ size_t page_statements(const page *to, size_t result, const whirl_table *table) 
         char text[STATEMENT_SIZE];
         if (strcmp(findings->statements[i].table, name_of(table)) != 0) continue;
         statement_text(&findings->statements[i], text, sizeof text);
+        plus_minus(text);
         fputs(count++ ? "<li>" : "<ul class=\"notes\">\n<li>", to->stream);
         html_text(to->stream, text);
         fputs("</li>\n", to->stream);
@@ -29,11 +31,12 @@ size_t page_statements(const page *to, size_t result, const whirl_table *table) 
     return count;
 }
 
-/// Returns the class of a cell: numbers are aligned right, and long texts get a wide column.
-static const char *cell_class(const whirl_column *column, const char *text) {
+/// Returns the class of a cell: numbers are aligned right, long texts get a wide column, and the name of a regime stays
+/// beside its colour.
+static const char *cell_class(const whirl_column *column, const whirl_cell *cell, const char *text) {
     enum { LONG = 28 };
     if (column->digits > 0 && !column->between) return " class=\"number\"";
-    return strlen(text) > LONG ? " class=\"wide\"" : "";
+    return strlen(text) > LONG ? " class=\"wide\"" : cell && cell->colour ? " class=\"whole\"" : "";
 }
 
 static void write_row(FILE *stream, const whirl_sheet *sheet, size_t row) {
@@ -43,10 +46,20 @@ static void write_row(FILE *stream, const whirl_sheet *sheet, size_t row) {
         const whirl_column *column = &sheet->column[c];
         const bool head = row == 0 || shown == 0;
         if (sheet_column_empty(sheet, c)) continue;
+        const whirl_cell *cell = row > 0 ? &sheet->cells[(row - 1) * sheet->columns + c] : NULL;
         *text = '\0';
-        if (row > 0) whirl_cell_text(column, &sheet->cells[(row - 1) * sheet->columns + c], text, sizeof text);
-        fprintf(stream, "<%s%s>", head ? "th" : "td", cell_class(column, text));
-        html_text(stream, row > 0 ? text : column->heading);
+        if (cell) whirl_cell_text(column, cell, text, sizeof text);
+        plus_minus(text);
+        fprintf(stream, "<%s%s", head ? "th" : "td", cell_class(column, cell, text));
+        if (!cell && column->meaning) {
+            fputs(" title=\"", stream);
+            html_text(stream, column->meaning);
+            fputc('"', stream);
+        }
+        fputc('>', stream);
+        if (cell && cell->colour)
+            fprintf(stream, "<span class=\"swatch\" style=\"background:%s\"></span>", cell->colour);
+        html_text(stream, cell ? text : column->heading);
         if (row == 0 && *column->unit) {
             fputs(" <span class=\"whole\">(", stream);
             html_text(stream, column->unit);
@@ -58,12 +71,13 @@ static void write_row(FILE *stream, const whirl_sheet *sheet, size_t row) {
     fputs("</tr>\n", stream);
 }
 
-/// Writes a sheet; of many points only every n-th.
+/// Writes a sheet; of many points only every n-th. On paper nothing is folded.
 static void write_sheet(const page *to, const whirl_sheet *sheet) {
     const size_t step = sheet->of_points ? 1 + (sheet->rows - 1) / MAX_ROWS : 1;
-    fputs("<h4>", to->stream);
+    const bool folded = sheet->looked_up && !to->printed;
+    fputs(folded ? "<details><summary>" : "<h4>", to->stream);
     html_text(to->stream, sheet->title);
-    fputs("</h4>\n", to->stream);
+    fputs(folded ? "</summary>\n" : "</h4>\n", to->stream);
     if (*sheet->about) {
         fputs("<p>", to->stream);
         html_text(to->stream, sheet->about);
@@ -77,6 +91,7 @@ static void write_sheet(const page *to, const whirl_sheet *sheet) {
     fputs("</tbody></table></div>\n", to->stream);
     if (step > 1)
         fprintf(to->stream, "<p class=\"soft small\">One of %zu points; the others are in the result.</p>\n", step);
+    if (folded) fputs("</details>\n", to->stream);
 }
 
 void page_sheets(const page *to, size_t result, const whirl_table *table) {

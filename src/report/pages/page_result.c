@@ -4,7 +4,6 @@
 
 #include "findings_render.h"
 #include "html.h"
-#include "law_range_text.h"
 #include "page.h"
 #include "quantities.h"
 #include "two_pi.h"
@@ -187,32 +186,6 @@ static void append_gap(const whirl_shown_units *units, const whirl_probe *statio
     snprintf(text + used, size - used, " (stator at %.4g %s)", units->length * station->gap, units->length_name);
 }
 
-static void write_doubt(FILE *stream, const char *what, const whirl_table *table, const char *text) {
-    fprintf(stream, "<p><strong>%s:</strong> ", what);
-    html_text(stream, table->name);
-    fputs(", ", stream);
-    html_text(stream, text);
-    fputs("</p>\n", stream);
-}
-
-/// Writes points that are beyond the range of laws, and doubts about places of rest.
-static void page_ranges(const page *to, size_t index) {
-    const whirl_result *result = to->results[index];
-    char text[RANGE_TEXT_SIZE];
-    for (size_t t = 0; t < result->table_count; t++) {
-        const whirl_table *table = &result->tables[t];
-        for (size_t i = 0; *whirl_result_law_range(result, i); i++)
-            if (law_range_text(&to->units[index], table, i, text))
-                write_doubt(to->stream, "Beyond its law", table, text);
-        if (no_equilibrium_text(&to->units[index], table, text)) write_doubt(to->stream, "Place of rest", table, text);
-        if (other_equilibrium_text(&to->units[index], table, text))
-            write_doubt(to->stream, "Place of rest", table, text);
-        for (size_t i = 0; i < result->contact_count; i++)
-            if (closed_contact_text(&to->units[index], table, i, text))
-                write_doubt(to->stream, "Rests against", table, text);
-    }
-}
-
 void page_warnings(const page *to, size_t index) {
     char said[SENTENCE_SIZE];
     for (size_t i = 0; *whirl_result_warning(to->results[index], i); i++) {
@@ -221,7 +194,6 @@ void page_warnings(const page *to, size_t index) {
         html_text(to->stream, said);
         fputs("</p>\n", to->stream);
     }
-    page_ranges(to, index);
 }
 
 void page_computed(const page *to, size_t index) {

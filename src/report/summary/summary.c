@@ -5,9 +5,7 @@
 #include <string.h>
 
 #include "findings_render.h"
-#include "law_range_text.h"
 #include "machine_at.h"
-#include "motions_text.h"
 #include "shown_kinds.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/descriptor.h"
@@ -71,52 +69,21 @@ static void print_given(FILE *out, const whirl_shown_units *units, const whirl_t
     if (*whirl_result_fact(units->result, name)) fprintf(out, "  with %s\n", whirl_result_fact(units->result, name));
 }
 
-void summarize_motions(FILE *out, const whirl_shown_units *units, const whirl_case *machine, const whirl_table *table) {
-    char text[MOTIONS_TEXT_SIZE];
-    motions_text(units, units->result, machine, table, text);
-    fprintf(out, "  %s\n", text);
-}
-
-static void print_ranges(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
-    char text[RANGE_TEXT_SIZE];
-    for (size_t i = 0; *whirl_result_law_range(units->result, i); i++)
-        if (law_range_text(units, table, i, text)) fprintf(out, "  beyond its law: %s\n", text);
-    if (no_equilibrium_text(units, table, text)) fprintf(out, "  place of rest: %s\n", text);
-    if (other_equilibrium_text(units, table, text)) fprintf(out, "  place of rest: %s\n", text);
-    for (size_t i = 0; i < units->result->contact_count; i++)
-        if (closed_contact_text(units, table, i, text)) fprintf(out, "  rests against: %s\n", text);
-}
-
 enum { MAX_POINTS = 2, MAX_ROWS = 24 };
 
 static whirl_status print_table(FILE *out, const whirl_findings *findings, const whirl_shown_units *units,
-                                const whirl_case *machine, const whirl_table *table) {
-    const shown_kind *kind = shown_kind_of(table);
-    const bool single = !*table->parameter && whirl_table_planned(table) == 1;
-    // Write the method that "auto" chose.
+                                const whirl_table *table) {
+    // Write the method that "auto" chose, and a heading with the parameters of the table.
     if (table->integrate.chosen) fprintf(out, "method auto took %s for the %s\n", table->integrate.method, table->name);
-    // Write a heading with the parameters of the table; the verdict is the heading of a single motion.
-    const bool alone = !kind && single && !motions_beside(table);
-    if (!alone) {
-        summarize_heading(out, table);
-        print_given(out, units, table);
-        if (table->count > 0 && table->row == 0)
-            whirl_result_write_end(units->result, table->name, table->parameter, table->values[0], out);
-    }
-    // Summarize motions and points.
-    whirl_status status = whirl_ok();
-    if (!kind && motions_beside(table)) summarize_motions(out, units, machine, table);
-    if (!kind) {
-        status = single ? summarize_response(out, units, machine, table) : summarize_points(out, units, table);
-    } else if (table->count == 0 && !whirl_analysis_kind(table->analyses)->found) {
-        fputs("  no point was computed\n", out);
-        return status;
-    }
-    if (alone) summarize_refinement(out, table->source ? table->source : table);
+    summarize_heading(out, table);
+    print_given(out, units, table);
+    if (table->count > 0 && table->row == 0)
+        whirl_result_write_end(units->result, table->name, table->parameter, table->values[0], out);
     // Write the statements and sheets of the table.
-    if (status.code == WHIRL_OK && !findings_write_table(out, findings, table->name, MAX_POINTS, MAX_ROWS))
-        status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a summary");
-    return status;
+    if (table->count == 0 && !whirl_analysis_kind(table->analyses)->found) fputs("  no point was computed\n", out);
+    if (!findings_write_table(out, findings, table->name, MAX_POINTS, MAX_ROWS))
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for a summary");
+    return whirl_ok();
 }
 
 whirl_status whirl_result_write_summary(const whirl_result *result, FILE *out) {
@@ -157,10 +124,8 @@ whirl_status whirl_result_write_summary(const whirl_result *result, FILE *out) {
     // Write the findings on the machine, then each table.
     if (status.code == WHIRL_OK && !findings_write_table(out, findings, "", MAX_ROWS, MAX_ROWS))
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a summary");
-    for (size_t i = 0; i < view->table_count && status.code == WHIRL_OK; i++) {
-        status = print_table(out, findings, &units, machine, &view->tables[i]);
-        print_ranges(out, &units, &view->tables[i]);
-    }
+    for (size_t i = 0; i < view->table_count && status.code == WHIRL_OK; i++)
+        status = print_table(out, findings, &units, &view->tables[i]);
     whirl_findings_free(findings);
     whirl_case_free(machine);
     whirl_result_view_free(view);

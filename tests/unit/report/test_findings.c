@@ -80,12 +80,14 @@ static void phrases(void **state) {
     whirl_phrase_text(&statement->found, text, 6); // what does not fit is cut
     assert_string_equal(text, "3000 ");
     assert_string_equal(whirl_judgement_name(WHIRL_NOT_KNOWN), "not known");
-    // More pieces than a phrase has room for are no phrase that lacks its end: the findings are given up.
-    for (size_t i = statement->judged.count; i < WHIRL_PHRASE_PIECES; i++)
-        phrase_text(&own.of, &statement->judged, ".");
+    // A phrase keeps all of its pieces, however many they are.
+    whirl_phrase *const longest = &statement->found;
+    enum { MANY = 300 };
+    for (int i = 0; i < MANY; i++) phrase_number(&own.of, longest, WHIRL_QUANTITY_NUMBER, 6, (double)i);
     assert_false(own.findings->failed);
-    phrase_text(&own.of, &statement->judged, "end");
-    assert_true(own.findings->failed);
+    assert_int_equal(longest->count, 3 + MANY);
+    assert_true(longest->pieces[0].value == 100.0 * acos(-1.0));
+    for (int i = 0; i < MANY; i++) assert_true(longest->pieces[3 + i].value == (double)i);
     made_free(&own);
 }
 

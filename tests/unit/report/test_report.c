@@ -224,7 +224,7 @@ static void partial_results_say_so(void **state) {
     result->tables[1].done = sample_take(2, 1);
     assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
     assert_holds("out/report.html", "when 4 of 13 points were done");
-    assert_holds("out/report.html", "1 to 0.7</td>");
+    assert_holds("out/report.html", "P-1 from 1 to 0.7");
     assert_lacks("out/made/bifurcation-disc.gp", "undetermined'");
     assert_int_equal(size_of("out/made/r_k-0.6-disc.gp"), -1);
     whirl_result_free(result);
@@ -254,8 +254,8 @@ static void confidence_is_shown(void **state) {
     assert_point(panel_of(figure, "radius"), WHIRL_LINE, "#0072B2", 0.8, 0.8);
     assert_point(panel_of(figure, "contact"), WHIRL_LINE, "#0072B2", 0.1, 4.0);
     whirl_figure_free(figure);
-    assert_holds("out/report.html", "high; at the second tolerance P-3");
-    assert_holds("out/report.html", ". To settle it, let it run 2 times as long.");
+    assert_holds("out/report.html", "<td>high</td><td>P-3</td>");
+    assert_holds("out/report.html", "<td>let it run 2 times as long</td>");
     whirl_result_free(result);
 }
 
@@ -279,8 +279,8 @@ static void exponents_are_listed_with_their_sum(void **state) {
     rename_field(result, "lyapunov/error", "exponents/sum_exact", -0.12345);
     rename_field(result, "regime/recurrence_trend", "exponents/dimension", 1.5);
     assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
-    assert_holds("out/report.html", "exponents -0.1234&nbsp;&plusmn;&nbsp;0.0020; their sum -0.123400, exactly "
-                                    "-0.123450; Kaplan-Yorke dimension 1.5");
+    assert_holds("out/report.html", "<td>-0.1234 \u00b1 0.0020</td><td class=\"number\">-0.1234</td>"
+                                    "<td class=\"number\">-0.12345</td><td class=\"number\">1.5</td>");
     whirl_result_free(result);
 }
 
