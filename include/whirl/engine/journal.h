@@ -84,8 +84,8 @@ bool whirl_journal_has(const whirl_journal *journal, size_t batch, size_t slot);
 /// Returns the number of points in the journal.
 size_t whirl_journal_points(const whirl_journal *journal);
 
-/// Returns the store of points for whirl_run_options; it lives as long as the journal. After an error (a full disk) the journal
-/// contains everything written before; the failed point is written again with the next one and on closing.
+/// Returns the store of points for whirl_run_options; it lives as long as the journal. After an error (a full disk) the
+/// journal contains everything written before; the failed point is written again with the next one and on closing.
 const whirl_point_store *whirl_journal_store(whirl_journal *journal);
 
 /// Syncs and closes the journal; the file stays. WHIRL_IO_ERROR if points could not be written.
