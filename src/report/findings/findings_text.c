@@ -219,6 +219,9 @@ static void write_letters(FILE *stream, const char *text) {
         if (strncmp(text, "\u00b5", 2) == 0) {
             fputs("$\\mu$", stream);
             text++;
+        } else if (strncmp(text, "+-", 2) == 0) {
+            fputs("$\\pm$", stream);
+            text++;
         } else if (*text == '\\' || *text == '~' || *text == '^') {
             fprintf(stream, *text == '\\' ? "\\textbackslash{}" : *text == '~' ? "\\textasciitilde{}" : "\\^{}");
         } else {

@@ -117,17 +117,17 @@ static void empty_columns(void **state) {
     made own = made_in("");
     whirl_sheet *sheet = sheet_of(&own, "sheet");
     sheet_fill(&own, sheet, "a", 1000.0 / 3.0);
-    sheet_fill(&own, sheet, "bb", -0.0);
+    sheet_fill(&own, sheet, "b+-b", -0.0);
     assert_false(own.findings->failed);
     assert_false(signbit(sheet->cells[4 + 1].number));
     assert_written(sheet, WHIRL_SHEET_TEXT,
-                   "  Made by hand:\n    what  force (N)  pads (N)\n    a         333.3  1.5, 0\n    bb            0  "
+                   "  Made by hand:\n    what  force (N)  pads (N)\n    a         333.3  1.5, 0\n    b+-b          0  "
                    "\n");
     assert_written(sheet, WHIRL_SHEET_CSV,
-                   "what,force (N),never,pads (N)\r\na,333.33333333333331,,\"1.5, 0\"\r\nbb,0,,\r\n");
+                   "what,force (N),never,pads (N)\r\na,333.33333333333331,,\"1.5, 0\"\r\nb+-b,0,,\r\n");
     assert_written(sheet, WHIRL_SHEET_LATEX,
                    "\\begin{tabular}{lrl}\n\\toprule\nwhat & force (N) & pads (N) \\\\\n\\midrule\n"
-                   "a & 333.3 & 1.5, 0 \\\\\nbb & 0 &  \\\\\n\\bottomrule\n\\end{tabular}\n");
+                   "a & 333.3 & 1.5, 0 \\\\\nb$\\pm$b & 0 &  \\\\\n\\bottomrule\n\\end{tabular}\n");
     // A sheet without rows is none.
     find_sheet(&own.of, "none", "Nothing");
     find_sheet_end(&own.of);
