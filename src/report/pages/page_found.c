@@ -15,18 +15,16 @@
 #include "whirl/engine/shown.h"
 #include "whirl/status.h"
 
-/// Returns true if sentences describe a table; the sentences of the sweep cover detail points. A study that found no
-/// branch or torus has a statement about that.
-static bool is_covered(const whirl_result *result, const whirl_table *table) {
-    if (table->count == 0) return shown_kind_of(table) != &shown_motions;
-    return table->role != WHIRL_ROLE_DETAIL || result->table_count == 1;
+/// Returns true if sentences describe a table. A study that found no branch or torus has a statement about that.
+static bool is_covered(const whirl_table *table) {
+    return table->count > 0 || shown_kind_of(table) != &shown_motions;
 }
 
 static void write_tables(const page *to, size_t index, bool at_rest) {
     const whirl_result *result = to->results[index];
     for (const whirl_table *table = result->tables; table < result->tables + result->table_count; table++) {
         const whirl_kind *kind = whirl_analysis_kind(table->analyses);
-        if (is_covered(result, table) && at_rest == !(kind->moves || kind->found)) found_table(to, index, table);
+        if (is_covered(table) && at_rest == !(kind->moves || kind->found)) found_table(to, index, table);
     }
 }
 
