@@ -77,7 +77,6 @@ void reason_text(const whirl_verdict *verdict, char *text, size_t size) {
     const shown_estimate exponent = estimate_shown(verdict->exponent);
     copy.exponent = (whirl_estimate){exponent.value, exponent.error};
     whirl_verdict_reason(&copy, text, size);
-    plus_minus(text);
 }
 
 double max_radius(const whirl_table *table, size_t point, size_t station) {

@@ -204,9 +204,14 @@ void sheet_coefficients(const finder *of, whirl_sheet *sheet, const char *const 
                      i < 4 ? WHIRL_QUANTITY_STIFFNESS : WHIRL_QUANTITY_DAMPING, 4);
 }
 
+void sheet_list_units(const finder *of, whirl_sheet *sheet, const char *key, const char *heading,
+                      const whirl_unit *unit, int digits, const char *between) {
+    sheet_add_numbers(of, sheet, key, heading, unit, digits, between);
+}
+
 void sheet_list(const finder *of, whirl_sheet *sheet, const char *key, const char *heading, whirl_quantity quantity,
                 int digits, const char *between) {
-    sheet_add_numbers(of, sheet, key, heading, &of->units->of[quantity], digits, between);
+    sheet_list_units(of, sheet, key, heading, &of->units->of[quantity], digits, between);
 }
 
 void sheet_texts(const finder *of, whirl_sheet *sheet, const char *key, const char *heading) {

@@ -68,6 +68,8 @@ void sheet_units(const finder *of, whirl_sheet *sheet, const char *key, const ch
                  int digits); ///< numbers with a given unit
 void sheet_list(const finder *of, whirl_sheet *sheet, const char *key, const char *heading, whirl_quantity quantity,
                 int digits, const char *between); ///< several numbers in each cell
+void sheet_list_units(const finder *of, whirl_sheet *sheet, const char *key, const char *heading,
+                      const whirl_unit *unit, int digits, const char *between); ///< several numbers with a given unit
 void sheet_texts(const finder *of, whirl_sheet *sheet, const char *key, const char *heading); ///< texts
 void sheet_values(const finder *of, whirl_sheet *sheet, const char *heading,
                   int digits); ///< values of the parameter, if any

@@ -42,13 +42,11 @@ static void find_basin(const finder *of) {
     sheet_list(of, sheet, "share", "share (%)", WHIRL_QUANTITY_NUMBER, 3, " +- ");
     sheet_list(of, sheet, "first", find_text(of->findings, "first start (%s, %s)", table->parameter, table->second),
                WHIRL_QUANTITY_NUMBER, 5, ", ");
-    sheet_list(of, sheet, "exponent", "largest exponent per revolution", WHIRL_QUANTITY_NUMBER, 6, " +- ");
+    sheet_exponent(of, sheet);
     for (size_t k = 0; k < count && k < MAX_ATTRACTORS; k++) {
         const whirl_verdict verdict = whirl_table_verdict(table, found[k].first);
-        const shown_estimate exponent = estimate_shown(point_exponent(table, found[k].first));
         const double first[] = {table->values[found[k].first], whirl_table_second(table, found[k].first)};
         const double share[] = {100.0 * found[k].share, 100.0 * found[k].error};
-        const double both[] = {exponent.value, exponent.error};
         char name[LABEL_SIZE];
         whirl_verdict_name(&verdict, name, sizeof name);
         known += found[k].points;
@@ -59,7 +57,7 @@ static void find_basin(const finder *of) {
         cell_number(of, sheet, (double)found[k].points);
         cell_numbers(of, sheet, 2, share);
         cell_numbers(of, sheet, 2, first);
-        cell_numbers(of, sheet, isfinite(exponent.value) ? 2 : 0, both);
+        cell_exponent(of, sheet, found[k].first);
     }
     find_sheet_end(of);
     // State the starts without a verdict.
@@ -199,13 +197,10 @@ static void state_places(const finder *of) {
 
 static void find_starts(const finder *of) {
     const whirl_table *source = of->table->source;
-    size_t done = 0, undetermined = 0;
+    size_t done, undetermined;
     if (of->table->row == 0) sheet_attractors(of);
     state_places(of);
-    for (size_t i = 0; i < source->count; i++) {
-        done += whirl_table_done(source, i);
-        undetermined += whirl_table_done(source, i) && whirl_table_verdict(source, i).regime == WHIRL_UNDETERMINED;
-    }
+    starts_count(source, &done, &undetermined);
     if (undetermined > 0)
         phrase_text(of, &find_statement(of, "without a verdict")->found,
                     "%zu of %zu starts: a longer transient may tell", undetermined, done);

@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "found_motions.h"
-#include "machine_at.h"
 #include "quantities.h"
 #include "shown_kinds.h"
 #include "whirl/engine/analyze.h"
@@ -49,13 +48,9 @@ static void add_count(const finder *of, whirl_phrase *found) {
 /// these.
 static void add_undetermined(const finder *of, whirl_phrase *found) {
     const whirl_table *const table = of->table, *const source = table->source;
-    size_t done = 0, undetermined = 0;
+    size_t done, undetermined;
     double with_motions = 0.0;
-    for (size_t i = 0; i < source->count; i++) {
-        if (!whirl_table_done(source, i)) continue;
-        done++;
-        undetermined += whirl_table_verdict(source, i).regime == WHIRL_UNDETERMINED;
-    }
+    starts_count(source, &done, &undetermined);
     if (done < whirl_table_planned(source))
         phrase_text(of, found, " (%zu of %zu starts are computed)", done, whirl_table_planned(source));
     if (undetermined == 0) return;
@@ -101,16 +96,15 @@ typedef struct nearest_wall {
 } nearest_wall;
 
 static void nearest_look(const finder *of, size_t point, nearest_wall *found) {
-    whirl_machine own;
-    const bool made = machine_at(of->machine, of->table, point, &own);
-    const whirl_probe *probes = made ? own.system->probes : of->result->stations;
+    point_machine own;
+    const whirl_probe *probes = point_probes(of, point, &own);
     for (size_t s = 0; s < of->result->station_count; s++) {
         const double radius = max_radius(of->table, point, s), walls[] = {probes[s].clearance, probes[s].gap};
         for (int k = 0; k < 2; k++)
             if (walls[k] > 0.0 && radius / walls[k] > found->share)
                 *found = (nearest_wall){.share = radius / walls[k], .station = s, .point = point, .film = k == 0};
     }
-    if (made) own.release(own.owner);
+    point_release(&own);
 }
 
 static void state_nearest(const finder *of) {

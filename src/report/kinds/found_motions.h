@@ -6,6 +6,8 @@
 
 #include "findings_build.h"
 #include "regimes.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/system.h"
 
 /// Returns true for a table with a single motion.
 bool find_alone(const finder *of);
@@ -33,6 +35,25 @@ void cells_point(const finder *of, whirl_sheet *sheet, size_t point);
 
 /// Fills a cell with the name of a regime, in its colour.
 void cell_regime(const finder *of, whirl_sheet *sheet, const char *name, regime_class kind);
+
+/// Add a column of largest exponents with their errors, and fill the cell of a motion; both are rounded to digits that
+/// the error leaves.
+void sheet_exponent(const finder *of, whirl_sheet *sheet);
+void cell_exponent(const finder *of, whirl_sheet *sheet, size_t point);
+
+/// The machine of a point, if it can be made.
+typedef struct point_machine {
+    whirl_machine machine;
+    bool made;
+} point_machine;
+
+/// Returns the stations with their clearances and gaps at a point, or those of the result if the point's machine is
+/// unknown. They live until point_release.
+const whirl_probe *point_probes(const finder *of, size_t point, point_machine *own);
+void point_release(point_machine *own);
+
+/// Counts the starts of a table that are done, and those of them without a verdict.
+void starts_count(const whirl_table *source, size_t *done, size_t *undetermined);
 
 /// Finds the number of points of the grid that each point of a refined map stands for [count]; NULL for other tables.
 /// To be freed. Returns false without memory.

@@ -60,18 +60,6 @@ static const char *verdict_second(const finder *of, const whirl_verdict *verdict
     return find_text(of->findings, "%s", name);
 }
 
-/// Fills a cell with an exponent and its error, rounded to digits that the error leaves.
-static void cell_estimate(const finder *of, whirl_sheet *sheet, whirl_estimate estimate) {
-    const shown_estimate shown = estimate_shown(estimate);
-    const double both[] = {shown.value, shown.error};
-    cell_numbers(of, sheet, isfinite(shown.value) ? isfinite(shown.error) ? 2 : 1 : 0, both);
-}
-
-/// Adds a column of exponents with their errors.
-static void sheet_exponents(const finder *of, whirl_sheet *sheet, const char *key, const char *heading) {
-    sheet_list(of, sheet, key, heading, WHIRL_QUANTITY_NUMBER, 6, " +- ");
-}
-
 static void find_verdicts(const finder *of) {
     const whirl_table *table = of->table;
     const bool contacts = has_rub(table, of->result->contact_count);
@@ -86,7 +74,7 @@ static void find_verdicts(const finder *of) {
     sheet_texts(of, sheet, "regime", "regime");
     sheet_texts(of, sheet, "confidence", "confidence");
     sheet_texts(of, sheet, "second", "at the second tolerance");
-    sheet_exponents(of, sheet, "exponent", "largest exponent per revolution");
+    sheet_exponent(of, sheet);
     if (contacts) sheet_column(of, sheet, "contact", "time in contact", WHIRL_QUANTITY_PERCENT, 3);
     // Add a row for each motion.
     for (size_t point = 0; point < table->count; point++) {
@@ -104,7 +92,7 @@ static void find_verdicts(const finder *of) {
         const bool judged = verdict.regime != WHIRL_NOT_JUDGED;
         cell_text(of, sheet, judged ? whirl_confidence_name(verdict.confidence) : "");
         cell_text(of, sheet, verdict_second(of, &verdict));
-        cell_estimate(of, sheet, point_exponent(table, point));
+        cell_exponent(of, sheet, point);
         if (contacts) cell_number(of, sheet, 100.0 * rub_share(table, point, of->result->contact_count));
     }
     find_sheet_end(of);
@@ -113,10 +101,7 @@ static void find_verdicts(const finder *of) {
 /// Writes the reason of a verdict, with its exponent rounded.
 static const char *verdict_reason(const finder *of, const whirl_verdict *verdict) {
     char text[WHIRL_MESSAGE_SIZE];
-    whirl_verdict copy = *verdict;
-    const shown_estimate exponent = estimate_shown(verdict->exponent);
-    copy.exponent = (whirl_estimate){exponent.value, exponent.error};
-    whirl_verdict_reason(&copy, text, sizeof text);
+    reason_text(verdict, text, sizeof text);
     return find_text(of->findings, "%s", text);
 }
 
@@ -251,11 +236,7 @@ static void sheet_sizes(const finder *of, whirl_sheet *sheet, bool bearings, boo
     sheet_list(of, sheet, units->frequency > 0.0 ? "frequencies" : "orders",
                units->frequency > 0.0 ? "frequencies of the largest lines" : "orders of the largest lines",
                units->frequency > 0.0 ? WHIRL_QUANTITY_FREQUENCY : WHIRL_QUANTITY_NUMBER, 4, ", ");
-    sheet_list(of, sheet, "amplitudes", "their amplitudes, the larger of x and y", WHIRL_QUANTITY_NUMBER, 3, ", ");
-    if (!of->findings->failed) {
-        sheet->column[sheet->columns - 1].unit = find_text(of->findings, "%s", amplitude.name);
-        sheet->column[sheet->columns - 1].size = amplitude.size;
-    }
+    sheet_list_units(of, sheet, "amplitudes", "their amplitudes, the larger of x and y", &amplitude, 3, ", ");
     sheet_column(of, sheet, "in_lines", "motion in stored lines", WHIRL_QUANTITY_PERCENT, 3);
 }
 
@@ -279,21 +260,24 @@ static void find_sizes(const finder *of) {
                    "for about half of the time, whatever its sense.";
     // Add a row for each station of each motion.
     for (size_t point = 0; point < table->count; point++) {
+        if (!whirl_table_done(table, point)) continue;
         const double clock = of->units->frequency > 0.0 ? machine_clock(of->machine, result, table, point) : 1.0;
-        for (size_t s = 0; s < result->station_count && whirl_table_done(table, point); s++) {
-            const machine_walls walls = machine_walls_at(of->machine, result, table, point, s);
+        point_machine own;
+        const whirl_probe *probes = point_probes(of, point, &own);
+        for (size_t s = 0; s < result->station_count; s++) {
             const double radius = max_radius(table, point, s), none = (double)NAN;
             sheet_row(of, sheet);
             cells_point(of, sheet, point);
             cell_station(of, sheet, s);
             cell_number(of, sheet, radius * displacement_factor(of, point));
-            if (bearings) cell_number(of, sheet, walls.clearance > 0.0 ? radius / walls.clearance : none);
-            if (gaps) cell_number(of, sheet, walls.gap > 0.0 ? radius / walls.gap : none);
+            if (bearings) cell_number(of, sheet, probes[s].clearance > 0.0 ? radius / probes[s].clearance : none);
+            if (gaps) cell_number(of, sheet, probes[s].gap > 0.0 ? radius / probes[s].gap : none);
             cell_number(of, sheet, 100.0 * backward_share(table, point, s));
             cells_lines(of, sheet, point, s, clock);
             const double share = line_share(table, point, s);
             cell_number(of, sheet, share < FEW_LINES ? 100.0 * share : none);
         }
+        point_release(&own);
     }
     find_sheet_end(of);
 }

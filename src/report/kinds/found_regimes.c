@@ -20,6 +20,24 @@ static const char back[] = "on the way back";
 
 // ---------------------------------------------------------------- ranges
 
+/// Adds the columns of a stretch of the parameter and its regime: from, to, way, attractor, regime.
+static void sheet_stretch(const finder *of, whirl_sheet *sheet) {
+    sheet_values(of, sheet, "from", 6);
+    sheet_values(of, sheet, "to", 6);
+    sheet_texts(of, sheet, "way", "way");
+    sheet_column(of, sheet, "attractor", "attractor", WHIRL_QUANTITY_NUMBER, 6);
+    sheet_texts(of, sheet, "regime", "regime");
+}
+
+/// Fills the cells of a stretch from one point to another, before that of the regime.
+static void cells_stretch(const finder *of, whirl_sheet *sheet, size_t from, size_t to) {
+    const whirl_table *table = of->table;
+    cell_number(of, sheet, table->values[from]);
+    cell_number(of, sheet, table->values[to]);
+    cell_text(of, sheet, table->branch[from] < 0 ? back : "");
+    cell_number(of, sheet, table->attractors ? (double)table->attractors[from].number : (double)NAN);
+}
+
 /// Intervals of one regime along a parameter.
 typedef struct regime_ranges {
     regime_interval *intervals; ///< [count]
@@ -59,17 +77,13 @@ static void state_ranges(const finder *of, const regime_ranges *ranges) {
 static void range_row(const finder *of, whirl_sheet *sheet, const regime_interval *own, size_t length) {
     char name[512];
     size_t points = 0, rubbing = 0;
-    const whirl_table *table = of->table;
     for (size_t i = 0; i < length; i++) {
         points += own[i].count;
         rubbing += own[i].rubbing;
     }
     regime_group_name(own, length, name, sizeof name);
     sheet_row(of, sheet);
-    cell_number(of, sheet, table->values[own->first]);
-    cell_number(of, sheet, table->values[own[length - 1].last]);
-    cell_text(of, sheet, own->branch < 0 ? back : "");
-    cell_number(of, sheet, table->attractors ? (double)table->attractors[own->first].number : (double)NAN);
+    cells_stretch(of, sheet, own->first, own[length - 1].last);
     cell_regime(of, sheet, name, own->kind);
     cell_number(of, sheet, (double)points);
     cell_number(of, sheet, of->result->contact_count > 0 ? (double)rubbing : (double)NAN);
@@ -78,11 +92,7 @@ static void range_row(const finder *of, whirl_sheet *sheet, const regime_interva
 
 /// Adds the rows of ranges, or of all intervals, to a sheet.
 static void sheet_ranges(const finder *of, const regime_ranges *ranges, whirl_sheet *sheet, bool all) {
-    sheet_values(of, sheet, "from", 6);
-    sheet_values(of, sheet, "to", 6);
-    sheet_texts(of, sheet, "way", "way");
-    sheet_column(of, sheet, "attractor", "attractor", WHIRL_QUANTITY_NUMBER, 6);
-    sheet_texts(of, sheet, "regime", "regime");
+    sheet_stretch(of, sheet);
     sheet_column(of, sheet, "points", "points", WHIRL_QUANTITY_NUMBER, 9);
     sheet_column(of, sheet, "rubbing", "of these with rub", WHIRL_QUANTITY_NUMBER, 9);
     sheet_column(of, sheet, "windows", "windows", WHIRL_QUANTITY_NUMBER, 9);
@@ -265,11 +275,7 @@ static void find_jumps(const finder *of) {
         "around. Two motions may coexist there, and the start decides between them; or one motion changes suddenly. A "
         "sweep with start: carry and direction: both, or other initial states, may decide.%s",
         count > MAX_JUMPS ? find_text(of->findings, " These are the first %d of %zu.", MAX_JUMPS, count) : "");
-    sheet_values(of, sheet, "from", 6);
-    sheet_values(of, sheet, "to", 6);
-    sheet_texts(of, sheet, "way", "way");
-    sheet_column(of, sheet, "attractor", "attractor", WHIRL_QUANTITY_NUMBER, 6);
-    sheet_texts(of, sheet, "regime", "regime");
+    sheet_stretch(of, sheet);
     sheet_texts(of, sheet, "station", "station");
     sheet_column(of, sheet, "change", "change, of the motion's size", WHIRL_QUANTITY_PERCENT, 2);
     sheet_column(of, sheet, "usual", "from point to point around", WHIRL_QUANTITY_PERCENT, 2);
@@ -278,10 +284,7 @@ static void find_jumps(const finder *of) {
         char name[LABEL_SIZE];
         regime_name(&verdict, name, sizeof name);
         sheet_row(of, sheet);
-        cell_number(of, sheet, table->values[jumps[i].from]);
-        cell_number(of, sheet, table->values[jumps[i].to]);
-        cell_text(of, sheet, table->branch[jumps[i].from] < 0 ? back : "");
-        cell_number(of, sheet, table->attractors ? (double)table->attractors[jumps[i].from].number : (double)NAN);
+        cells_stretch(of, sheet, jumps[i].from, jumps[i].to);
         cell_regime(of, sheet, name, regime_class_of(&verdict));
         cell_station(of, sheet, jumps[i].station);
         cell_number(of, sheet, 100.0 * jumps[i].change);

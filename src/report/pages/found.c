@@ -1,5 +1,4 @@
 // Writes findings as sentences: those of all tables with their judgements, and those of one table.
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,13 +9,9 @@
 #include "page.h"
 #include "page_findings.h"
 #include "quantities.h"
-#include "regimes.h"
-#include "shown_kinds.h"
 #include "summary.h"
-#include "whirl/engine/analyze.h"
 #include "whirl/engine/findings.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
 
 size_t found_each(const page *to, choose_table *chosen, const void *by, each_table *act, void *context) {
     size_t count = 0;

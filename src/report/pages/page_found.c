@@ -1,19 +1,10 @@
 // Writes the findings that come first on a page, with the main figure.
-#include <math.h>
-#include <string.h>
 
 #include "found.h"
-#include "html.h"
 #include "page.h"
-#include "quantities.h"
-#include "regimes.h"
 #include "shown_kinds.h"
-#include "units.h"
 #include "whirl/engine/analyze.h"
-#include "whirl/engine/descriptor.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
-#include "whirl/status.h"
 
 /// Returns true if sentences describe a table. A study that found no branch or torus has a statement about that.
 static bool is_covered(const whirl_table *table) {

@@ -198,6 +198,7 @@ static void reasons_are_written_for_pages(void **state) {
                                    .exponent = {-0.164912, 4.9e-4}};
     char text[512];
     reason_text(&verdict, text, sizeof text);
+    plus_minus(text);
     assert_non_null(strstr(text, "-0.1649 \u00b1 0.0005 per revolution"));
     assert_null(strstr(text, "+-"));
 }
