@@ -100,6 +100,11 @@ def test_statements_and_sheets_are_those_of_the_command(file):
                     assert in_unit * column.size == pytest.approx(cell, rel=1e-15)
 
 
+def latex_of(text):
+    escaped = re.sub(r"([%&_#$])", r"\\\1", text)
+    return escaped.replace("µ", "$\\mu$").replace("+-", "$\\pm$")
+
+
 def test_texts_are_the_numbers(file):
     """CSV has every number as `rows` have it; text, LaTeX and Markdown as `texts` have it, to their digits."""
     result = whirl.open(file)
@@ -125,7 +130,7 @@ def test_texts_are_the_numbers(file):
         filled = [texts for texts in zip(*sheet.texts) if any(texts)]
         assert lines == [f"| {' | '.join(text.replace('|', chr(92) + '|') for text in row)} |" for row in zip(*filled)]
         for cell in (cell for row in sheet.texts for cell in row):
-            assert cell in text and re.sub(r"([%&_#$])", r"\\\1", cell).replace("µ", "$\\mu$") in latex
+            assert cell in text and latex_of(cell) in latex
         assert text == command("table", file, key).stdout
 
 
@@ -358,7 +363,9 @@ def test_no_number_is_rounding_noise():
 def test_motions_without_spectra_have_those_of_the_machine():
     text = re.sub("analyze: .*", "analyze: [orbit]", (ROOT / "tests/cli/good.yaml").read_text())
     result = whirl.run(whirl.Case(text=text), progress=False)
-    assert [own.what for own in result.statements()] == ["weight"] and list(result.sheets()) == ["stations"]
+    told = [own.what for own in result.statements()]
+    assert told == ["weight", "motions", "nearest to a wall"]
+    assert list(result.sheets()) == ["stations", "sizes", "watched-stations"]
     with pytest.raises(whirl.BadInput, match="there is no sheet 'peaks'"):
         result.sheet("peaks")
 

@@ -29,22 +29,20 @@ static whirl_sheet *sheet_of_stations(const finder *of, const char *name, const 
 
 // ---------------------------------------------------------------- units of displacements
 
-/// Unit of displacements: a unit of length, or a scale of the machine by which lengths are divided.
-static whirl_unit displacement_unit(const whirl_shown_units *units, whirl_counting counting) {
-    const char *name = units->length_name, *counted = whirl_shown_counted(units, counting);
+/// Unit of displacements: a unit of length, or the scale of the machine by which lengths are divided if all points of
+/// the table have the same.
+static whirl_unit displacement_unit(const finder *of, whirl_counting counting) {
+    const whirl_shown_units *units = of->units;
+    const bool scales = units->ratio && of->table->length_scales;
+    const whirl_unit length = units->of[WHIRL_QUANTITY_LENGTH];
+    const char *name = scales ? length.name : units->length_name, *counted = whirl_shown_counted(units, counting);
     const double amplitude = counting == WHIRL_AMPLITUDE ? units->amplitude : 1.0;
-    whirl_unit unit = {.size = (units->ratio ? 1.0 : units->result->length_scale / units->length) / amplitude};
+    whirl_unit unit = {.size = (scales ? length.size : units->result->length_scale / units->length) / amplitude};
     // A scale without a name, "(0.2 mm)", is no unit but a measure.
-    const int length = (int)strcspn(name + (*name == '('), ")");
-    snprintf(unit.name, sizeof unit.name, "%s%.*s%s%s", *name == '(' ? "in " : "", length, name + (*name == '('),
+    const int letters = (int)strcspn(name + (*name == '('), ")");
+    snprintf(unit.name, sizeof unit.name, "%s%.*s%s%s", *name == '(' ? "in " : "", letters, name + (*name == '('),
              *counted ? " " : "", counted);
     return unit;
-}
-
-/// Returns the factor from a displacement at a point to a number in a sheet: in m, or in the machine's scale.
-static double displacement_factor(const finder *of, size_t point) {
-    return of->units->ratio ? whirl_shown_length(of->units, of->table, point)
-                            : whirl_result_length_scale(of->result, of->table, point);
 }
 
 // ---------------------------------------------------------------- verdicts
@@ -212,7 +210,7 @@ enum { MAX_LINES = 5 };
 /// Fills two cells with the orders (or frequencies) of the largest lines, and with their amplitudes.
 static void cells_lines(const finder *of, whirl_sheet *sheet, size_t point, size_t station, double clock) {
     const numbers lines = point_lines(of->table, point, station);
-    const double factor = displacement_factor(of, point);
+    const double factor = whirl_result_length_scale(of->result, of->table, point);
     double places[MAX_LINES], sizes[MAX_LINES];
     size_t count = 0;
     for (; count < lines.rows && count < MAX_LINES; count++) {
@@ -227,8 +225,8 @@ static void cells_lines(const finder *of, whirl_sheet *sheet, size_t point, size
 /// Adds the columns of size and sense; those of bearings and gaps if the machine has some.
 static void sheet_sizes(const finder *of, whirl_sheet *sheet, bool bearings, bool gaps) {
     const whirl_shown_units *units = of->units;
-    const whirl_unit radius = displacement_unit(units, WHIRL_ZERO_TO_PEAK);
-    const whirl_unit amplitude = displacement_unit(units, WHIRL_AMPLITUDE);
+    const whirl_unit radius = displacement_unit(of, WHIRL_ZERO_TO_PEAK);
+    const whirl_unit amplitude = displacement_unit(of, WHIRL_AMPLITUDE);
     sheet_units(of, sheet, "radius", "largest radius", &radius, 4);
     if (bearings) sheet_column(of, sheet, "eccentricity", "largest eccentricity", WHIRL_QUANTITY_NUMBER, 4);
     if (gaps) sheet_column(of, sheet, "of_gap", "largest radius / gap", WHIRL_QUANTITY_NUMBER, 4);
@@ -269,7 +267,7 @@ static void find_sizes(const finder *of) {
             sheet_row(of, sheet);
             cells_point(of, sheet, point);
             cell_station(of, sheet, s);
-            cell_number(of, sheet, radius * displacement_factor(of, point));
+            cell_number(of, sheet, radius * whirl_result_length_scale(of->result, of->table, point));
             if (bearings) cell_number(of, sheet, probes[s].clearance > 0.0 ? radius / probes[s].clearance : none);
             if (gaps) cell_number(of, sheet, probes[s].gap > 0.0 ? radius / probes[s].gap : none);
             cell_number(of, sheet, 100.0 * backward_share(table, point, s));
@@ -289,7 +287,8 @@ static void rows_named(const finder *of, whirl_sheet *sheet, size_t point, size_
     enum { MAX_NAMED = 4 };
     static const double least = 0.01;
     const numbers lines = point_lines(of->table, point, station);
-    const double factor = displacement_factor(of, point), clock = whirl_table_clock(of->result, of->table, point);
+    const double factor = whirl_result_length_scale(of->result, of->table, point),
+                 clock = whirl_table_clock(of->result, of->table, point);
     int shown = 0;
     for (size_t i = 0; i < lines.rows && shown < MAX_NAMED; i++) {
         const double *line = lines.at + i * lines.columns;
@@ -311,7 +310,7 @@ static void rows_named(const finder *of, whirl_sheet *sheet, size_t point, size_
 }
 
 static void find_named(const finder *of) {
-    const whirl_unit amplitude = displacement_unit(of->units, WHIRL_AMPLITUDE);
+    const whirl_unit amplitude = displacement_unit(of, WHIRL_AMPLITUDE);
     if (!whirl_layout_field(&of->table->layout, WHIRL_FIELD_SPECTRUM_LINES)) return;
     whirl_sheet *sheet = sheet_of_stations(of, "named-lines", "Lines at orders of the machine's parts");
     sheet_texts(of, sheet, "line", "line");
@@ -341,7 +340,7 @@ static void find_synchronous(const finder *of) {
     static const char *const parts[SYNCHRONOUS_PARTS] = {"x", "y", "forward", "backward"};
     static const char *const lags[SYNCHRONOUS_PARTS] = {"x_lag", "y_lag", "forward_lag", "backward_lag"};
     const whirl_table *table = of->table;
-    const whirl_unit amplitude = displacement_unit(of->units, WHIRL_AMPLITUDE);
+    const whirl_unit amplitude = displacement_unit(of, WHIRL_AMPLITUDE);
     const char *keyphasor = whirl_result_keyphasor(of->result);
     if (!whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS)) return;
     // Name the speed to which phases refer: that of the keyphasor, if the case names one.
@@ -365,7 +364,7 @@ static void find_synchronous(const finder *of) {
         for (size_t s = 0; s < of->result->station_count && whirl_table_done(table, point); s++) {
             const double *size = whirl_table_field(table, point, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, s);
             const double *lag = whirl_table_field(table, point, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS_LAG, s);
-            const double factor = displacement_factor(of, point);
+            const double factor = whirl_result_length_scale(of->result, of->table, point);
             sheet_row(of, sheet);
             cells_point(of, sheet, point);
             cell_station(of, sheet, s);
@@ -394,7 +393,7 @@ static whirl_unit watched_unit(const finder *of, const whirl_field *field) {
         const char *unit;
         whirl_quantity quantity;
     } kinds[] = {{"force", WHIRL_QUANTITY_FORCE}, {"N m", WHIRL_QUANTITY_MOMENT}, {"W", WHIRL_QUANTITY_POWER}};
-    if (strcmp(field->unit, "length") == 0) return displacement_unit(of->units, whirl_field_counting(field));
+    if (strcmp(field->unit, "length") == 0) return displacement_unit(of, whirl_field_counting(field));
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
         if (strcmp(field->unit, kinds[i].unit) == 0 &&
             (kinds[i].quantity != WHIRL_QUANTITY_POWER || of->units->chosen[WHIRL_QUANTITY_POWER]))
@@ -405,7 +404,7 @@ static whirl_unit watched_unit(const finder *of, const whirl_field *field) {
 /// Returns the factor from a number of a watched field to a number in a sheet.
 static double watched_factor(const finder *of, const whirl_field *field, size_t point) {
     static const char *const scaled[] = {"force", "N m", "W"};
-    if (strcmp(field->unit, "length") == 0) return displacement_factor(of, point);
+    if (strcmp(field->unit, "length") == 0) return whirl_result_length_scale(of->result, of->table, point);
     for (size_t i = 0; i < sizeof scaled / sizeof *scaled; i++)
         if (strcmp(field->unit, scaled[i]) == 0) return whirl_result_si(of->result, of->table, field->unit).size;
     return 1.0;
