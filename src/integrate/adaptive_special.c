@@ -103,7 +103,7 @@ static void step_alone(const adaptive_lanes *lanes, size_t slot) {
     give_sides(lanes, slot);
     *c->slot->h = lanes->length[slot];
     c->switchings = (int)lanes->switchings[slot];
-    c->observed = observed;
+    c->observed = c->eager = observed;
     // Step, and take the state back.
     const whirl_motion motion = stepper_step(c, lanes->until[slot]);
     take_state(lanes, slot);

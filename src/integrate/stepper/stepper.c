@@ -160,6 +160,7 @@ static double try_step(stepper *c, double h) {
     adaptive_lanes *slot = c->slot;
     c->length = h;
     c->tried++;
+    c->interpolated = false;
     if (!slot) {
         rk4_try_step(c, h);
         for (size_t d = 0; d < c->dimension; d++)
@@ -186,6 +187,8 @@ static double try_all(stepper *c, double h) {
 }
 
 void stepper_interpolate(stepper *c) {
+    if (c->slot && c->interpolated) return;
+    c->interpolated = true;
     if (c->slot) {
         c->method->one->take_polynomials(c->slot);
         return;
@@ -326,7 +329,7 @@ static bool meets_switch(stepper *c, double until, double *theta, size_t *which)
     // rounding.
     const bool sliver = c->length <= 2.0 * DBL_EPSILON * fmax(fabs(c->begin), 1.0);
     if (c->system->switch_count == 0 || sliver || is_clear(c, c->begin + c->length >= until)) {
-        if (c->observed) stepper_interpolate(c);
+        if (c->observed && c->eager) stepper_interpolate(c);
         return false;
     }
     const crossing_search search = {observe, c, c->system->switch_count, c->held, stepper_row(c, ROW_SEARCH)};

@@ -55,10 +55,12 @@ typedef struct stepper {
     double *at_switches; ///< [SWITCH_ROWS][switch_count] workspace
     size_t *mates;       ///< [dimension] as in adaptive_lanes
     size_t sliding_count;
-    int switchings; ///< since the beginning of the revolution
-    bool crossed;   ///< the last step ended at a switch
-    bool halts;     ///< steps by the tolerance end at instants of the revolution
-    bool observed;  ///< the caller uses stepper_between after every step
+    int switchings;    ///< since the beginning of the revolution
+    bool crossed;      ///< the last step ended at a switch
+    bool halts;        ///< steps by the tolerance end at instants of the revolution
+    bool observed;     ///< the caller may use stepper_between after a step
+    bool eager;        ///< every observed step is interpolated at once; otherwise when stepper_interpolate is called
+    bool interpolated; ///< the interpolant is that of the last step
     // The last step.
     double begin, length;
     double *start, *end;  ///< [dimension] the states at its beginning and end
@@ -97,10 +99,11 @@ void stepper_follow(stepper *c, size_t most, double *work);
 /// Takes one step, which ends at the first switch and at most at `until`.
 whirl_motion stepper_step(stepper *c, double until);
 
-/// Computes the interpolant of the step tried; for rk4 the cubic by states and slopes at both ends.
+/// Computes the interpolant of the step tried, unless that is done; for rk4 the cubic by states and slopes at both
+/// ends.
 void stepper_interpolate(stepper *c);
 
-/// Computes the state within the last step by its interpolant, at theta from 0 to 1.
+/// Computes the state within the last step by its interpolant (stepper_interpolate), at theta from 0 to 1.
 void stepper_between(const stepper *c, double theta, double *x);
 
 #endif

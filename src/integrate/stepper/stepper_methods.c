@@ -37,7 +37,10 @@ static int stepper_report(stepper *c, double period, int instants, int instant, 
     for (; instant <= instants; instant++) {
         const double t = period * ((double)instant / instants);
         if (t > c->t) return instant;
-        if (observe && t < c->t) stepper_between(c, (t - c->begin) / c->length, c->stage);
+        if (observe && t < c->t) {
+            stepper_interpolate(c);
+            stepper_between(c, (t - c->begin) / c->length, c->stage);
+        }
         if (observe) observe(observer, t, t < c->t ? c->stage : c->x);
     }
     return instant;
@@ -60,6 +63,7 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_pertu
     const bool halts = !c->slot || (perturbations && perturbations->at_instants);
     int instant = 1;
     c->observed = c->slot && observe;
+    c->eager = perturbations != NULL; // they take the slopes' memory
     c->halts = c->slot && halts;
     whirl_motion motion = stepper_begin_motion(integrator, x, perturbations);
     while (motion == WHIRL_BOUNDED && c->t < period && !is_cut_short(integrator)) {

@@ -106,6 +106,26 @@ static void pass_terms(const whirl_rotor *rotor, const block *b) {
     }
 }
 
+/// As pass_terms, for one vector without perturbations.
+static void pass_terms_alone(const whirl_rotor *rotor, const block *b) {
+    const vec *const from[] = {[SOURCE_PLACE] = b->q, [SOURCE_VELOCITY] = b->v};
+    const vec *number = b->numbers + rotor->plane_count * STATION_NUMBERS;
+    const linear_term *term = rotor->terms, *end = term + rotor->term_count;
+    while (term < end) {
+        const size_t row = term->row;
+        vec sum = b->a[row];
+        for (; term < end && term->row == row; term++, number++) {
+            if (term->source == SOURCE_ONE)
+                sum = v_add(*number, sum);
+            else if (term->source == SOURCE_FORCING)
+                sum = v_fma(*number, b->forcing[term->column * b->forcing_stride], sum);
+            else
+                sum = v_fma(*number, from[term->source][term->column], sum);
+        }
+        b->a[row] = sum;
+    }
+}
+
 /// Sets accelerations to 0 that neither the pass of stations nor that of shafts initializes.
 static void clear(const whirl_rotor *rotor, const block *b) {
     const size_t first = 2 * rotor->plane_count, vectors = b->vectors, stride = b->stride;
@@ -126,7 +146,10 @@ static void pass_all(const whirl_rotor *rotor, const block *b) {
     pass_stations(b, rotor->plane_count);
     if (wants_tangent(b)) pass_station_tangents(b, rotor->plane_count);
     if (rotor->body.count > 0) pass_body(&rotor->body, b->numbers + rotor->first_rate * b->stride, b);
-    pass_terms(rotor, b);
+    if (b->stride == 1 && !wants_tangent(b))
+        pass_terms_alone(rotor, b);
+    else
+        pass_terms(rotor, b);
     for (const element *own = rotor->elements; own < rotor->elements + rotor->element_count; own += own->run)
         kernels_of(own)->flow(own, own->run, b);
     if (b->coupled) couple(b);

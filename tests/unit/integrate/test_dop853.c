@@ -126,6 +126,7 @@ static void test_interpolant_has_order_seven(void **state) {
         *c->slot->h = 1.0;
         assert_int_equal(stepper_step(c, 1.0), WHIRL_BOUNDED);
         assert_true(c->t == 1.0);
+        stepper_interpolate(c);
         for (double theta = 0.125; theta <= 1.0; theta += 0.125) {
             double x;
             stepper_between(c, theta, &x);
