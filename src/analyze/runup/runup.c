@@ -334,8 +334,10 @@ static void runup_add_orders(runner *r, double passed, double step, size_t count
             const double y = share * whirl_probe_value(probe, sample, 1);
             own->mean[0] += x;
             own->mean[1] += y;
+            const double complex turn = cexp(-I * angle);
+            double complex turned = 2.0;
             for (size_t order = 1; order <= RUNUP_ORDERS; order++) {
-                const double complex turned = 2.0 * cexp(-I * (double)order * angle);
+                turned *= turn;
                 own->x[order - 1] += turned * x;
                 own->y[order - 1] += turned * y;
             }

@@ -66,8 +66,10 @@ static void sum_states(const adaptive_lanes *lanes, const slope_sums *sums, set_
             sum_rates(lanes, sums, VELOCITY, i, MAX_TOGETHER, sum);
         else
             sum_rates(lanes, sums, VELOCITY, i, count, sum);
-        for (size_t r = 0; r < count; r++)
-            out[i + r] = v_fma(h[(i + r) % lanes->stride], sum[r], from ? from[i + r] : zero);
+        for (size_t r = 0; r < count; r++) {
+            const size_t k = lanes->stride == 1 ? 0 : (i + r) % lanes->stride; // divisions are slow
+            out[i + r] = v_fma(h[k], sum[r], from ? from[i + r] : zero);
+        }
     }
 }
 
