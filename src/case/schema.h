@@ -44,7 +44,8 @@ typedef struct plan_start {
 typedef struct plan_range {
     size_t station;
     setting_list low, high;
-    size_t *points; ///< [low.count] grid values in each, 0 if none was read; NULL: starts fill the ranges evenly
+    size_t *points; ///< [low.count] number of grid values of each key, 0 if none was read; NULL: starts fill the ranges
+                    ///< evenly
 } plan_range;
 
 /// Places of a batch in the case.
@@ -55,9 +56,9 @@ typedef struct plan_origin {
     const file_node *first, *last;     ///< places of the ends of the sweep
     const file_node *across;           ///< place of the last value from row to row of a map
     const file_node *planes;           ///< place of the last value from plane to plane of a map
-    whirl_unit units[3];               ///< units of the values where their parameter has another unit, size 0: none
-    double end;                        ///< end that the steps of the sweep do not reach; NaN if they reach it
-    bool rest;                         ///< points start from zero instead of the initial state
+    whirl_unit units[3]; ///< units of the values, where they differ from the parameter's; size 0: the parameter's
+    double end;          ///< end that the steps of the sweep do not reach; NaN if they reach it
+    bool rest;           ///< points start from zero instead of the initial state
 } plan_origin;
 
 typedef struct study_plan {
@@ -70,8 +71,8 @@ typedef struct study_plan {
     plan_range *ranges; ///< ranges of further starts, in the order of the file
     size_t tolerated_count, spread_count;
     whirl_tolerance *tolerated;                  ///< parameters with tolerances
-    whirl_spread_of *spreads;                    ///< numbers that are asked of all samples
-    const struct whirl_derivatives *derivatives; ///< numbers to be derived, and parameters; or NULL
+    whirl_spread_of *spreads;                    ///< numbers whose spread over the samples is reported
+    const struct whirl_derivatives *derivatives; ///< numbers to be differentiated, and by which parameters; or NULL
     const whirl_dataset *dataset;                ///< data set, or NULL
 } study_plan;
 

@@ -28,7 +28,7 @@ whirl_status mean_begin(mean_system *m, const whirl_system *system, void **block
 /// none.
 bool mean_settle(mean_system *m, double *x);
 
-/// Removes coordinates from the kept ones that are idle at the equilibrium x: their motions are not modes of the
+/// Removes from the kept coordinates those that are idle at the equilibrium x: their motions are not modes of the
 /// machine.
 void mean_leave_idle(mean_system *m, const double *x);
 

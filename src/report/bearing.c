@@ -194,10 +194,11 @@ static void find_oil(const finder *of, const whirl_bearing *bearing) {
         phrase_number(of, phrase, WHIRL_QUANTITY_PRESSURE, 4, bearing->supply_pressure);
         phrase_text(of, phrase, " over %.3g of the length", bearing->pads.groove);
     }
-    // State how the film breaks, its turbulence and its heat balance.
+    // State where the film ends, its turbulence and its heat balance.
     phrase = &find_statement(of, "film")->found;
     phrase_text(of, phrase,
-                bearing->pads.gumbel ? "pressures below 0 left out (Guembel)" : "breaks without a slope (Reynolds)");
+                bearing->pads.gumbel ? "pressures below 0 left out (Guembel)"
+                                     : "ends where the pressure gradient is 0 (Reynolds)");
     if (bearing->pads.turbulence != WHIRL_LAMINAR)
         phrase_text(of, phrase, "; turbulent, factors of %s", laws[bearing->pads.turbulence]);
     if (bearing->heated)

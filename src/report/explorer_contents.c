@@ -146,7 +146,7 @@ static bool put_figures(const contents *of) {
 
 // ---------------------------------------------------------------- shaft lines
 
-/// Limits of shaft lines: points of a table, since each of them makes its machine again, and numbers.
+/// Limits of shaft lines: number of points of a table (the machine of each is built again), and of all numbers.
 enum { MAX_BENT = 256, MAX_BENT_NUMBERS = 1 << 21 };
 
 /// Shaft lines of a table at rest: places along the shafts (those of the first point), and shapes [points][modes, or

@@ -19,7 +19,7 @@ static const struct {
     [CLASS_CHAOTIC] = {"chaotic", "#000000"},
     [CLASS_UNDETERMINED] = {"undetermined", "#9A9F95"},
     [CLASS_DIVERGED] = {"diverged", "#FB8D41"},
-    [CLASS_NOT_JUDGED] = {"not judged", "#9A9F95"}, // that of undetermined: no figure shows both
+    [CLASS_NOT_JUDGED] = {"not judged", "#9A9F95"}, // the colour of undetermined: no figure shows both
 };
 
 regime_class regime_class_of(const whirl_verdict *verdict) {

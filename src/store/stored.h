@@ -39,7 +39,7 @@ void stored_read(whirl_status *status, hid_t dataset, stored_array *array);
 void stored_free(stored_array *array);
 
 /// Reads all datasets but the fields of tables, and all attributes, to find damage in data that no reader needs (names
-/// of verdicts and shares of attractors follow from other numbers). WHIRL_BAD_INPUT.
+/// of verdicts and shares of attractors follow from other numbers). WHIRL_BAD_INPUT if data are damaged.
 void stored_check_unread(whirl_status *status, hid_t file);
 
 /// Opens a result file, calls `write` with its root, and closes it. The file must have been read before

@@ -104,7 +104,7 @@ static void release(void *owner) {
     free(r);
 }
 
-/// Transient chaos that was told with high confidence: twelve starts of case C4 at w = 3.62.
+/// Makes start number `value` of case C4 at w = 3.62, where chaos is transient.
 static whirl_status make_rubbing(const void *family, const whirl_batch *batch, double value, whirl_machine *machine) {
     const rub_case c = {
         .speed = 3.62, .zeta = 0.1, .kappa = 10.0, .eccentricity = 0.9, .friction = 0.05, .weight = 0.5};
@@ -137,7 +137,7 @@ static void transient_chaos_high(void **state) {
         whirl_verdict_reason(&v, reason, sizeof reason);
         chaotic++;
         assert_true(v.confidence < WHIRL_HIGH);
-        told += v.coexisting == 3 && strstr(reason, "a stable P-3 lies where it goes") != NULL;
+        told += v.coexisting == 3 && strstr(reason, "a stable P-3 is near the motion") != NULL;
         assert_non_null(strstr(reason, "chaotic for at least"));
     }
     assert_true(chaotic >= 3 && told >= 2);

@@ -45,14 +45,14 @@ static const struct {
     [LEAVES] = {"leaves", 2, {0.1, 0.0}, false},
 };
 
-/// Round about with 0.618... turns a revolution, r' = slope r.
+/// Computes the slope of a rotation by 0.618... turns a revolution, with r' = slope r.
 static void turn(const double *x, double slope, double t, double *dxdt) {
     const double w = 0.6180339887498949;
     dxdt[0] = slope * x[0] - w * x[1] + 0.02 * cos(t);
     dxdt[1] = slope * x[1] + w * x[0];
 }
 
-/// p: rate, kind.
+/// Computes the slopes of a motion; p: rate, kind.
 static int slopes(double t, const double *x, const double *p, double *dxdt, void *context) {
     const double s = p[0] / two_pi, square = x[0] * x[0] + (kinds[(int)p[1]].dimension > 1 ? x[1] * x[1] : 0.0);
     (void)context;
@@ -124,7 +124,7 @@ static whirl_result *run(enum kind kind) {
     return result;
 }
 
-/// The slowest multiplier of what is linear is known: exp(-rate), and of the two bodies, whose T' = s ((-2, 2), (3,
+/// Checks the slowest multiplier of the linear kinds: exp(-rate), and for the two bodies, whose T' = s ((-2, 2), (3,
 /// -4)) T, by the root sqrt 7 - 3.
 static void near_rate(const whirl_verdict *v, enum kind kind, double rate) {
     const double share = kind == TWO_HEATS ? 3.0 - sqrt(7.0) : 1.0;
@@ -150,7 +150,7 @@ static void slow_motions(void **state) {
             if (!v.settles) continue;
             near_rate(&v, (enum kind)kind, rates[i]);
             assert_true(v.confidence <= WHIRL_FAIR);
-            assert_non_null(strstr(reason, "settles on P-1: what it has to go falls by"));
+            assert_non_null(strstr(reason, "settles on P-1: its distance from the orbit falls by"));
         }
         whirl_result_free(result);
     }
@@ -158,14 +158,14 @@ static void slow_motions(void **state) {
 
 // ---------------------------------------------------------------- two rates near each other
 
-/// p: two rates per revolution.
+/// Computes the slopes of two bodies; p: two rates per revolution.
 static int apart(double t, const double *x, const double *p, double *dxdt, void *context) {
     (void)context;
     for (size_t i = 0; i < 2; i++) dxdt[i] = cos(t) - p[i] / two_pi * x[i];
     return 0;
 }
 
-/// The largest exponent of two bodies that do not touch, by a copy that is followed for some revolutions.
+/// Returns the largest exponent of two uncoupled bodies, by a copy that is followed for some revolutions.
 static whirl_estimate exponent_of(const double rate[2], const char *revolutions) {
     whirl_user_system *system;
     whirl_job *job;
@@ -192,7 +192,7 @@ static whirl_estimate exponent_of(const double rate[2], const char *revolutions)
     return found;
 }
 
-/// Logarithm of the length of a perturbation that was (1, 1) n revolutions ago.
+/// Returns logarithm of the length of a perturbation that was (1, 1) n revolutions ago.
 static double length_after(const double rate[2], double n) {
     return 0.5 * log(exp(-2.0 * rate[0] * n) + exp(-2.0 * rate[1] * n));
 }

@@ -1,4 +1,4 @@
-"""Results in memory and in files are one, and are those of the command, bit for bit."""
+"""Results in memory and in files hold the same bits, and those of the command."""
 
 import errno
 import gc
@@ -24,7 +24,7 @@ def same(one, other):
 
 
 def check_same(memory, file, path):
-    """All of a result in memory beside a file, through this package and through h5py alone."""
+    """Compare all of a result in memory with a file, read by this package and by h5py alone."""
     assert list(memory.tables) == list(file.tables)
     assert memory.parameters == file.parameters and memory.stations == file.stations
     assert memory.contacts == file.contacts and memory.case_text == file.case_text
@@ -96,7 +96,8 @@ def test_attractors_of_a_basin(basin):
         assert np.allclose(table.shares[number == of], share, rtol=1e-14)
         assert np.allclose(table.share_errors[number == of], error, rtol=1e-14)
         assert len(set(table.verdicts[number == of])) == 1
-    # Both are synchronous circles, in closed form: (k + contact - m w^2 + i d w) r = e m w^2, in clearances.
+    # Both motions are synchronous circles of radius r: |k + contact - m w^2 + i d w| r = e m w^2, all lengths in
+    # clearances, with `contact` = 1e6 (1 - 1.2/r) while the disc touches.
     radius, forced = table["orbit/max_radius"][..., 0], 4 * 220**2
     inertia = 1e5 - forced + 20j * 220
     assert np.allclose(radius[number == 2], abs(0.1 * forced / inertia), rtol=1e-6)
@@ -108,7 +109,8 @@ def test_attractors_of_a_basin(basin):
 def test_attractors_of_several_starts(name, request):
     result = request.getfixturevalue(name)
     (table,) = result.tables.values()
-    number, own = table.attractors, table["starts/neighbour"] == 0  # those from neighbours are no sample
+    number = table.attractors
+    own = table["starts/neighbour"] == 0  # starts from neighbours are not part of the random sample
     assert number.max() >= 2 and table.place.max() == (3 if name == "starts" else 5)
     for place in np.unique(table.place):
         here = table.place == place
@@ -164,7 +166,7 @@ def test_arrays_are_not_copied_and_outlive_their_result(good_file):
     del result, again
     gc.collect()
     assert gone() is None
-    rubbish = [whirl.read(good_file)["sweep"].values for _ in range(20)]  # what was freed would be written over
+    rubbish = [whirl.read(good_file)["sweep"].values for _ in range(20)]  # these would overwrite freed memory
     assert len(rubbish) == 20 and same(radius, expected)
 
 
@@ -310,8 +312,9 @@ def test_si_where_the_speed_changes(speed, hertz, tmp_path):
             exponent, unit = table.si("lyapunov/largest")
             assert unit == "1/s" and np.allclose(exponent, table["lyapunov/largest"] * hertz, equal_nan=True)
             if np.isfinite(hertz).all() and speed == "omega":
-                # The perturbation of a linear rotor dies as exp(-d t/(2 m)), whatever the speed; its size, which counts
-                # velocities too, swings by the ratio of both frequencies meanwhile: log(2) in 8 s or more.
+                # A perturbation of a linear rotor decays as exp(-d t/(2 m)) at every speed. Its size also counts
+                # velocities over the speed, so it oscillates by the ratio of natural frequency and speed, at most 2:
+                # the exponent has an error up to log(2) over the 8 s or more of the record.
                 assert np.allclose(exponent, -2.5, atol=np.log(2) / 8 + 0.02)
 
 
@@ -428,7 +431,7 @@ def test_laws_that_are_left_are_told():
 
 
 def test_contacts_that_hold_a_machine_at_rest():
-    """The weight of 10 kg on a spring of 400 kN/m, whose rest beyond the gap a stator of 2 MN/m shares."""
+    """A spring of 400 kN/m carries 80 N at the gap. A stator of 2 MN/m takes 100 N of a weight of 200 N."""
     case = whirl.Case(
         {
             "parameters": {"load": "10 m/s2"},
@@ -559,7 +562,7 @@ def test_notebooks_find_the_explorer_beside_the_command(good, tmp_path, monkeypa
     (bin_folder / "whirl").chmod(0o755)
     monkeypatch.delenv("WHIRL_EXPLORER", raising=False)
     monkeypatch.setenv("PATH", str(bin_folder))
-    if whirl.result.find_template() is None:  # of this computer's own
+    if whirl.result.find_template() is None:  # no explorer is installed on this computer
         assert "make explorer" in good._repr_html_() and "<table>" in good._repr_html_()
     page.write_text("@WHIRL-RUNS@")
     assert whirl.result.find_template() == page and "<iframe" in good._repr_html_()

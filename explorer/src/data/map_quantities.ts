@@ -28,7 +28,8 @@ export const REGIME: Quantity = { id: 'regime', text: 'Regime', perStation: fals
 export const ATTRACTOR: Quantity = { id: 'attractor', text: 'Attractor', perStation: false };
 const PERIOD: Quantity = { id: 'period', text: 'Period', perStation: false };
 
-/// Names of quantities in addresses; other quantities have the names of fields.
+/// Ids, in addresses, of the quantities that only maps have. All other quantities are those of diagrams
+/// (quantities.ts).
 export const MAP_QUANTITIES: readonly string[] = [ATTRACTOR.id, REGIME.id, PERIOD.id];
 
 /// Returns the quantity that a map shows by default.

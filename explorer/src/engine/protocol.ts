@@ -15,8 +15,9 @@ export interface Setting {
   readonly look?: Look;
 }
 
-/// A preview: a shortened motion, with coarser steps for methods of fixed step; 0: as in the setting. If it leaves
-/// anything out, its verdict is "undetermined" unless the whole motion must have the same verdict.
+/// A preview: a shortened motion, with coarser steps for methods of fixed step. A member that is 0 is as in the
+/// setting. If it leaves anything out, its verdict is "undetermined" unless the whole motion must have the same
+/// verdict.
 export interface Look {
   readonly transient: number;
   readonly record: number;
@@ -76,7 +77,7 @@ export interface StationInfo {
   /// Number of its shaft of finite elements, from 1 (0: none), and its position along the shaft, m.
   readonly shaft: number;
   readonly position: number;
-  /// True if it only turns about the shaft's axis: its lengths are those of a point 1 m from the axis.
+  /// True if the station only twists about the shaft's axis: its displacements are those of a point 1 m from the axis.
   readonly twists: boolean;
   /// True if the rotor turns from y to x.
   readonly clockwise: boolean;
@@ -204,7 +205,7 @@ export interface MotionResult {
   readonly verdict?: Verdict;
   readonly layout: Layout;
   readonly block: Float64Array;
-  /// Length scale (m) and speed (rad/s) of the machine at this value; the speed of the phase that counts revolutions.
+  /// Length scale (m) of the machine at this value, and speed (rad/s) of the phase that counts its revolutions.
   readonly lengthScale: number;
   readonly speed: number;
   /// The element with that phase, "" for the shaft.
@@ -220,7 +221,7 @@ export interface MotionResult {
 /// Full result of one point: fields of all analyses, with whole spectra and a waveform.
 export interface PointResult extends MotionResult {
   readonly verdict: Verdict;
-  /// The state at the end: x, y of every station, then their velocities; NaN after a divergence.
+  /// State [dimension] at the end; StationInfo has the indices of coordinates. NaN after a divergence.
   readonly end: Float64Array;
 }
 
@@ -305,7 +306,7 @@ export interface TransientResult {
   readonly forces: Float64Array;
   readonly dimension: number;
   readonly contacts: number;
-  /// The next divisor of the number of steps, which may be above the request.
+  /// Samples in a revolution: the smallest divisor of the number of steps that is at least the request.
   readonly samplesPerRevolution: number;
   /// Whole revolutions done: fewer than requested if the motion diverged.
   readonly revolutions: number;

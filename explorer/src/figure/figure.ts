@@ -28,8 +28,8 @@ export function textSize(): number {
   return 0.74 * Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
 }
 
-/// Calls `changed` with the inner size of an element, now and after every change, unless it is smaller than `least`
-/// pixels.
+/// Calls `changed` with the size of an element (borders included), at first and after every change, unless it is
+/// smaller than `least` pixels.
 export function watchSize(host: HTMLElement, changed: (width: number, height: number) => void, least = 40): void {
   let width = 0;
   let height = 0;

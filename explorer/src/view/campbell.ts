@@ -33,8 +33,9 @@ import { Stack, type StackListener } from './stack';
 
 /// Largest frequency shown over the highest speed, unless all modes are shown.
 const ORDERS = 2;
-/// Largest damping ratio on the axis. More damped modes hardly show in a response: API 617 asks for no margin from
-/// peaks with an amplification below 2.5, which is a damping ratio above 0.17 for one degree of freedom.
+/// Largest damping ratio on the axis. More damped modes hardly show in a response. API 617 asks for no margin from
+/// peaks with an amplification below 2.5. One degree of freedom with unbalance has it above a damping ratio of 0.17
+/// (docs/theory.md); the axis ends a little above that.
 const MAX_RATIO = 0.25;
 /// CSS pixels between marks on a curve.
 const APART = 16;

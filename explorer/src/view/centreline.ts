@@ -119,8 +119,8 @@ export class CentrelinePanel extends Panel {
     diagram.values.forEach((_, point) => {
       const [mx, my] = [x.data[point]!, y.data[point]!];
       if (!diagram.done[point] || !Number.isFinite(mx)) return;
-      // With length units, draw the true size of a point; with length scales, the size over the scale of its own
-      // machine.
+      // In units of length, place a point by its true displacement; in length scales, by the displacement over the
+      // scale of its own machine.
       const size = units.length === 'scale' ? 1 : diagram.lengthScales[point]! / scales.length;
       const [px, py] = place(mx * size, my * size);
       pen.fillStyle = colours.classes[diagram.classes[point]!]!;

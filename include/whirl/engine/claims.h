@@ -46,7 +46,7 @@ typedef struct whirl_claim {
     bool has_dry_whip, dry_whip;         ///< true if dry whip is stated, and the statement
     size_t line_count;                   ///< number of lines
     double lines[WHIRL_MAX_CLAIM_LINES]; ///< orders that the spectrum shows
-    bool only_lines;                     ///< the spectrum shows no others
+    bool only_lines;                     ///< true if the spectrum has no other lines
     bool has_band;                       ///< true if a band is stated
     double band[2];                      ///< orders that bound the large lines below the running speed
     bool has_largest;                    ///< true if the order of the largest line is stated
@@ -57,10 +57,10 @@ typedef struct whirl_claim {
     whirl_claim_kinds unchanged;         ///< special points that branches do not have in the range
     int sense;          ///< sense of the first of the changes: -1 supercritical, 1 subcritical, 0 not stated
     size_t order_count; ///< number of orders
-    double orders[WHIRL_MAX_CLAIM_LINES]; ///< orders of the speed, one of which is that of the whirl that begins there
-    int regions;                          ///< number of parts of the curve of Hopf points with one sense; 0: not stated
-    char given[WHIRL_NAME_SIZE];          ///< a parameter of the case; "" for results of all its values
-    double given_from, given_to;          ///< its values for which the claim is stated
+    double orders[WHIRL_MAX_CLAIM_LINES]; ///< orders, one of which the whirl that begins at the first Hopf point has
+    int regions;                 ///< number of pieces of the curve of Hopf points, each of one sense; 0: not stated
+    char given[WHIRL_NAME_SIZE]; ///< a parameter of the case; "" for results of all its values
+    double given_from, given_to; ///< its values for which the claim is stated
 } whirl_claim;
 
 /// A list of claims with its source.

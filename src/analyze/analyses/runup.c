@@ -107,12 +107,13 @@ static const field_plan fields[FIELD_COUNT] = {
                    NULL},
     [END_TURNS] = {WHIRL_FIELD_RUNUP_END_TURNS, "1", "of the shaft in the run", WHIRL_PER_POINT, 1, NULL},
     [EVENTS] = {WHIRL_FIELD_RUNUP_EVENTS, "s",
-                "trip, loss, change (when the motor was lost, the blade, and when parameters changed; missing: never)",
+                "trip, loss, change (when the motor tripped, when a blade was lost, and when parameters changed; "
+                "missing: never)",
                 WHIRL_PER_POINT, 3, NULL},
     [HAPPENED] =
         {WHIRL_FIELD_RUNUP_HAPPENED, "1",
          "time, speed, trip, loss, moment, angle, changes, end (of each event: s and rad/s when it happened, missing: "
-         "never; 1 if the motor is lost; index of the station where an unbalance appears, -1: none, kg m and rad; 1 if "
+         "never; 1 if the motor trips; index of the station where an unbalance appears, -1: none, kg m and rad; 1 if "
          "parameters change; 1 if the run ends)",
          WHIRL_PER_POINT, EVENT_COLUMNS, runup_every_event},
     [NUMBERS_ERROR] = {WHIRL_FIELD_RUNUP_ERROR, "1",

@@ -13,10 +13,10 @@ void balance_add(balance_normal *of, const double complex *a, double complex b, 
     }
 }
 
-/// Returns true if the columns are independent. Cholesky's pivots are what remains of each unknown beyond the unknowns
-/// before it.
+/// Returns true if the columns are independent, from the normal equations of columns of length 1. A pivot of
+/// Cholesky's method is the square of the part of a column that the columns before it do not span.
 static bool are_distinct(size_t n, const double complex *matrix) {
-    static const double least = 1e-10; // share of an unknown that the others must leave, in squares
+    static const double least = 1e-10; // minimum of that square
     double complex rest[BALANCE_UNKNOWNS * BALANCE_UNKNOWNS];
     memcpy(rest, matrix, n * n * sizeof *rest);
     for (size_t k = 0; k < n; k++) {

@@ -9,7 +9,7 @@ static bool is_number(double value) {
     return fabs(value) <= 1e100;
 }
 
-/// Checks that count x many numbers fit memory and are enough.
+/// Checks the size of a table [many][count]: at least one channel, `fewest` samples, at most WHIRL_SIGNALS_MAX numbers.
 static whirl_status check_extent(const char *what, size_t count, size_t many, size_t fewest) {
     if (count < fewest)
         return whirl_fail(WHIRL_BAD_INPUT, "there are %zu %s, expected at least %zu", count, what, fewest);

@@ -103,9 +103,9 @@ static void chaotic_reason(const whirl_verdict *v, const char *exponent, char *t
     else if (least >= 1.0)
         snprintf(lasting, sizeof lasting, "; chaotic for at least %.0f revolutions on average (95 %%)", least);
     if (v->coexisting == WHIRL_COEXISTING_AT_REST)
-        snprintf(coexisting, sizeof coexisting, "; a stable equilibrium lies where it goes, on which it may end");
+        snprintf(coexisting, sizeof coexisting, "; a stable equilibrium is near the motion, which may end on it");
     else if (v->coexisting > 0)
-        snprintf(coexisting, sizeof coexisting, "; a stable P-%d lies where it goes, on which it may end",
+        snprintf(coexisting, sizeof coexisting, "; a stable P-%d is near the motion, which may end on it",
                  v->coexisting);
     snprintf(text, size, "small perturbations grow: %s; averages of two halves agree to %.1f digits only%s%s%s",
              exponent, v->regularity, v->chaos <= 0.2 ? ", but the 0-1 test does not see chaos" : "", coexisting,
@@ -263,7 +263,8 @@ static void slow_reason(const whirl_verdict *v, const char *exponent, char *text
     char orbit[112];
     orbit_text(v, orbit, sizeof orbit);
     snprintf(text, size,
-             "settles on P-1: what it has to go falls by %.3g %% in 100 revolutions (slowest multiplier of its section "
+             "settles on P-1: its distance from the orbit falls by %.3g %% in 100 revolutions (slowest multiplier of "
+             "its section "
              "%.4g +- %.1g per revolution); it returns to %.1e of its size so far; %s%s",
              change_in_hundred(v->settling.value), v->settling.value, v->settling.error, v->recurrence, exponent,
              orbit);

@@ -29,8 +29,8 @@ static void fill_in(bool *matrix, size_t n) {
 
 enum { ALL, BELOW_DIAGONAL, ABOVE_DIAGONAL };
 
-/// Writes the runs of nonzero numbers in a table [rows][width], from column `first` on, to `numbers`. Returns the rest
-/// of `numbers`.
+/// Writes the runs of nonzero numbers in the first `columns` columns of a table [rows][width] to `numbers`; `part`
+/// chooses all of them or one side of the diagonal. Returns the rest of `numbers`.
 static size_t *list(sparse_rows *out, size_t *numbers, const bool *table, size_t rows, size_t width, size_t columns,
                     int part) {
     size_t *next = numbers + rows + 1;

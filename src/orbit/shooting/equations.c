@@ -68,10 +68,11 @@ void equations_take(const orbit_equations *e, const double *nodes, double *u) {
         for (size_t i = 0; i < s->kept_count; i++) u[j * s->kept_count + i] = nodes[j * s->dimension + s->kept[i]];
 }
 
-/// Size below which an orbit lies at zero, and has no size of its own.
+/// Size below which an orbit counts as at zero; residuals are then absolute.
 static const double nothing = 1e-12;
 
-/// Returns the least size of a branch's orbits, since equilibria and sections may pass through zero.
+/// Returns a lower bound for the size of a branch's orbits, a share of the largest one: equilibria and sections may
+/// pass through zero.
 static double least_size(const orbit_equations *e) {
     return (shooting_rests(e->s) ? 0.1 : 0.01) * e->largest;
 }
@@ -160,8 +161,8 @@ static bool all_ends_beside(const orbit_equations *e, size_t count, const double
     return true;
 }
 
-/// Computes the derivative of the ends by the parameter, by central differences, and writes it to the first row
-/// [segments][dimension] of the workspace after the first node. Its error is a sixth of the third derivative times
+/// Computes the derivative of the ends [segments][dimension] by the parameter, by central differences, and writes it
+/// to the workspace `work`, behind its first `dimension` numbers. Its error is a sixth of the third derivative times
 /// reach^2, plus the error of the ends over reach.
 static bool by_parameter(orbit_equations *e, double period) {
     const double values[2] = {e->value + e->reach, e->value - e->reach};

@@ -352,8 +352,9 @@ static void campbell_describe(const drawing *of, const figure_place *place, whir
     axis_show(&frequency->x, campbell_range(&v));
     axis_show(&damping->x, campbell_range(&v));
     axis_show(&frequency->y, (span){0.0, v.top});
-    // More damped modes hardly show in a response: API 617 asks for no margin from peaks with an amplification
-    // below 2.5, which is a damping ratio above 0.17 for one degree of freedom.
+    // Leave out modes that hardly show in a response. API 617 asks for no margin from peaks with an amplification
+    // below 2.5. One degree of freedom with unbalance has it above a damping ratio of 0.17 (docs/theory.md); the
+    // axis ends a little above that.
     axis_show(&damping->y, damping_of(&v, WHIRL_FIELD_MODES_DAMPING_RATIO, 0.25));
     snprintf(frequency->y.label, sizeof frequency->y.label, "damped frequency (%.40s)", v.unit.name);
     snprintf(damping->y.label, sizeof damping->y.label, "damping ratio");

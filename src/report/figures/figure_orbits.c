@@ -155,7 +155,7 @@ static void orbits_describe(const drawing *of, const figure_place *place, whirl_
     snprintf(
         figure->caption, sizeof figure->caption,
         "Orbits of the last revolutions in time, about the middle of every clearance%s: full grey lines are the "
-        "walls of films and seals, as far as the middle of the journal can go, dashed ones stators that may be "
+        "limits of the journal's centre in films and seals, dashed ones stators that may be "
         "touched; dots where an orbit is once a revolution, when the mark is at the x axis, arrows the way it goes.",
         used == MAX_STATIONS ? ", of the stations that come nearest to a wall" : "");
 }

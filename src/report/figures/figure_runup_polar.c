@@ -10,7 +10,7 @@
 #include "runup_panels.h"
 #include "units.h"
 
-/// Figures of paths, which `which` of a figure_place numbers.
+/// Figures of this file: values of figure_place.which.
 enum { POLAR, CENTRELINE, KINDS };
 
 static const struct {
@@ -176,7 +176,7 @@ static void centreline_describe(const drawing *of, const figure_place *place, wh
     snprintf(figure->caption, sizeof figure->caption,
              "Mean position of %.60s over single turns of the shaft%s. Dots have the speed in %s.",
              of->result->stations[station].name,
-             walls.clearance > 0.0 ? "; grey: the wall of its bearing, as far as the middle of the journal can go" : "",
+             walls.clearance > 0.0 ? "; grey: the limit of the journal's centre in its bearing" : "",
              of->units->of[WHIRL_QUANTITY_SPEED].name);
     runup_caption_runs(of, table, 1, figure);
 }

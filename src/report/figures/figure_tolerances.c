@@ -82,7 +82,7 @@ static void add_bands(whirl_figure *figure, const spread_view *v) {
     whirl_series *outer = panel_named(figure, panel, WHIRL_AREA, "5 to 95 %", outer_colour, 1.0);
     whirl_series *inner = panel_named(figure, panel, WHIRL_AREA, "25 to 75 %", inner_colour, 1.0);
     whirl_series *median = panel_named(figure, panel, WHIRL_LINE, "median", dark, 0.8);
-    whirl_series *own = panel_named(figure, panel, WHIRL_LINE, "as the case has it", "#303030", 0.6);
+    whirl_series *own = panel_named(figure, panel, WHIRL_LINE, "case's own machine", "#303030", 0.6);
     if (own) own->dashed = true;
     // Add the quantiles at each value of the parameter.
     span shown = span_empty();
@@ -234,14 +234,13 @@ static void tolerances_describe(const drawing *of, const figure_place *place, wh
     if (along && spread_is_limited(&v)) add_probability(figure, &v);
     add_tornado(figure, &v);
     // Describe the panels.
-    snprintf(
-        figure->caption, sizeof figure->caption,
-        "%s of %d samples of the parameters with tolerances%s%s. The dashed line is the machine as the case has it.",
-        along ? "Quantiles" : "Histogram", place->table->tolerances.samples,
-        spread_is_limited(&v) ? "; the limit is orange" : "",
-        place->table->tolerances.indices
-            ? ". Bars: the part of the variance that a parameter causes, with standard errors"
-            : "");
+    snprintf(figure->caption, sizeof figure->caption,
+             "%s of %d samples of the parameters with tolerances%s%s. The dashed line is the case's own machine.",
+             along ? "Quantiles" : "Histogram", place->table->tolerances.samples,
+             spread_is_limited(&v) ? "; the limit is orange" : "",
+             place->table->tolerances.indices
+                 ? ". Bars: the part of the variance that a parameter causes, with standard errors"
+                 : "");
 }
 
 const figure_kind tolerances_figure = {.list = tolerances_list,

@@ -14,8 +14,8 @@ typedef struct window {
     unsigned char data[WINDOW];
 } window;
 
-/// Returns the bytes from `offset` on, at least `least` of them, which are at most WINDOW and within the file; NULL
-/// after an error.
+/// Returns the bytes from `offset` on, at least `least` of them; NULL after an error. `least` is at most WINDOW, and
+/// these bytes are within the file.
 static const unsigned char *window_at(window *w, uint64_t offset, size_t least) {
     if (w->error) return NULL;
     if (offset < w->start || offset + least > w->start + w->length) {

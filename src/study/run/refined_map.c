@@ -125,7 +125,7 @@ static whirl_status take_points(const refined_map *map, const unsigned char *poi
 whirl_status refined_pass(const study_run *run, pass *p) {
     const refined_map *map = run->refined[p->batch];
     if (map) return take_points(map, map->asked, map->late, p);
-    p->count = refined_first_points(&run->study->batches[p->batch]); // before a run
+    p->count = refined_first_points(&run->study->batches[p->batch]); // a count for progress, before the map is made
     return whirl_ok();
 }
 
@@ -160,7 +160,7 @@ static whirl_status refined_map_refine(study_run *run, size_t batch) {
         pass p = {.batch = batch, .integrate = own->integrate, .record = own->record};
         p.anew = run->refined[batch]->late != NULL;
         status = plan_round(run->refined[batch], &p);
-        // Counts them also when the run must end: the study would otherwise seem complete.
+        // Count the points also when the run must end: the study would otherwise seem complete.
         if (status.code == WHIRL_OK) tracker_add(&run->tracker, (double)p.count * pass_revolutions(run, &p), p.count);
         more = p.count > 0 && !atomic_load(&run->tracker.halt);
         if (status.code == WHIRL_OK && more) status = passes_work(run, &p, 1);
@@ -197,7 +197,8 @@ static bool has_gathered(const study_run *run) {
     return run->gathering && progress->points_done == progress->points_total;
 }
 
-/// Notes the widths, which follow from the present points; later changes of points change no square.
+/// Notes the widths of the squares, which follow from the labels of the present points. Squares stay as they are when
+/// points are recomputed later.
 static whirl_status note_widths(refined_map *map) {
     const size_t count = squares_count(&map->plane);
     for (size_t slot = 0; slot < map->table->count; slot++) map->widths[slot] = 1.0;
