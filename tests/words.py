@@ -42,7 +42,7 @@ MEANT = {
 }
 # Documents with sentences of more than 40 words, and how many each may have: none today.
 LONG = {}
-MOST_WORDS = 40
+MAX_WORDS = 40
 # Messages with such phrases that are left; lower it when there are fewer.
 MESSAGES = 7
 
@@ -102,7 +102,7 @@ def main():
                 if not any(name == file and part in text.split("\n")[number - 1] for file, part in MEANT):
                     complain(name, number, f'"{found.group(0)}": write {advice[int(found.lastgroup[1:])]}')
         if name.endswith(".md"):
-            long_ones = [(n, words) for n, words in sentences(text) if len(words) > MOST_WORDS]
+            long_ones = [(n, words) for n, words in sentences(text) if len(words) > MAX_WORDS]
             for number, words in long_ones if len(long_ones) > LONG.get(name, 0) else []:
                 complain(name, number, f'"{" ".join(words[:8])} ...": {len(words)} words, write sentences of up to 25')
 

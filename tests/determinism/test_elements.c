@@ -65,7 +65,7 @@ static const char *const elements[] = {
     "bearing: {at: rotor, from: stator, elevation: 20 um, frequencies: [0, 200, 400, 600, 800, 1000, 1200, 1400], "
     "kxx: [4e6, 4.2e6, 4.7e6, 5.3e6, 5.8e6, 6.2e6, 6.5e6, 6.7e6], kxy: [1e6, 9e5, 7e5, 5e5, 4e5, 3e5, 2e5, 1e5], "
     "cxx: [4e3, 3.6e3, 3e3, 2.2e3, 1.6e3, 1.2e3, 9e2, 7e2], cyx: -300, poles: 6, fit_error: 20 %}"};
-enum { ELEMENTS = sizeof elements / sizeof *elements, LANES = 5, REVOLUTIONS = 3, MOST = 64 };
+enum { ELEMENTS = sizeof elements / sizeof *elements, LANES = 5, REVOLUTIONS = 3, MAX_DIMENSION = 64 };
 
 static void must(whirl_status status) {
     if (status.code != WHIRL_OK) fail_msg("%s", status.message);
@@ -84,15 +84,15 @@ static bool carry(const char *isa, const char *method, const char *element, doub
     must(whirl_case_parse(text, strlen(text), "element", NULL, &object));
     must(whirl_case_rotor(object, NULL, NAN, &rotor));
     const whirl_system *system = whirl_rotor_system(rotor);
-    assert_true(system->dimension <= MOST);
+    assert_true(system->dimension <= MAX_DIMENSION);
     setenv("WHIRL_ISA", isa, 1);
     const bool present = whirl_ensemble_new(system, &options, LANES, &lanes).code == WHIRL_OK;
     for (size_t i = 0; i < LANES && present; i++) {
-        const double start[MOST] = {0.1, -0.1 * (double)i, 0.0, -0.1};
+        const double start[MAX_DIMENSION] = {0.1, -0.1 * (double)i, 0.0, -0.1};
         must(whirl_ensemble_load(lanes, i, system, start));
     }
     for (int n = 0; n < REVOLUTIONS && present; n++) whirl_ensemble_revolve(lanes, LANES, NULL);
-    for (size_t i = 0; i < LANES && present; i++) whirl_ensemble_state(lanes, i, x + i * MOST);
+    for (size_t i = 0; i < LANES && present; i++) whirl_ensemble_state(lanes, i, x + i * MAX_DIMENSION);
     if (present) whirl_ensemble_free(lanes);
     whirl_rotor_free(rotor);
     whirl_case_free(object);
@@ -106,7 +106,7 @@ static void the_same_bits(void **state) {
     for (int e = 0; e < ELEMENTS; e++)
         for (int m = 0; m < 3; m++)
             for (int s = 0; s < 2; s++) {
-                static double first[LANES * MOST], x[LANES * MOST];
+                static double first[LANES * MAX_DIMENSION], x[LANES * MAX_DIMENSION];
                 bool any = false;
                 for (int i = 0; i < 3 && sets[s][i]; i++) {
                     if (!carry(sets[s][i], methods[m], elements[e], x)) continue;

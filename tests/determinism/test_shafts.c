@@ -53,7 +53,7 @@ static const struct {
 } kinds[] = {{"reduced, two films and a rub", "rk4", overhung_rotor, 512},
              {"reduced, two films and a rub", "rodas5p", overhung_rotor, 512},
              {"not reduced, flats and internal damping", "rk4", flat_rotor, 16384}};
-enum { KINDS = sizeof kinds / sizeof *kinds, POINTS = 19, REVOLUTIONS = 2, MOST = 4 * WHIRL_MAX_STATIONS * 2 };
+enum { KINDS = sizeof kinds / sizeof *kinds, POINTS = 19, REVOLUTIONS = 2, MAX_DIMENSION = 4 * WHIRL_MAX_STATIONS * 2 };
 
 static double speed_of(size_t point) {
     return 628.0 + 20.0 * (double)point;
@@ -64,18 +64,18 @@ static void carry(int kind, size_t first, size_t count, double *ends) {
     whirl_integrate_options options = whirl_integrate_default();
     whirl_rotor *rotors[POINTS] = {NULL};
     whirl_ensemble *lanes;
-    static double start[MOST];
+    static double start[MAX_DIMENSION];
     snprintf(options.method, sizeof options.method, "%s", kinds[kind].method);
     options.steps_per_revolution = kinds[kind].steps;
     for (size_t i = 0; i < count; i++) rotors[i] = kinds[kind].rotor(speed_of(first + i));
     must(whirl_ensemble_new(whirl_rotor_system(rotors[0]), &options, count, &lanes));
     const size_t dimension = whirl_rotor_system(rotors[0])->dimension;
-    assert_true(dimension <= MOST);
+    assert_true(dimension <= MAX_DIMENSION);
     for (size_t i = 0; i < count; i++) must(whirl_ensemble_load(lanes, i, whirl_rotor_system(rotors[i]), start));
     for (int n = 0; n < REVOLUTIONS; n++) whirl_ensemble_revolve(lanes, count, NULL);
     for (size_t i = 0; i < count; i++) {
         assert_int_equal(whirl_ensemble_motion(lanes, i), WHIRL_BOUNDED);
-        whirl_ensemble_state(lanes, i, ends + i * MOST);
+        whirl_ensemble_state(lanes, i, ends + i * MAX_DIMENSION);
     }
     whirl_ensemble_free(lanes);
     for (size_t i = 0; i < count; i++) whirl_rotor_free(rotors[i]);
@@ -94,7 +94,7 @@ static bool present(const char *isa) {
 
 /// All machines side by side by each of the instruction sets that agree, and each machine alone by the first.
 static void expect_same(int kind, const char *const *names, size_t count) {
-    static double reference[POINTS * MOST], ends[POINTS * MOST];
+    static double reference[POINTS * MAX_DIMENSION], ends[POINTS * MAX_DIMENSION];
     bool any = false;
     memset(reference, 0, sizeof reference);
     memset(ends, 0, sizeof ends);
@@ -107,7 +107,7 @@ static void expect_same(int kind, const char *const *names, size_t count) {
         if (any) assert_memory_equal(ends, reference, sizeof ends);
         for (size_t i = 0; i < POINTS; i += any ? 6 : 1) {
             carry(kind, i, 1, ends);
-            assert_memory_equal(ends, reference + i * MOST, MOST * sizeof *ends);
+            assert_memory_equal(ends, reference + i * MAX_DIMENSION, MAX_DIMENSION * sizeof *ends);
         }
         any = true;
     }
@@ -132,7 +132,7 @@ static void release(void *owner) {
 }
 
 static whirl_status machine(const void *family, const whirl_batch *batch, double value, whirl_machine *out) {
-    static const double start[MOST];
+    static const double start[MAX_DIMENSION];
     (void)family, (void)batch;
     whirl_rotor *rotor = overhung_rotor(value);
     *out = (whirl_machine){.system = whirl_rotor_system(rotor), .start = start, .owner = rotor, .release = release};

@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST = 8, LONGEST = 96, SETTLING = 4000, SECTIONS = 2000, BLOCKS = 20 };
+enum { MAX_DIMENSION = 8, LONGEST = 96, SETTLING = 4000, SECTIONS = 2000, BLOCKS = 20 };
 
 static const double pi = 3.14159265358979323846;
 
@@ -279,7 +279,7 @@ enum { MACHINES = sizeof machines / sizeof *machines };
 /// Carries x over revolution number n.
 static void revolve(const machine *m, double p, int steps, int n, double *x) {
     const double speed = m->fixed_speed > 0.0 ? m->fixed_speed : p, h = 2.0 * pi / speed / steps;
-    double k[4][MOST], y[MOST];
+    double k[4][MAX_DIMENSION], y[MAX_DIMENSION];
     for (int i = 0; i < steps; i++) {
         const double t = (i + (double)steps * n) * h;
         m->slopes(p, t, x, k[0]);
@@ -307,7 +307,7 @@ typedef struct finding {
     double exponent, error; ///< growth of a small difference a revolution; three standard errors of its mean
 } finding;
 
-static double sections[SECTIONS][MOST];
+static double sections[SECTIONS][MAX_DIMENSION];
 
 /// Returns the least number of revolutions after which every one of the last sections returns, or 0.
 static int closes_after(const machine *m) {
@@ -328,7 +328,7 @@ static double nearest_return(const machine *m) {
 }
 
 static finding find(const machine *m, double p, int steps) {
-    double x[MOST] = {m->start[0], m->start[1]}, beside[MOST], growth[BLOCKS] = {0};
+    double x[MAX_DIMENSION] = {m->start[0], m->start[1]}, beside[MAX_DIMENSION], growth[BLOCKS] = {0};
     const double apart = 1e-8;
     finding found = {UNCLEAR, 0.0, 0.0};
     for (int n = 0; n < SETTLING; n++) {

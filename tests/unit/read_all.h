@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/// The file as a string, freed by the caller.
+/// Returns the file as a string, freed by the caller.
 static inline char *read_all(const char *path) {
     FILE *stream = fopen(path, "rb");
     if (!stream) fail_msg("%s is not there", path);

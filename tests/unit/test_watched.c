@@ -89,7 +89,7 @@ static const char *name_of(const fixture *f, const watched *w, size_t which) {
     return w->extent == WHIRL_PER_STATION ? f->result->stations[which].name : f->result->contacts[which];
 }
 
-/// The same numbers, to the bit, in another result.
+/// Checks that another result has the same numbers, to the bit.
 static void expect_all(const fixture *f, const whirl_result *other) {
     FOR_LIST for (size_t which = 0; which < many(f, w); which++) {
         const double *one = whirl_table_field(f->table, 0, w->field, which);
@@ -99,7 +99,7 @@ static void expect_all(const fixture *f, const whirl_result *other) {
     }
 }
 
-/// Of a motion that touches, no number of which is 0 by chance, nor like another.
+/// A motion that touches has no watched number that is 0 or equal to another by chance.
 static void fields_have_what_records_have(void **state) {
     const fixture *f = *state;
     whirl_study study;
@@ -150,7 +150,8 @@ static void files_and_journals_keep_all(void **state) {
     whirl_result_free(outline);
 }
 
-/// The cell of a line that stands under the heading that begins so and goes on with a unit; NaN where there is none.
+/// Returns the cell of a line under the heading that begins with the text and continues with a unit; NaN if there is
+/// none.
 static double cell_under(const char *lines, const char *heading) {
     const char *line = strchr(lines, '\n') + 1, *head = lines;
     while (head < line - 1) {

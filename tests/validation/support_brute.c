@@ -59,7 +59,7 @@ outcome brute_follow(const brute *b, double *x, double tolerance) {
 
 // ---------------------------------------------------------------- the paper's rotor
 
-/// Capone's force of the short bearing on a journal at (x, y), without its coefficient.
+/// Computes capone's force of the short bearing on a journal at (x, y), without its coefficient.
 static void film(double x, double y, double vx, double vy, double *fx, double *fy) {
     const double a = x - 2.0 * vy, b = y + 2.0 * vx, q = 1.0 - x * x - y * y, c = sqrt(a * a + b * b);
     const double p = x * b - y * a, u = x * a + y * b;

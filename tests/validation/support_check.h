@@ -29,7 +29,7 @@ void check_holds(const char *id, const char *statement, bool holds);
 /// Ends the test with the message of a status that is not success.
 void require_ok(whirl_status status);
 
-/// printf into one of a few buffers in turn, for the `what` of a comparison.
+/// Prints into one of a few buffers in turn (as printf), for the `what` of a comparison.
 const char *words(const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 1, 2)))

@@ -148,15 +148,15 @@ double determinant(size_t n, const double *matrix) {
 }
 
 double switch_apart(const whirl_system *system, const double *x, size_t which, double step, double *largest) {
-    enum { MOST = 64 };
+    enum { MAX_SIZE = 64 };
     const size_t n = system->dimension;
-    double gradient[MOST], by_time, worst = 0.0;
-    assert_true(n <= MOST && system->switch_count <= MOST);
+    double gradient[MAX_SIZE], by_time, worst = 0.0;
+    assert_true(n <= MAX_SIZE && system->switch_count <= MAX_SIZE);
     system->switch_gradient(system->model, 0.0, x, which, gradient, &by_time);
     *largest = 0.0;
     for (size_t i = 0; i < n; i++) *largest = fmax(*largest, fabs(gradient[i]));
     for (size_t by = 0; by < n; by++) {
-        double y[MOST], values[2][MOST], slopes[2][MOST], unit[MOST] = {0}, curved[MOST];
+        double y[MAX_SIZE], values[2][MAX_SIZE], slopes[2][MAX_SIZE], unit[MAX_SIZE] = {0}, curved[MAX_SIZE];
         for (int side = 0; side < 2; side++) {
             memcpy(y, x, n * sizeof *y);
             y[by] += side ? step : -step;

@@ -16,7 +16,7 @@ whirl_integrator *make_integrator(const whirl_system *system, const char *method
 /// Carries x over whole revolutions; the test ends when it does not stay bounded.
 void revolve(whirl_integrator *integrator, double *x, int revolutions);
 
-/// d(x after the revolutions)/dx [n][n], row-major, by central differences of fourth order.
+/// Computes d(x after the revolutions)/dx [n][n], row-major, by central differences of fourth order.
 void flow_jacobian(whirl_integrator *integrator, size_t n, const double *x, int revolutions, double step,
                    double *matrix);
 

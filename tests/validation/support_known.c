@@ -27,7 +27,7 @@ typedef struct run_options {
     whirl_record_options record;
 } run_options;
 
-/// As sweeps do it.
+/// Returns options as sweeps use them.
 static run_options usual_options(const known_motion *motion, int steps) {
     run_options run = {whirl_integrate_default(), whirl_record_default()};
     snprintf(run.integrate.method, sizeof run.integrate.method, "%s", steps > 0 ? "rk4" : "dop853");
@@ -38,7 +38,7 @@ static run_options usual_options(const known_motion *motion, int steps) {
     return run;
 }
 
-/// The derivative of the slopes by differences, as systems of users have it.
+/// Computes the derivative of the slopes by differences, as for systems of users.
 static void tangent(const void *model, double t, const double *forcing, const double *x, const double *sides,
                     size_t count, const double *dx, double *ddxdt) {
     const known_motion *motion = (const known_motion *)((const char *)model - offsetof(known_motion, p));
@@ -57,7 +57,7 @@ static void tangent(const void *model, double t, const double *forcing, const do
     }
 }
 
-/// With `seeks`, chaos is looked through for what it may end on.
+/// Returns the verdict; with `seeks` the search for attractors on which chaos may end is included.
 static whirl_verdict judge(const known_motion *motion, const run_options *run, bool seeks) {
     whirl_system system = motion->rotor ? *whirl_rotor_system(motion->rotor) : motion->system;
     whirl_record *record;
@@ -79,7 +79,7 @@ static whirl_verdict judge(const known_motion *motion, const run_options *run, b
     return verdict;
 }
 
-/// The verdict, confirmed at a second tolerance.
+/// Returns the verdict, confirmed at a second tolerance.
 static whirl_verdict judge_twice(const known_motion *motion, const run_options *run) {
     run_options second = *run;
     second.integrate = whirl_integrate_tighter(&run->integrate, 16.0);
@@ -94,7 +94,7 @@ whirl_verdict judge_known(const known_motion *motion, int steps) {
     return judge_twice(motion, &run);
 }
 
-/// Does as the verdicts advise until one is found, or the run takes too many revolutions.
+/// Follows the advice of the verdicts until one decides, or the run takes too many revolutions.
 static whirl_verdict follow_advice(const known_motion *motion, run_options run, whirl_verdict verdict) {
     const int most_revolutions = 60000;
     while (verdict.regime == WHIRL_UNDETERMINED && verdict.advice.remedy != WHIRL_NO_REMEDY) {
@@ -208,10 +208,10 @@ static void in_sum(void **state) {
 
 int run_families(const char *what, const known_family *families, size_t count, size_t stride,
                  const struct CMUnitTest *more, size_t more_count, int least) {
-    enum { MOST = 32 };
-    struct CMUnitTest tests[MOST];
+    enum { MAX_TESTS = 32 };
+    struct CMUnitTest tests[MAX_TESTS];
     size_t used = 0;
-    assert_true(count + more_count < MOST);
+    assert_true(count + more_count < MAX_TESTS);
     run.what = what;
     run.stride = stride;
     run.least = least;

@@ -23,7 +23,8 @@ static void carry_alone(const whirl_system *system, const whirl_integrate_option
     whirl_integrator_free(integrator);
 }
 
-/// The states [count][dimension] in lanes; false where the processor has no such instruction set.
+/// Carries the rotors from rest in lanes and writes their states [count][dimension]. Returns false if the processor
+/// lacks the instruction set.
 static bool carry_in_lanes(const char *set, const whirl_integrate_options *options, whirl_rotor *const *rotors,
                            size_t count, int revolutions, double *states) {
     const size_t n = whirl_rotor_system(rotors[0])->dimension;
@@ -48,7 +49,7 @@ void carry_both(const char *method, int steps, whirl_rotor *const *rotors, size_
     whirl_ensemble *lanes;
     snprintf(options.method, sizeof options.method, "%s", method);
     options.steps_per_revolution = steps;
-    options.rtol = 1e-15; // as the integrator's
+    options.rtol = 1e-15; // those of make_integrator
     options.atol = 1e-16;
     require_ok(whirl_ensemble_new(whirl_rotor_system(rotors[0]), &options, count, &lanes));
     for (size_t l = 0; l < count; l++) require_ok(whirl_ensemble_load(lanes, l, whirl_rotor_system(rotors[l]), start));

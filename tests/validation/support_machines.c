@@ -283,7 +283,7 @@ static void text_add_lines(text_end *to, const char *lines, bool reversed) {
     }
 }
 
-/// The number that a text begins with, of `length` characters; 0 characters where it begins with none.
+/// Returns the number at the beginning of a text, and its length in characters; length 0 if there is none.
 static double number_at(const char *text, size_t *length) {
     char *end;
     const double number = strtod(text, &end);

@@ -28,7 +28,7 @@ void check_regime(const char *id, const char *what, const char *expected, const 
     check_text(id, what, expected, name);
 }
 
-/// The point of the orbit through `state` that is nearest to (x, y).
+/// Finds the point of the orbit through `state` that is nearest to (x, y).
 static void find_nearest(whirl_integrator *integrator, size_t n, const double *state, int period, double x, double y,
                          double nearest[2]) {
     double at[MAX_DIMENSION], best = INFINITY;

@@ -24,7 +24,7 @@ whirl_system make_tangent_system(const tangent_model *model);
 /// x goes over whole revolutions; matrix [n][n], row-major, gets d(end)/d(start).
 void carry_tangents(whirl_integrator *integrator, size_t n, double *x, int revolutions, double *matrix);
 
-/// All Lyapunov exponents [n] per revolution, largest first: tangents orthogonalised every revolution
+/// Computes all Lyapunov exponents [n] per revolution, largest first: tangents orthogonalised every revolution
 /// (Benettin et al. 1980) over `revolutions` after `transient`. x is carried along.
 void lyapunov_spectrum(whirl_integrator *integrator, size_t n, double *x, int transient, int revolutions,
                        double *exponents);

@@ -11,8 +11,8 @@ typedef void (*slope_fn)(const void *model, double t, const double *x, double *s
 
 enum { MAX_COORDINATES = 8 };
 
-/// Sections [count][n] of a motion, one a period, after so many to settle: by the classical method of Runge and Kutta.
-/// Freed by free.
+/// Returns sections [count][n] of a motion, one a period, after a transient, by the classical method of Runge and
+/// Kutta. Freed by free.
 double *long_motion(slope_fn slope, const void *model, size_t n, double period, int steps, const double *start,
                     int settling, size_t count);
 

@@ -26,7 +26,7 @@ static void relative(const char *table, const char *what, double expected, doubl
 
 // ---------------------------------------------------------------- journals in films
 
-/// A shaft between two films, each with half of the weight: at the eccentricity ratio whose force that is.
+/// A shaft between two films rests at the eccentricity ratio at which each film carries half of the weight.
 static void films(void **state) {
     static const double ratios[] = {0.2, 0.6, 0.85};
     (void)state;
@@ -65,7 +65,7 @@ static void films(void **state) {
 
 // ---------------------------------------------------------------- journals in housings that move
 
-/// Eccentricity ratio, attitude and least thickness at a station.
+/// Computes eccentricity ratio, attitude and least thickness of the film at a station.
 static void look_at_film(const char *text, size_t station, double out[3]) {
     static const char *const names[] = {WHIRL_FIELD_STATICS_ECCENTRICITY, WHIRL_FIELD_STATICS_ATTITUDE,
                                         WHIRL_FIELD_STATICS_FILM};
@@ -74,8 +74,8 @@ static void look_at_film(const char *text, size_t station, double out[3]) {
     whirl_result_free(result);
 }
 
-/// A disc of 40 kg between two bearings, which each have a housing of 5 kg on springs of k, or (k = 0) one that stands;
-/// rings are at stations "ring_left" and "ring_right".
+/// Returns the text of a case: a disc of 40 kg between two bearings. Each has a housing of 5 kg on a spring k, or one
+/// that does not move (k = 0). Floating rings are at stations "ring_left" and "ring_right".
 static const char *in_housings(const char *bearing, const char *inner, bool clockwise, double k) {
     static char text[SIZE];
     static const char *const sides[] = {"left", "right"};
@@ -104,8 +104,8 @@ static const char *in_housings(const char *bearing, const char *inner, bool cloc
     return text;
 }
 
-/// A film carries the weight of its journal, wherever that moves its housing: as in a housing that stands, on springs
-/// that give way by .025 to 2500 clearances.
+/// A film carries the same load in a housing on springs as in a fixed one, so its eccentricity is the same. The springs
+/// yield by .025 and by 2500 clearances.
 static void films_in_housings(void **state) {
 #define OIL_IN "clearance: 0.1 mm, viscosity: 10 mPa.s, radius: 20 mm, length: 20 mm"
     static const struct {
@@ -134,13 +134,14 @@ static void films_in_housings(void **state) {
         }
 }
 
-/// Load of a short film that half of fills, by Ocvirk's formula, over mu omega R L (L/c)^2 of one turning side.
+/// Returns the load of a short film that covers half of the circumference (Ocvirk), over mu omega R L (L/c)^2. If both
+/// sides turn, omega is the sum of their speeds.
 static double short_load(double e) {
     const double q = 1.0 - e * e;
     return e * sqrt(16.0 * e * e + pi * pi * q) / (4.0 * q * q);
 }
 
-/// The eccentricity ratio with that load.
+/// Returns the eccentricity ratio at which short_load is `load`.
 static double short_place(double load) {
     double low = 0.0, high = 1.0;
     for (int i = 0; i < 100; i++) *(short_load(0.5 * (low + high)) < load ? &low : &high) = 0.5 * (low + high);
@@ -185,7 +186,8 @@ static void housings_closed(void **state) {
 
 // ---------------------------------------------------------------- bows
 
-/// A shaft almost without mass, bent by `bow` in the middle, with a disc of 50 kg there; both bearings are springs.
+/// Computes the unbalance response of a shaft almost without mass, bent by `bow` in the middle, with a disc of 50 kg
+/// there and springs as bearings.
 static whirl_result *bent(double bow, double angle, double eccentricity, double ratio, double *stiffness) {
     const double modulus = 200e9, d = 0.04, kb = 5e7, mass = 50.0, zeta = 0.05;
     const double shaft = 48.0 * modulus * pi * pow(d, 4.0) / 64.0, k = shaft * 2.0 * kb / (shaft + 2.0 * kb);
@@ -232,7 +234,8 @@ static void jeffcott_with_a_bow(void **state) {
     whirl_result_free(result);
 }
 
-/// Turning slowly a shaft shows its bow where it is told, on bearings where that is 0, whatever its pieces are.
+/// A bent shaft that turns slowly, on bearings at stations without bow, moves by the bow that is given at each station,
+/// whatever its segments are.
 static void slow_roll(void **state) {
     static const char text[] =
         "whirl: 1\nrotor:\n  speed: 0.01 rad/s\n  length_scale: 0.1 mm\n  stations:\n"
@@ -258,7 +261,8 @@ static void slow_roll(void **state) {
 
 // ---------------------------------------------------------------- raised bearings
 
-/// A uniform shaft on three bearings at equal distances, the middle one raised: 6 EI h/L^3 more there.
+/// A uniform shaft on three bearings at equal distances L: if the middle one is raised by h, its load grows by
+/// 6 EI h/L^3.
 static void raised(void **state) {
     const double L = 2.0, d = 0.3, h = 2e-3, q = 7800.0 * pi * d * d / 4.0 * g, EI = 2e11 * pi * pow(d, 4.0) / 64.0;
     char text[SIZE];
@@ -294,7 +298,8 @@ static void raised(void **state) {
     whirl_result_free(result);
 }
 
-/// A disc in a housing on a spring: what is raised raises what stands on it, and K has cross terms.
+/// A disc in a housing on a spring: the elevation of the housing's bearing also raises the disc, although the disc's
+/// bearing has cross-coupled stiffness.
 static void raised_in_a_housing(void **state) {
     static const char text[] =
         "whirl: 1\nrotor:\n  speed: 100 rad/s\n  length_scale: 1 mm\n  stations:\n    disc: {mass: 10 kg}\n"

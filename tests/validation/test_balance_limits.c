@@ -96,7 +96,7 @@ static double left(const rotor *of, const double complex *weights, bool squares)
     return squares ? sqrt(sum) : largest;
 }
 
-/// Weighted least squares, by elimination in real numbers.
+/// Solves weighted least squares, by elimination in real numbers.
 static void weighted(const rotor *of, const double *weight, double complex *x) {
     double matrix[4 * PLANES * PLANES] = {0.0}, side[2 * PLANES] = {0.0};
     const size_t n = 2 * of->planes;
@@ -111,8 +111,8 @@ static void weighted(const rotor *of, const double *weight, double complex *x) {
     for (size_t p = 0; p < of->planes; p++) x[p] = side[2 * p] + I * side[2 * p + 1];
 }
 
-/// Lawson's algorithm (1961): the weight of each row is multiplied by its residual. The least possible value of the
-/// largest residual is between the root of the weighted mean square (`below`) and the largest residual (`above`).
+/// Runs Lawson's algorithm (1961): the weight of each row is multiplied by its residual. The least possible value of
+/// the largest residual is between the root of the weighted mean square (`below`) and the largest residual (`above`).
 static void lawson(const rotor *of, double *below, double *above) {
     double weight[ROWS];
     double complex x[PLANES];

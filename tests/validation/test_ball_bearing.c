@@ -16,7 +16,8 @@
 #include "support_lanes.h"
 #include "whirl/engine.h"
 
-/// Nb 8, C_b 1.334e10 N/m^1.5, m 20 kg, c 200 N s/m, W 196 N along x, g_0 3 um; lengths in um, `cage` over `speed`.
+/// Makes a bearing: Nb 8, C_b 1.334e10 N/m^1.5, m 20 kg, c 200 N s/m, W 196 N along x, g_0 3 um; lengths in um, `cage`
+/// over `speed`.
 static whirl_rotor *make_bearing(double speed, double cage, double angle) {
     const whirl_setting rotor[] = {{"mass", 20.0, NULL}};
     const whirl_setting bearing[] = {{"at", 0, "rotor"},        {"balls", 8, NULL},   {"stiffness", 1.334e10, NULL},
@@ -96,7 +97,7 @@ static void varying_compliance(void **unused) {
     whirl_rotor_free(rotor);
 }
 
-/// The equations as they are written, with the angle of the cage by time: ratio .125, from .2 rad.
+/// Computes the equations as they are written, with the angle of the cage by time: ratio .125, from .2 rad.
 static void by_time(const void *model, double t, const double *forcing, const double *x, double *slope) {
     const double pi = 3.14159265358979323846, omega = 600.0, mass = 20.0;
     double force[2] = {mass * 9.8 * 1e6, 0.0}; // in kg um/s^2
@@ -148,8 +149,8 @@ static void what_fits(void **unused) {
     }
 }
 
-/// Speed of the cage over the rotor's between a low shaft and a high one of that ratio, from the keys of the bearing
-/// and of the stations that it joins; NAN where the machine is refused, with *why.
+/// Returns the speed of the cage over the rotor's, for a bearing between a low shaft and a high one of that ratio, from
+/// the keys of the bearing and of the stations that it joins; NAN if the machine is refused, with *why.
 static double cage_of(double ratio, const char *at, const char *from, const char *keys, whirl_status *why) {
     char text[2048];
     whirl_case *object;

@@ -38,7 +38,7 @@ typedef struct oscillator {
     whirl_system system;
 } oscillator;
 
-/// The machine with a start in the plane.
+/// Makes the machine with a start in the plane.
 static whirl_status machine_at(const void *family, const whirl_batch *batch, double value, whirl_machine *machine) {
     oscillator *own = malloc(sizeof *own);
     assert_non_null(own);
@@ -58,7 +58,7 @@ static void place_starts(double *x, double *v) {
     }
 }
 
-/// The basins of `count` starts, in one row; the force is the family.
+/// Computes the basins of `count` starts, in one row; the force is the family.
 static whirl_result *run(const double *force, const double *x, const double *v, size_t count, int transient) {
     static const char *const analyses[] = {"poincare", "orbit", "regime"};
     whirl_study study = {.batch_count = 1, .machine = machine_at, .family = force};
@@ -82,7 +82,8 @@ static whirl_result *run(const double *force, const double *x, const double *v, 
     return result;
 }
 
-/// The well at the end of 200 periods by RK4 with 400 steps each: the sign of the mean displacement in the last.
+/// Returns true if the motion is in the right well after 200 periods by RK4 with 400 steps each: the sign of the mean
+/// displacement in the last.
 static bool ends_right(double force, double x, double v) {
     const int steps = 400, periods = 200;
     const double h = 2.0 * pi / steps;

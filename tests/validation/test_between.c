@@ -50,7 +50,7 @@ static whirl_rotor *make(double speed, const part *parts, size_t count) {
     return rotor;
 }
 
-/// Index of a tilt in the state, and the conversion of radians to the state's unit.
+/// Returns index of a tilt in the state, and the conversion of radians to the state's unit.
 static size_t tilt(int station, int across) {
     return TILTS + 2 * (size_t)station + (size_t)across;
 }

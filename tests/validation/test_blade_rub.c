@@ -15,9 +15,9 @@
 #include "whirl/engine/rotor.h"
 
 static const double pi = 3.14159265358979323846;
-enum { MOST = 10, STATES = 9 };
+enum { STATES = 9 };
 
-/// Radius 50, gap 1 and a mass of 1 at speed 1, in a casing of mass 2.
+/// Makes a rotor with blades: radius 50, gap 1 and a mass of 1 at speed 1, in a casing of mass 2.
 static whirl_rotor *make(double blades, double power, const char *stiffness, const char *extension, double friction) {
     const whirl_setting settings[] = {{"at", 0.0, "disc"},          {"from", 0.0, "casing"},
                                       {"blades", blades, NULL},     {"radius", 50.0, NULL},
@@ -35,7 +35,7 @@ static whirl_rotor *make(double blades, double power, const char *stiffness, con
     return rotor;
 }
 
-/// The force on the disc, displaced by x from the casing, with the blades turned by an angle.
+/// Computes the force on the disc, displaced by x from the casing, with the blades turned by an angle.
 static void force_at(const whirl_rotor *rotor, double x, double angle, double force[2]) {
     const double state[STATES] = {0.3 + x, -0.2, 0.3, -0.2, 0.0, 0.0, 0.0, 0.0, angle};
     double slope[STATES];
@@ -91,7 +91,7 @@ static void many_blades(void **unused) {
     whirl_rotor_free(rotor);
 }
 
-/// Amplitude of an order of the force on a disc that is held displaced.
+/// Returns the amplitude of an order of the force on a disc that is held at a displacement.
 static double order_of(const whirl_rotor *rotor, double x, int order) {
     enum { ANGLES = 2100 }; // a multiple of 7, so that orders fold onto those of its passing
     double complex sum = 0.0;

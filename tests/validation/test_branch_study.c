@@ -18,7 +18,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/// The result of a case's study.
+/// Returns the result of a case's study.
 static whirl_result *run_text(const char *text) {
     whirl_problems problems = {0};
     whirl_case *object;
@@ -37,7 +37,8 @@ static double number(const whirl_table *table, size_t point, const char *field) 
     return table_number(table, point, field, 0);
 }
 
-/// The row of a kind of special point, counted from 0, on a branch (0: any); the test ends where there is none.
+/// Returns the row of the special point number `which` (from 0) of a kind, on a branch (0: any); the test fails if
+/// there is none.
 static size_t special_row(const whirl_table *table, size_t branch, whirl_special kind, size_t which) {
     for (size_t i = 0; i < table->count; i++)
         if ((branch == 0 || number(table, i, "trace/number") == (double)branch) &&
@@ -55,7 +56,7 @@ static size_t count_kind(const whirl_table *table, whirl_special kind) {
 
 // ---------------------------------------------------------------- oil whirl
 
-/// sigma = F0/W that holds a journal in the short film at eccentricity ratio e, at any speed.
+/// Returns sigma = F0/W that holds a journal in the short film at eccentricity ratio e, at any speed.
 static double load_of(double e) {
     const double phi = atan2(pi * sqrt(1.0 - e * e), 4.0 * e);
     double force[2];

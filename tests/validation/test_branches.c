@@ -297,9 +297,9 @@ static void neutral_saddles_are_no_tori(void **state) {
 
 // ---------------------------------------------------------------- symmetry and doubling
 
-/// x'' + .3 x' - x + x^3 = F cos 1.2 t: its orbits double their periods on the way to chaos. Two equal wells: each
-/// orbit in one has its mirror in the other.
-/// The orbit that begins a revolution later is the same one, and no other is.
+/// Checks the orbits of x'' + .3 x' - x + x^3 = F cos 1.2 t, which double their periods on the way to chaos. Of two
+/// equal wells each orbit in one has its mirror image in the other. The orbit that begins a revolution later is the
+/// same one, and no other is.
 static void expect_one_from_any_revolution(const test_family *family, const whirl_orbit *orbit,
                                            const whirl_orbit_options *options) {
     test_family later = *family;

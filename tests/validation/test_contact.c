@@ -21,7 +21,7 @@ static const double pi = 3.14159265358979323846;
 
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 
-/// A mass of 1 kg in a stator, in a case of that speed and length.
+/// Makes a mass of 1 kg in a stator, in a case of that speed and length.
 static whirl_rotor *make(double speed, double length, const whirl_setting *contact, size_t count, double pull) {
     whirl_design *design;
     whirl_rotor *rotor;
@@ -44,7 +44,7 @@ typedef struct impact {
     const char *back, *time, *deepest; ///< the last from K d^(n+1)/(n+1) = v/chi - ln(1 + chi v)/chi^2
 } impact;
 
-/// The state after `time` of a mass that flies straight into a stator: gap, depth and length in mm.
+/// Computes the state after `time` of a mass that flies straight into a stator: gap, depth and length in mm.
 static void fly(const impact *of, double time, double state[4]) {
     const whirl_setting contact[] = {{"at", 0.0, "mass"},
                                      {"gap", 1e-3, NULL},
@@ -61,7 +61,7 @@ static void fly(const impact *of, double time, double state[4]) {
     whirl_rotor_free(rotor);
 }
 
-/// The depth where the speed is zero, by the secant rule from two guesses of the time.
+/// Returns the depth where the speed is zero, by the secant rule from two guesses of the time.
 static double deepest(const impact *of, double one, double other) {
     double a[4], b[4];
     fly(of, one, a);
@@ -140,7 +140,7 @@ static void restitution(void **unused) {
 
 // ---------------------------------------------------------------- time in contact
 
-/// Share of a revolution of `time` s in which a mass that flies into a stator touches it.
+/// Returns share of a revolution of `time` s in which a mass that flies into a stator touches it.
 static double share_of(const whirl_setting *contact, size_t count, double speed, double time, const char *method,
                        double rtol) {
     const double rate = 2.0 * pi / time, state[4] = {0.999, 0.0, speed / (1e-3 * rate), 0.0};
@@ -184,7 +184,7 @@ static void impacts_last(void **unused) {
         }
 }
 
-/// Share, and times that contact began, of a rotor that strikes its stator, which moves, once a revolution.
+/// Returns share, and times that contact began, of a rotor that strikes its stator, which moves, once a revolution.
 static double struck_share(const char *stator, const char *method, double rtol, double *number) {
     char text[2048];
     snprintf(text, sizeof text,
@@ -235,7 +235,7 @@ static void steps_count_as_instants(void **unused) {
 
 // ---------------------------------------------------------------- bristles
 
-/// By rodas5p; places are far from the centre of a surface that is flat.
+/// Makes an integrator by rodas5p, at a tolerance for displacements far from the centre of a flat surface.
 static whirl_integrator *make_stiff(const whirl_rotor *rotor) {
     whirl_integrate_options options = whirl_integrate_default();
     whirl_integrator *integrator;
@@ -403,7 +403,7 @@ static double uniform(uint64_t *seed, double low, double high) {
     return low + (high - low) * (double)(*seed >> 11) / 9007199254740992.0;
 }
 
-/// Largest difference of a switch's gradient and curvature from differences of the switch and of the gradient.
+/// Returns largest difference of a switch's gradient and curvature from differences of the switch and of the gradient.
 static double compare_switches(const whirl_system *system, const double *x) {
     double worst = 0.0, largest;
     for (size_t which = 0; which < system->switch_count; which++)
@@ -447,7 +447,7 @@ static void derivatives(void **unused) {
     }
 }
 
-/// A disc on a spring with unbalance, in a ring by one element or the other.
+/// Makes a disc on a spring with unbalance, in a ring by one element or the other.
 static whirl_rotor *make_ring(const char *kind) {
     const whirl_setting ring[] = {{"at", 0.0, "mass"},      {"gap", 1.0, NULL},    {"stiffness", 10.0, NULL},
                                   {"friction", 0.05, NULL}, {"radius", 3.0, NULL}, {"power", 1.0, NULL}};

@@ -48,7 +48,8 @@ static whirl_rotor *make_cracked(const cracked *c) {
     return rotor;
 }
 
-/// The monodromy matrix, by the variational equations over one revolution; gives the integral of the divergence.
+/// Computes the monodromy matrix by the variational equations over one revolution; returns the integral of the
+/// divergence.
 static double monodromy(const cracked *c, double matrix[N * N]) {
     double x[N] = {0.0}, columns[N * N] = {0.0};
     whirl_perturbations perturbations = {.count = N, .vectors = columns};
@@ -64,7 +65,7 @@ static double monodromy(const cracked *c, double matrix[N * N]) {
     return perturbations.volume;
 }
 
-/// The multipliers above the real axis, the one with the larger imaginary part last.
+/// Writes the multipliers above the real axis, the one with the larger imaginary part last.
 static void upper_multipliers(const double matrix[N * N], double complex upper[2]) {
     double complex values[N];
     int count = 0;
@@ -142,7 +143,7 @@ static void multiply(const double a[N * N], const double b[N * N], double out[N 
         }
 }
 
-/// exp(matrix t) by the power series over t/1024, squared ten times.
+/// Computes exp(matrix t) by the power series over t/1024, squared ten times.
 static void exponential(const double matrix[N * N], double t, double out[N * N]) {
     double scaled[N * N], power[N * N] = {0.0}, next[N * N];
     for (int i = 0; i < N * N; i++) scaled[i] = matrix[i] * t / 1024.0;
@@ -159,7 +160,8 @@ static void exponential(const double matrix[N * N], double t, double out[N * N])
     }
 }
 
-/// The motion p in the frame that turns, z = p e^(i tau): p'' + 2i p' - p + (2 zeta/w)(p' + i p) + K p/w^2 = 0.
+/// Computes the matrix of the motion p in the turning frame, z = p e^(i tau): p'' + 2i p' - p + (2 zeta/w)(p' + i p) +
+/// K p/w^2 = 0.
 static void turning_frame(const cracked *c, double open, double out[N * N]) {
     const double g = 2.0 * c->zeta / c->speed, square = c->speed * c->speed;
     const double k1 = (1.0 - c->loss * open) / square, k2 = (1.0 - c->loss / 6.0 * open) / square;

@@ -17,7 +17,7 @@
 #include "whirl/engine/linear.h"
 #include "whirl/engine/rotor.h"
 
-enum { TEXT_SIZE = 4096, MOST = 32 };
+enum { TEXT_SIZE = 4096, MAX_SPEEDS = 32 };
 
 static whirl_case *parse(const char *text) {
     whirl_problems problems = {0};
@@ -33,7 +33,7 @@ static whirl_case *parse(const char *text) {
     return object;
 }
 
-/// Two discs on a shaft of 1.5 m of so many elements, in two bearings.
+/// Makes the case of two discs on a shaft of 1.5 m of `elements` elements, in two bearings.
 static whirl_case *friswell(int elements, const char *reduction, const char *bearing, const char *study) {
     char text[TEXT_SIZE];
     snprintf(text, sizeof text,
@@ -53,14 +53,14 @@ static whirl_result *run(const whirl_case *object) {
     return result;
 }
 
-/// The speeds of a direction of a point, at most MOST.
-static size_t speeds_of(const whirl_result *result, size_t point, int direction, double speeds[MOST]) {
+/// Writes the speeds of a direction of a point, at most MAX_SPEEDS, and returns their number.
+static size_t speeds_of(const whirl_result *result, size_t point, int direction, double speeds[MAX_SPEEDS]) {
     const whirl_table *table = &result->tables[0];
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED);
     const double *found = whirl_table_field(table, point, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, 0);
     const double *whirls = whirl_table_field(table, point, WHIRL_FIELD_CRITICAL_SPEEDS_DIRECTION, 0);
     size_t count = 0;
-    for (size_t i = 0; i < field->rows && isfinite(found[i]) && count < MOST; i++)
+    for (size_t i = 0; i < field->rows && isfinite(found[i]) && count < MAX_SPEEDS; i++)
         if (direction == 0 || whirls[i] * direction > 0.0) speeds[count++] = found[i];
     return count;
 }
@@ -68,12 +68,12 @@ static size_t speeds_of(const whirl_result *result, size_t point, int direction,
 static const char map[] = "critical_speeds: {parameter: k, values: [1e5, 1e6, 1e8]}";
 static const double stiffness[] = {1e5, 1e6, 1e8};
 
-/// The lowest three forward speeds at every stiffness.
+/// Computes the lowest three forward speeds at every stiffness.
 static void compute_map(int elements, double found[3][3]) {
     whirl_case *object = friswell(elements, "reduce: no", "kxx: = k", map);
     whirl_result *result = run(object);
     for (size_t point = 0; point < 3; point++) {
-        double speeds[MOST];
+        double speeds[MAX_SPEEDS];
         assert_true(speeds_of(result, point, 1, speeds) >= 3);
         memcpy(found[point], speeds, sizeof found[point]);
     }
@@ -88,7 +88,8 @@ static void compare_map(const char *what, const double expected[3][3], const dou
                          expected[point][i], found[point][i], tolerance * expected[point][i]);
 }
 
-/// The limit of meshes of 12, 24 and 48 elements: errors go with the square and the fourth power of their length.
+/// Returns the limit of meshes of 12, 24 and 48 elements; errors decrease with the square and the fourth power of their
+/// length.
 static double extrapolated(double a, double b, double c) {
     return (16.0 * (4.0 * c - b) - (4.0 * b - a)) / 45.0;
 }
@@ -113,8 +114,8 @@ static void over_bearing_stiffness(void **unused) {
     compare_map("5.9.1, exact (12, 24, 48 elements, extrapolated)", exact, (const double(*)[3])fine, 3e-7);
 }
 
-/// The lowest three backward speeds on bearings of 1e6 N/m.
-static void compute_backward(int elements, double found[MOST]) {
+/// Computes the lowest three backward speeds on bearings of 1e6 N/m.
+static void compute_backward(int elements, double found[MAX_SPEEDS]) {
     whirl_case *object = friswell(elements, "reduce: no", "kxx: = k", "critical_speeds: {}");
     whirl_result *result = run(object);
     assert_true(speeds_of(result, 0, -1, found) >= 3);
@@ -126,7 +127,7 @@ static void backward_too(void **unused) {
     static const double six[] = {86.407811, 260.517497, 563.335592};
     static const double exact[] = {86.40771082, 260.51304515, 563.276858};
     static const int elements[] = {6, 12, 24, 48};
-    double speeds[4][MOST];
+    double speeds[4][MAX_SPEEDS];
     (void)unused;
     for (size_t i = 0; i < 4; i++) compute_backward(elements[i], speeds[i]);
     for (size_t i = 0; i < 3; i++) {
@@ -142,7 +143,7 @@ static void backward_too(void **unused) {
 /// have two stiffnesses, so that whirls are ellipses.
 static void as_modes_meet_the_speed(void **unused) {
     static const char bearing[] = "kxx: 1 MN/m, kyy: 0.2 MN/m";
-    double speeds[MOST];
+    double speeds[MAX_SPEEDS];
     size_t found = 0;
     (void)unused;
     whirl_case *direct = friswell(6, "reduce: no", bearing, "critical_speeds: {}");
@@ -170,7 +171,7 @@ static void as_modes_meet_the_speed(void **unused) {
 
 /// Masses on springs have equal speeds forward and backward, sqrt(k/m); two alike have each twice.
 static void masses_on_springs(void **unused) {
-    double speeds[MOST];
+    double speeds[MAX_SPEEDS];
     (void)unused;
     whirl_case *object = parse(
         "whirl: 1\nrotor:\n  speed: 100 rad/s\n  length_scale: 1 mm\n  stations: {a: {mass: 2 kg}, b: {mass: 2 kg}, "
@@ -211,7 +212,7 @@ static void pedestals_in_series(void **unused) {
         const double root = sqrt(b * b - 4.0 * a * c),
                      expected[] = {sqrt(2.0 * c / (b + root)), sqrt((b + root) / (2.0 * a))};
         for (int direction = 1; direction >= -1; direction -= 2) {
-            double speeds[MOST];
+            double speeds[MAX_SPEEDS];
             assert_int_equal(speeds_of(result, i, direction, speeds), 2);
             for (size_t n = 0; n < 2; n++)
                 check_within("CS",
@@ -231,7 +232,7 @@ static void a_disc_on_a_cantilever(void **unused) {
     const double length = 0.4, modulus = 2.1e11, d = 0.03, pi = 3.14159265358979323846;
     const double bending = modulus * pi * pow(d, 4) / 64.0, mass = 12.0, diametral = 0.05, polar = 0.1;
     const double a11 = pow(length, 3) / (3 * bending), a12 = length * length / (2 * bending), a22 = length / bending;
-    double speeds[MOST];
+    double speeds[MAX_SPEEDS];
     (void)unused;
     whirl_case *object =
         parse("whirl: 1\nrotor:\n  speed: 100 rad/s\n  length_scale: 1 mm\n"
@@ -266,7 +267,7 @@ static void a_disc_on_a_cantilever(void **unused) {
 
 /// Without bearings a shaft has four rigid-body modes, which are left out and told.
 static void free_shafts(void **unused) {
-    double speeds[MOST], held[MOST];
+    double speeds[MAX_SPEEDS], held[MAX_SPEEDS];
     (void)unused;
     whirl_case *object = friswell(6, "reduce: no", "kxx: = k", "critical_speeds: {parameter: k, values: [0, 1e-3]}");
     whirl_result *result = run(object);
@@ -274,7 +275,7 @@ static void free_shafts(void **unused) {
     check_within("CS", "5.9.1 without bearings: rigid-body modes", 4.0, *rigid, 0.0);
     assert_true(speeds_of(result, 0, 1, speeds) > 0 && speeds_of(result, 1, 1, held) > 0);
     for (size_t i = 0; held[i] < 1.0; i++) // those of the soft bearings
-        memmove(held + i, held + i + 1, (MOST - i - 1) * sizeof *held), i--;
+        memmove(held + i, held + i + 1, (MAX_SPEEDS - i - 1) * sizeof *held), i--;
     check_within("CS", "5.9.1 without bearings beside very soft ones: lowest forward critical speed, rad/s", held[0],
                  speeds[0], 1e-6 * held[0]);
     whirl_result_free(result);
@@ -291,7 +292,7 @@ static void slow_is_not_free(void **unused) {
         bool counted = true;
         for (size_t loose = 0; loose < 2; loose++) {
             char text[TEXT_SIZE];
-            double speeds[MOST];
+            double speeds[MAX_SPEEDS];
             snprintf(text, sizeof text,
                      "whirl: 1\nrotor:\n  speed: 100 rad/s\n  length_scale: 1 mm\n  stations: {a: {mass: 1 kg}, "
                      "b: {mass: 1 kg}%s}\n  elements:\n    - bearing: {at: a, kxx: 1 N/m}\n"
@@ -324,7 +325,7 @@ static void springs_stand_for_bearings(void **unused) {
     (void)unused;
     whirl_case *plain = friswell(6, "reduce: no", "kxx: = k", map), *own = friswell(6, "reduce: no", table, on_springs);
     whirl_result *expected = run(plain), *found = run(own);
-    double worst = 0.0, speeds[2][MOST], errors = 0.0;
+    double worst = 0.0, speeds[2][MAX_SPEEDS], errors = 0.0;
     size_t looked = 0;
     for (size_t point = 0; point < 3; point++) {
         const size_t count = speeds_of(found, point, 0, speeds[1]);
@@ -378,7 +379,7 @@ static void stiffness_of_films(void **unused) {
     for (size_t point = 0; point < 2; point++) {
         const double speed = sqrt((point ? 1e7 : 1e6) / 50.0), scale = 0.02 * speed * 0.025 * 8e-6 / (4.0 * 25e-10);
         const double *laid = whirl_table_field(&result->tables[0], point, WHIRL_FIELD_CRITICAL_SPEEDS_BEARINGS, 0);
-        double at[2], up[2], down[2], speeds[MOST], h = 1e-5;
+        double at[2], up[2], down[2], speeds[MAX_SPEEDS], h = 1e-5;
         rest_in_film(50.0 * 9.81 / scale, at);
         assert_int_equal(speeds_of(result, point, 0, speeds), 2);
         check_within("CS", words("mass on a spring for its film: critical speed %zu, rad/s", point + 1), speed,

@@ -46,7 +46,7 @@ static const float *signal_of(const whirl_result *result, size_t record, size_t 
 
 // ---------------------------------------------------------------- invariances
 
-/// A rotor that rubs, with a length scale, a rotation, where the unbalance begins, and a way to integrate.
+/// Runs a rotor that rubs, with a length scale, a rotation, a place of the unbalance, and a method.
 static whirl_result *rubbing(const char *scale, const char *rotation, const char *angle, const char *integrate) {
     char text[SIZE];
     snprintf(text, sizeof text,
@@ -65,7 +65,8 @@ static whirl_result *rubbing(const char *scale, const char *rotation, const char
     return run(text);
 }
 
-/// The largest difference of all signals over their largest size; signs: of each channel in the other data set.
+/// Returns the largest difference of all signals over their largest size; `signs`: of each channel in the other data
+/// set.
 static double difference(const whirl_result *one, const whirl_result *other, const double signs[5]) {
     double worst = 0.0;
     for (size_t record = 0; record < 6; record++)

@@ -21,7 +21,7 @@ static void require(whirl_status status) {
     if (status.code != WHIRL_OK) fail_msg("%s", status.message);
 }
 
-/// A rotor from the text of `rotor:`.
+/// Makes a rotor from the text of `rotor:`.
 static whirl_rotor *rotor_from(const char *text) {
     char whole[4096];
     whirl_case *object;
@@ -57,7 +57,8 @@ static int falling(const void *one, const void *other) {
     return a < b ? 1 : a > b ? -1 : 0;
 }
 
-/// The exponents of a linear rotor without forcing are 2 pi times the real parts of its eigenvalues (by LAPACK).
+/// Checks that the exponents of a linear rotor without forcing are 2 pi times the real parts of its eigenvalues (by
+/// LAPACK).
 static void check_linear(const char *text, const char *method) {
     whirl_rotor *rotor = rotor_from(text);
     const whirl_system *system = whirl_rotor_system(rotor);

@@ -64,7 +64,7 @@ static double change_of(const whirl_table *table, size_t point, size_t number, s
     return slope_of(table, point, number, parameter, within) * values[parameter] / number_of(table, point, number);
 }
 
-/// The index of a number in the list of a table.
+/// Returns the index of a number in the list of a table.
 static size_t place_of(const whirl_result *result, const whirl_table *table, const char *field) {
     whirl_spread_of of;
     for (size_t i = 0; whirl_table_derived(result, table, i, &of); i++)
@@ -125,7 +125,7 @@ static void test_a_disc_on_a_spring(void **state) {
     }
 }
 
-/// A study with one parameter, "p", at a value.
+/// Runs a study with one parameter, "p", at a value.
 static whirl_result *study_at(const char *format, double p) {
     char text[SIZE], value[40];
     snprintf(value, sizeof value, "%.17g", p);
@@ -296,7 +296,7 @@ static void test_chaos_has_none(void **state) {
 
 // ---------------------------------------------------------------- special points of branches
 
-/// The first special point of a kind in a table of branches; fails without one.
+/// Returns the first special point of a kind in a table of branches; fails without one.
 static size_t special_row(const whirl_table *table, whirl_special kind) {
     for (size_t i = 0; i < table->count; i++)
         if ((int)table_number(table, i, WHIRL_FIELD_TRACE_SPECIAL, 0) == (int)kind) return i;

@@ -39,8 +39,8 @@ static whirl_rotor *make_wheel(const wheel *w) {
     return rotor;
 }
 
-/// The magnitudes of the imaginary parts of the eigenvalues at rest, which are the natural frequencies over the speed,
-/// each twice; gives the largest real part.
+/// Writes the magnitudes of the imaginary parts of the eigenvalues at rest, which are the natural frequencies over the
+/// speed, each twice; returns the largest real part.
 static double natural_orders(const whirl_system *system, double orders[WHEEL_DIMENSION]) {
     double rest[WHEEL_DIMENSION] = {0}, matrix[WHEEL_DIMENSION * WHEEL_DIMENSION], most = 0.0;
     double complex values[WHEEL_DIMENSION];
@@ -54,15 +54,15 @@ static double natural_orders(const whirl_system *system, double orders[WHEEL_DIM
     return most;
 }
 
-/// (k11 - m nu^2)(k22 - I_d nu^2 + I_p omega nu) - k12^2, whose zeros are the frequencies of whirl, backward ones below
-/// zero (Green 1948; Den Hartog 1956, sec. 6.7).
+/// Returns (k11 - m nu^2)(k22 - I_d nu^2 + I_p omega nu) - k12^2, whose zeros are the frequencies of whirl, backward
+/// ones below zero (Green 1948; Den Hartog 1956, sec. 6.7).
 static double stodola_green(const wheel *w, double nu) {
     const double k = w->bending / (w->length * w->length * w->length);
     const double k11 = 12.0 * k, k12 = 6.0 * k * w->length, k22 = 4.0 * k * w->length * w->length;
     return (k11 - w->mass * nu * nu) * (k22 - w->diametral * nu * nu + w->polar * w->speed * nu) - k12 * k12;
 }
 
-/// The zero between two places of different signs.
+/// Returns the zero between two places of different signs.
 static double zero_between(const wheel *w, double low, double high) {
     for (int i = 0; i < 200; i++) {
         const double middle = 0.5 * (low + high);
@@ -163,7 +163,7 @@ static void three_discs(double t, const double complex *u, double complex *slope
     }
 }
 
-/// The classical method from rest over `revolutions`.
+/// Integrates the three discs from rest over `revolutions` by the classical method.
 static void integrate_three(int revolutions, int steps, double complex *u) {
     const double h = 2.0 * pi / (speed * steps);
     double complex k[4][EQUATIONS], stage[EQUATIONS];

@@ -20,7 +20,7 @@ static const double pi = 3.14159265358979323846;
 
 enum { LEVELS = 3 };
 
-/// The state after `duration`, in that many periods.
+/// Computes the state after `duration`, in `periods` periods.
 static void end_state(const char *method, whirl_system system, const double *start, double duration, int periods,
                       double *end) {
     whirl_integrate_options options = whirl_integrate_default();
@@ -51,8 +51,8 @@ static const struct tested_method {
 } methods[] = {{"dop853", 8.0, {2, 3, 4}, {100.0, 30.0}}, {"rodas5p", 5.0, {8, 16, 32}, {15.0, 15.0}}};
 enum { METHODS = sizeof methods / sizeof *methods };
 
-/// Errors fall with that power of the step: their root mean square over motions of different lengths, because where the
-/// switches lie within the steps matters, too.
+/// Checks that errors decrease with that power of the step: their root mean square over motions of different lengths,
+/// since the place of switches within steps matters, too.
 static void check_order_of(const struct tested_method *method, const known_motion *motion) {
     double errors[LEVELS] = {0}, end[2];
     for (double after = 0.4; after < 1.4; after += 0.05)

@@ -23,7 +23,7 @@ enum { SIZE = 2048, ROWS = 4 };
 
 static const double two_pi = 6.283185307179586476925;
 
-/// One journal in a bearing, 10 kg, on a shaft whose speed nothing drives.
+/// Runs a journal of 10 kg in a bearing, on a shaft that no drive turns.
 static whirl_result *coast(const char *bearing, const char *more, double inertia, double from, double duration) {
     char text[SIZE];
     snprintf(text, sizeof text,
@@ -45,12 +45,12 @@ static double end_speed(const whirl_result *result) {
     return first_number(result, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0);
 }
 
-/// Drag of the last row.
+/// Returns drag of the last row.
 static double last_drag(const whirl_result *result) {
     return first_number(result, WHIRL_FIELD_RUNUP_TORQUE, 0, 5 * (ROWS - 1) + 4);
 }
 
-/// x (0) or y (1) at the end of the run, m.
+/// Returns x (0) or y (1) at the end of the run, m.
 static double place_of(const whirl_result *result, size_t axis) {
     return 1e-4 * first_number(result, WHIRL_FIELD_RUNUP_PLACE, 0, axis);
 }
@@ -134,8 +134,8 @@ static void coast_down(void **state) {
     }
 }
 
-/// Pads at rest by the bearing's own finite volumes: the integral of 1/h over the pads, and half of the couples of
-/// their forces about the centres of their curvature, over mu w R^3 L/c.
+/// Returns the drag of pads by the bearing's own finite volumes: the integral of 1/h over the pads, and half of the
+/// moments of their forces about the centres of their curvature, over mu w R^3 L/c.
 static double drag_of_pads(const whirl_pads *of, const whirl_pads_state *rest) {
     enum { PARTS = 20000 };
     double sum = 0.0;

@@ -15,7 +15,7 @@
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/case.h"
 
-/// A station that moves along x, pulled by F with the acceleration |F| along or against x.
+/// Returns the case of a station that moves along x, pulled by F with the acceleration |F| along or against x.
 static const char *machine_on(const char *elements, const char *study) {
     static char text[4096];
     snprintf(text, sizeof text,
@@ -113,7 +113,7 @@ static void nowhere_else(void **state) {
     }
 }
 
-/// A journal in five tilting pads, at 27 speeds. Returns the points at which it also rests elsewhere.
+/// Runs a journal in five tilting pads at 27 speeds. Returns the number of points at which it has another equilibrium.
 static size_t pads_elsewhere(const char *pivots, double preload, double mass, const char *spring) {
     char text[2048];
     whirl_left left;

@@ -79,7 +79,7 @@ static void rolling(void **state) {
     }
 }
 
-/// The printed digits, and what a fit to nonlinear returns of 1e-2 and less leaves open.
+/// Checks a multiplier to the printed digits and to the error of a fit to nonlinear returns of 1e-2 and less.
 static void check_multiplier(const char *id, const char *what, const whirl_layout *layout, const double *block,
                              double real, double imaginary) {
     const double *found = block + whirl_layout_field(layout, "evidence/multiplier")->offset;

@@ -34,7 +34,8 @@ static whirl_integrator *follow(const whirl_system *system, double rtol) {
     return integrator;
 }
 
-/// d(x after the revolutions)/dx [n][n], row-major; gives the logarithm of its determinant as the library knows it.
+/// Computes d(x after the revolutions)/dx [n][n], row-major; returns the logarithm of its determinant according to the
+/// library.
 static double monodromy(whirl_integrator *integrator, size_t n, double *x, int revolutions, double *matrix) {
     double columns[MAX_DIMENSION * MAX_DIMENSION] = {0.0}, volume = 0.0;
     for (size_t i = 0; i < n; i++) columns[i * n + i] = 1.0;

@@ -1,7 +1,7 @@
 // Rotors of finite elements whose natural frequencies, damping and critical speeds are known: Friswell, Penny, Garvey,
 // Lees (2010), examples 5.9.1, 5.9.3 and 5.9.5, and Nelson, McVaugh (1976). The digits are those of an independent
-// program (Octave; Timoshenko after Cowper, consistent mass) at the same number of elements, which a second one
-// confirmed; where a book or paper prints them, too, that is said.
+// program (Octave; Timoshenko after Cowper, consistent mass) at the same number of elements; a second program confirmed
+// them. `as_printed` has the digits of the book.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -19,7 +19,7 @@
 
 enum { TEXT_SIZE = 8192 };
 
-/// All degrees of freedom; or, on fine meshes, so many modes that what is left out is below the digits.
+/// Keys of a shaft: all degrees of freedom; or, for fine meshes, enough modes that the error is below the digits.
 static const char full[] = "reduce: no", reduced[] = "modes: 40";
 
 static const double rpm = 3.14159265358979323846 / 30.0;
@@ -51,7 +51,7 @@ static whirl_modes *modes_at(const whirl_case *object, double speed, double *clo
     return modes;
 }
 
-/// The lowest frequencies at a speed, each to 1e-6 of itself.
+/// Checks the lowest frequencies at a speed, each to a relative 1e-6.
 static void expect_frequencies(const char *what, const whirl_case *object, double speed, const double *expected,
                                size_t count) {
     double clock;
@@ -63,7 +63,7 @@ static void expect_frequencies(const char *what, const whirl_case *object, doubl
     whirl_modes_free(modes);
 }
 
-/// The lowest critical speeds of one direction that a study locates, over the unit.
+/// Checks the lowest critical speeds of one direction that a study locates, in units of `unit`.
 static void expect_critical(const char *what, const whirl_case *object, double direction, double unit,
                             const double *expected, size_t count) {
     whirl_result *result;
@@ -88,7 +88,7 @@ static void expect_critical(const char *what, const whirl_case *object, double d
 
 // ---------------------------------------------------------------- Friswell et al.
 
-/// Two discs on a shaft of 1.5 m of so many elements, in two equal bearings.
+/// Makes the case of two discs on a shaft of 1.5 m of `elements` elements, in two equal bearings.
 static whirl_case *friswell(const char *bearing, int elements, const char *reduction) {
     char text[TEXT_SIZE];
     snprintf(text, sizeof text,
@@ -152,7 +152,7 @@ static void unequal_bearings(void **unused) {
     whirl_case_free(object);
 }
 
-/// lambda of damped bearings, real and imaginary parts.
+/// Eigenvalues with damped bearings: real and imaginary parts.
 static void damped_bearings(void **unused) {
     static const struct {
         double real, imaginary;
@@ -181,7 +181,8 @@ static void damped_bearings(void **unused) {
 
 // ---------------------------------------------------------------- Nelson and McVaugh
 
-/// 18 segments of `elements` Rayleigh elements each, a disc at station 5, bearings at 11 and 15.
+/// Makes the rotor of Nelson and McVaugh: 18 segments of `elements` Rayleigh elements each, a disc at their station 5,
+/// bearings at 11 and 15.
 static whirl_case *nelson(int elements, const char *reduction) {
     static const double at[] = {0,     1.27,  5.08,  7.62,  8.89,  10.16, 10.67, 11.43, 12.70, 13.46,
                                 16.51, 19.05, 22.86, 26.67, 28.70, 30.48, 31.50, 34.54, 35.81};
@@ -250,7 +251,7 @@ static const char in_films[] =
     "    - gravity: 9.81 m/s2\n"
     "study:\n  modes: {parameter: omega, from: 500 rpm, to: 12000 rpm, points: 24}\n";
 
-/// The speed at which the study says that instability begins.
+/// Returns the speed at which instability begins according to the study; NaN if it does not.
 static double onset_of(const whirl_case *object) {
     whirl_result *result;
     double onset = NAN;
@@ -267,7 +268,7 @@ static double onset_of(const whirl_case *object) {
     return onset;
 }
 
-/// Returns the largest distance of the motion from its rest in so many revolutions.
+/// Carries the motion over `revolutions` and returns its largest distance from the equilibrium.
 static double largest_way(whirl_integrator *integrator, const double *rest, double *x, size_t degrees,
                           int revolutions) {
     double largest = 0.0;
@@ -278,7 +279,8 @@ static double largest_way(whirl_integrator *integrator, const double *rest, doub
     return largest;
 }
 
-/// Natural logarithm of the growth of a small perturbation from one hundred revolutions to the same a thousand later.
+/// Returns the natural logarithm of the growth of a small perturbation: its largest size in a hundred revolutions over
+/// that in a hundred revolutions a thousand earlier.
 static double simulated_growth(const whirl_case *object, double speed) {
     whirl_rotor *rotor;
     whirl_integrator *integrator;

@@ -113,11 +113,11 @@ static void forces_on_grid(double e, double r, size_t cells, size_t count, const
     }
 }
 
-/// The same from two grids.
+/// Computes the same forces, extrapolated from two grids.
 static void reynolds(double e, double r, size_t count, const double *angle, double f[][2]) {
-    enum { MOST = 16 };
-    double coarse[MOST][2];
-    assert_true(count <= MOST);
+    enum { MAX_PLACES = 16 };
+    double coarse[MAX_PLACES][2];
+    assert_true(count <= MAX_PLACES);
     forces_on_grid(e, r, 320, count, angle, coarse);
     forces_on_grid(e, r, 640, count, angle, f);
     for (size_t n = 0; n < count; n++)
@@ -126,8 +126,8 @@ static void reynolds(double e, double r, size_t count, const double *angle, doub
 
 // ---------------------------------------------------------------- whirl's
 
-/// A journal of mass 1 in a film of clearance, viscosity and radius 1 at speed 1: accelerations are forces in
-/// mu omega R^3 L/c^2, over the length.
+/// Makes a journal of mass 1 in a film of clearance, viscosity and radius 1 at speed 1: accelerations are forces in mu
+/// omega R^3 L/c^2, over the length.
 static whirl_rotor *make_film(double r, double speed, const whirl_setting *more, size_t count) {
     whirl_setting film[12] = {{"at", 0.0, "journal"}, {"clearance", 1.0, NULL},  {"viscosity", 1.0, NULL},
                               {"radius", 1.0, NULL},  {"length", 2.0 * r, NULL}, {"law", 0.0, "finite"}};
@@ -144,7 +144,7 @@ static whirl_rotor *make_film(double r, double speed, const whirl_setting *more,
     return rotor;
 }
 
-/// The force on the journal at (x, y) for A and B.
+/// Computes the force on the journal at (x, y) for A and B.
 static void film_force(const whirl_rotor *rotor, double r, double x, double y, double A, double B, double f[2]) {
     const double state[8] = {x, y, 0.0, 0.0, 0.5 * (B - y), 0.5 * (x - A), 0.0, 0.0};
     double slope[8];
@@ -152,7 +152,7 @@ static void film_force(const whirl_rotor *rotor, double r, double x, double y, d
     for (int i = 0; i < 2; i++) f[i] = slope[4 + i] / (2.0 * r);
 }
 
-/// Random states: largest error over the force where e is up to .9, and up to .95.
+/// Computes the largest error over the force in random states, where e is up to .9 and up to .95.
 static void compare(double r, uint64_t *seed, double worst[2]) {
     enum { PLACES = 36, DIRECTIONS = 8 };
     whirl_rotor *rotor = make_film(r, 1.0, NULL, 0);
@@ -247,8 +247,8 @@ static void coefficients_at_rest(void **unused) {
     }
 }
 
-/// Largest difference of the exact Jacobian from central differences, over the largest entry of a row, and of the
-/// divergence from the trace.
+/// Returns the largest difference of the exact Jacobian from central differences, over the largest entry of a row, and
+/// of the divergence from the trace.
 static double worst_of_jacobian(const whirl_rotor *rotor, uint64_t *seed) {
     const whirl_system *system = whirl_rotor_system(rotor);
     double worst = 0.0;

@@ -42,7 +42,7 @@ static void film_of_finite_length(double ratio, double e, double force[2]) {
     }
 }
 
-/// The same of the short law.
+/// Returns the same force by the short law.
 static double short_force(double ratio, double e) {
     double force[2];
     whirl_film_force(e, 0.0, 0.0, 0.0, force);

@@ -30,7 +30,7 @@ static double difference_step(double e) {
     return 5e-3 * fmin(e, 1.0 - e);
 }
 
-/// Largest real part of the eigenvalues about the resting journal of a rigid rotor at speed s.
+/// Returns largest real part of the eigenvalues about the resting journal of a rigid rotor at speed s.
 static double rigid_growth(double e, double s, double *whirl_ratio) {
     double position[2], matrix[16];
     const double sigma = place_journal(e, position);
@@ -41,7 +41,7 @@ static double rigid_growth(double e, double s, double *whirl_ratio) {
     return largest_real_part(4, matrix, whirl_ratio);
 }
 
-/// The speed at which the rotor loses its stability, by bisection between a stable and an unstable speed.
+/// Returns the speed at which the rotor loses its stability, by bisection between a stable and an unstable speed.
 static double rigid_threshold(double e, double *whirl_ratio) {
     double low = 1.0, high = 1e4;
     for (int i = 0; i < 100; i++) {
@@ -82,7 +82,7 @@ static void a5_threshold_speed(void **unused) {
     }
 }
 
-/// d(threshold speed)/de by central differences of tenth order.
+/// Returns d(threshold speed)/de by central differences of tenth order.
 static double threshold_slope(double e) {
     static const double weights[5] = {5.0 / 6.0, -5.0 / 21.0, 5.0 / 84.0, -5.0 / 504.0, 1.0 / 1260.0};
     const double step = 0.01;
@@ -102,7 +102,8 @@ static void a5_smallest_threshold_speed(void **unused) {
     check_digits("A5", "e of the smallest threshold speed", ".45697072", 0.5 * (low + high));
 }
 
-/// Sign of nu^2 as the formula of case A5 has it, with coefficients by differences: no whirl is possible below 0.
+/// Returns sign of nu^2 as the formula of case A5 has it, with coefficients by differences: no whirl is possible below
+/// 0.
 static double whirl_ratio_squared(double e) {
     double position[2], m[16];
     const double sigma = place_journal(e, position);
@@ -130,7 +131,8 @@ static void a5_end_of_instability(void **unused) {
     check_holds("A5", "stable at e = .7561 for s = .5 to 2000", stable);
 }
 
-/// Threshold speed with a journal of mass mj (of the disc's mass 1) and shaft stiffness k c/W = 2; W = (1 + mj) g.
+/// Returns threshold speed with a journal of mass mj (of the disc's mass 1) and shaft stiffness k c/W = 2; W = (1 + mj)
+/// g.
 static double flexible_threshold(double e, double mj) {
     double low = 1.0, high = 2.5, position[2];
     const double sigma = place_journal(e, position), weight = 1.0 + mj, stiffness = 2.0 * weight;
@@ -186,7 +188,7 @@ static void a7_unloaded_rotor(void **unused) {
 
 static const double a8_start[4] = {0.1, -0.2, 0.0, 0.0};
 
-/// sigma = .3, s = 3.
+/// Makes the rotor of case A8: sigma = .3, s = 3.
 static whirl_rotor *make_a8_rotor(double rho) {
     return make_film_rotor(0.3 / 9.0, 1.0 / 9.0, rho);
 }

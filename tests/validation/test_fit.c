@@ -175,8 +175,8 @@ static void rubbing_orbits(void **unused) {
     "    data: %s\n"                                                                                                   \
     "    tolerance: 1e-10\n"
 
-/// Amplitudes and lags of a disc on a spring by their closed form, e w^2/(k/m - w^2 + i c w/m), at 9 speeds. Clockwise,
-/// y leads x.
+/// Writes amplitudes and lags of a disc on a spring by their closed form, e w^2/(k/m - w^2 + i c w/m), at 9 speeds.
+/// Clockwise, y leads x.
 static void write_bode(double m, double k, double c, double e, bool clockwise) {
     char path[256];
     path_of("bode.csv", path);
@@ -221,7 +221,7 @@ static void closed_forms(void **unused) {
     }
 }
 
-/// Response of the disc without its eccentricity, w^2/(k/m - w^2 + i c w/m): cosine and sine part.
+/// Computes the response of the disc without its eccentricity, w^2/(k/m - w^2 + i c w/m): cosine and sine part.
 static void disc_gain(double w, double k, double gain[2]) {
     const double real = k / 3.0 - w * w, imaginary = 52.0 * w / 3.0, square = real * real + imaginary * imaginary;
     gain[0] = w * w * real / square;
@@ -288,7 +288,7 @@ static void noise_by_probe(void **unused) {
     whirl_result_free(result);
 }
 
-/// The least sum of squares over the eccentricity, on which the response depends linearly, for a stiffness.
+/// Returns the least sum of squares over the eccentricity, on which the response depends linearly, for a stiffness.
 static double disc_profile(double (*measured)[2], double noise, double k) {
     double squares = 0.0, product = 0.0, gains = 0.0, gain[2];
     for (int i = 0; i < 9; i++) {

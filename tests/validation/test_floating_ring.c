@@ -50,7 +50,7 @@ static whirl_rotor *make_ring(double turning) {
     return make_light(turning, mass[1], 0.0);
 }
 
-/// The ring's speed with both in the middle, and what its differences from that fade by in a radian.
+/// Returns the ring's speed with ring and journal in the middle; *fading: decay rate of deviations from it, per radian.
 static double concentric(double *fading) {
     double drag[2];
     for (int i = 0; i < 2; i++)
@@ -59,7 +59,7 @@ static double concentric(double *fading) {
     return drag[0] / (drag[0] + drag[1]);
 }
 
-/// Newton's method from x on the places and the ring's speed, where both films carry `weight` along y.
+/// Finds the places and the ring's speed at which both films carry `weight` along y, by Newton's method from x.
 static void settle(const whirl_system *system, double weight, double x[DIMENSION]) {
     static const size_t row[5] = {4, 5, 6, 7, 8}, column[5] = {0, 1, 2, 3, RING_STATE};
     for (int n = 0; n < 30; n++) {

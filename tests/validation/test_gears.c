@@ -42,7 +42,7 @@ typedef struct rattle {
     double multiplier[2][2]; ///< real and imaginary part
 } rattle;
 
-/// One gear on a rack that stands, at a length scale. Radius and inertia change nothing where inertia goes with the
+/// Makes one gear on a fixed rack, at a length scale. Radius and inertia have no effect if the inertia goes with the
 /// square of the radius, and torques with the radius.
 static whirl_rotor *rattle_rotor(const rattle *of, double length, double radius) {
     whirl_design *design = NULL;
@@ -178,7 +178,7 @@ static void rattles_at_any_scale(void **state) {
     }
 }
 
-/// The slope of (x, x') of the equation with a stiffness k(W t).
+/// Computes the slope of (x, x') for the equation with a stiffness k(W t).
 static void profile_slope(const double *values, size_t count, double z, double psi, const double *x, double *slope) {
     // The trigonometric polynomial through an odd number of values, by Dirichlet's kernel.
     double k = 0.0;
@@ -245,7 +245,7 @@ static void stiffness_over_the_mesh(void **state) {
 
 // ---------------------------------------------------------------- a pair on supports
 
-/// Two gears on springs, each on a shaft to a further inertia; the whole machine is turned by `turned`.
+/// Makes two gears on springs, each on a shaft to a further inertia; the whole machine is turned by `turned`.
 static whirl_rotor *pair_rotor(double turned, double stiffness) {
     whirl_design *design = NULL;
     require_ok(whirl_design_new(300.0, 1e-3, &design));

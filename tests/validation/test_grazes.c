@@ -67,7 +67,8 @@ static state after(const reference *r, const state *s, long double t, long doubl
     return moved(&end, &d, h / 6);
 }
 
-/// Positive on the present side, and its derivative by time times the radius.
+/// Returns the distance from the stator, positive on the present side. `drift` is its derivative by time, times the
+/// radius.
 static long double room(const reference *r, const state *s) {
     return r->closed ? radius(s) - 1.0L : 1.0L - radius(s);
 }
@@ -76,7 +77,7 @@ static long double drift(const reference *r, const state *s) {
     return r->closed ? outward : -outward;
 }
 
-/// The length within h at which the room, or with `turning` its derivative, changes its sign.
+/// Returns the length within h at which the distance to the stator, or with `turning` its derivative, changes its sign.
 static long double bisect(const reference *r, long double t, long double h, bool turning) {
     long double low = 0.0L, high = h;
     for (int i = 0; i < BISECTIONS; i++) {
@@ -88,7 +89,7 @@ static long double bisect(const reference *r, long double t, long double h, bool
     return high;
 }
 
-/// One step of length h, in parts where contact begins or ends.
+/// Makes one step of length h, in parts where contact begins or ends.
 static void advance(reference *r, long double t, long double h) {
     const state end = after(r, &r->now, t, h);
     long double within = h;
@@ -112,7 +113,7 @@ static void advance(reference *r, long double t, long double h) {
 
 // ---------------------------------------------------------------- the motions
 
-/// A number from 0 to 1 (Marsaglia 2003).
+/// Returns a number from 0 to 1 (Marsaglia 2003).
 static double random_number(uint64_t *seed) {
     *seed ^= *seed << 13;
     *seed ^= *seed >> 7;
@@ -126,7 +127,7 @@ static double scale_between(uint64_t *seed, double low, double high) {
     return low * pow(high / low, random_number(seed));
 }
 
-/// A rotor inside its stator whose radius would peak about `depth` beyond the gap, or short of it.
+/// Makes a rotor inside its stator whose radius would peak about `depth` beyond the gap, or short of it.
 static reference near_graze(uint64_t *seed) {
     for (;;) {
         reference r = {.nearest = 1.0L};
@@ -158,7 +159,7 @@ typedef struct tally {
     double apart; ///< largest difference of an end state
 } tally;
 
-/// One revolution of `count` motions in lanes, and of the reference.
+/// Compares one revolution of `count` motions in lanes with the reference.
 static void compare(uint64_t *seed, int count, tally *sum) {
     reference motions[BLOCK];
     whirl_rotor *rotors[BLOCK] = {NULL};

@@ -128,7 +128,7 @@ typedef struct oil_family {
     double e, journal; ///< journal mass over the disc's on a flexible shaft; 0: a rigid rotor
 } oil_family;
 
-/// sigma = F0/W, and where the journal is.
+/// Returns sigma = F0/W, and writes where the journal is.
 static double place_journal(double e, double position[2]) {
     const double phi = atan2(pi * sqrt(1.0 - e * e), 4.0 * e);
     double force[2];
@@ -198,7 +198,7 @@ static whirl_status make_oil_in_plane(const void *context, double s, double e, w
     return make_oil(&own, s, machine);
 }
 
-/// Largest real part of the eigenvalues of the rigid rotor that rests at eccentricity ratio e, by LAPACK.
+/// Returns largest real part of the eigenvalues of the rigid rotor that rests at eccentricity ratio e, by LAPACK.
 static double growth_at(double e, double s) {
     const oil_family own = {e, 0.0};
     whirl_machine machine;

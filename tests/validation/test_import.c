@@ -17,7 +17,7 @@
 
 static const char rotors[] = WHIRL_CASES "/../tests/rotors/";
 
-/// The case of a file, with all that `from` stands before in place of what stands up to `to`: freed by the caller.
+/// Returns the text with everything from `from` up to `to` replaced; freed by the caller.
 static char *replace(char *text, const char *from, const char *to, const char *by) {
     char *const start = strstr(text, from);
     assert_non_null(start);
@@ -30,7 +30,7 @@ static char *replace(char *text, const char *from, const char *to, const char *b
     return made;
 }
 
-/// The whole model, no reduced one.
+/// Imports a file with the whole model, without reduction.
 static char *import_full(const char *name) {
     char path[512];
     whirl_imported imported;
@@ -65,7 +65,7 @@ static void test_two_discs(void **state) {
 
 // ---------------------------------------------------------------- magnets
 
-/// The linear coefficients of a magnet as ROSS has them (Schweitzer, Maslen 2009): N/A and N/m.
+/// Computes the linear coefficients of a magnet as in ROSS (Schweitzer, Maslen 2009): N/A and N/m.
 static void magnet_of_ross(double gap, double bias, double area, double turns, double alpha, double *by_current,
                            double *by_place) {
     *by_current = 4.0 * bias * cos(alpha) * 4e-7 * acos(-1.0) * turns * turns * area / (4.0 * gap * gap);
@@ -125,7 +125,7 @@ static const double synchronous[4][5] = {
     {2282.84557629, 2284.30991972, 2383.54778909, 4234.40738673, 4549.46314886},
 };
 
-/// The compressor of 91 elements without its seals, on bearings of one stiffness.
+/// Makes the compressor of 91 elements without its seals, on bearings of one stiffness.
 static whirl_case *on_springs(double stiffness) {
     char springs[256];
     snprintf(springs, sizeof springs,
@@ -137,7 +137,7 @@ static whirl_case *on_springs(double stiffness) {
     return object;
 }
 
-/// The forward mode that is nearest to the speed, over it.
+/// Returns the frequency of the forward mode nearest to the speed, over the speed.
 static double nearest_forward(const whirl_modes *modes) {
     double nearest = 0.0;
     for (size_t i = 0; i < modes->count; i++)
@@ -176,8 +176,8 @@ static void test_critical_speed_map(void **state) {
 
 // ---------------------------------------------------------------- options of single elements
 
-/// The Jacobian at rest, [dimension][dimension], of the two discs with `line` in the place of
-/// that of its key in `edits` elements, the first `from`.
+/// Returns the Jacobian at rest, [dimension][dimension], of the two discs with `line` in place of that of its key in
+/// `edits` elements, the first `from`.
 static double *jacobian_with(size_t edits, const char *line, size_t from, size_t *n) {
     char path[512], *text = calloc(1, 1 << 16);
     whirl_imported imported;

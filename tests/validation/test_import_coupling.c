@@ -21,21 +21,21 @@ static const double pi = 3.14159265358979323846, speed = 300.0;
 
 /// Coordinates of a node: displacements and slopes in both planes.
 enum { X, SLOPE_X, Y, SLOPE_Y, PER_NODE };
-enum { MOST = 9 * PER_NODE };
+enum { MAX_DEGREES = 9 * PER_NODE };
 
 /// lambda^2 M + lambda C + K; C has the gyroscopic moments.
 typedef struct pencil {
     size_t size;
-    double mass[MOST][MOST], damping[MOST][MOST], stiffness[MOST][MOST];
+    double mass[MAX_DEGREES][MAX_DEGREES], damping[MAX_DEGREES][MAX_DEGREES], stiffness[MAX_DEGREES][MAX_DEGREES];
 } pencil;
 
-/// I_d phi'' - i I_p Omega phi' of phi = slope_x + i slope_y, or of displacements that lean sections.
+/// Adds I_d phi'' - i I_p Omega phi' of phi = slope_x + i slope_y, or of displacements that lean sections.
 static void add_gyroscopic(pencil *to, size_t x, size_t y, size_t by_x, size_t by_y, double polar) {
     to->damping[x][by_y] += speed * polar;
     to->damping[y][by_x] -= speed * polar;
 }
 
-/// A steel cylinder with consistent mass that shears by Cowper's factor (Friswell et al. 2010, sec. 5.4.3).
+/// Adds a steel cylinder with consistent mass and Cowper's shear factor (Friswell et al. 2010, sec. 5.4.3).
 static void add_cylinder(pencil *to, size_t node, double l, double diameter) {
     const double e = 211e9, g = 81.2e9, nu = e / (2.0 * g) - 1.0, kappa = 6.0 * (1.0 + nu) / (7.0 + 6.0 * nu);
     const double area = pi / 4.0 * pow(diameter, 2.0), second = pi / 64.0 * pow(diameter, 4.0);
@@ -105,7 +105,7 @@ static void add_coupling(pencil *to, const coupling *from) {
     }
 }
 
-/// The machine of tests/rotors/coupled.toml without its coupling.
+/// Adds the machine of tests/rotors/coupled.toml without its coupling.
 static void add_machine(pencil *to) {
     for (size_t node = 0; node < 3; node++) add_cylinder(to, node, 0.2, 0.06);
     for (size_t node = 4; node < 7; node++) add_cylinder(to, node, 0.15, 0.05);
@@ -119,10 +119,10 @@ static void add_machine(pencil *to) {
 
 // ---------------------------------------------------------------- their eigenvalues
 
-/// The eigenvalue that Newton's method finds from a number near it (Ruhe 1973): y = P^-1 P' x, less x over y. It stops
-/// before P is singular to the last bit.
+/// Returns the eigenvalue that Newton's method finds from a number near it (Ruhe 1973): y = P^-1 P' x, less x over y.
+/// It stops before P is singular to the last bit.
 static double complex eigenvalue_near(const pencil *of, double complex lambda) {
-    static double complex a[MOST][MOST], x[MOST], y[MOST];
+    static double complex a[MAX_DEGREES][MAX_DEGREES], x[MAX_DEGREES], y[MAX_DEGREES];
     const size_t n = of->size;
     double complex above = 1.0, below = 1e6 / lambda;
     for (size_t i = 0; i < n; i++) x[i] = 1.0 + 0.1 * (double)i;
@@ -136,7 +136,7 @@ static double complex eigenvalue_near(const pencil *of, double complex lambda) {
                 y[i] += (2.0 * lambda * of->mass[i][j] + of->damping[i][j]) * x[j];
             }
         }
-        solve_dense(n, MOST, &a[0][0], y);
+        solve_dense(n, MAX_DEGREES, &a[0][0], y);
         for (size_t i = 0; i < n; i++) {
             above += conj(x[i]) * x[i];
             below += conj(x[i]) * y[i];
@@ -160,8 +160,8 @@ static char *read_rotor(const char *more) {
     return strcat(text, more);
 }
 
-/// All modes, in rad/s.
-static size_t all_modes(const char *rotor, double complex found[MOST]) {
+/// Writes all modes, in rad/s, and returns their number.
+static size_t all_modes(const char *rotor, double complex found[MAX_DEGREES]) {
     whirl_imported imported;
     double clock;
     require_ok(whirl_import_parse(rotor, strlen(rotor), "coupled.toml", &imported));
@@ -169,7 +169,7 @@ static size_t all_modes(const char *rotor, double complex found[MOST]) {
     whirl_case *const object = parse_case(text);
     whirl_modes *const modes = modes_at(object, speed, &clock);
     const size_t count = modes->count;
-    assert_true(count <= MOST && modes->real_count == 0 && modes->free == 0);
+    assert_true(count <= MAX_DEGREES && modes->real_count == 0 && modes->free == 0);
     for (size_t i = 0; i < count; i++) found[i] = clock * (modes->modes[i].real + I * modes->modes[i].imaginary);
     whirl_modes_free(modes);
     whirl_case_free(object);
@@ -177,9 +177,9 @@ static size_t all_modes(const char *rotor, double complex found[MOST]) {
     return count;
 }
 
-/// Every mode is an eigenvalue, no two are the same, and they are as many.
+/// Checks that every mode is an eigenvalue, no two are equal, and none is missing.
 static void check_modes(const char *what, const char *text, const pencil *of) {
-    double complex found[MOST], exact[MOST];
+    double complex found[MAX_DEGREES], exact[MAX_DEGREES];
     double worst = 0.0;
     const size_t count = all_modes(text, found);
     check_within("Import", words("%s: modes", what), (double)of->size, (double)count, 0.0);

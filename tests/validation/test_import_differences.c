@@ -34,7 +34,7 @@ static void put_element(char **at, const machine *of, size_t number, double leng
                    number, number, length, diameter[0], diameter[1], of->options);
 }
 
-/// A file as ROSS saves it; freed by the caller.
+/// Returns a file as ROSS saves it; freed by the caller.
 static char *file_of(const machine *of) {
     const size_t count = of->pieces * of->steps;
     char *const text = calloc(count + 2, 400), *at = text;
@@ -49,7 +49,7 @@ static char *file_of(const machine *of) {
     return text;
 }
 
-/// The frequencies in rad/s of the first two modes.
+/// Computes the frequencies in rad/s of the first two modes.
 static void frequencies(const machine *of, double speed, double found[2]) {
     whirl_imported imported;
     double clock;
@@ -92,7 +92,7 @@ static void test_cones(void **state) {
     }
 }
 
-/// Ten elements, ten times as long as thick.
+/// Makes a shaft of ten elements, ten times as long as thick.
 static machine round_shaft(const char *options) {
     machine shaft = {.length = 0.1, .spring = 1e9, .pieces = 10, .steps = 1, .options = options};
     for (size_t i = 0; i <= shaft.pieces; i++) shaft.diameter[i] = 0.1;

@@ -81,7 +81,7 @@ typedef struct d1_row {
     bool doubtful; ///< the printed error is taken for a standard error: see docs/verification-manual.md
 } d1_row;
 
-/// All exponents [n] per unit of time by variational equations, from the end of the record.
+/// Computes all exponents [n] per unit of time by variational equations, from the end of the record.
 static void find_spectrum(const d1_row *row, const whirl_record *record, int steps, int revolutions,
                           double *exponents) {
     double state[3];
@@ -227,7 +227,7 @@ static void van_der_pol_rhs(const void *model, double t, const double *forcing, 
     dxdt[1] = v->period * (v->mu * (1.0 - x[0] * x[0]) * x[1] - x[0]);
 }
 
-/// end - start after one period for a start at x = 0 with that velocity.
+/// Computes end - start after one period for a start at x = 0 with that velocity.
 static void period_residual(van_der_pol v, double velocity, double residual[2]) {
     const whirl_system system = {.dimension = 2, .period = 1.0, .rhs = van_der_pol_rhs, .model = &v};
     whirl_integrator *integrator = make_integrator(&system, "rk4", 65536);
@@ -238,7 +238,7 @@ static void period_residual(van_der_pol v, double velocity, double residual[2]) 
     whirl_integrator_free(integrator);
 }
 
-/// Velocity at which x passes 0 upwards after a while, and the time between two passes, to a hundredth.
+/// Finds the velocity at which x passes 0 upwards after a transient, and the time between two passes, to a hundredth.
 static void approach_orbit(double mu, double *velocity, double *period) {
     const double step = 0.01;
     const van_der_pol v = {mu, step};
@@ -257,7 +257,7 @@ static void approach_orbit(double mu, double *velocity, double *period) {
     whirl_integrator_free(integrator);
 }
 
-/// Newton's method for (velocity, period) of the closed orbit.
+/// Returns the period of the closed orbit, by Newton's method for (velocity, period).
 static double van_der_pol_period(double mu) {
     double velocity = 0.0, period = 0.0;
     approach_orbit(mu, &velocity, &period);

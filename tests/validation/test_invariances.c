@@ -1,6 +1,6 @@
-// Standing still is the limit of the slowest turning: one small machine of every element of the registry, in both
-// rotations, all fields of its tables at speed 0 and at 1e-9 rad/s. test_invariant_frames.c and test_invariant_runs.c
-// have what else must not change a reported number.
+// A machine at standstill is the limit of slow rotation. A small machine with each element of the registry, in both
+// rotations, has the same numbers in all fields at speed 0 and at 1e-9 rad/s. test_invariant_frames.c and
+// test_invariant_runs.c test other changes that must not change a number.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -34,7 +34,8 @@ static void at_rest_as_at_the_slowest_turning(void **state) {
     size_t wrong = 0;
     (void)state;
     for (const element_machine *of = element_machines; of->name; of++) {
-        if (of->flags & (MACHINE_TURNS | MACHINE_NO_REST)) continue; // none has an end of its revolution at 1e-9 rad/s
+        if (of->flags & (MACHINE_TURNS | MACHINE_NO_REST))
+            continue; // coefficients that turn, or no rest: no limit at 0
         for (int mirrored = 0; mirrored < 2; mirrored++) {
             char text[MACHINE_TEXT];
             machine_text(of, (machine_view){.mirrored = mirrored}, "  modes: {parameter: n, values: [0, 1e-9]}\n",
@@ -47,7 +48,8 @@ static void at_rest_as_at_the_slowest_turning(void **state) {
     assert_int_equal(wrong, 0);
 }
 
-/// A mass of 10 kg on a part that turns: its natural frequencies, rad/s, where the shaft stands still.
+/// Checks the natural frequencies of a mass of 10 kg on an element whose stiffnesses are `one` and `other` (N/m) while
+/// the shaft stands still.
 static void check_standing(const char *name, const char *part, double one, double other) {
     char text[MACHINE_TEXT];
     snprintf(
@@ -67,7 +69,7 @@ static void check_standing(const char *name, const char *part, double one, doubl
 static void what_turns_stands_still(void **state) {
     (void)state;
     check_standing("unequal stiffness", "shaft: {between: [mass, ground], k1: 1 MN/m, k2: 1.3 MN/m}", 1e6, 1.3e6);
-    // Across from its load, which points down; along it; beside it.
+    // The crack points up, away from the load; down, along the load; and to the side.
     check_standing("a crack that is closed",
                    "crack: {between: [mass, ground], stiffness: 1 MN/m, loss: 0.3, angle: 90 deg}", 1e6, 1e6);
     check_standing("an open crack", "crack: {between: [mass, ground], stiffness: 1 MN/m, loss: 0.3, angle: -90 deg}",

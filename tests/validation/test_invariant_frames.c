@@ -40,7 +40,7 @@ static bool rests(const element_machine *of) {
     return !(of->flags & (MACHINE_TURNS | MACHINE_NO_REST));
 }
 
-/// One study of a machine, as it stands and as it is seen.
+/// Compares a study of a machine in its own frame with that in the other frame.
 static size_t compare(const char *how, const element_machine *of, machine_view as, const char *study, same_rule rule) {
     whirl_result *one = run(of, (machine_view){0}, study), *other = run(of, as, study);
     if (of->flags & MACHINE_SLOW && as.mirrored) rule.of_growth = 1.0 / watched;
@@ -50,7 +50,7 @@ static size_t compare(const char *how, const element_machine *of, machine_view a
     return wrong;
 }
 
-/// Both studies of all machines, to within `rest` and `motion` of the largest number of every field.
+/// Checks both studies of all machines, to within `rest` and `motion` of the largest number of every field.
 static void check(const char *how, machine_view as, double rest, double motion) {
     size_t wrong = 0;
     for (const element_machine *of = element_machines; of->name; of++) {
@@ -70,7 +70,7 @@ static void the_length_scale(void **state) {
     check("by another length", (machine_view){.length = "0.37 mm"}, 1e-9, 1e-8);
 }
 
-/// The motion of a machine by a method with tolerances, in another length scale.
+/// Runs the motion of a machine by a method with tolerances, in another length scale.
 static whirl_result *run_in(const element_machine *of, const char *length, const char *method) {
     char study[512];
     snprintf(study, sizeof study,

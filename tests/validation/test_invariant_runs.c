@@ -102,7 +102,7 @@ static whirl_result *run_with(const whirl_case *object, const whirl_run_options 
     return result;
 }
 
-/// The study in two shares, one after the other, that are then gathered.
+/// Runs the study in two shares, one after the other, and gathers them.
 static whirl_result *run_in_shares(const whirl_case *object) {
     kept_points all = {.count = 0};
     const whirl_point_store store = {.keep = keep, .recall = recall, .context = &all};

@@ -48,8 +48,8 @@ static whirl_rotor *finish(whirl_design *design) {
 enum { DEGREES = 9, STATES = 2 * DEGREES, OWN = 5, DIMENSION = STATES + OWN };
 enum { FIRST_KINKED = 10, LAST_KINKED = 13 }; ///< of the elements below
 
-/// All that depends on the speed of the shaft, on its phase or on velocities, and a force of `hertz` by which sections
-/// are taken, or by the shaft at `speed`. Smooth: without plays and contacts.
+/// Makes a machine with all elements that depend on the speed of the shaft, on its phase or on velocities, and a force
+/// of `hertz`. Sections are by the force, or by the shaft at `speed`. No element has play or contacts.
 static whirl_rotor *make_all(double speed, double hertz, bool keyphasor, bool smooth) {
     const whirl_setting disc[] = {{"mass", 2.0, NULL},       {"damping", 3.0, NULL}, {"eccentricity", 2e-5, NULL},
                                   {"diametral", 0.02, NULL}, {"polar", 0.03, NULL},  {"skew", 1e-3, NULL},
@@ -134,7 +134,7 @@ static double uniform(uint64_t *seed, double low, double high) {
     return low + (high - low) * (double)(*seed >> 11) / 9007199254740992.0;
 }
 
-/// In and out of contacts and plays, journals within their films.
+/// Draws a state within or outside of contacts and plays, with journals within their films.
 static void draw_state(uint64_t *seed, double *x) {
     for (size_t i = 0; i < DIMENSION; i++) x[i] = i < DEGREES ? uniform(seed, -0.9, 0.9) : uniform(seed, -1.0, 1.0);
     for (size_t i = 2; i < 6; i++) x[i] *= 0.8; // journal and housing
@@ -253,8 +253,8 @@ static void same_motion(void **unused) {
 
 static const double mass = 2.0, damping = 120.0, stiffness = 2.2e5, scale = 1e-4;
 
-/// A disc under an unbalance of a shaft at 300 rad/s (0: none) and a force of `hertz`; sections by the force, or by the
-/// shaft.
+/// Makes a disc under an unbalance of a shaft at 300 rad/s (0: none) and a force of `hertz`; sections by the force, or
+/// by the shaft.
 static whirl_rotor *make_disc(double unbalance, double hertz, bool keyphasor) {
     const part parts[] = {
         {"spring", {{"between", 0, "disc, ground"}, {"stiffness", stiffness, NULL}, {"damping", damping, NULL}}},
@@ -273,7 +273,7 @@ static whirl_rotor *make_disc(double unbalance, double hertz, bool keyphasor) {
     return finish(design);
 }
 
-/// z = x + i y of a force F e^(i nu t) at t = 0, in length scales.
+/// Returns z = x + i y at t = 0 under a force F e^(i nu t), in length scales.
 static double complex response(double complex force, double nu) {
     return force / (stiffness - mass * nu * nu + I * damping * nu) / scale;
 }
@@ -342,8 +342,8 @@ static void verdicts(void **unused) {
 
 // ---------------------------------------------------------------- a rub under a shaker
 
-/// Case C4, a disc that rubs, with a force that turns at w in place of its unbalance, in a machine that turns at
-/// `speed` and has none: by sections of the force it is the same.
+/// Makes case C4, a disc that rubs, with a force that turns at w in place of its unbalance, in a machine that turns at
+/// `speed`: by sections of the force it is the same.
 static whirl_rotor *make_shaken_rub(double speed, double w) {
     const part parts[] = {
         {"shaft", {{"between", 0, "disc, ground"}, {"k1", 1.0, NULL}}},

@@ -175,7 +175,7 @@ static void journals_at_rest(void **unused) {
     }
 }
 
-/// Largest growth at speed s about the journal at rest at e, and the mode it belongs to.
+/// Returns largest growth at speed s about the journal at rest at e, and the mode it belongs to.
 static double film_growth(double e, double s, double *ratio) {
     double place[2];
     const double sigma = place_journal(e, place);
@@ -213,7 +213,7 @@ static void threshold_of_a_film(void **unused) {
 
 // ---------------------------------------------------------------- coefficients that turn
 
-/// A disc of mass 1 on a shaft of stiffnesses 1 +- delta that turn with it, damping 2 zeta that stands still.
+/// Makes a disc of mass 1 on a shaft of stiffnesses 1 +- delta that turn with it, damping 2 zeta that stands still.
 static whirl_rotor *make_unequal(double speed, double delta, double zeta) {
     const whirl_setting disc[] = {{"mass", 1.0, NULL}, {"damping", 2 * zeta, NULL}, {"eccentricity", 0.01, NULL}};
     const whirl_setting shaft[] = {{"between", 0, "disc, ground"}, {"k1", 1 + delta, NULL}, {"k2", 1 - delta, NULL}};
@@ -224,7 +224,8 @@ static whirl_rotor *make_unequal(double speed, double delta, double zeta) {
     return build(design);
 }
 
-/// In the frame that turns (u + i v = z e^(-i tau)) coefficients are constant: its eigenvalues, over the speed.
+/// Computes the eigenvalues, over the speed, in the turning frame (u + i v = z e^(-i tau)), where coefficients are
+/// constant.
 static void turning_exponents(double w, double delta, double zeta, double complex values[4]) {
     const double matrix[16] = {0,
                                0,

@@ -14,7 +14,7 @@
 #include "whirl/engine/case.h"
 #include "whirl/engine/rotor.h"
 
-enum { MOST = 24, MAX_SWITCHES = 16 };
+enum { MAX_SIZE = 24, MAX_SWITCHES = 16 };
 
 typedef struct machine {
     const char *name, *text;
@@ -48,12 +48,13 @@ static whirl_rotor *rotor_of(const machine *m) {
     require_ok(whirl_case_parse(m->text, strlen(m->text), "case", NULL, &object));
     require_ok(whirl_case_rotor(object, NULL, 0.0, &rotor));
     whirl_case_free(object);
-    assert_true(whirl_rotor_system(rotor)->dimension <= MOST);
+    assert_true(whirl_rotor_system(rotor)->dimension <= MAX_SIZE);
     assert_true(whirl_rotor_system(rotor)->switch_count <= MAX_SWITCHES);
     return rotor;
 }
 
-/// Largest difference of gradient and curvature of a switch from differences, over the gradient's largest entry.
+/// Returns largest difference of gradient and curvature of a switch from differences, over the gradient's largest
+/// entry.
 static double compare(const whirl_system *system, const double *x, size_t which) {
     double largest;
     const double apart = switch_apart(system, x, which, 1e-4, &largest);
@@ -65,7 +66,7 @@ static void switches_have_their_derivatives(void **state) {
     for (size_t k = 0; k < MACHINES; k++) {
         whirl_rotor *rotor = rotor_of(&machines[k]);
         const whirl_system *system = whirl_rotor_system(rotor);
-        double worst = 0.0, x[MOST];
+        double worst = 0.0, x[MAX_SIZE];
         for (int trial = 0; trial < 50; trial++) {
             for (size_t i = 0; i < system->dimension; i++) x[i] = sin(1.7 * trial + 2.3 * (double)i);
             for (size_t s = 0; s < system->switch_count; s++) worst = fmax(worst, compare(system, x, s));
@@ -76,7 +77,7 @@ static void switches_have_their_derivatives(void **state) {
     }
 }
 
-/// The state after some revolutions by dop853, from a state off its rest.
+/// Computes the state after some revolutions by dop853, from a state off the equilibrium.
 static void end_of(const whirl_system *system, double rtol, int revolutions, double *x) {
     whirl_integrate_options options = whirl_integrate_default();
     whirl_integrator *integrator;
@@ -98,7 +99,7 @@ static void errors_fall_with_the_tolerance(void **state) {
     for (size_t k = 0; k < MACHINES; k++) {
         whirl_rotor *rotor = rotor_of(&machines[k]);
         const whirl_system *system = whirl_rotor_system(rotor);
-        double exact[MOST], x[MOST], errors[2] = {0.0, 0.0};
+        double exact[MAX_SIZE], x[MAX_SIZE], errors[2] = {0.0, 0.0};
         end_of(system, 1e-14, 4, exact);
         for (int e = 0; e < 2; e++) {
             end_of(system, e ? 1e-11 : 1e-6, 4, x);
@@ -119,7 +120,8 @@ static void monodromies_are_those_of_differences(void **state) {
         const size_t n = system->dimension;
         whirl_integrator *integrator = make_integrator(system, "dop853", 64),
                          *along = make_integrator(system, "dop853", 64);
-        double start[MOST], x[MOST], vectors[MOST * MOST] = {0.0}, differences[MOST * MOST], worst = 0.0, size = 0.0;
+        double start[MAX_SIZE], x[MAX_SIZE], vectors[MAX_SIZE * MAX_SIZE] = {0.0}, differences[MAX_SIZE * MAX_SIZE],
+                                                                worst = 0.0, size = 0.0;
         whirl_perturbations columns = {.count = n, .vectors = vectors};
         end_of(system, 1e-12, 2, start);
         // Angles that turn come back at the end of a revolution: away from where that shows in differences.

@@ -124,7 +124,7 @@ static size_t match(const whirl_system *one, const whirl_system *other, const ch
     return count;
 }
 
-/// The eigenvalue nearest to one, away from it over its size.
+/// Returns the distance of `to` from the nearest of the eigenvalues, over 1 + |to|.
 static double nearest(const double complex *values, size_t count, double complex to) {
     double least = INFINITY;
     for (size_t i = 0; i < count; i++) least = fmin(least, cabs(values[i] - to) / (1.0 + cabs(to)));

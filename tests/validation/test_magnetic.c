@@ -15,10 +15,10 @@
 #include "whirl/engine/linear.h"
 #include "whirl/engine/rotor.h"
 
-enum { MOST = 24 };
+enum { MAX_SETTINGS = 24 };
 static const double two_pi = 6.283185307179586476925;
 
-/// A mass in a bearing, in a case of that speed and length.
+/// Makes a mass in a bearing, in a case of that speed and length.
 static whirl_rotor *make(double speed, double length, double mass, const whirl_setting *settings) {
     whirl_design *design;
     whirl_rotor *rotor;
@@ -36,9 +36,9 @@ static whirl_rotor *make(double speed, double length, double mass, const whirl_s
 
 static const double turns = 120.0, area = 4e-4, gap = 5e-4, bias = 3.0;
 
-/// The force at displacement u of the first axis and a current i, in N: a proportional law makes the current.
+/// Returns the force in N at displacement u of the first axis and a current i, which a proportional law makes.
 static double force_at(double u, double i, double most, double angle, double other[1]) {
-    const whirl_setting settings[MOST] = {
+    const whirl_setting settings[MAX_SETTINGS] = {
         {"at", 0.0, "mass"},  {"turns", turns, NULL},         {"area", area, NULL},   {"gap", gap, NULL},
         {"bias", bias, NULL}, {"proportional", -i / u, NULL}, {"angle", angle, NULL}, {"max_current", most, NULL}};
     whirl_rotor *rotor = make(1.0, 1e-3, 1.0, settings);
@@ -63,9 +63,9 @@ static void forces(void **unused) {
                      1e-12);
     }
     // With an integral alone the current is a state, which the place does not change at once.
-    const whirl_setting integral[MOST] = {{"at", 0.0, "mass"},  {"turns", turns, NULL},    {"area", area, NULL},
-                                          {"gap", gap, NULL},   {"bias", bias, NULL},      {"integral", 1.0, NULL},
-                                          {"angle", 0.0, NULL}, {"max_current", 6.0, NULL}};
+    const whirl_setting integral[MAX_SETTINGS] = {
+        {"at", 0.0, "mass"},  {"turns", turns, NULL},  {"area", area, NULL}, {"gap", gap, NULL},
+        {"bias", bias, NULL}, {"integral", 1.0, NULL}, {"angle", 0.0, NULL}, {"max_current", 6.0, NULL}};
     whirl_rotor *rotor = make(1.0, 1e-3, 1.0, integral);
     double jacobian[36];
     exact_jacobian(whirl_rotor_system(rotor), 0.0, (double[6]){0.0}, jacobian);
@@ -83,15 +83,15 @@ static void forces(void **unused) {
 // ---------------------------------------------------------------- closed loops
 
 /// m 10, k_s 2e6, k_i 200 and a PID by one law or the other.
-static const whirl_setting linear[MOST] = {{"at", 0.0, "mass"},
-                                           {"law", 0.0, "linear"},
-                                           {"current_stiffness", 200.0, NULL},
-                                           {"displacement_stiffness", 2e6, NULL},
-                                           {"proportional", 2e4, NULL},
-                                           {"integral", 1e5, NULL},
-                                           {"derivative", 40.0, NULL},
-                                           {"derivative_filter", 2e-4, NULL}};
-static const whirl_setting quadratic[MOST] = {
+static const whirl_setting linear[MAX_SETTINGS] = {{"at", 0.0, "mass"},
+                                                   {"law", 0.0, "linear"},
+                                                   {"current_stiffness", 200.0, NULL},
+                                                   {"displacement_stiffness", 2e6, NULL},
+                                                   {"proportional", 2e4, NULL},
+                                                   {"integral", 1e5, NULL},
+                                                   {"derivative", 40.0, NULL},
+                                                   {"derivative_filter", 2e-4, NULL}};
+static const whirl_setting quadratic[MAX_SETTINGS] = {
     {"at", 0.0, "mass"},     {"constant", 2.5e-6, NULL}, {"pole_angle", 0.0, NULL},
     {"gap", 5e-4, NULL},     {"bias", 5.0, NULL},        {"proportional", 2e4, NULL},
     {"integral", 1e5, NULL}, {"derivative", 40.0, NULL}, {"derivative_filter", 2e-4, NULL}};
@@ -137,7 +137,7 @@ static void transfer_functions(void **unused) {
     (void)unused;
     // (s^2 + 60 s + 4e6) 1e9 over (s^2 + 900 s + 4e6)(s^2 + 7e4 s + 1.2e9)
     const double a1 = 900.0, a0 = 4e6, b1 = 7e4, b0 = 1.2e9;
-    whirl_setting settings[MOST];
+    whirl_setting settings[MAX_SETTINGS];
     char below[256];
     size_t count = 8;
     snprintf(below, sizeof below, "1, %.17g, %.17g, %.17g, %.17g", a1 + b1, a0 + a1 * b1 + b0, a0 * b1 + a1 * b0,
@@ -185,7 +185,7 @@ static void transfer_functions(void **unused) {
 static void coupled_masses(void **unused) {
     (void)unused;
     const double own = 12.0, cross = 4.0, start[8] = {0.0};
-    whirl_setting settings[MOST];
+    whirl_setting settings[MAX_SETTINGS];
     whirl_design *design;
     whirl_rotor *rotor;
     memcpy(settings, linear, sizeof linear);
@@ -220,7 +220,7 @@ static double uniform(uint64_t *seed, double low, double high) {
 
 static void derivatives(void **unused) {
     (void)unused;
-    whirl_setting settings[MOST];
+    whirl_setting settings[MAX_SETTINGS];
     memcpy(settings, quadratic, sizeof quadratic);
     settings[9] = (whirl_setting){"max_current", 11.0, NULL};
     settings[10] = (whirl_setting){"sensor_bandwidth", 1e3, NULL};
@@ -254,7 +254,7 @@ static void derivatives(void **unused) {
 /// Without currents nothing acts: the mass goes on as it went.
 static void failing(void **unused) {
     (void)unused;
-    whirl_setting settings[MOST];
+    whirl_setting settings[MAX_SETTINGS];
     memcpy(settings, quadratic, sizeof quadratic);
     settings[9] = (whirl_setting){"fails_after", 3.0, NULL};
     settings[10] = (whirl_setting){"fails_within", 1e-4, NULL};
@@ -305,7 +305,7 @@ static void fall(double t, const double x[4], double out[4]) {
     memcpy(out, (double[]){x[2], x[3], force[0] / m, force[1] / m}, 4 * sizeof *out);
 }
 
-/// By Runge and Kutta's method in many steps.
+/// Carries the state over `time` by Runge and Kutta's method in many steps.
 static void fall_for(double time, double x[4]) {
     enum { STEPS = 2000000 };
     const double h = time / STEPS;
@@ -324,7 +324,7 @@ static void fall_for(double time, double x[4]) {
 static void dropping(void **unused) {
     (void)unused;
     const double length = 1e-4;
-    whirl_setting bearing[MOST];
+    whirl_setting bearing[MAX_SETTINGS];
     whirl_design *design;
     whirl_rotor *rotor;
     memcpy(bearing, quadratic, sizeof quadratic);

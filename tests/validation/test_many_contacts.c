@@ -1,6 +1,6 @@
-// A machine of eighty discs that do not feel one another, each within a ring that it touches: 80 contacts, 120
-// switches. Every disc must do what it does alone: to the bit with fixed steps that walk over contacts, as far as the
-// method is exact where the contacts of others shorten its steps.
+// A machine of eighty uncoupled discs, each within a ring that it touches: 80 contacts, 120 switches. Every disc must
+// move as it does alone: to the bit with fixed steps that do not locate contacts, and to the error of the method where
+// the contacts of other discs shorten its steps.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -16,14 +16,14 @@
 #include "whirl/engine/integrate.h"
 #include "whirl/engine/rotor.h"
 
-/// ROWS: x, y, x', y' of a disc; told with the perturbation of each.
+/// ROWS: x, y, x', y' of a disc. TOLD: these and their perturbations.
 enum { DISCS = 80, ROWS = 4, TOLD = 2 * ROWS, REVOLUTIONS = 5 };
 
 static void must(whirl_status status) {
     if (status.code != WHIRL_OK) fail_msg("%s", status.message);
 }
 
-/// Every disc has a ring of its own, every second one with damping.
+/// Adds disc number `disc` with its shaft and its ring; every second ring has damping.
 static void add_disc(whirl_design *design, size_t disc) {
     char name[16], ends[32];
     const double part = (double)disc / DISCS;
@@ -42,7 +42,7 @@ static void add_disc(whirl_design *design, size_t disc) {
     must(whirl_design_element(design, "rub", rub, disc % 2 ? 5 : 4));
 }
 
-/// The discs from `first` on.
+/// Makes a machine of `count` discs from number `first` on.
 static whirl_rotor *discs(size_t first, size_t count) {
     const whirl_setting gravity[] = {{"acceleration", 0.3, NULL}};
     whirl_design *design;
@@ -55,7 +55,7 @@ static whirl_rotor *discs(size_t first, size_t count) {
     return rotor;
 }
 
-/// Who has touched its ring.
+/// Discs that have touched their rings.
 typedef struct touches {
     const whirl_system *system;
     bool seen[DISCS];
@@ -69,7 +69,8 @@ static void look(void *context, double t, const double *x) {
     for (size_t c = 0; c < own->system->contact_count; c++) own->seen[c] = own->seen[c] || force[c] > 0.0;
 }
 
-/// Carries discs from rest and one perturbation of each, and gives the states, then the perturbations, disc by disc.
+/// Carries `count` discs from rest, with one perturbation that displaces each along x. Writes out [count][TOLD]: state
+/// and perturbation of each disc.
 static void carry(const whirl_rotor *rotor, size_t count, const char *method, bool located, double *out) {
     const whirl_system *system = whirl_rotor_system(rotor);
     whirl_integrate_options options = whirl_integrate_default();
@@ -128,7 +129,7 @@ static void located_steps_agree(void **state) {
     assert_true(far_dop853 < 1e-6);
 }
 
-/// In lanes, and what is seen of contacts.
+/// Discs in one machine and discs alone, both in lanes, have the same bits.
 static void lanes_are_equal_to_the_bit(void **state) {
     (void)state;
     whirl_integrate_options options = whirl_integrate_default();

@@ -12,10 +12,10 @@
 #include "support_check.h"
 #include "whirl/internal/response_peaks.h"
 
-enum { POINTS = 3201, MOST = 8 };
+enum { POINTS = 3201, MAX_PEAKS = 8 };
 
-/// x'' + 2 z x' + x = r^2 cos(r t) from `from` to `to`: amplitude and lag in degrees; and a part of a second one whose
-/// natural frequency is 1.1.
+/// Computes amplitude and lag in degrees of x'' + 2 z x' + x = r^2 cos(r t) for r from `from` to `to`, plus `second`
+/// times the response of an oscillator with the natural frequency 1.1.
 static void respond(double z, double second, double from, double to, double *r, double *size, double *lag) {
     for (size_t i = 0; i < POINTS; i++) {
         r[i] = from + (to - from) * (double)i / (POINTS - 1);
@@ -36,9 +36,9 @@ static void amplification_of_one_degree_of_freedom(void **unused) {
     static double r[POINTS], size[POINTS], lag[POINTS];
     (void)unused;
     for (size_t i = 0; i < 2; i++) {
-        whirl_response_peak peaks[MOST];
+        whirl_response_peak peaks[MAX_PEAKS];
         respond(rows[i].z, 0.0, 0.5, 2.0, r, size, lag);
-        const size_t count = whirl_response_peaks(POINTS, r, size, lag, MOST, peaks);
+        const size_t count = whirl_response_peaks(POINTS, r, size, lag, MAX_PEAKS, peaks);
         check_within("B13", words("damping ratio %g: peaks", rows[i].z), 1.0, (double)count, 0.0);
         check_within("B13", words("damping ratio %g: amplification", rows[i].z), rows[i].factor, peaks[0].amplification,
                      2e-7 * rows[i].factor);
@@ -65,18 +65,18 @@ static void margins(void **unused) {
 static void other_ways(void **unused) {
     static double r[POINTS], size[POINTS], lag[POINTS];
     static const double z = 0.01;
-    whirl_response_peak peaks[MOST];
+    whirl_response_peak peaks[MAX_PEAKS];
     (void)unused;
     respond(z, 0.0, 0.995, 1.1, r, size, lag);
-    assert_int_equal(whirl_response_peaks(POINTS, r, size, lag, MOST, peaks), 1);
+    assert_int_equal(whirl_response_peaks(POINTS, r, size, lag, MAX_PEAKS, peaks), 1);
     check_holds("B13", "without the left side: by one side", peaks[0].way == WHIRL_BY_ONE_SIDE && isnan(peaks[0].low));
     check_within("B13", "without the left side: amplification", 50.0, peaks[0].amplification, 1.0);
     respond(z, 0.0, 0.995, 1.005, r, size, lag);
-    assert_int_equal(whirl_response_peaks(POINTS, r, size, lag, MOST, peaks), 1);
+    assert_int_equal(whirl_response_peaks(POINTS, r, size, lag, MAX_PEAKS, peaks), 1);
     check_holds("B13", "without both sides: by the slope of the phase", peaks[0].way == WHIRL_BY_PHASE_SLOPE);
     check_within("B13", "without both sides: amplification", 50.0, peaks[0].amplification, 1.0);
     respond(0.06, 0.8, 0.5, 2.0, r, size, lag);
-    assert_int_equal(whirl_response_peaks(POINTS, r, size, lag, MOST, peaks), 2);
+    assert_int_equal(whirl_response_peaks(POINTS, r, size, lag, MAX_PEAKS, peaks), 2);
     check_holds("B13", "two peaks that merge: no half power between them",
                 isnan(peaks[0].high) && isnan(peaks[1].low) && !isnan(peaks[0].low) && !isnan(peaks[1].high));
 }
@@ -87,7 +87,7 @@ static void few_points(void **unused) {
     double worst = 0.0, widest = 0.0, r[200], size[200], lag[200];
     (void)unused;
     for (int shift = 0; shift < 10; shift++) {
-        whirl_response_peak peaks[MOST];
+        whirl_response_peak peaks[MAX_PEAKS];
         const double step = 0.02 / 8.0;
         for (size_t i = 0; i < 200; i++) {
             r[i] = 0.75 + step * ((double)i + shift / 10.0);
@@ -95,7 +95,7 @@ static void few_points(void **unused) {
             size[i] = r[i] * r[i] / hypot(a, b);
             lag[i] = atan2(b, a) * 180.0 / 3.14159265358979323846;
         }
-        assert_int_equal(whirl_response_peaks(200, r, size, lag, MOST, peaks), 1);
+        assert_int_equal(whirl_response_peaks(200, r, size, lag, MAX_PEAKS, peaks), 1);
         worst = fmax(worst, fabs(peaks[0].amplification / 49.97 - 1.0));
         widest = fmax(widest, peaks[0].points);
     }

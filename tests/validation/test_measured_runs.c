@@ -56,7 +56,7 @@ static whirl_result *read_record(const char *mark, double first, double second) 
     return result;
 }
 
-/// Number in row `row` of a field, in micrometres for lengths.
+/// Returns number in row `row` of a field, in micrometres for lengths.
 static double number_of(const whirl_result *result, const char *field, size_t row, size_t column) {
     const whirl_table *table = &result->tables[0];
     const whirl_field *shape = whirl_layout_field(&table->layout, field);

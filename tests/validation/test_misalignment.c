@@ -24,8 +24,8 @@ static const double pi = 3.14159265358979323846;
 
 enum { STATE = 16, DEGREES = 8, DRIVING_TILT = 4, DRIVEN_TILT = 6 };
 
-/// Two stations of 1 kg and 1 kg m2 on the springs told, at `speed`, lengths in m: accelerations are forces over the
-/// square of the speed. Coordinates x, y of the first and the second, then their tilts.
+/// Makes two stations of 1 kg and 1 kg m2 on springs, at `speed`, lengths in m: accelerations are forces over the
+/// square of the speed. Coordinates are x, y of the first and the second, then their tilts.
 static whirl_rotor *make(double speed, double spring, double turning, const char *kind, const whirl_setting *settings,
                          size_t count) {
     const whirl_setting body[] = {{"mass", 1.0, NULL}, {"diametral", 1.0, NULL}, {"polar", 0.0, NULL}};
@@ -49,7 +49,7 @@ static whirl_rotor *make(double speed, double spring, double turning, const char
     return rotor;
 }
 
-/// Forces and moments at rest in the middle, by the coordinate, with the shaft turned by tau.
+/// Computes forces and moments at rest in the middle, for each coordinate, with the shaft turned by tau.
 static void forces_at(const whirl_rotor *rotor, double tau, double *force) {
     double x[STATE] = {0}, slope[STATE];
     evaluate_rhs(whirl_rotor_system(rotor), tau, x, slope);
@@ -82,7 +82,7 @@ static void cross_of_two_pins(double p1, double b, double torque, double driving
     *out = size * dot(normal, z2);
 }
 
-/// Amplitude of sin 2n p1 in p2 - p1 by sums over a turn.
+/// Returns the amplitude of sin 2n p1 in p2 - p1 by sums over a turn.
 static double harmonic(double b, int n) {
     enum { INSTANTS = 64 };
     double sum = 0.0;
@@ -268,7 +268,7 @@ static void orders_of_reactions(void **unused) {
 
 // ---------------------------------------------------------------- bores and faces that run out
 
-/// (K + i w C - w^2 M) X = (k + i w c) e of two masses on springs with a coupling between them.
+/// Solves (K + i w C - w^2 M) X = (k + i w c) e of two masses on springs with a coupling between them.
 static void answer(double speed, double inertia, const double ground[2], double stiffness, double damping,
                    double complex off, double complex out[2]) {
     const double complex k = stiffness + I * speed * damping, force = k * off;

@@ -157,14 +157,14 @@ static void vary_ratio(whirl_batch *batch, const void *context) {
     assert_true(whirl_analysis_add(&batch->analyses, "winding"));
 }
 
-/// The study of the case file with r_k over all points.
+/// Runs the study of the case file with r_k over all points.
 static whirl_result *run_points(void) {
     double values[POINTS];
     for (int i = 0; i < POINTS; i++) values[i] = known[i].r_k;
     return run_case_at("paper-point", 1, values, POINTS, vary_ratio, NULL);
 }
 
-/// The line of the disc's x whose order is nearest.
+/// Returns the line of the disc's x whose order is nearest.
 static const double *nearest_line(const whirl_table *table, size_t point, double order) {
     const double *lines = whirl_table_field(table, point, "spectrum/lines", DISC), *best = lines;
     assert_non_null(lines);
@@ -173,7 +173,7 @@ static const double *nearest_line(const whirl_table *table, size_t point, double
     return best;
 }
 
-/// The order of the largest line of x below 0.9X.
+/// Returns the order of the largest line of x below 0.9X.
 static double largest_subharmonic(const whirl_table *table, size_t point) {
     const double *lines = whirl_table_field(table, point, "spectrum/lines", DISC);
     double order = 0.0, amplitude = 0.0;
@@ -186,7 +186,7 @@ static double largest_subharmonic(const whirl_table *table, size_t point) {
     return order;
 }
 
-/// To the printed digits, or to three times the scatter of a chaotic motion beside them.
+/// Checks numbers to the printed digits, or to three times the scatter of a chaotic motion.
 static void check_scattered(const char *what, const char *digits, double scatter, double obtained) {
     if (scatter == 0.0)
         check_digits("model", what, digits, obtained);
@@ -219,7 +219,7 @@ static void check_spectrum(const whirl_table *table, size_t point) {
     }
 }
 
-/// A number that nothing is known of beforehand.
+/// Writes a number for which no value is known beforehand.
 static void put_evidence(double r_k, const char *what, double value) {
     if (!isnan(value)) printf("evidence | r_k = %.2f, %s | - | %.4g | - | -\n", r_k, what, value);
 }

@@ -22,7 +22,7 @@ enum { SIZE = 4096 };
 
 static const double pi = 3.14159265358979323846;
 
-/// Damping of a ratio .01 of the mode of two inertias on a spring.
+/// Returns the damping of the ratio .01 of the mode of two inertias on a spring.
 static double damping(double one, double other, double stiffness) {
     return 2.0 * 0.01 * sqrt(stiffness * one * other / (one + other));
 }
@@ -37,7 +37,7 @@ static double number(const whirl_result *result, const char *field, size_t index
     return first_number(result, field, 0, index);
 }
 
-/// The largest torque `which` (least: its least), and when.
+/// Returns the largest torque `which` (least: the smallest), and writes its time.
 static double extreme(const whirl_result *result, size_t which, bool least, bool when) {
     return number(result, WHIRL_FIELD_RUNUP_TORQUE_EXTREME, 4 * which + 2 * least + when);
 }

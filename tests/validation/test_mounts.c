@@ -33,7 +33,7 @@ static whirl_rotor *make_mounted(void) {
     return rotor;
 }
 
-/// z = m e w^2/(K - m w^2), K = k + k_m i w c/(k_m + i w c).
+/// Returns z = m e w^2/(K - m w^2), K = k + k_m i w c/(k_m + i w c).
 static double complex mounted_response(void) {
     const double complex dashpot = I * speed * damping;
     return mass * eccentricity * speed * speed /
@@ -83,7 +83,8 @@ static const char *const in_lanes[] = {"rk4", "dop853", "rodas5p"};
 enum { IN_LANES = sizeof in_lanes / sizeof *in_lanes };
 static const double start[DIMENSION] = {0.03, -0.02, 0.01, 0.04, -0.01, 0.02};
 
-/// Along each axis with z = (x, x', s, c, -c'), where c'' = -c is the direction of the unbalance: z' = M z, M [5][5].
+/// Fills M [5][5] of z' = M z along each axis with z = (x, x', s, c, -c'), where c'' = -c is the direction of the
+/// unbalance.
 static void fill_matrix(double m[PLANE][PLANE]) {
     const double inertia = mass * speed * speed;
     memset(m, 0, PLANE * sizeof *m);
@@ -96,7 +97,7 @@ static void fill_matrix(double m[PLANE][PLANE]) {
     m[2][2] = -m[2][0];
 }
 
-/// exp(M tau) applied to z, by the series over sixteenths.
+/// Applies exp(M tau) to z, by the series over sixteenths.
 static void carry_plane(double tau, double z[PLANE]) {
     enum { PARTS = 16, TERMS = 40 };
     double m[PLANE][PLANE];
@@ -115,7 +116,7 @@ static void carry_plane(double tau, double z[PLANE]) {
     }
 }
 
-/// The state at tau of one that starts at `from`.
+/// Computes the state at tau of one that starts at `from`.
 static void exact_state(const double *from, double tau, double x[DIMENSION]) {
     for (int axis = 0; axis < 2; axis++) { // the unbalance pulls as the cosine along x and as the sine along y
         double z[PLANE] = {from[axis], from[2 + axis], from[4 + axis], axis == 0, axis == 0 ? 0 : -1};
@@ -134,8 +135,8 @@ static whirl_integrate_options options_of(const char *method) {
     return options;
 }
 
-/// Seven revolutions in lanes of that width, one lane saved and taken up in another; `out` gets a lane that all others
-/// must equal. False where the processor has not that width.
+/// Carries seven revolutions in lanes of that width, with one lane saved and loaded into another; `out` gets the state
+/// that all lanes must have. Returns false if the processor lacks that width.
 static bool carry_in_lanes(const whirl_system *system, const char *method, const char *set, double out[DIMENSION]) {
     const whirl_integrate_options options = options_of(method);
     double lane[DIMENSION], numbers[512];
@@ -272,7 +273,7 @@ static void all_exponents(void **unused) {
     whirl_rotor_free(rotor);
 }
 
-/// A disc on a mount whose friction on a stator follows the slip sharply: it strikes, slides and rolls.
+/// Makes a disc on a mount whose friction on a stator follows the slip sharply: it strikes, slides and rolls.
 static whirl_rotor *make_rubbing(double friction) {
     const whirl_setting disc[] = {{"mass", 1, NULL}, {"damping", 0.1, NULL}, {"eccentricity", 0.5, NULL}};
     const whirl_setting mount[] = {

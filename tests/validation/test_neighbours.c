@@ -60,7 +60,7 @@ static whirl_status spring_at(const void *family, const whirl_batch *batch, doub
     return whirl_ok();
 }
 
-/// Speeds along the rows, forces from row to row.
+/// Sets speeds along the rows, and forces from row to row.
 static void plane_of_springs(double *values, double *seconds) {
     for (int i = 0; i < PLACES; i++) {
         values[i] = 1.2 + 0.04 * (i % SPEEDS);
@@ -99,8 +99,8 @@ static whirl_result *run_springs(size_t rounds, bool stacked) {
     return result;
 }
 
-/// The first section points of the motions that brute force follows up, [0], and down, [1], along each row: carried in
-/// steps of a tenth of the distance of places.
+/// Computes the first section points of the motions that brute force follows up, [0], and down, [1], along each row:
+/// carried in steps of a tenth of the distance of places.
 static void follow_springs(double (*seen)[2][2]) {
     for (int row = 0; row < LEVELS; row++)
         for (int down = 0; down < 2; down++) {
@@ -225,14 +225,14 @@ static double ratio_at(double place) {
     return 0.49 + 0.00125 * place;
 }
 
-/// The P-5 whose disc comes to the stator: the largest x of its section is above .3 clearances; else it is NaN.
+/// Returns the largest x of the section of the P-5 whose disc reaches the stator (above .3 clearances), else NaN.
 static double largest_of_rubbing(const outcome *o) {
     double largest = -9.0;
     for (int n = 0; n < SEEN; n++) largest = fmax(largest, o->section[n][0]);
     return o->period == 5 && largest > 0.3 ? largest : (double)NAN;
 }
 
-/// A state on it at the middle place, from the first start by which brute force meets it.
+/// Computes a state on that P-5 at the middle place, from the first start by which brute force reaches it.
 static void meet_rubbing(double *x) {
     const brute b = {brute_paper_rotor, ratio_at(MIDDLE), 8, PAPER_STEPS, 300};
     for (int start = 1; start < 200; start++) {
@@ -244,8 +244,8 @@ static void meet_rubbing(double *x) {
     fail();
 }
 
-/// The largest x of its section at every place, carried from the middle to both sides in small steps; NaN where it is
-/// no more.
+/// Computes the largest x of the section of that P-5 at every place, carried from the middle to both sides in small
+/// steps; NaN where it does not exist.
 static void follow_rubbing(double *largest) {
     double middle[MAX_STATE];
     const int parts = 4;
@@ -264,7 +264,8 @@ static void follow_rubbing(double *largest) {
     }
 }
 
-/// The same of a place, as whirl has found it; *starts is how many of its own led there.
+/// Returns the largest x of that P-5 at a place as whirl found it; *starts is the number of own starts of the place
+/// that led to it.
 static double found_rubbing(const whirl_table *table, const whirl_coexistence *found, size_t place, size_t *starts) {
     const whirl_field *field = whirl_layout_field(&table->layout, "poincare/section");
     for (size_t k = 0; k < found->count; k++) {

@@ -17,7 +17,7 @@
 static const double pi = 3.14159265358979323846;
 enum { FINE = 1920 };
 
-/// Coefficients agree to 2e-4 of the largest of their matrix.
+/// Checks that coefficients agree to 2e-4 of the largest of their matrix.
 static void check_matrix(const char *id, const char *what, const double expected[4], double obtained[2][2]) {
     static const char *const names[] = {"xx", "xy", "yx", "yy"};
     double largest = 0.0;
@@ -28,7 +28,7 @@ static void check_matrix(const char *id, const char *what, const double expected
         check_within(id, words("%s%s", before, names[i]), expected[i], obtained[i / 2][i % 2], 2e-4 * largest);
 }
 
-/// In the frame of Lund and Thomsen: x along the load, which is along -y, over the load.
+/// Turns coefficients to the frame of Lund and Thomsen (x along the load, which is along -y), over the load.
 static void turned(double of[2][2], double load, double out[2][2]) {
     out[0][0] = of[1][1] / load;
     out[0][1] = -of[1][0] / load;
@@ -145,7 +145,7 @@ static void fixed_pads(void **unused) {
     }
 }
 
-/// Reduced coefficients of pads without inertia at a whirl ratio, over the load: what is not on the diagonal is 0 by
+/// Checks reduced coefficients of pads without inertia at a whirl ratio, over the load; off the diagonal they are 0 by
 /// symmetry.
 static void check_reduced(const whirl_pads *bearing, const whirl_pads_state *state, const char *what, double ratio,
                           double load, const double expected[4]) {
@@ -238,7 +238,7 @@ static void carried(void **unused) {
         }
 }
 
-/// 1 + .0136/12 Re^.9 around, 1 + .0043/12 Re^.96 along (Ng, Pan 1965).
+/// Returns 1 + .0136/12 Re^.9 around, 1 + .0043/12 Re^.96 along (Ng, Pan 1965).
 static double resistance(double reynolds, bool along) {
     return 1.0 + (along ? 0.0043 * pow(reynolds, 0.96) : 0.0136 * pow(reynolds, 0.9)) / 12.0;
 }

@@ -50,12 +50,12 @@ static const tilt_case tilts[] = {{"no inertia", 0.0, 0.0, 0.0},
                                   {"no inertia, stiff pivots", 0.0, 0.0, 1e9},
                                   {"inertia, stiff pivots", 2e-4, 0.0, 1e9}};
 
-/// Angle of pad i; of a load along -y its layout is even about y.
+/// Returns the angle of pad i; for a load along -y the layout is symmetric about y.
 static double pivot_of(const layout *of, size_t i) {
     return of->first + 360.0 * (double)i / (double)of->count;
 }
 
-/// `first`: the pad that is listed first.
+/// Makes the bearing with the pad `first` listed first.
 static whirl_rotor *make_listed(const layout *of, size_t first, double preload, double mass, const tilt_case *tilt,
                                 double way) {
     char pivots[128] = "";
@@ -114,7 +114,8 @@ static void carry(const whirl_system *system, double *x, int revolutions, int st
     }
 }
 
-/// One place of rest: where the reference has it to 0.01 c, stable, and the mirror image's mirrored to rounding.
+/// Checks one place of rest: it is that of the reference to 0.01 c and stable, and that of the mirror image is its
+/// mirror image to rounding.
 static void check_rest(const layout *of, double preload, double load, const tilt_case *tilt, const double place[2]) {
     const double mass = load * unit() / 9.80665;
     double found[2][2];
@@ -160,7 +161,7 @@ static void grid(void **unused) {
 
 // ---------------------------------------------------------------- what rests are made of
 
-/// A machine of that bearing alone, its journal at a place.
+/// Makes a machine of that bearing alone, with its journal at a place.
 static whirl_rotor *make_alone(const char *kind, const whirl_setting *settings, size_t count) {
     whirl_design *design;
     whirl_rotor *rotor;
@@ -314,8 +315,8 @@ static void preloaded(void **unused) {
 
 // ---------------------------------------------------------------- pads on springs
 
-/// 220 kg in five pads on springs of 2 kN m/rad at 8000 rpm, pushed across by a seal of q, N/m. Above the journal a pad
-/// on its spring balances with a film and without one.
+/// Makes 220 kg in five pads on springs of 2 kN m/rad at 8000 rpm, pushed across by a seal of q, N/m. Above the journal
+/// a pad on its spring has equilibria with a film and without one.
 static whirl_rotor *make_pushed(double q, double way, double scale) {
     const double across = way * q;
     const whirl_setting pads[] = {{"at", 0, "j"},

@@ -46,7 +46,7 @@ static void count_crossings(void *observer, double t, const double *x) {
     counter->sign = sign;
 }
 
-/// Largest difference of a state from the reference after 20 revolutions.
+/// Returns largest difference of a state from the reference after 20 revolutions.
 static double error_of(const e1_row *row, const char *method, int steps, double rtol, double atol, int *crossings) {
     whirl_rotor *rotor = make_paper_rotor(row->r_k);
     whirl_integrate_options options = whirl_integrate_default();
@@ -101,7 +101,7 @@ static void e1_rk4_with_located_contacts(void **unused) {
                      error_of(&rows[i], "located rk4", 1024, 1e-9, 1e-12, NULL), 5e-8);
 }
 
-/// Lanes at r_k of the row, beside others.
+/// Returns the error of lanes at r_k of the row, next to other lanes.
 static double error_in_lanes(const e1_row *row, const char *method) {
     enum { LANES = 40 };
     whirl_integrate_options options = whirl_integrate_default();

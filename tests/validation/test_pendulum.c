@@ -32,7 +32,8 @@ static share share_of(size_t found, size_t count) {
     return (share){value, sqrt(value * (1.0 - value) / (double)count)};
 }
 
-/// The exponent by which uncertain shares fall from the first error to the last, as if the shares were independent.
+/// Returns the exponent by which uncertain shares fall from the first error to the last, as if the shares were
+/// independent.
 static share exponent_of(const share *uncertain) {
     const share first = uncertain[0], last = uncertain[ERRORS - 1];
     const double decades = log(errors[0] / errors[ERRORS - 1]);
@@ -59,7 +60,7 @@ static size_t starts(void) {
 
 // ---------------------------------------------------------------- a map with a known dimension
 
-/// The map of Grebogi, McDonald, Ott & Yorke (1983): whether it comes to rest at theta = 0, and not at pi.
+/// Returns true if the map of Grebogi, McDonald, Ott & Yorke (1983) comes to rest at theta = 0, and not at pi.
 static bool rests_at_zero(double theta, double x) {
     for (size_t i = 0; i < 100000; i++) {
         const double next = theta + 1.32 * sin(2.0 * theta) - 0.9 * sin(4.0 * theta) - x * sin(theta);
@@ -108,7 +109,7 @@ static motion along(motion from, motion slope, double h) {
                     from.d_rate + h * slope.d_rate};
 }
 
-/// One period by RK4.
+/// Carries a motion over one period by RK4.
 static motion period(motion at) {
     const double h = 2.0 * pi / STEPS;
     for (int i = 0; i < STEPS; i++) {
@@ -148,9 +149,9 @@ static void follow(double angle, double rate, fate *end) {
     fail_msg("the pendulum did not settle from %g, %g", angle, rate);
 }
 
-/// The exponent by how fast starts leave the motions between both ways, over how fast perturbations grow on these
-/// (Kantz & Grassberger 1985): lives beyond 50 periods, which fall like a geometric series, and growth from period 5
-/// until 45 periods, most of them of settling, before the end of the lives beyond 75.
+/// Returns the exponent by how fast starts leave the motions between both ways, over how fast perturbations grow on
+/// these (Kantz & Grassberger 1985): lives beyond 50 periods, which fall like a geometric series, and growth from
+/// period 5 until 45 periods, most of them of settling, before the end of the lives beyond 75.
 static share exponent_by_escape(size_t count) {
     fate end;
     double beyond = 0.0, rate = 0.0;
@@ -206,7 +207,7 @@ static whirl_status machine_at(const void *family, const whirl_batch *batch, dou
     return whirl_ok();
 }
 
-/// The basins of starts, in one row.
+/// Computes the basins of starts, in one row.
 static whirl_result *run(const double *angles, const double *rates, size_t count) {
     static const char *const analyses[] = {"poincare", "orbit", "regime"};
     whirl_study study = {.batch_count = 1, .machine = machine_at};
@@ -233,7 +234,7 @@ static whirl_result *run(const double *angles, const double *rates, size_t count
     return result;
 }
 
-/// The starts, and behind them the same with every error.
+/// Sets the starts, and after them the same with every error.
 static void place_all(double *angles, double *rates, size_t count) {
     for (size_t i = 0; i < count; i++) {
         place_pendulum(i, &angles[i], &rates[i]);
@@ -244,7 +245,7 @@ static void place_all(double *angles, double *rates, size_t count) {
     }
 }
 
-/// Two motions that turn once a period, one each way, to what RK4 of 128 steps is good for: (2 pi/128)^4 = 6e-6.
+/// Checks that two motions turn once a period, one each way, to the error of RK4 of 128 steps: (2 pi/128)^4 = 6e-6.
 static void check_motions(const whirl_table *table, const whirl_attractor *found, size_t count) {
     check_within("pendulum", "pendulum: attractors", 2.0, (double)count, 0.0);
     const double one = *whirl_table_field(table, found[0].first, "orbit/mean", 0),
@@ -258,8 +259,8 @@ static void check_motions(const whirl_table *table, const whirl_attractor *found
     }
 }
 
-/// The shares of uncertain starts are those of brute force: to two standard errors, for a start near the boundary goes
-/// where the errors of the steps, 1e-6 a period, lead it.
+/// Checks that the shares of uncertain starts are those of brute force, to two standard errors: errors of the steps,
+/// 1e-6 a period, decide where a start near the boundary goes.
 static void check_shares(const size_t *labels, const int *ways, size_t count, share *uncertain) {
     for (size_t e = 0; e < ERRORS; e++) {
         const size_t *moved = labels + (e + 1) * count;

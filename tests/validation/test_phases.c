@@ -23,7 +23,7 @@
 static const double two_pi = 6.283185307179586476925;
 static const double speed = 300.0, scale = 1e-4, mass = 2.0, damping = 120.0, stiffness = 2.2e5;
 
-/// Time counted in turns at `clock`, rad/s.
+/// Begins the design of a disc whose time counts turns at `clock`, rad/s.
 static whirl_design *begin_disc_by(double clock) {
     const whirl_setting disc[] = {{"mass", mass, NULL}};
     const whirl_setting spring[] = {
@@ -46,7 +46,7 @@ static whirl_rotor *finish(whirl_design *design) {
     return rotor;
 }
 
-/// A force of 20 N with one key for its rate.
+/// Adds a force of 20 N with one key for its rate.
 static void add_force(whirl_design *design, const char *law, const char *key, double value) {
     const whirl_setting force[] = {{"at", 0, "disc"},    {"amplitude", 20.0, NULL}, {"law", 0, law},
                                    {"angle", 0.7, NULL}, {"phase", 0.4, NULL},      {key, value, NULL}};
@@ -61,7 +61,7 @@ static void add_unbalance(whirl_design *design, const char *key, double value) {
 
 // ---------------------------------------------------------------- linear response
 
-/// z = x + i y at t of a force F e^(i nu t), in length scales.
+/// Returns z = x + i y at t under a force F e^(i nu t), in length scales.
 static double complex response(double complex force, double nu, double t) {
     return force * cexp(I * nu * t) / (stiffness - mass * nu * nu + I * damping * nu) / scale;
 }
@@ -223,8 +223,8 @@ static void regimes(void **unused) {
     }
 }
 
-/// The regime of a disc under a force of 31 Hz, by sections once a turn at `clock` (rad/s), with an unbalance at the
-/// speed of the shaft or without.
+/// Returns the regime of a disc under a force of 31 Hz, by sections once a turn at `clock` (rad/s), with an unbalance
+/// at the speed of the shaft or without.
 static const char *regime_by(double clock, bool unbalanced) {
     static char name[64];
     whirl_design *design = begin_disc_by(clock);
@@ -345,7 +345,7 @@ static void chaos_beside_a_phase(void **unused) {
 
 // ---------------------------------------------------------------- a speed that changes
 
-/// A disc of unit mass, stiffness and unbalance whose speed begins at `start` and grows by `acceleration`.
+/// Makes a disc of unit mass, stiffness and unbalance whose speed begins at `start` and grows by `acceleration`.
 static whirl_rotor *make_run_up(double zeta, double start, double acceleration) {
     const whirl_setting disc[] = {{"mass", 1.0, NULL}, {"damping", 2.0 * zeta, NULL}};
     const whirl_setting spring[] = {{"between", 0, "disc, ground"}, {"stiffness", 1.0, NULL}};
@@ -394,14 +394,14 @@ static void watch_peak(void *observer, double t, const double *x) {
 
 typedef long double complex extended;
 
-/// z'' = (phi'^2 - i phi'') e^(i phi) - 2 zeta z' - z, phi = a t^2/2.
+/// Computes z'' = (phi'^2 - i phi'') e^(i phi) - 2 zeta z' - z, phi = a t^2/2.
 static void lewis(double a, double zeta, long double t, const extended z[2], extended slope[2]) {
     const long double phase = 0.5L * a * t * t, rate = a * t;
     slope[0] = z[1];
     slope[1] = (rate * rate - I * a) * (cosl(phase) + I * sinl(phase)) - 2.0L * zeta * z[1] - z[0];
 }
 
-/// The same by the classical method on the equation in complex numbers of extended precision.
+/// Returns the same peak by the classical method on the equation in complex numbers of extended precision.
 static peak run_up_apart(double a, double zeta) {
     const long double h = 4e-3L;
     extended z[2] = {0.0L, 0.0L}, k[4][2], at[2];
@@ -469,8 +469,8 @@ static void steady_speed(void **unused) {
 
 // ---------------------------------------------------------------- lanes
 
-/// Machines whose forces have frequencies of their own side by side: by every method all widths give the same bits, and
-/// the numbers of each machine alone. Returns the largest difference.
+/// Carries machines whose forces have frequencies of their own side by side: by every method all widths give the same
+/// bits, and the numbers of each machine alone. Returns the largest difference.
 static double compare_lanes(const char *method, bool fused) {
     enum { LANES = 9, REVOLUTIONS = 7 };
     static const char *const sets[2][4] = {{"scalar", "simd128", NULL}, {"fma", "avx2", "avx512", NULL}};

@@ -32,7 +32,7 @@ static size_t count_settings(const part *of) {
     return count;
 }
 
-/// Stations that move along y, each with its mass, at 1 rad/s.
+/// Makes stations that move along y, each with its mass, at 1 rad/s.
 static whirl_rotor *make_rotor(const double *masses, size_t stations, const part *parts, size_t count) {
     static const char *const names[] = {"upper", "lower"};
     whirl_design *design;
@@ -78,7 +78,7 @@ typedef struct exact {
     double force; ///< F
 } exact;
 
-/// (y, v) of the piece's equation `span` after (y, v) at t.
+/// Computes (y, v) of the piece's equation `span` after (y, v) at t.
 static void follow(const exact *of, const piece *on, double t, double span, const double from[2], double to[2]) {
     const double square = (on->k - 1.0) * (on->k - 1.0) + on->c * on->c, rest = on->p / on->k;
     const double a = of->force * (on->k - 1.0) / square, b = -of->force * on->c / square, end = t + span;
@@ -182,7 +182,7 @@ static void l1_seat_on_station(void **unused) {
 
 // ---------------------------------------------------------------- L2, L3: forced, three pieces
 
-/// Largest distance from the closed form at the ends of 10 revolutions.
+/// Returns largest distance from the closed form at the ends of 10 revolutions.
 static double compare_alone(const whirl_rotor *rotor, const exact *of, const char *method, const double start[2]) {
     whirl_integrator *integrator = make(rotor, method);
     double x[2] = {start[0], start[1]}, y[2] = {start[0], start[1]}, worst = 0.0, volume = 0.0;
@@ -198,7 +198,7 @@ static double compare_alone(const whirl_rotor *rotor, const exact *of, const cha
 static const double starts[][2] = {{0.0, 0.0}, {0.8, 0.3}, {-0.3, -0.9}, {0.1, 0.7}, {-0.6, 0.4}, {1.2, 0.0}};
 enum { STARTS = COUNT_OF(starts) };
 
-/// The same in lanes, all starts side by side.
+/// Returns the same distance in lanes, all starts side by side.
 static double compare_lanes(const whirl_rotor *rotor, const exact *of, const char *method) {
     const whirl_integrate_options options = options_of(method);
     const whirl_system *system = whirl_rotor_system(rotor);
@@ -297,7 +297,7 @@ static void l3_play(void **unused) {
 
 // ---------------------------------------------------------------- L4
 
-/// Column j of d(end of the revolution)/d(start) of the closed form, by differences of fourth order.
+/// Computes column j of d(end of the revolution)/d(start) of the closed form, by differences of fourth order.
 static void differ(const exact *of, const double start[2], int j, double column[2]) {
     static const double offsets[4] = {-2.0, -1.0, 1.0, 2.0}, weights[4] = {1.0, -8.0, 8.0, -1.0};
     const double step = 4e-6;
@@ -341,7 +341,7 @@ static void l4_perturbations(void **unused) {
     whirl_rotor_free(rotor);
 }
 
-/// Largest error of the columns of the monodromy matrix by rk4 in lanes, over some starts.
+/// Returns largest error of the columns of the monodromy matrix by rk4 in lanes, over some starts.
 static double worst_in_lanes(const whirl_rotor *rotor, const exact *of, const whirl_integrate_options *options) {
     const whirl_system *system = whirl_rotor_system(rotor);
     whirl_ensemble *ensemble;

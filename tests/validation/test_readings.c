@@ -20,7 +20,7 @@ enum { POINTS = 5, DISC = 0, JOURNAL = 1 };
 /// The ten ratios by turns: every test has regular and chaotic motions.
 static const double ratios[2][POINTS] = {{1.0, 0.48, 0.45, 0.4, 0.25}, {0.6, 0.46, 0.44, 0.35, 0.15}};
 
-/// The sweep, long enough to tell.
+/// Makes the sweep long enough for its verdicts.
 static void lengthen(whirl_batch *batch, const void *method) {
     assert_string_equal("r_k", batch->parameter);
     const bool is_long = getenv("WHIRL_SOAK") != NULL;

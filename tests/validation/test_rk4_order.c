@@ -16,7 +16,7 @@ static const double pi = 3.14159265358979323846;
 
 enum { LEVELS = 4 };
 
-/// State after the revolutions at that many steps each.
+/// Computes the state after the revolutions at that many steps each.
 static void end_state(const whirl_system *system, const double *start, int steps, int revolutions, double *end) {
     whirl_integrator *integrator = make_integrator(system, "rk4", steps);
     memcpy(end, start, system->dimension * sizeof *end);

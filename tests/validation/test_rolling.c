@@ -21,9 +21,9 @@ typedef long double complex number;
 
 static const double pi = 3.14159265358979323846;
 
-enum { MOST = 20 };
+enum { MAX_SETTINGS = 20 };
 
-/// A mass in a bearing under a weight along x.
+/// Makes a mass in a bearing under a weight along x.
 static whirl_rotor *make(const char *kind, double speed, double scale, double mass, double weight,
                          const whirl_setting *keys) {
     const whirl_setting station[] = {{"mass", mass, NULL}},
@@ -76,7 +76,7 @@ static void rollers_under_a_load(void **unused) {
     }
 }
 
-/// Weight that 9 rollers of 1e9 N/m^(10/9) carry at a displacement, on the average over the angles at which they stand.
+/// Returns the weight that 9 rollers of 1e9 N/m^(10/9) carry at a displacement, averaged over their angles.
 static double carried(double displacement, double clearance) {
     enum { ANGLES = 20000 };
     double sum = 0.0;
@@ -123,7 +123,7 @@ typedef struct rolling {
     double depth[3], width[3], place[2]; ///< of dents: inner race, outer race, ball
 } rolling;
 
-/// Axial displacement of the centred row under its load, by the secant method.
+/// Returns axial displacement of the centred row under its load, by the secant method.
 static long double axial_of(const rolling *b) {
     const long double radial = b->centres * cosl(b->angle) - b->clearance, zero = b->centres * sinl(b->angle);
     long double x[3] = {1e-4L, 2e-4L, 0.0L}, f[2];
@@ -148,7 +148,7 @@ static number dent_of(const rolling *b, int which, number angle) {
     return 0.5L * b->depth[which] * (1.0L + ccosl(2.0L * acosl(-1.0L) * off / b->width[which]));
 }
 
-/// At a place, with the angles of cage, races and ball from their start.
+/// Computes the force at a place, with the angles of cage, races and ball from their start.
 static void force_of(const rolling *b, const number d[2], const number s[4], number force[2]) {
     const long double tau = 2.0L * acosl(-1.0L), axial = b->centres * sinl(b->angle) + axial_of(b);
     force[0] = force[1] = 0.0L;
@@ -175,7 +175,7 @@ static void force_of(const rolling *b, const number d[2], const number s[4], num
 
 static whirl_rotor *make_rolling(const rolling *b, double speed, double scale, double mass, double weight,
                                  double damping) {
-    whirl_setting keys[MOST + 4] = {{"at", 0, "rotor"}};
+    whirl_setting keys[MAX_SETTINGS + 4] = {{"at", 0, "rotor"}};
     size_t n = 1;
     const bool balls = b->power == 1.5;
     const struct {
@@ -207,7 +207,8 @@ static whirl_rotor *make_rolling(const rolling *b, double speed, double scale, d
     return make(b->kind, speed, scale, mass, weight, keys);
 }
 
-/// Rates over the shaft's of cage, races and a ball about its own axis: rolling, the outer race at rest.
+/// Computes the rates, over the shaft's, of cage, races and a ball about its own axis: rolling, with the outer race at
+/// rest.
 static void rates_of(const rolling *b, double rates[4]) {
     const double cage = b->inner / (b->inner + b->outer);
     const double axial = b->centres * sin(b->angle) + (double)axial_of(b);
@@ -268,7 +269,7 @@ static const rolling samples[] = {
      {1.2, -0.4}},
 };
 
-/// Accelerations and slopes of states by the equations, scaled as the rotor's.
+/// Computes accelerations and slopes of states by the equations, in the rotor's scales.
 static void by_equations(const rolling *b, double speed, double scale, double mass, double weight, const number *x,
                          size_t states, number *slope) {
     double rates[4];

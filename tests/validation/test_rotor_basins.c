@@ -15,13 +15,23 @@
 #include "support_study.h"
 #include "whirl/engine/case.h"
 
-enum { N = 8, COARSE = 512, FINE = 1024, SETTLE = 800, LONG = 3000, WATCH = 28, MOST = 8, SOME = 9, MORE = 21 };
+enum {
+    N = 8,
+    COARSE = 512,
+    FINE = 1024,
+    SETTLE = 800,
+    LONG = 3000,
+    WATCH = 28,
+    MAX_ATTRACTORS = 8,
+    SOME = 9,
+    MORE = 21
+};
 
 static const double pi = 3.14159265358979323846, width = 1.1;
 
 // ---------------------------------------------------------------- brute force
 
-/// The calibrated reading: load coefficient 0.0042, gravity 10.584 m/s2 over c omega^2.
+/// Computes the slope in the calibrated reading: load coefficient 0.0042, gravity 10.584 m/s2 over c omega^2.
 static void slope(double r_k, const double *turn, const double *z, double *dz) {
     const double c = turn[0], s = turn[1], c2 = c * c - s * s, s2 = 2.0 * s * c;
     const double load = 0.0042, gravity = 10.584 / (0.2e-3 * 650.0 * 650.0);
@@ -50,7 +60,7 @@ static int tabulate(void **state) {
     return 0;
 }
 
-/// One revolution by RK4 in so many steps; gives the disc's largest radius.
+/// Carries z over one revolution by RK4 in `steps` steps; returns the disc's largest radius.
 static double revolve(double r_k, double *z, int steps) {
     const double h = 2.0 * pi / steps;
     const int half = FINE / steps;
@@ -68,7 +78,7 @@ static double revolve(double r_k, double *z, int steps) {
     return sqrt(largest);
 }
 
-/// The disc's largest radius in 28 revolutions, of whole orbits of 1, 4 and 7, after so many others.
+/// Returns the disc's largest radius in 28 revolutions (whole orbits of 1, 4 and 7), after a transient.
 static double radius_after(double r_k, double *z, int steps, int revolutions) {
     double largest = 0.0;
     for (int n = 0; n < revolutions; n++) revolve(r_k, z, steps);
@@ -100,7 +110,7 @@ static void free_grid(grid *g) {
     free(g->y);
 }
 
-/// The basin of cases/paper-basin.yaml at another ratio of stiffness and on the grid's starts.
+/// Computes the basin of cases/paper-basin.yaml at another ratio of stiffness and on the grid's starts.
 static whirl_result *run(double r_k, const grid *g) {
     whirl_case *object;
     whirl_study study;
@@ -119,7 +129,7 @@ static whirl_result *run(double r_k, const grid *g) {
     return result;
 }
 
-/// The last state of a point.
+/// Computes the last state of a point.
 static void end_of(const whirl_table *table, size_t point, double *z) {
     const whirl_field *field = whirl_layout_field(&table->layout, "poincare/section");
     assert_non_null(field);
@@ -139,7 +149,7 @@ typedef struct expected {
     int periods[2]; ///< of the two that most starts lead to
 } expected;
 
-/// Brute force stays on an orbit that was found, and comes back to it when put aside.
+/// Checks that brute force stays on a found orbit, and returns to it after a perturbation.
 static void check_orbit(const expected *at, const whirl_table *table, const whirl_attractor *found) {
     double z[N], first[N], away = 0.0;
     const int period = whirl_table_verdict(table, found->first).period;
@@ -155,7 +165,7 @@ static void check_orbit(const expected *at, const whirl_table *table, const whir
     check_within("rotor-basins", words("... after %d revolutions it is back", period), 0.0, away, 1e-3);
 }
 
-/// Number of the attractor whose radius is nearest, from 1; 0 where none is as near as motions that settle slowly have
+/// Returns the number, from 1, of the attractor with the nearest radius; 0 if none is as near as slow motions have
 /// come.
 static size_t nearest_of(const double *radii, size_t count, double radius) {
     size_t nearest = 0;
@@ -164,11 +174,11 @@ static size_t nearest_of(const double *radii, size_t count, double radius) {
     return fabs(radii[nearest] - radius) < 5e-4 ? nearest + 1 : 0;
 }
 
-/// The shares of the two main motions are those of brute force.
+/// Checks that the shares of the two main motions are those of brute force.
 static void check_shares(const expected *at, const whirl_table *table, const whirl_attractor *found, size_t attractors,
                          const grid *g) {
-    double radii[MOST];
-    size_t reached[MOST + 1] = {0};
+    double radii[MAX_ATTRACTORS];
+    size_t reached[MAX_ATTRACTORS + 1] = {0};
     for (size_t k = 0; k < attractors; k++) radii[k] = table_number(table, found[k].first, "orbit/max_radius", 0);
     for (size_t i = 0; i < g->count; i++) {
         double z[N] = {g->x[i], g->y[i], [7] = -1e-12}; // the film's angle wants a journal that moves
@@ -190,12 +200,12 @@ static void starts_lead_where_brute_force_says(void **state) {
     grid g = make_grid();
     (void)state;
     for (size_t v = 0; v < sizeof values / sizeof *values; v++) {
-        whirl_attractor found[MOST];
+        whirl_attractor found[MAX_ATTRACTORS];
         size_t attractors;
         whirl_result *result = run(values[v].r_k, &g);
         const whirl_table *table = &result->tables[0];
-        require_ok(whirl_table_attractors(table, NULL, found, MOST, &attractors));
-        assert_in_range(attractors, 2, MOST);
+        require_ok(whirl_table_attractors(table, NULL, found, MAX_ATTRACTORS, &attractors));
+        assert_in_range(attractors, 2, MAX_ATTRACTORS);
         for (size_t k = 0; k < 2; k++)
             assert_int_equal(values[v].periods[k], whirl_table_verdict(table, found[k].first).period);
         for (size_t k = 0; k < attractors; k++) check_orbit(&values[v], table, &found[k]);

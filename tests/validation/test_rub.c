@@ -19,8 +19,8 @@
 
 static const double pi = 3.14159265358979323846;
 
-/// d(dx/dtau)/dx of a rub_case with friction that never reverses: r = |z|,
-/// d[(1 - 1/r) x_i]/dx_j = (1 - 1/r) delta_ij + x_i x_j/r^3.
+/// Computes d(dx/dtau)/dx of a rub_case with friction that never reverses: r = |z|, d[(1 - 1/r) x_i]/dx_j = (1 - 1/r)
+/// delta_ij + x_i x_j/r^3.
 static void rub_jacobian(const void *parameters, double t, const double *s, double *jacobian) {
     const rub_case *p = parameters;
     const double w2 = p->speed * p->speed, r = hypot(s[0], s[1]);
@@ -47,7 +47,7 @@ static void rub_jacobian(const void *parameters, double t, const double *s, doub
     memcpy(jacobian, matrix, sizeof matrix);
 }
 
-/// Radius of the steady circle of the rotor while it does not touch.
+/// Returns radius of the steady circle of the rotor while it does not touch.
 static double free_radius(double speed) {
     const rub_case p = {.speed = speed, .zeta = 0.05, .eccentricity = 0.2};
     double state[4] = {0.0, 0.0, 0.0, 0.0}, slope[4], matrix[16], shift[4];
@@ -74,7 +74,7 @@ static double find_grazing(double outside, double inside) {
     return 0.5 * (outside + inside);
 }
 
-/// Share of the time in contact when the rotor starts on the circle of the free rotor.
+/// Returns share of the time in contact when the rotor starts on the circle of the free rotor.
 static double contact_share(double speed) {
     rub_case p = {.speed = speed, .zeta = 0.05, .eccentricity = 0.2, .friction = 0.1};
     double start[4];
@@ -120,7 +120,8 @@ static void c2_synchronous_rub(void **unused) {
     }
 }
 
-/// Residual of a backward circle of radius r at the shaft's own speed: acceleration + r along, acceleration across.
+/// Computes the residual of a backward circle of radius r at the shaft's own speed: acceleration + r along,
+/// acceleration across.
 static void backward_residual(const rub_case *p, double speed, double radius, double residual[2]) {
     rub_case at = *p;
     at.speed = speed;
@@ -133,8 +134,8 @@ static void backward_residual(const rub_case *p, double speed, double radius, do
     residual[1] = slope[3];
 }
 
-/// Speed and radius of the backward circle by Newton's method. The friction does not depend on the shaft's speed here,
-/// so the shaft may as well turn at the speed of the whirl: then the circle closes in one revolution.
+/// Finds speed and radius of the backward circle by Newton's method. The friction does not depend on the shaft's speed
+/// here, so the shaft may turn at the speed of the whirl: then the circle closes in one revolution.
 static void find_backward_whirl(const rub_case *p, double *speed, double *radius) {
     for (int iteration = 0; iteration < 40; iteration++) {
         const double step = 1e-6;
@@ -150,7 +151,7 @@ static void find_backward_whirl(const rub_case *p, double *speed, double *radius
     }
 }
 
-/// Largest real part far outside the gap, where the rotor with its stator is linear.
+/// Returns largest real part far outside the gap, where the rotor with its stator is linear.
 static double far_growth(const rub_case *p, double friction) {
     rub_case far = *p;
     far.friction = friction;
@@ -219,7 +220,7 @@ static void c3_backward_whirl(void **unused) {
     }
 }
 
-/// The motion from a backward circle of radius r, 400 revolutions of a shaft at speed 3.
+/// Records the motion from a backward circle of radius r, over 400 revolutions of a shaft at speed 3.
 static whirl_record *record_from_circle(rub_case p, double radius, double whirl_speed, int steps) {
     p.speed = 3.0;
     const double start[4] = {radius, 0.0, 0.0, -radius * whirl_speed / p.speed};
@@ -252,7 +253,7 @@ static void c3_friction_that_never_reverses(void **unused) {
     }
 }
 
-/// Mean radius at which the whirl settles when friction follows the slip.
+/// Returns mean radius at which the whirl settles when friction follows the slip.
 static double settled_radius(const c3_row *row, double slip_speed, int steps, double *spread) {
     rub_case p = row->p;
     p.follows_slip = true;

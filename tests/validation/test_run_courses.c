@@ -20,12 +20,12 @@ enum { SIZE = 4096 };
 
 static const double two_pi = 6.283185307179586476925;
 
-/// When event `index` happened; its columns are those of the field.
+/// Returns a number of event `index`, by the columns of the field.
 static double happened(const whirl_result *result, size_t index) {
     return first_number(result, WHIRL_FIELD_RUNUP_HAPPENED, 0, 8 * index);
 }
 
-/// A disc of 1 kg on a spring, with the elements and the study of a run.
+/// Runs a disc of 1 kg on a spring, with the elements and the study of a run.
 static whirl_result *run_disc(const char *station, const char *elements, const char *study) {
     char text[SIZE];
     snprintf(text, sizeof text,

@@ -175,8 +175,8 @@ static void ledger_carry(ledger *own, double seconds, double rtol, double *x, su
 
 // ---------------------------------------------------------------- energies and powers of the cases
 
-/// Energy of a disc with an unbalance U at angle 0 whose shaft has the inertia J about axes through centres of mass:
-/// kinetic energy of both, and potential energy in the weight.
+/// Returns energy of a disc with an unbalance U at angle 0 whose shaft has the inertia J about axes through centres of
+/// mass: kinetic energy of both, and potential energy in the weight.
 static double disc_energy(const seen *at, size_t p, double mass, double moment, double inertia, double weight) {
     const double c = cos(at->angle), s = sin(at->angle), w = at->speed;
     const double vx = at->vx[p] - moment / mass * w * s, vy = at->vy[p] + moment / mass * w * c;
@@ -224,8 +224,8 @@ static void fill_half_turn(void) {
     }
 }
 
-/// Power in a short film, W: shear all around, and flow where the pressure of the film is above 0, which is exactly
-/// half of the circumference.
+/// Returns the power in a short film, W: shear all around, and flow where the pressure is above 0, which is half of the
+/// circumference.
 static double film_power(const seen *at, size_t p, double clearance, double radius, double length, double viscosity) {
     // h = c - x cos - y sin of the angle; the wedge w h'/2 + dh/dt = a cos + b sin of it, and below 0 behind `first`.
     const double x = at->x[p], y = at->y[p], w = at->speed;
@@ -261,7 +261,8 @@ static void sommerfeld_strong(const seen *at, account *out) {
     sommerfeld(at, 1.2, out);
 }
 
-/// Torques of the motor and of both couplings are watched; a coupling's is k d + c d' of the twist d between its ends.
+/// Accounts for the torques of the motor and of both couplings; a coupling has k d + c d' of the twist d between its
+/// ends.
 static void motor_start(const seen *at, account *out) {
     static const double inertia[] = {0.089, 0.02, 0.002, 0.05};
     static const struct {
@@ -300,8 +301,9 @@ typedef struct unbalance {
     double moment, ratio, angle;
 } unbalance;
 
-/// A station of 3 kg on springs of 1e5 N/m and dampers of 50 N s/m that moves along x, along y, or both ways, with
-/// unbalances of its own shaft and of others, and a drive with the inertia 0.05 about axes through centres of mass.
+/// Accounts for the energy of a station of 3 kg on springs of 1e5 N/m and dampers of 50 N s/m that moves along x, along
+/// y, or both ways, with unbalances of its own shaft and of others, and a drive with the inertia 0.05 about axes
+/// through centres of mass.
 static void station_account(const seen *at, const unbalance *of, size_t count, bool along_x, bool along_y,
                             account *out) {
     const double mass = 3.0, w = at->speed;

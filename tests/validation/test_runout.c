@@ -22,7 +22,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/// A shaft that runs out, at rest or with an unbalance: text of the case.
+/// Runs a shaft with runout, at rest or with an unbalance.
 static whirl_result *run_out(bool clockwise, double eccentricity, const char *runout) {
     char text[4096];
     snprintf(

@@ -24,7 +24,7 @@ static const double two_pi = 6.283185307179586476925;
 
 // ---------------------------------------------------------------- a drive
 
-/// Two discs with unbalances at 0 and 120 degrees on one shaft that a drive turns, from rest.
+/// Runs two discs with unbalances at 0 and 120 degrees on one shaft that a drive turns, from rest.
 static whirl_result *run_two(double weight, double duration, const char *more, const char *rotor) {
     char text[SIZE];
     snprintf(text, sizeof text,
@@ -222,7 +222,7 @@ static void samples_change_nothing(void **state) {
     whirl_result_free(few);
 }
 
-/// Two discs of 2 kg, 40 cm apart, with unbalances, on a shaft that a drive turns from rest.
+/// Runs two discs of 2 kg, 40 cm apart, with unbalances, on a shaft that a drive turns from rest.
 static whirl_result *run_unbalances(const char *rotor, const char *unbalances) {
     char text[SIZE];
     snprintf(text, sizeof text,
@@ -286,7 +286,7 @@ static void unbalances_said_otherwise(void **state) {
 
 // ---------------------------------------------------------------- sensitivity
 
-/// Ueda's oscillator, x'' + 0.05 x' + x^3 = 7.5 cos t, as a disc at a constant speed, with a tolerance.
+/// Runs Ueda's oscillator, x'' + 0.05 x' + x^3 = 7.5 cos t, as a disc at a constant speed, with a tolerance.
 static whirl_result *run_ueda(double duration, const char *tolerance) {
     char text[SIZE];
     snprintf(text, sizeof text,
@@ -299,7 +299,7 @@ static whirl_result *run_ueda(double duration, const char *tolerance) {
     return result_of_text(text);
 }
 
-/// Share of the largest radius by which the last places of two tolerances differ.
+/// Returns the difference of the last displacements at two tolerances, over the largest radius.
 static double apart_by_tolerance(double duration) {
     whirl_result *const both[] = {run_ueda(duration, "1e-10"), run_ueda(duration, "1e-11")};
     double place[2][2], radius = 0.0;

@@ -21,7 +21,7 @@
 
 enum { SIZE = 4096 };
 
-/// A disc of 1 kg on a spring of 1 N/m, with an eccentricity of 0.1 m.
+/// Runs a disc of 1 kg on a spring of 1 N/m, with an eccentricity of 0.1 m.
 static whirl_result *run_disc(const char *rotor, double damping, const char *elements, const char *study) {
     char text[SIZE];
     snprintf(text, sizeof text,
@@ -50,14 +50,14 @@ static size_t rows(const whirl_result *result, const char *field) {
     return whirl_layout_field(&result->tables[0].layout, field)->rows;
 }
 
-/// The amplitude of a bin in a spectrum; way: 0 forward, 1 backward.
+/// Returns the amplitude of a bin in a spectrum; way: 0 forward, 1 backward.
 static double bin_of(const whirl_result *result, size_t spectrum, size_t bin, size_t way) {
     return numbers(
         result,
         WHIRL_FIELD_RUNUP_SPECTRUM)[2 * (spectrum * rows(result, WHIRL_FIELD_RUNUP_SPECTRUM_ORDER) + bin) + way];
 }
 
-/// Amplitude of the disc under a turning force.
+/// Returns amplitude of the disc under a turning force.
 static double response(double damping, double frequency, double force) {
     return force / cabs(1.0 - frequency * frequency + I * damping * frequency);
 }
@@ -175,7 +175,7 @@ static void too_few_turns(void **state) {
     whirl_result_free(result);
 }
 
-/// The highest point of a line, and where it is.
+/// Returns the highest point of a line, and writes its place.
 static double top_of(const whirl_series *line, double *x) {
     double top = -INFINITY;
     for (size_t k = 0; k < line->count; k++)
@@ -215,7 +215,7 @@ static void figures_of_spectra(void **state) {
 
 // ---------------------------------------------------------------- vectors and mean positions
 
-/// Response to the unbalance at a speed, as a vector.
+/// Returns response to the unbalance at a speed, as a vector.
 static double complex unbalance_at(double damping, double speed) {
     return 0.1 * speed * speed / (1.0 - speed * speed + I * damping * speed);
 }

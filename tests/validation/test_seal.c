@@ -20,7 +20,7 @@ static const double pi = 3.14159265358979323846;
 static const double M = 1.0, Ks = 1.0, Ds = 0.02, K0 = 0.2, D0 = 0.3, fluid = 0.02, ratio = 0.48, growth = 2.0,
                     slowing = 0.5, clearance = 0.5;
 
-/// Weight along -y; eccentricity of the disc's centre of mass.
+/// Makes a disc in a seal: weight along -y; eccentricity of the disc's centre of mass.
 static whirl_rotor *make_sealed(double speed, bool nonlinear, double gravity, double eccentricity) {
     const whirl_setting disc[] = {{"mass", M, NULL}, {"damping", Ds, NULL}, {"eccentricity", eccentricity, NULL}};
     const whirl_setting shaft[] = {{"between", 0.0, "disc, ground"}, {"k1", Ks, NULL}};
@@ -50,7 +50,8 @@ static seal_at seal_law(double e, bool nonlinear) {
     return (seal_at){K0 * grown, D0 * grown, ratio * (nonlinear ? pow(1.0 - e, slowing) : 1.0)};
 }
 
-/// What a circle of ratio e at the whirl speed W asks for, over its radius: zero where it whirls by itself.
+/// Returns the force, over the radius, that keeps a circle of ratio e at the whirl speed W: zero for a self-excited
+/// whirl.
 static double complex stiffness_of_circle(double e, double W, double speed, bool nonlinear) {
     const seal_at s = seal_law(e, nonlinear);
     const double against = W - s.turn * speed; // the fluid turns at s.turn speed
@@ -59,7 +60,7 @@ static double complex stiffness_of_circle(double e, double W, double speed, bool
 
 // ---------------------------------------------------------------- the threshold
 
-/// The largest exponent per radian of the balanced rotor at rest, and the speed of whirl that goes with it.
+/// Returns the largest exponent per radian of the balanced rotor at rest, and writes its speed of whirl.
 static double growth_at_rest(double speed, double *whirl) {
     const double rest[N] = {0.0};
     double matrix[N * N], order;
@@ -85,7 +86,8 @@ static void threshold(void **unused) {
 
 // ---------------------------------------------------------------- circles
 
-/// Ratio and whirl speed of the circle above the threshold: W from the imaginary part, e from the real one.
+/// Returns the ratio e and writes the whirl speed of the circle above the threshold: W from the imaginary part, e from
+/// the real one.
 static double circle_at(double speed, double *whirl) {
     double low = 0.0, high = 0.999;
     for (int i = 0; i < 100; i++) {
@@ -179,7 +181,8 @@ static void the_wall(void **unused) {
 
 // ---------------------------------------------------------------- by the geometry
 
-/// Water at 1 MPa through a seal of 50 mm at 3000 rpm, on a disc of that mass; without the drop it is not turbulent.
+/// Makes a seal of 50 mm with water at 1 MPa at 3000 rpm, on a disc of that mass; without the pressure drop the flow is
+/// not turbulent.
 static whirl_rotor *make_black(double mass, double swirl) {
     const whirl_setting disc[] = {{"mass", mass, NULL}};
     const whirl_setting seal[] = {{"at", 0, "disc"},         {"law", 0, "black"},     {"clearance", 2e-4, NULL},
@@ -196,7 +199,7 @@ static whirl_rotor *make_black(double mass, double swirl) {
     return rotor;
 }
 
-/// kxx, kxy, cxx, cxy over the mass that moves with the disc, 1/s2 and 1/s.
+/// Computes kxx, kxy, cxx, cxy over the mass that moves with the disc, 1/s2 and 1/s.
 static void black_over_mass(double mass, double swirl, double out[4]) {
     const double rest[N] = {0.0}, speed = 100.0 * acos(-1.0);
     double matrix[N * N];

@@ -58,7 +58,7 @@ static answer spring(const given *g) {
     return a;
 }
 
-/// Stiffnesses k1 and k2 along axes at `angle` and across.
+/// Returns the force of stiffnesses k1 and k2 along axes at `angle` and across.
 static answer turned(number k1, number k2, number angle, const number d[2]) {
     const number c = ccosl(angle), s = csinl(angle);
     const number along = k1 * (c * d[0] + s * d[1]), aside = k2 * (c * d[1] - s * d[0]);
@@ -74,7 +74,7 @@ static answer crack(const given *g) {
     return turned(g->p[0] * (1.0L - g->p[1] * open), g->p[0] * (1.0L - g->p[2] * open), g->tau + g->p[3], g->d);
 }
 
-/// Capone's film: c, mu, R, L.
+/// Returns the force of Capone's film; numbers: c, mu, R, L.
 static answer film(const given *g) {
     const number c = g->p[0], x = g->d[0] / c, y = g->d[1] / c;
     const number A = x - 2.0L * g->w[1] / (c * g->speed), B = y + 2.0L * g->w[0] / (c * g->speed);
@@ -87,7 +87,8 @@ static answer film(const given *g) {
         .force = {K * (3.0L * x * V - sa * G - 2.0L * ca * S), K * (3.0L * y * V + ca * G - 2.0L * sa * S)}};
 }
 
-/// Short damper, half film: the pressure -mu v.n L^3/h^3 where v.n > 0, added up by Gauss' formula. c, mu, R, L.
+/// Returns the force of a short damper with half a film: the pressure -mu v.n L^3/h^3 where v.n > 0, added up by Gauss'
+/// formula. Numbers: c, mu, R, L.
 static answer squeeze(const given *g) {
     static const long double nodes[] = {0.1488743389816312L, 0.4333953941292472L, 0.6794095682990244L,
                                         0.8650633666889845L, 0.9739065285171717L};
@@ -109,7 +110,7 @@ static answer squeeze(const given *g) {
     return a;
 }
 
-/// c, K0, D0, m_f, lambda0, n, b.
+/// Returns the force of a seal; numbers: c, K0, D0, m_f, lambda0, n, b.
 static answer seal(const given *g) {
     const number *p = g->p, e = csqrtl(g->d[0] * g->d[0] + g->d[1] * g->d[1]) / p[0];
     const number turn = p[4] * g->speed * cpowl(1.0L - e, p[6]), grown = cpowl(1.0L - e * e, -p[5]);
@@ -120,7 +121,7 @@ static answer seal(const given *g) {
                     .inertia = m};
 }
 
-/// C, g0, cage, angle, damping; nine balls.
+/// Returns the force of a bearing of nine balls; numbers: C, g0, cage, angle, damping.
 static answer ball(const given *g) {
     answer a = {.force = {-g->p[4] * g->w[0], -g->p[4] * g->w[1]}, .slope = {g->p[2] * g->speed}};
     for (int j = 0; j < 9; j++) {
@@ -133,7 +134,7 @@ static answer ball(const given *g) {
     return a;
 }
 
-/// k, k_m, c; the states are lengths.
+/// Returns the force of a mount, whose states are lengths; numbers: k, k_m, c.
 static answer mount(const given *g) {
     answer a = {.inertia = 0.0L};
     for (int i = 0; i < 2; i++) {
@@ -143,7 +144,7 @@ static answer mount(const given *g) {
     return a;
 }
 
-/// Along y: k1, c1, k2, c2, g, k3, c3.
+/// Returns the force of a looseness along y; numbers: k1, c1, k2, c2, g, k3, c3.
 static answer looseness(const given *g) {
     const number *p = g->p, d = g->d[1], w = g->w[1];
     const bool seated = creall(d)<0.0L, held = creall(d)> creall(p[4]);
@@ -153,7 +154,7 @@ static answer looseness(const given *g) {
     return (answer){.force = {0.0L, -push}};
 }
 
-/// gap, k, c, f, R, v0.
+/// Returns the force of a rub; numbers: gap, k, c, f, R, v0.
 static answer rub(const given *g) {
     const number *p = g->p, x = g->d[0], y = g->d[1], r = csqrtl(x * x + y * y);
     const number normal = p[1] * (r - p[0]) + p[2] * (x * g->w[0] + y * g->w[1]) / r;
@@ -163,14 +164,14 @@ static answer rub(const given *g) {
     return (answer){.force = {-normal / r * (x - f * y), -normal / r * (f * x + y)}};
 }
 
-/// kxx, kxy, kyx, kyy, cxx, cxy, cyx, cyy.
+/// Returns the force of a linear bearing; numbers: kxx, kxy, kyx, kyy, cxx, cxy, cyx, cyy.
 static answer bearing(const given *g) {
     const number *p = g->p;
     return (answer){.force = {-p[0] * g->d[0] - p[1] * g->d[1] - p[4] * g->w[0] - p[5] * g->w[1],
                               -p[2] * g->d[0] - p[3] * g->d[1] - p[6] * g->w[0] - p[7] * g->w[1]}};
 }
 
-/// F, phi, delta, then the ratio or the frequency.
+/// Returns a turning force; numbers: F, phi, delta, then the ratio or the frequency.
 static answer turning_force(const given *g, number rate) {
     const number angle = g->p[1] + g->s[0] + g->p[2];
     return (answer){.force = {g->p[0] * ccosl(angle), g->p[0] * csinl(angle)}, .slope = {rate}};
@@ -186,7 +187,7 @@ static answer shaker(const given *g) {
     return (answer){.force = {size * ccosl(g->p[1]), size * csinl(g->p[1])}};
 }
 
-/// U, beta, the speed of its shaft.
+/// Returns the force of an unbalance; numbers: U, beta, the speed of its shaft.
 static answer unbalance(const given *g) {
     const number size = g->p[0] * g->p[2] * g->p[2], angle = g->p[1] + g->s[0];
     return (answer){.force = {size * ccosl(angle), size * csinl(angle)}, .slope = {g->p[2]}};
@@ -196,7 +197,7 @@ static answer gravity(const given *g) {
     return (answer){.force = {g->mass * g->p[0] * ccosl(g->p[1]), g->mass * g->p[0] * csinl(g->p[1])}};
 }
 
-/// c, e, beta of the station.
+/// Returns the force of a station; numbers: c, e, beta.
 static answer station(const given *g) {
     const number size = g->mass * g->p[1] * g->speed * g->speed, angle = g->tau + g->p[2];
     return (answer){.force = {size * ccosl(angle) - g->p[0] * g->w[0], size * csinl(angle) - g->p[0] * g->w[1]}};
@@ -302,7 +303,7 @@ static whirl_status make_sample(const void *context, const whirl_batch *batch, d
     return status;
 }
 
-/// The scaled right-hand side with numbers p: speed, scale, mass, then those of the element.
+/// Computes the scaled right-hand side with numbers p: speed, scale, mass, then those of the element.
 static void reference(const sample *of, const number *p, double tau, const double *x, number *slope) {
     given g = {.p = p + FIRST, .speed = p[SPEED], .tau = tau, .mass = p[MASS]};
     const bool lengths = of->law == mount;
@@ -324,8 +325,8 @@ static double uniform(uint64_t *seed, double low, double high) {
     return low + (high - low) * (double)(*seed >> 11) / 9007199254740992.0;
 }
 
-/// By one number p of a sample at states on all sides: the largest error as part of the derivative or of f/p, and how
-/// far errors are beyond what they were said to be at most.
+/// Differentiates by one number p of a sample at states on all sides. Finds the largest error as part of the derivative
+/// or of f/p, and how far errors exceed their reported bound.
 static void compare(const sample *of, size_t which, double *worst, double *beyond) {
     const family own = {of, which};
     const whirl_study study = {.machine = make_sample, .family = &own};
@@ -391,8 +392,8 @@ static const char *const cantilever = "whirl: 1\n"
                                       "study:\n"
                                       "  response: {}\n";
 
-/// The slopes at (x, y, tilts, velocities, phase of the force, phase of the shaft) by the diameter d; the lengths scale
-/// is 1e-4, tilts are in length scales over the radius of gyration of the mass at the station.
+/// Computes the slopes at (x, y, tilts, velocities, phase of the force, phase of the shaft) for the diameter d; the
+/// length scale is 1e-4, tilts are in length scales over the radius of gyration of the mass at the station.
 static void cantilever_slopes(number d, const double *q, number *slope) {
     const long double pi = acosl(-1.0L), L = 1e-4L, length = 0.4L, E = 2.11e11L;
     const number speed = 2000.0L * pi / 30.0L * (1.0L + d), clock = 0.37L * speed, outer = 12.0L * d;
@@ -504,7 +505,7 @@ static void free_motion(void **unused) {
     whirl_sensitivity_free(sensitivity);
 }
 
-/// Case C4 by its friction: a disc that rubs.
+/// Makes case C4, a disc that rubs, at a friction.
 static whirl_status make_rub(const void *context, const whirl_batch *batch, double value, whirl_machine *machine) {
     const double *damping = context;
     const whirl_setting disc[] = {{"mass", 1.0, NULL}, {"damping", 0.2, NULL}, {"eccentricity", 0.9, NULL}};

@@ -21,7 +21,7 @@ static const double two_pi = 6.283185307179586476925, scale = 1e-4, clock_rate =
 static double waveform[2 * COUNT];
 static float taken[TAKEN];
 
-/// The motion x = cos(order angle) scales, y = 0 at all instants.
+/// Makes the record of the motion x = cos(order angle) scales, y = 0 at all instants.
 static whirl_record turning(double order) {
     static const whirl_probe probe = {.name = "disc", .x = 0, .y = 1, .vx = 2, .vy = 3};
     for (size_t j = 0; j < COUNT; j++)

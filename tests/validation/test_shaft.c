@@ -41,7 +41,7 @@ static void b1_stiffness_matrix(void **unused) {
     whirl_rotor_free(rotor);
 }
 
-/// The map of one revolution in so many steps, x -> matrix x + shift.
+/// Computes the map of one revolution in `steps` steps, x -> matrix x + shift.
 static void find_map(const shaft_case *parameters, int steps, double matrix[16], double shift[4]) {
     whirl_rotor *rotor = make_shaft_rotor(parameters);
     whirl_integrator *integrator = make_integrator(whirl_rotor_system(rotor), "rk4", steps);
@@ -75,7 +75,7 @@ static void b2_multipliers(void **unused) {
     }
 }
 
-/// det(map - 1) changes its sign where a real pair of multipliers leaves 1.
+/// Returns det(map - 1), which changes its sign where a real pair of multipliers leaves 1.
 static double distance_from_one(double damping, double speed) {
     const shaft_case p = {.speed = speed, .damping = damping, .k1 = 0.8, .k2 = 1.2};
     double matrix[16], shift[4];
@@ -84,7 +84,7 @@ static double distance_from_one(double damping, double speed) {
     return determinant(4, matrix);
 }
 
-/// The speed between `outside` (stable) and `inside` (unstable) at which stability is lost.
+/// Returns the speed between `outside` (stable) and `inside` (unstable) at which stability is lost.
 static double find_edge(double damping, double outside, double inside) {
     for (int i = 0; i < 45; i++) {
         const double middle = 0.5 * (outside + inside);
@@ -123,7 +123,7 @@ static void add_harmonics(void *observer, double tau, const double *x) {
     h->backward += z * cexp(2.0 * I * tau);
 }
 
-/// Harmonics of the steady motion, whose start solves (1 - matrix) x = shift.
+/// Returns harmonics of the steady motion, whose start solves (1 - matrix) x = shift.
 static harmonics steady_harmonics(const shaft_case *parameters) {
     harmonics h = {0.0, 0.0, 0.0};
     double matrix[16], state[4];

@@ -20,8 +20,8 @@ enum { TEXT_SIZE = 2048 };
 static const double pi = 3.14159265358979323846;
 static const double modulus = 2.1e11, density = 7800.0, poisson = 0.3;
 
-/// A slender beam, 50 times as long as thick, of a length from 0 on, on bearings of 1 TN/m at both ends, with one more
-/// station off its middle; `shaft`: keys of the shaft, `elements` of its mesh.
+/// Makes a slender beam, 50 times as long as thick, of a length from 0 on, on bearings of 1 TN/m at both ends, with one
+/// more station off its middle; `shaft`: keys of the shaft, `elements` of its mesh.
 static whirl_case *beam(double length, const char *shaft, int elements, const char *more, const char *study) {
     char text[TEXT_SIZE];
     whirl_case *object;
@@ -38,8 +38,8 @@ static whirl_case *beam(double length, const char *shaft, int elements, const ch
     return object;
 }
 
-/// The line of a mode, in terms of its displacement at `beside`, against sin(n pi z/L): as near as cubics between nodes
-/// h apart come to it, (n pi h/L)^4/384, and a tenth more, for the nodes are not on it to the last digit either.
+/// Checks the line of a mode, over its displacement at `beside`, against sin(n pi z/L). The tolerance is the error of
+/// cubics between nodes h apart, (n pi h/L)^4/384, and a tenth more, since the nodes are not exact either.
 static void expect_sines(const char *what, double length, const char *shaft, int elements) {
     whirl_case *object = beam(length, shaft, elements, "", "modes: {count: 8}");
     whirl_study study;

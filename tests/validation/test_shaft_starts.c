@@ -16,7 +16,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/// The machine of a case at its first point, from start `which`.
+/// Makes the machine of a case at its first point, from start `which`.
 static whirl_machine machine_of(const char *rotor, const char *study, size_t which) {
     char text[8192];
     whirl_case *object;
@@ -36,7 +36,7 @@ static void assert_near(double expected, double obtained, double tolerance) {
     if (!(fabs(obtained - expected) <= tolerance)) fail_msg("expected %.6g, obtained %.6g", expected, obtained);
 }
 
-/// Displacements along y of the first `count` stations after a revolution.
+/// Computes displacements along y of the first `count` stations after a revolution.
 static void displacements_after(const whirl_machine *machine, size_t count, double *y) {
     const whirl_system *system = machine->system;
     whirl_integrate_options options = whirl_integrate_default();
@@ -94,7 +94,7 @@ static void reduced_shaft_start(void **state) {
     }
 }
 
-/// The largest rate of a velocity where a motion begins.
+/// Returns the largest rate of a velocity where a motion begins.
 static double largest_acceleration(const whirl_machine *machine) {
     const size_t n = machine->system->dimension;
     double *slope = calloc(n, sizeof *slope), largest = 0.0;

@@ -19,7 +19,7 @@ static const double pi = 3.14159265358979323846;
 
 // ---------------------------------------------------------------- machines and their frequencies
 
-/// A rotor from the text of `rotor:` below its length scale.
+/// Makes a rotor from the text of `rotor:` below its length scale.
 static whirl_rotor *rotor_from(const char *text) {
     char whole[16384];
     whirl_case *object;
@@ -33,7 +33,7 @@ static whirl_rotor *rotor_from(const char *text) {
     return rotor;
 }
 
-/// The exact Jacobian at rest [n][n], with the values of time at t, or none.
+/// Returns the exact Jacobian at rest [n][n], with the forcing at t, or without.
 static double *jacobian_of(const whirl_system *system, const double *t) {
     const size_t n = system->dimension;
     double *rest = calloc(n, sizeof *rest), *unit = calloc(n * n, sizeof *unit),
@@ -57,7 +57,7 @@ static int by_frequency(const void *one, const void *other) {
 
 enum { MAX_MODES = 2048 };
 
-/// The eigenvalues with positive frequencies, rad/s, by rising frequency; how many.
+/// Writes the eigenvalues with positive frequencies, rad/s, by rising frequency; returns their number.
 static size_t frequencies_at(const whirl_rotor *rotor, const double *t, double complex found[MAX_MODES]) {
     const whirl_system *system = whirl_rotor_system(rotor);
     const size_t n = system->dimension;
@@ -79,7 +79,8 @@ static size_t frequencies(const whirl_rotor *rotor, double complex found[MAX_MOD
 
 // ---------------------------------------------------------------- uniform shafts
 
-/// L = 1 m, d = 80 mm, simply supported by springs that give way by less than 1e-9 of what the shaft does.
+/// Makes a uniform shaft, L = 1 m, d = 80 mm, simply supported by springs that yield by less than 1e-9 of the shaft's
+/// deflection.
 static whirl_rotor *uniform_shaft(const char *keys, const char *segment, int elements, double speed) {
     char text[2048];
     snprintf(text, sizeof text,
@@ -91,7 +92,8 @@ static whirl_rotor *uniform_shaft(const char *keys, const char *segment, int ele
     return rotor_from(text);
 }
 
-/// w^2 (1 + (n pi/L)^2 I/A) - 2 Omega w (n pi/L)^2 I/A = (EI/rho A)(n pi/L)^4: forward above zero, backward below.
+/// Returns the root w of w^2 (1 + (n pi/L)^2 I/A) - 2 Omega w (n pi/L)^2 I/A = (EI/rho A)(n pi/L)^4: forward above
+/// zero, backward below.
 static double rayleigh_whirl(int n, double speed, int sign) {
     const double k = n * pi, gyration = 0.08 * 0.08 / 16.0, a = 1.0 + k * k * gyration, b = speed * k * k * gyration;
     const double c = 2.11e11 / 7810.0 * gyration * k * k * k * k;
@@ -147,8 +149,8 @@ static double complex nearest(const double complex *found, size_t count, double 
     return best;
 }
 
-/// The root of s^2 + (alpha + beta w^2) s + eta w^2 (s - i W) + w^2 ((1 + h) - i h)/sqrt(1 + h^2) = 0 near i w: a mode
-/// of the undamped shaft with damping in proportion and inside (Zorzi, Nelson 1977).
+/// Returns the root of s^2 + (alpha + beta w^2) s + eta w^2 (s - i W) + w^2 ((1 + h) - i h)/sqrt(1 + h^2) = 0 near i w:
+/// a mode of the undamped shaft with proportional and internal damping (Zorzi, Nelson 1977).
 static double complex damped_root(double w, double speed, double alpha, double beta, double eta, double h) {
     const double complex b = alpha + (beta + eta) * w * w;
     const double complex c = w * w * ((1.0 + h - I * h) / sqrt(1.0 + h * h) - I * eta * speed);
@@ -250,7 +252,7 @@ static void a_mesh_is_as_fine_as_it_must(void **state) {
 
 // ---------------------------------------------------------------- a commercial program
 
-/// ROSS's example rotor: example 5.9.2 of Friswell et al. 2010.
+/// Makes ROSS's example rotor: example 5.9.2 of Friswell et al. 2010.
 static whirl_rotor *example_rotor(const char *mass) {
     char text[2048];
     snprintf(text, sizeof text,
@@ -289,7 +291,7 @@ static void masses_are_lumped_and_consistent_as_elsewhere(void **state) {
 
 // ---------------------------------------------------------------- reduction
 
-/// An overhung rotor of 20 elements; `keys` of the shaft, `more` elements.
+/// Makes an overhung rotor of 20 elements; `keys` of the shaft, `more` elements.
 static whirl_rotor *overhung(const char *keys, const char *more) {
     char text[4096];
     snprintf(text, sizeof text,
@@ -306,7 +308,7 @@ static whirl_rotor *overhung(const char *keys, const char *more) {
 static const char springs[] = "    - bearing: {at: left, kxx: 2e7, cxx: 2e3}\n"
                               "    - bearing: {at: right, kxx: 3e7, kyy: 2e7, cxx: 2e3}\n";
 
-/// Displacements of the three stations under the weight: J x = -f.
+/// Computes the displacements of the three stations under the weight: J x = -f.
 static void sag_of(const whirl_rotor *rotor, double sag[6]) {
     const whirl_system *system = whirl_rotor_system(rotor);
     const size_t n = system->dimension;
@@ -359,8 +361,8 @@ static void frequencies_come_nearer_as_more_is_kept(void **state) {
     check_within("CB2", "with all modes", 0.0, last, 1e-9);
 }
 
-/// Two shafts of their own speeds with a bearing between them; modes of which no node moves are among those that are
-/// kept.
+/// Makes two shafts of their own speeds with a bearing between them; modes in which no node moves are among those that
+/// are kept.
 static whirl_rotor *two_shafts(const char *reduce) {
     char text[2048];
     snprintf(text, sizeof text,
@@ -493,7 +495,7 @@ static const char films[] = "    - film: {at: left, clearance: 1e-4, viscosity: 
                             "    - film: {at: right, clearance: 1e-4, viscosity: 0.03, radius: 0.025, length: 0.03}\n"
                             "    - rub: {at: disc, gap: 1e-4, stiffness: 3e6, damping: 200, friction: 0.05}\n";
 
-/// The stations [6] after some revolutions.
+/// Computes the displacements [6] of the stations after some revolutions.
 static void carried(const char *keys, const char *method, double rtol, int revolutions, double x[6]) {
     char all[100];
     snprintf(all, sizeof all, "%s, stiffness_damping: 1e-5",

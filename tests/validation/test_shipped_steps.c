@@ -16,8 +16,8 @@
 
 enum { GROWN = 64 }; ///< revolutions in which half-speed whirl grows from the rest of a film to its limit
 
-/// The growth that whirl's own check of steps finds at a point after so many revolutions; a method that is stable
-/// carries the motion there.
+/// Returns the growth that whirl's own check of steps finds at a point after `revolutions`; a stable method carries the
+/// motion there.
 static double growth_after(int revolutions, const whirl_study *study, const whirl_batch *batch, size_t point) {
     whirl_machine machine;
     whirl_step_check check;
@@ -44,7 +44,7 @@ static double growth_after(int revolutions, const whirl_study *study, const whir
     return check.growth;
 }
 
-/// The largest growth at the ends of a case's sweeps by fixed steps; 0 where it has none.
+/// Returns the largest growth at the ends of a case's sweeps by fixed steps; 0 where it has none.
 static double worst_of(whirl_case *object) {
     whirl_study study;
     double worst = 0.0;

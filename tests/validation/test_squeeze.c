@@ -32,8 +32,8 @@ static double uniform(uint64_t *seed, double low, double high) {
     return low + (high - low) * (double)(*seed >> 11) / 9007199254740992.0;
 }
 
-/// A damper of clearance, viscosity, radius and length 1 between two masses of 1 at speed 1, so that accelerations are
-/// forces over mu omega R L^3/c^2.
+/// Makes a damper of clearance, viscosity, radius and length 1 between two masses of 1 at speed 1, so that
+/// accelerations are forces over mu omega R L^3/c^2.
 static whirl_rotor *make_damper(const struct law *law) {
     whirl_design *design;
     whirl_rotor *rotor;
@@ -49,7 +49,7 @@ static whirl_rotor *make_damper(const struct law *law) {
     return rotor;
 }
 
-/// The force at (x, y, x', y') of the journal from a housing that moves itself, over 12 for long dampers.
+/// Computes the force at (x, y, x', y') of the journal from a housing that also moves, over 12 for long dampers.
 static void damper_force(const whirl_rotor *rotor, bool is_long, const double s[4], double force[2]) {
     static const double moved[4] = {0.25, -0.5, 0.125, 0.375};
     const double state[8] = {s[0] + moved[0], s[1] + moved[1], moved[0], moved[1],
@@ -65,7 +65,7 @@ static void damper_force(const whirl_rotor *rotor, bool is_long, const double s[
 
 // ---------------------------------------------------------------- circular centred orbits
 
-/// Radial (inward) and tangential force on a circular centred orbit, in closed form.
+/// Computes the radial (inward) and tangential force on a circular centred orbit, in closed form.
 static void circular_force(const struct law *law, double e, double force[2]) {
     const double q = 1.0 - e * e, ring = 2.0 + e * e;
     const double radial = law->is_long ? 2.0 * e * e / (ring * q) : 2.0 * e * e / (q * q);
@@ -153,7 +153,7 @@ static long double thickness(const double *s, long double phi) {
     return 1.0L - s[0] * cosl(phi) - s[1] * sinl(phi);
 }
 
-/// The short damper's pressure along (cos, sin).
+/// Computes the short damper's pressure along (cos, sin).
 static void short_pressure(const double *s, long double constant, long double phi, long double value[2]) {
     const long double h = thickness(s, phi), pressure = (s[2] * cosl(phi) + s[3] * sinl(phi)) / (h * h * h);
     (void)constant;
@@ -168,15 +168,16 @@ static void short_force(const struct law *law, const double *s, double force[2])
     for (int i = 0; i < 2; i++) force[i] = (double)-sum[i];
 }
 
-/// The slope of the long damper's pressure: h^3 dp/dphi is the integral of dh/dt and a constant. And 1/h^3.
+/// Computes the slope of the long damper's pressure: h^3 dp/dphi is the integral of dh/dt and a constant. Also writes
+/// 1/h^3.
 static void long_slope(const double *s, long double constant, long double phi, long double value[2]) {
     const long double h = thickness(s, phi);
     value[0] = (s[3] * cosl(phi) - s[2] * sinl(phi) + constant) / (h * h * h);
     value[1] = 1.0L / (h * h * h);
 }
 
-/// The slope along (-sin, cos), whose integral is that of the pressure along (cos, sin), by parts, where the pressure
-/// vanishes at both ends.
+/// Computes the slope along (-sin, cos). Its integral is that of the pressure along (cos, sin), by parts, if the
+/// pressure vanishes at both ends.
 static void long_push(const double *s, long double constant, long double phi, long double value[2]) {
     long double slope[2];
     long_slope(s, constant, phi, slope);
@@ -184,8 +185,8 @@ static void long_push(const double *s, long double constant, long double phi, lo
     value[1] = cosl(phi) * slope[0];
 }
 
-/// Reynolds' equation on the circumference solved by quadrature, the constant from a pressure that is the same after
-/// one turn. The half film begins where the pressure is the same as on the opposite side, found by halving.
+/// Solves Reynolds' equation on the circumference by quadrature; the constant follows from equal pressures after one
+/// turn. The half film begins where the pressure is that of the opposite side, found by halving.
 static void long_force(const struct law *law, const double *s, double force[2]) {
     long double sum[2], opposite[2], constant;
     integrate(long_slope, s, 0.0L, 0.0L, 2.0L * pi, 200, sum);
@@ -260,8 +261,8 @@ static void a_bearing_without_wedge(void **unused) {
 
 // ---------------------------------------------------------------- the derivative
 
-/// The force in extended complex numbers, by angles: with alpha the angle of the motion, a and b the displacement
-/// across and along it, and K = int 1/h over the film.
+/// Computes the force in extended complex numbers, by angles: with alpha the angle of the motion, a and b the
+/// displacement across and along it, and K = int 1/h over the film.
 static void complex_force(const struct law *law, const number z[4], number f[2]) {
     number v[2] = {z[2], z[3]};
     const number square = z[0] * z[0] + z[1] * z[1], q = 1.0L - square, p = z[0] * z[2] + z[1] * z[3];
@@ -364,8 +365,7 @@ static whirl_rotor *make_rotor(double speed) {
     return rotor;
 }
 
-/// Of a circular orbit of the journal: z, and how far the force that keeps it there is from the one that the disc
-/// gives.
+/// Computes a circular orbit of the journal: z. Returns how far the force that keeps it there differs from the disc's.
 static double balance(double w, double e, double complex *disc, double complex *journal) {
     const double complex inertia = m.shaft - m.disc * w * w + I * w * m.drag;
     const double complex push = m.disc * m.eccentricity * w * w;
@@ -380,7 +380,7 @@ static double balance(double w, double e, double complex *disc, double complex *
     return cabs(needed) - cabs(m.shaft * push / inertia);
 }
 
-/// The roots e of the balance, smallest first; at most three.
+/// Writes the roots e of the balance, smallest first; returns their number, at most three.
 static int circles(double w, double roots[3]) {
     enum { CELLS = 2000 };
     double complex disc, journal;
@@ -401,7 +401,7 @@ static int circles(double w, double roots[3]) {
     return count;
 }
 
-/// The section point that 300 revolutions lead to, from one that is off by 1 %.
+/// Computes the section point after 300 revolutions from a start that is off by 1 %.
 static void settle(double w, double e, double state[8]) {
     whirl_rotor *rotor = make_rotor(w);
     whirl_integrator *integrator = make_integrator(whirl_rotor_system(rotor), "dop853", 64);

@@ -22,12 +22,12 @@
 typedef long double real;
 typedef long double complex number;
 
-enum { STATIONS = 3, MOST = 40, TEXT = 4096 };
+enum { STATIONS = 3, MAX_SIZE = 40, TEXT = 4096 };
 
 // ---------------------------------------------------------------- eigenvalues
 
 /// Scales rows and columns by powers of two until their sums are alike.
-static void balance(size_t n, real a[MOST][MOST]) {
+static void balance(size_t n, real a[MAX_SIZE][MAX_SIZE]) {
     bool changed = true;
     for (int sweep = 0; sweep < 100 && changed; sweep++) {
         changed = false;
@@ -46,7 +46,7 @@ static void balance(size_t n, real a[MOST][MOST]) {
     }
 }
 
-static void make_hessenberg(size_t n, number a[MOST][MOST]) {
+static void make_hessenberg(size_t n, number a[MAX_SIZE][MAX_SIZE]) {
     for (size_t m = 1; m + 1 < n; m++) {
         size_t pivot = m;
         for (size_t i = m; i < n; i++)
@@ -70,9 +70,9 @@ static void make_hessenberg(size_t n, number a[MOST][MOST]) {
     }
 }
 
-/// The eigenvalues of a [n][n] by QR steps with Wilkinson's shifts (Golub, Van Loan 2013, 7.5).
-static void find_eigenvalues(size_t n, real matrix[MOST][MOST], number *values) {
-    static number a[MOST][MOST];
+/// Computes the eigenvalues of a [n][n] by QR steps with Wilkinson's shifts (Golub, Van Loan 2013, 7.5).
+static void find_eigenvalues(size_t n, real matrix[MAX_SIZE][MAX_SIZE], number *values) {
+    static number a[MAX_SIZE][MAX_SIZE];
     balance(n, matrix);
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < n; k++) a[i][k] = matrix[i][k];
@@ -91,7 +91,7 @@ static void find_eigenvalues(size_t n, real matrix[MOST][MOST], number *values) 
         const number root = csqrtl(0.25L * (p - s) * (p - s) + q * r), middle = 0.5L * (p + s);
         number shift = cabsl(middle + root - s) < cabsl(middle - root - s) ? middle + root : middle - root;
         if (step % 11 == 10) shift = cabsl(r) + cabsl(s);
-        number c[MOST], sine[MOST];
+        number c[MAX_SIZE], sine[MAX_SIZE];
         for (size_t i = low; i < end; i++) a[i][i] -= shift;
         for (size_t i = low; i + 1 < end; i++) {
             const real size = hypotl(cabsl(a[i][i]), cabsl(a[i + 1][i]));
@@ -117,13 +117,13 @@ static void find_eigenvalues(size_t n, real matrix[MOST][MOST], number *values) 
 
 static uint64_t seed;
 
-/// Evenly from 0 to 1.
+/// Returns numbers distributed evenly from 0 to 1.
 static double even(void) {
     seed = seed * 6364136223846793005u + 1442695040888963407u;
     return (double)(seed >> 11) / 9007199254740992.0;
 }
 
-/// 10 to a power between two.
+/// Returns 10 to a random power between two bounds.
 static double power(double low, double high) {
     return pow(10.0, low + (high - low) * even());
 }
@@ -157,7 +157,7 @@ static size_t coordinate_of(const machine *m, size_t plane, size_t station, size
     return (plane * m->stations + station) * m->per + tilt;
 }
 
-/// A spring from a station to another, or to the ground.
+/// Adds a spring from a station to another, or to the ground.
 static void put_between(const machine *m, real matrix[2 * 2 * STATIONS][2 * 2 * STATIONS], size_t a, size_t b,
                         real added) {
     for (size_t plane = 0; plane < 2; plane++) {
@@ -259,9 +259,9 @@ static void make_machine(machine *m) {
     add(m, "study: {modes: {}}\n");
 }
 
-/// The eigenvalues, how many; without those of what nothing holds.
+/// Writes the eigenvalues and returns their number; those of free coordinates are left out.
 static size_t solve_machine(const machine *m, number *values) {
-    static real a[MOST][MOST];
+    static real a[MAX_SIZE][MAX_SIZE];
     const size_t n = 2 * m->stations * m->per, all = 2 * n + 2 * m->loop_count;
     memset(a, 0, sizeof a);
     for (size_t i = 0; i < n; i++) {
@@ -291,15 +291,15 @@ static size_t solve_machine(const machine *m, number *values) {
     return all + 2;
 }
 
-/// The logarithm of how much larger a small motion about rest is after eight times 1/|growth| than after four; NaN
-/// where that takes too long.
+/// Returns the logarithm of the growth of a small motion about rest from four to eight times 1/|growth|; NaN if that
+/// takes too long.
 static double grow(const whirl_system *system, double growth, double fastest) {
     const double times = 8.0, most = 300.0;
     const double revolutions = ceil(times / (fabs(growth) * system->period));
     if (revolutions > most || fastest * revolutions * system->period > 2e4) return (double)NAN;
     whirl_integrate_options options = whirl_integrate_default();
     whirl_integrator *integrator;
-    double x[MOST], square[3] = {0, 0, 0};
+    double x[MAX_SIZE], square[3] = {0, 0, 0};
     snprintf(options.method, sizeof options.method, "rodas5p");
     options.rtol = 1e-8;
     options.atol = 1e-30;
@@ -321,7 +321,7 @@ static void two_hundred_machines(void **unused) {
     seed = 41;
     for (int k = 0; k < MACHINES; k++) {
         static machine m;
-        number values[MOST];
+        number values[MAX_SIZE];
         whirl_case *object;
         whirl_rotor *rotor;
         whirl_modes *modes;
@@ -336,7 +336,7 @@ static void two_hundred_machines(void **unused) {
         require_ok(whirl_case_rotor(object, NULL, NAN, &rotor));
         const whirl_system *system = whirl_rotor_system(rotor);
         const double clock = whirl_rotor_clock(rotor);
-        double start[MOST] = {0};
+        double start[MAX_SIZE] = {0};
         require_ok(whirl_modes_new(system, start, &modes));
         const bool same = (modes->growth > 0.0) == (growth > 0.0L) && modes->growth != 0.0;
         if (!same) printf("machine %d: growth %.6Lg, obtained %.6g\n%s", k, growth, clock * modes->growth, m.text);
@@ -424,11 +424,11 @@ static double distance(const whirl_system *system, const double *a, const double
     return sqrt(square);
 }
 
-/// The logarithm of the gain of a small distance from the motion at rest in the second half of 8/|growth|.
+/// Returns the logarithm of the gain of a small distance from the motion at rest in the second half of 8/|growth|.
 static double gain_of(const whirl_system *system, const double *rest, double growth) {
     whirl_integrate_options options = whirl_integrate_default();
     whirl_integrator *integrator;
-    double x[2][MOST], was = 1.0, is = 1.0;
+    double x[2][MAX_SIZE], was = 1.0, is = 1.0;
     const int half = (int)fmin(40.0, ceil(4.0 / (fabs(growth) * system->period)));
     snprintf(options.method, sizeof options.method, "rodas5p");
     options.rtol = 1e-8;
@@ -465,8 +465,8 @@ static void every_element(void **unused) {
             require_ok(whirl_case_parse(text, strlen(text), "element", NULL, &object));
             require_ok(whirl_case_rotor(object, NULL, NAN, &rotor));
             const whirl_system *system = whirl_rotor_system(rotor);
-            double start[MOST] = {0};
-            assert_true(system->dimension <= MOST);
+            double start[MAX_SIZE] = {0};
+            assert_true(system->dimension <= MAX_SIZE);
             whirl_rotor_complete(rotor, start);
             require_ok(whirl_modes_new(system, start, &modes));
             const double gain = gain_of(system, modes->rest, modes->growth);

@@ -99,7 +99,7 @@ static int kind_of_point(const whirl_table *table, size_t point) {
     return 3 * (verdict.regime == WHIRL_PERIODIC ? verdict.period : 0) + (mean > 0.3 ? 1 : mean < -0.3 ? 2 : 0);
 }
 
-/// The kind that brute force comes to with so many steps.
+/// Returns the kind of motion that brute force reaches with `steps` steps.
 static int brute_kind(double force, size_t start, int steps) {
     const brute b = {duffing, force, 2, steps, 500};
     double x[MAX_STATE];
@@ -222,7 +222,7 @@ static bool point_is_sought(const ratio *at, const whirl_table *table, size_t po
     return is_sought(at, verdict.regime == WHIRL_PERIODIC ? verdict.period : 0, largest);
 }
 
-/// The equations of this file are those of the case: slopes at a few states.
+/// Checks that the equations of this file are those of the case: slopes at a few states.
 static void equations_agree(const whirl_study *study) {
     double largest = 0.0;
     for (size_t place = 0; place < RATIOS; place++) {

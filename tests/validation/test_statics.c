@@ -13,11 +13,11 @@
 #include "support_check.h"
 #include "whirl/engine/rotor.h"
 
-enum { MOST = 8 };
+enum { MAX_STATIONS = 8 };
 static const double g = 9.80665, modulus = 2.1e11, density = 7800.0, diameter = 0.3;
 static const double pi = 3.14159265358979323846;
 
-/// kg/m and N m2 of the shaft.
+/// Returns the mass of the shaft per length, kg/m; `bending` is its stiffness, N m2.
 static double line_mass(void) {
     return density * pi * diameter * diameter / 4.0;
 }
@@ -33,16 +33,16 @@ static whirl_setting word(const char *key, const char *value) {
     return (whirl_setting){.key = key, .text = value};
 }
 
-/// Agreement to a share of what is expected.
+/// Checks a number to a relative tolerance.
 static void check_relative(const char *id, const char *what, double expected, double obtained, double share) {
     check_within(id, what, expected, obtained, share * fabs(expected));
 }
 
-/// A uniform shaft without shear, with stations at rising places and bearings at those of `bearing`; the mesh has
-/// `elements` pieces between two stations. mass: of the last station.
+/// Computes a uniform shaft without shear, with stations at rising places and bearings at those of `bearing`; the mesh
+/// has `elements` pieces between two stations. mass: of the last station.
 static whirl_status lay(double length, size_t count, const double *places, const bool *bearing, int elements,
                         double mass, const char *couplings, whirl_station_statics *out, double *influence) {
-    static const char *const names[MOST] = {"a", "b", "c", "d", "e", "f", "g", "h"};
+    static const char *const names[MAX_STATIONS] = {"a", "b", "c", "d", "e", "f", "g", "h"};
     whirl_design *design;
     assert_int_equal(whirl_design_new(100.0, 1e-3, &design).code, WHIRL_OK);
     const whirl_setting steel[] = {number("modulus", modulus), number("poisson", 0.3), number("density", density)};
@@ -70,8 +70,8 @@ static whirl_status lay(double length, size_t count, const double *places, const
 static void beam_with_overhang(void **unused) {
     static const double places[] = {0.0, 1.0, 2.0, 2.5}, L = 2.0, a = 0.5, m = 120.0;
     static const bool bearing[] = {true, false, true, false};
-    whirl_station_statics at[MOST];
-    double influence[MOST * MOST];
+    whirl_station_statics at[MAX_STATIONS];
+    double influence[MAX_STATIONS * MAX_STATIONS];
     (void)unused;
     assert_int_equal(lay(2.5, 4, places, bearing, 5, m, "", at, influence).code, WHIRL_OK);
     const double q = line_mass() * g, P = m * g, EI = bending();
@@ -93,8 +93,8 @@ static void beam_with_overhang(void **unused) {
 static void three_bearings(void **unused) {
     static const double places[] = {0.0, 2.0, 4.0}, l = 2.0;
     static const bool bearing[] = {true, true, true};
-    whirl_station_statics at[MOST];
-    double influence[MOST * MOST];
+    whirl_station_statics at[MAX_STATIONS];
+    double influence[MAX_STATIONS * MAX_STATIONS];
     (void)unused;
     assert_int_equal(lay(4.0, 3, places, bearing, 4, 0.0, "", at, influence).code, WHIRL_OK);
     const double weight = line_mass() * g * 4.0;
@@ -113,8 +113,8 @@ static void aligned_rotors(void **unused) {
     static const double L = 3.0, a = 0.4;
     static const double places[] = {0.0, 3.0, 3.4, 3.8, 6.8};
     static const bool bearing[] = {true, true, false, true, true};
-    whirl_station_statics at[MOST];
-    double influence[MOST * MOST];
+    whirl_station_statics at[MAX_STATIONS];
+    double influence[MAX_STATIONS * MAX_STATIONS];
     (void)unused;
     assert_int_equal(lay(6.8, 5, places, bearing, 4, 0.0, "c", at, influence).code, WHIRL_OK);
     const double q = line_mass() * g,
@@ -171,8 +171,8 @@ static void two_layers(void **unused) {
 static void what_is_refused(void **unused) {
     static const double places[] = {0.0, 1.0, 2.0};
     static const bool two[] = {true, false, true}, one[] = {true, false, false};
-    whirl_station_statics at[MOST];
-    double influence[MOST * MOST];
+    whirl_station_statics at[MAX_STATIONS];
+    double influence[MAX_STATIONS * MAX_STATIONS];
     (void)unused;
     whirl_status status = lay(2.0, 3, places, one, 2, 0.0, "", at, influence);
     assert_int_equal(status.code, WHIRL_BAD_INPUT);

@@ -189,11 +189,11 @@ static double apart(size_t n, const double *a, const double *b) {
     return worst;
 }
 
-enum { MOST = 20 };
+enum { MAX_DIMENSION = 20 };
 
-/// From `start`, after a few revolutions: rodas5p in lanes and alone, beside the others.
+/// Compares the states after a few revolutions from `start`: rodas5p in lanes and alone, with the other methods.
 static void compare_methods(const char *name, const whirl_system *system, const double *start, int revolutions) {
-    double lanes[MOST], alone[MOST], bdf[MOST], dop853[MOST];
+    double lanes[MAX_DIMENSION], alone[MAX_DIMENSION], bdf[MAX_DIMENSION], dop853[MAX_DIMENSION];
     const size_t n = system->dimension, bytes = n * sizeof *start;
     memcpy(lanes, start, bytes);
     memcpy(alone, start, bytes);
@@ -214,7 +214,7 @@ static void stiff_films_by_other_methods(void **unused) {
     whirl_study study;
     whirl_case *object = load_pump(&study);
     whirl_machine machine;
-    double x[MOST];
+    double x[MAX_DIMENSION];
     (void)unused;
     require_ok(study.machine(study.family, &study.batches[0], study.batches[0].values[MIDDLE], &machine));
     memcpy(x, machine.start, sizeof x);

@@ -169,7 +169,7 @@ static whirl_result *written(const whirl_result *result) {
     return read;
 }
 
-/// The text of all files of a folder, which goes away; to be freed.
+/// Returns the text of all files of a folder, and removes the folder; to be freed.
 static char *text_of(const char *folder) {
     char command[SIZE], *text = NULL;
     size_t size = 0;
@@ -184,7 +184,7 @@ static char *text_of(const char *folder) {
     return text;
 }
 
-/// No renderer calls points undetermined that nobody has judged: summary, JSON, CSV, report with its figures.
+/// Checks that no renderer calls points undetermined that were not judged: summary, JSON, CSV, report with its figures.
 static void no_verdict_is_said(const whirl_result *result, const char *study) {
     static const char *const name[] = {"kind"};
     char folder[] = "/tmp/whirl-kind-XXXXXX", path[64];

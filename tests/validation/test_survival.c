@@ -18,7 +18,8 @@
 
 static const double pi = 3.14159265358979323846;
 
-/// p: by how much the parabola overshoots; -1: Henon's map.
+/// Computes the slopes of a flow whose section is a map: a parabola that exceeds the interval by p, or Henon's (p =
+/// -1).
 static int relay(double t, const double *x, const double *p, double *dxdt, void *context) {
     const double s = sin(t), to = s > 0.0 ? 25.0 * s * s : 0.0, back = s < 0.0 ? 25.0 * s * s : 0.0;
     const bool henon = p[0] < 0.0;
@@ -95,7 +96,7 @@ static void what_lasts_has_no_ends(void **state) {
     }
 }
 
-/// Verdicts of systems with these values of p.
+/// Computes verdicts of systems with these values of p.
 static whirl_result *run(const double *values, size_t count, int threads) {
     whirl_user_system *system;
     whirl_job *job;

@@ -21,7 +21,7 @@ enum { X, Y, FORWARD, BACKWARD };
 
 static const double degree = 3.14159265358979323846 / 180.0;
 
-/// The synchronous part after 500 revolutions, over 20.
+/// Returns the synchronous part after 500 revolutions, over 20.
 static whirl_synchronous synchronous_of(whirl_rotor *rotor, const double *start, const char *method) {
     whirl_record_options options = whirl_record_default();
     whirl_integrate_options integrate = whirl_integrate_default();

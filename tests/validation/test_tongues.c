@@ -20,7 +20,7 @@ static const double pi = 3.14159265358979323846;
 
 // ---------------------------------------------------------------- the map
 
-/// Half of what an angle 2h gains where its tangent tan(h) shrinks by exp(-K).
+/// Returns half of the increase of an angle 2h whose tangent tan(h) shrinks by exp(-K).
 static double gain(double h, double K) {
     const double c = cos(h), s = sin(h), shrunk = exp(-K);
     return atan2((shrunk - 1.0) * s * c, c * c + shrunk * s * s);
@@ -37,7 +37,7 @@ static double excess(double omega, double K, int p, int q, double phase) {
     return (theta - phase) / (2.0 * pi) - p;
 }
 
-/// The largest excess of all phases by `side` 1, the least by -1: scanned, then by golden section.
+/// Returns the largest excess of all phases (`side` 1) or the smallest (-1): scanned, then by golden section.
 static double extreme_excess(double omega, double K, int p, int q, int side) {
     enum { SCAN = 400, SECTIONS = 60 };
     const double golden = 0.5 * (sqrt(5.0) - 1.0), step = 2.0 * pi / SCAN;
@@ -79,14 +79,14 @@ static double boundary(double K, int p, int q, int side) {
 
 enum { OMEGA, STRENGTH };
 
-/// A window of each third of a period: (1 - cos 3t)^3, five times smooth, of integral 1.
+/// Computes windows of each third of a period: (1 - cos 3t)^3, five times smooth, of integral 1.
 static void windows(const void *model, double t, double *forcing) {
     const double w = 1.0 - cos(3.0 * t), third = 2.0 * pi / 3.0;
     (void)model;
     for (int i = 0; i < 3; i++) forcing[i] = t >= third * i && t < third * (i + 1) ? 0.6 / pi * w * w * w : 0.0;
 }
 
-/// The phase as a point of the unit circle, which draws points beside it.
+/// Computes the slope of the phase as a point of the unit circle, which attracts nearby points.
 static void rhs(const void *model, double t, const double *f, const double *x, double *dx) {
     const double *p = model, back = 1.0 - x[0] * x[0] - x[1] * x[1];
     const double rate = 2.0 * pi * p[OMEGA] * f[0] - p[STRENGTH] * x[1] * (f[1] + f[2] * x[0]);
@@ -196,7 +196,8 @@ typedef struct tally {
     size_t seen, wrong, undetermined;
 } tally;
 
-/// Outside of the tongues motions are quasi-periodic, or locked in a tongue of more than LONGEST periods.
+/// Counts a verdict: outside of the tongues motions are quasi-periodic, or locked in a tongue of more than LONGEST
+/// periods.
 static void count_verdict(whirl_verdict verdict, int expected, tally *points) {
     const bool locked = verdict.regime == WHIRL_PERIODIC;
     const bool right = expected > 0 ? locked && verdict.period == expected
@@ -261,7 +262,7 @@ static void follow_orbits(locked *l) {
     whirl_orbit_free(start);
 }
 
-/// The fold on that side of the middle, and the curve through it over the strength.
+/// Checks the fold on that side of the middle, and the curve through it over the strength.
 static void check_side(const locked *l, int side) {
     const whirl_branch_point *fold = NULL;
     double worst = 0.0;

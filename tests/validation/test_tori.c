@@ -46,7 +46,7 @@ static void bent_slope(const void *model, double t, const double *f, const doubl
     for (int i = 0; i < 3; i++) dxdt[i] = creal(out[i]);
 }
 
-/// By complex steps, exact to rounding.
+/// Computes the tangent by complex steps, exact to rounding.
 static void bent_tangent(const void *model, double t, const double *f, const double *x, const double *sides,
                          size_t count, const double *u, double *out) {
     (void)t, (void)sides;
@@ -82,7 +82,7 @@ static test_family bent_family(double growth, double angular, double sign) {
                          .varied = GROWTH};
 }
 
-/// The point of the torus at an angle, at t = 0: x = (cos t + sin t)/2.
+/// Computes the point of the torus at an angle, at t = 0: x = (cos t + sin t)/2.
 static void bent_point(const double *p, double angle, double *X) {
     const double radius = sqrt(fabs(p[GROWTH])), a = radius * cos(angle);
     X[0] = a;
@@ -90,7 +90,7 @@ static void bent_point(const double *p, double angle, double *X) {
     X[2] = 0.5 + a * a;
 }
 
-/// Sections of the motion on the torus, one every `revolutions`; off it by `aside`.
+/// Returns sections of the motion on the torus, one every `revolutions`; from a start off it by `aside`.
 static double *bent_sections(const test_family *family, size_t count, size_t revolutions, double aside) {
     const double *p = family->p, square = fabs(p[GROWTH]);
     double *points = calloc(3 * count, sizeof *points);
@@ -103,7 +103,7 @@ static double *bent_sections(const test_family *family, size_t count, size_t rev
     return points;
 }
 
-/// Largest difference of |z|^2 - |p| and of x from its own, along the curve.
+/// Returns the largest difference of |z|^2 - |p| and of x from the closed form, along the curve.
 static double bent_error(const test_family *family, const whirl_torus *torus) {
     const double *p = family->p;
     double error = 0.0, X[3];
@@ -367,7 +367,7 @@ static void van_der_pol_beside_a_long_motion(void **state) {
 
 // ---------------------------------------------------------------- where tori end
 
-/// The torus of van der Pol's oscillator at a small force, from a long motion, followed to larger ones.
+/// Follows the torus of van der Pol's oscillator from a long motion at a small force to larger ones.
 static whirl_torus_branch *follow_van_der_pol(test_family *family, double to, double accuracy, size_t most_nodes) {
     enum { COUNT = 600 };
     const double start[2] = {2.0, 0.0};
@@ -388,7 +388,7 @@ static whirl_torus_branch *follow_van_der_pol(test_family *family, double to, do
     return tori;
 }
 
-/// The branch of the orbits of one period from a large force down.
+/// Follows the orbits of one period from a large force down.
 static whirl_branch *entrained_orbits(test_family *family, double from, double to) {
     const double start[2] = {2.0, 0.0};
     const whirl_branch_options options = whirl_branch_default(to, from);

@@ -85,7 +85,7 @@ static void tori_join_two_points(void **state) {
     check_within("tori", "its rotation number", all->lower->angle / (2.0 * pi), last->torus->rotation, 2e-4);
 }
 
-/// Modulus of the multipliers that leave the circle.
+/// Returns the modulus of the multipliers that leave the circle.
 static double modulus_at(const followed *all, const whirl_branch_point *point, double value) {
     const whirl_family machines = family_of_case(&all->family);
     const whirl_orbit_options options = whirl_orbit_default();
@@ -99,7 +99,7 @@ static double modulus_at(const followed *all, const whirl_branch_point *point, d
     return modulus;
 }
 
-/// |c|^2 of the first harmonic c exp(i theta) + conj.
+/// Returns |c|^2 of the first harmonic c exp(i theta) + conj.
 static double first_harmonic(const whirl_torus *torus) {
     double square = 0.0;
     for (size_t i = 0; i < torus->dimension; i++) {
@@ -112,7 +112,8 @@ static double first_harmonic(const whirl_torus *torus) {
     return square;
 }
 
-/// |c|^2 over the distance from the point: at it the growth of the modulus over the cubic coefficient.
+/// Returns |c|^2 over the distance from the point; its limit there is the growth of the modulus over the cubic
+/// coefficient.
 static double square_over_distance(const followed *all, const whirl_branch_point *point, double step) {
     const whirl_family machines = family_of_case(&all->family);
     whirl_torus *torus;
@@ -186,7 +187,7 @@ static void a_long_motion_runs_on_it(void **state) {
 
 // ---------------------------------------------------------------- with its stator, the calibrated reading
 
-/// The orbits of five revolutions, up from r_k = 0.493 where the rotor settles on one: where they end.
+/// Follows the orbits of five revolutions up from r_k = 0.493, where the rotor settles on one; returns where they end.
 static double fold_of_five(const whirl_family *machines) {
     const whirl_branch_options options = whirl_branch_default(0.49, 0.498);
     const whirl_integrate_options steps = whirl_integrate_default();
@@ -212,7 +213,7 @@ static double fold_of_five(const whirl_family *machines) {
     return value;
 }
 
-/// Mean square of x1 exp(-i f t) over a long motion, with the weights of Das et al.
+/// Returns mean square of x1 exp(-i f t) over a long motion, with the weights of Das et al.
 static double line_at(const double *samples, size_t count, double step, double frequency) {
     double complex sum = 0.0;
     double weights = 0.0;
@@ -234,8 +235,8 @@ static void keep_first(void *context, double t, const double *x) {
     *w->next++ = x[0];
 }
 
-/// Of all lines |i +- rho| up to 4 the spectrum of the disc in a long motion on the torus is largest where the torus
-/// says.
+/// Checks that of all lines |i +- rho| up to 4 the spectrum of the disc in a long motion on the torus has the largest
+/// at the frequency of the torus.
 static void check_line(const whirl_family *machines, const whirl_torus_point *point) {
     enum { REVOLUTIONS = 600, INSTANTS = 32 };
     const whirl_torus_options options = whirl_torus_default();

@@ -69,7 +69,7 @@ static void release(void *owner) {
     free(owner);
 }
 
-/// `family` is the angular rate.
+/// Makes the machine; `family` is the angular rate.
 static whirl_status machine_at(const void *family, const whirl_batch *batch, double value, whirl_machine *machine) {
     circle *c = malloc(sizeof *c);
     const double *angular = family;
@@ -195,7 +195,7 @@ static whirl_result *run_rotor(const char *study) {
     return result;
 }
 
-/// Bounds of a coordinate over the recorded sections.
+/// Computes bounds of a coordinate over the recorded sections.
 static void find_extent(const whirl_table *table, size_t point, size_t station, size_t axis, double extent[2]) {
     const double *section = whirl_table_field(table, point, "poincare/section", station);
     const size_t rows = whirl_layout_field(&table->layout, "poincare/section")->rows;
@@ -206,7 +206,7 @@ static void find_extent(const whirl_table *table, size_t point, size_t station, 
     }
 }
 
-/// Order and amplitude of the line of x that is nearest to an order.
+/// Finds order and amplitude of the line of x that is nearest to an order.
 static void find_line(const whirl_table *table, size_t point, double order, double line[2]) {
     const double *lines = whirl_table_field(table, point, "spectrum/lines", 0);
     const size_t rows = whirl_layout_field(&table->layout, "spectrum/lines")->rows;

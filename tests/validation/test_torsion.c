@@ -20,7 +20,7 @@ enum { SIZE = 4096 };
 
 static const double two_pi = 6.283185307179586476925, pi = 3.14159265358979323846;
 
-/// The modes of a machine: `parts` is what follows its scale.
+/// Computes the modes of a machine: `parts` is the text after its scale.
 static whirl_result *torsion_modes(const char *parts, const char *study) {
     char text[SIZE];
     snprintf(text, sizeof text, "whirl: 1\nrotor:\n  speed: 3000 rpm\n  length_scale: 1 mm\n%sstudy:\n  modes: {%s}\n",
@@ -28,7 +28,7 @@ static whirl_result *torsion_modes(const char *parts, const char *study) {
     return result_of_text(text);
 }
 
-/// Frequency of mode i, Hz.
+/// Returns the frequency of mode i, Hz.
 static double torsion_frequency(const whirl_result *result, size_t i) {
     return whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_MODES_FREQUENCY, 0)[i] / two_pi;
 }

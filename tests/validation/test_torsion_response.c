@@ -17,11 +17,11 @@
 #include "whirl/engine/fields.h"
 #include "whirl/engine/result.h"
 
-enum { SIZE = 4096, MOST = 8 };
+enum { SIZE = 4096, MAX_DEGREES = 8 };
 
 static const double two_pi = 6.283185307179586476925, pi = 3.14159265358979323846;
 
-/// The response of a machine: `parts` is what follows its length scale.
+/// Computes the response of a machine: `parts` is the text after its length scale.
 static whirl_result *response_of(const char *speed, const char *scale, const char *parts, const char *study) {
     char text[SIZE + 512];
     snprintf(text, sizeof text,
@@ -42,7 +42,7 @@ static void check_amplitude(const char *what, double complex known, double size,
 }
 
 /// Joins two of the angles by stiffness and damping.
-static void join(double complex a[MOST][MOST], size_t i, size_t j, double complex by) {
+static void join(double complex a[MAX_DEGREES][MAX_DEGREES], size_t i, size_t j, double complex by) {
     a[i][i] += by;
     a[j][j] += by;
     a[i][j] -= by;
@@ -155,7 +155,8 @@ static const char *const train =
     "    - pulsation: {at: pinion, speeds: [10 rad/s, 4500 rpm, 700 rad/s], orders: [2, 9], "
     "amplitudes: [[1 N.m, 2 N.m, 3 N.m], [4 N.m, 7 N.m, 9 N.m]]}\n";
 
-/// Torques about z of excitation i (3X, 1X, 6X, 27X) on the four stations at 1500 rpm; gears turn against each other.
+/// Writes the torques about z of excitation i (3X, 1X, 6X, 27X) on the four stations at 1500 rpm; gears turn against
+/// each other.
 static void train_torques(size_t i, double complex out[4]) {
     static const double complex none = 0.0;
     const double complex all[4][4] = {{90.0 * cexp(0.4 * I), none, none, -50.0 * cexp(-1.1 * I)},
@@ -175,7 +176,7 @@ static void geared_train(void **state) {
     whirl_result *result = response_of("1500 rpm", "1 mm", text, "");
     for (size_t i = 0; i < 4; i++) {
         const double w = orders[i] * n;
-        double complex a[MOST][MOST] = {{0}}, x[MOST] = {0};
+        double complex a[MAX_DEGREES][MAX_DEGREES] = {{0}}, x[MAX_DEGREES] = {0};
         check_within("Torsion", "order of an excitation", orders[i], number_of(result, WHIRL_FIELD_TORSION_ORDER, 0, i),
                      1e-12);
         for (size_t s = 0; s < 4; s++) a[s][s] = -w * w * inertia[s];
@@ -185,7 +186,7 @@ static void geared_train(void **state) {
         a[1][4] = a[4][1] = 0.3;
         a[2][4] = a[4][2] = 0.1;
         train_torques(i, x);
-        solve_dense(5, MOST, &a[0][0], x);
+        solve_dense(5, MAX_DEGREES, &a[0][0], x);
         check_amplitude(words("train, %gX: motor to wheel", orders[i]), (9.8e6 + 2e3 * I * w) * (x[0] - x[1]),
                         number_of(result, WHIRL_FIELD_TORSION_TORQUE, 0, i),
                         number_of(result, WHIRL_FIELD_TORSION_TORQUE_LAG, 0, i));
@@ -242,7 +243,7 @@ static void referred_train(void **state) {
 static void mesh_with_error(void **state) {
     const double n = 40.0, w = 23.0 * n, r[2] = {0.08, 0.2}, e = 5e-6, phi = 0.6;
     const double complex k = 2.5e8 + 300.0 * I * w, shaft = 2e4 + 5.0 * I * w, error = e * cexp(I * phi);
-    double complex a[MOST][MOST] = {{0}}, x[MOST] = {0};
+    double complex a[MAX_DEGREES][MAX_DEGREES] = {{0}}, x[MAX_DEGREES] = {0};
     (void)state;
     whirl_result *result = response_of(
         "40 rad/s", "1 mm",
@@ -262,7 +263,7 @@ static void mesh_with_error(void **state) {
     join(a, 0, 1, shaft);
     x[1] = k * r[0] * error;
     x[2] = k * r[1] * error;
-    solve_dense(3, MOST, &a[0][0], x);
+    solve_dense(3, MAX_DEGREES, &a[0][0], x);
     check_within("Torsion", "order of the mesh", 23.0, number_of(result, WHIRL_FIELD_TORSION_ORDER, 0, 0), 1e-12);
     check_amplitude("mesh with an error: shaft", shaft * (x[0] - x[1]),
                     number_of(result, WHIRL_FIELD_TORSION_TORQUE, 0, 0),

@@ -34,7 +34,8 @@ static double spread(double value, double factor) {
     return fmod(0.5 + value * factor, 1.0);
 }
 
-/// Between r = 22 and 24 chaos ends at an equilibrium, the later the closer to 24.06 (Sparrow 1982).
+/// Makes Lorenz' system between r = 22 and 24: chaos ends at an equilibrium, the later the closer to 24.06 (Sparrow
+/// 1982).
 static member *lorenz(double value) {
     static const whirl_probe probe = {.name = "x"};
     member *m = calloc(1, sizeof *m);
@@ -51,14 +52,14 @@ static member *lorenz(double value) {
     return m;
 }
 
-/// Beyond r = 24.74 all motions are chaotic up to about 30.1 (Sparrow 1982).
+/// Makes Lorenz' system beyond r = 24.74: all motions are chaotic up to about 30.1 (Sparrow 1982).
 static member *lasting_lorenz(double value) {
     member *m = lorenz(value);
     m->p[0] = 25.0 + 5.0 * spread(value, 0.7548776662466927);
     return m;
 }
 
-/// Case C4 between its chaos at w = 3.3 and its P-4 at 3.8.
+/// Makes case C4 between its chaos at w = 3.3 and its P-4 at 3.8.
 static member *rub(double value) {
     member *m = calloc(1, sizeof *m);
     assert_non_null(m);
@@ -120,7 +121,7 @@ typedef struct tally {
     int high, kept; ///< by two tolerances; and after copies were followed
 } tally;
 
-/// Fifteen points at a time, so that every chaotic one is followed (it has too few neighbours to tell).
+/// Judges fifteen points at a time, so that every chaotic one is followed (there are too few neighbours to decide).
 static void judge(const family *f, size_t first, size_t count, double refine, tally sums[2]) {
     double values[15];
     whirl_result *result;

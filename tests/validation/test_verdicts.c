@@ -85,7 +85,8 @@ static bool make_locked(size_t index, known_motion *m) {
     return true;
 }
 
-/// Beyond the tongue, the beat 2 pi/sqrt(delta^2 - q^2 eps^2) in revolutions; slow ones do not fill the curve.
+/// Makes a motion beyond the tongue. The beat is 2 pi/sqrt(delta^2 - q^2 eps^2) in revolutions; slow ones do not fill
+/// the curve.
 static bool make_unlocked(size_t index, known_motion *m) {
     static const double ratios[] = {1.05, 1.5, 4.0, -2.0};
     if (index >= COUNT_OF(ratios) * 13) return false;
@@ -97,7 +98,7 @@ static bool make_unlocked(size_t index, known_motion *m) {
     return true;
 }
 
-/// Rotations close to p/q: phi' = 2 pi rho, eps = 0.
+/// Makes a rotation close to p/q: phi' = 2 pi rho, eps = 0.
 static bool make_nearly_rational(size_t index, known_motion *m) {
     static const double off[] = {1e-2, 3e-3, 1e-3, 1e-4, 1e-5};
     if (index >= COUNT_OF(off) * 8) return false;
@@ -107,7 +108,7 @@ static bool make_nearly_rational(size_t index, known_motion *m) {
     return true;
 }
 
-/// Golden and other well irrational rotations, free of any forcing.
+/// Makes a rotation by the golden mean or another irrational number, without forcing.
 static bool make_rotation(size_t index, known_motion *m) {
     static const double rho[] = {0.38196601125010515, 0.41421356237309505, 0.27201964951406896, 0.7320508075688772,
                                  0.1381966011250105,  0.6457513110645906,  0.2360679774997897,  1.3027756377319946,
@@ -174,7 +175,7 @@ static bool make_spiral(size_t index, known_motion *m) {
     return true;
 }
 
-/// Past the bifurcation: a torus of radius sqrt(mu/k) about the periodic motion.
+/// Makes a motion past the bifurcation: a torus of radius sqrt(mu/k) about the periodic motion.
 static bool make_young_torus(size_t index, known_motion *m) {
     static const double mu[] = {0.3, 0.1, 0.03, 0.01, 1e-3, 1e-4};
     static const double rho[] = {0.38196601125010515, 0.2247448713915890, 0.4142135623730950};
@@ -223,7 +224,7 @@ static void mathieu_rhs(const void *model, double t, const double *forcing, cons
     dxdt[1] = -m[2] * x[1] - (m[0] - 2.0 * m[1] * cos(2.0 * t)) * x[0];
 }
 
-/// Largest modulus of the multipliers over pi, from the monodromy matrix.
+/// Returns largest modulus of the multipliers over pi, from the monodromy matrix.
 static double mathieu_modulus(known_motion *m) {
     whirl_system system = m->system;
     double columns[2][2] = {{1.0, 0.0}, {0.0, 1.0}};
@@ -235,7 +236,8 @@ static double mathieu_modulus(known_motion *m) {
     return largest_modulus(2, matrix);
 }
 
-/// The equilibrium x = 0 is the only bounded motion: P-1 where it is stable, else all others leave.
+/// Makes Mathieu's equation: the equilibrium x = 0 is the only bounded motion. If it is stable the verdict is P-1, else
+/// all other motions diverge.
 static bool make_mathieu(size_t index, known_motion *m) {
     static const double a[] = {0.25, 0.6, 1.0, 1.8, 2.5, 4.0, 6.0}, q[] = {0.3, 0.8, 1.5, 2.5};
     if (index >= 28) return false;
@@ -251,7 +253,8 @@ static bool make_mathieu(size_t index, known_motion *m) {
     return true;
 }
 
-/// Without damping, multipliers e^(+-2 pi i nu) on the unit circle: a torus of the linear flow.
+/// Makes Mathieu's equation without damping, with multipliers e^(+-2 pi i nu) on the unit circle: a torus of the linear
+/// flow.
 static bool make_free_mathieu(size_t index, known_motion *m) {
     static const double pairs[][2] = {{0.5, 0.2}, {1.6, 0.3}, {2.0, 0.5}, {2.5, 1.0}, {3.0, 0.4}, {5.5, 1.0}};
     if (index >= COUNT_OF(pairs)) return false;

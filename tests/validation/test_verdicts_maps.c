@@ -27,19 +27,19 @@ typedef void map(const double *p, const double *x, double *y);
 
 // ---------------------------------------------------------------- maps: parameters p[1], ...; p[0] is the map's number
 
-/// p: r.
+/// The logistic map; p: r.
 static void logistic(const double *p, const double *x, double *y) {
     y[0] = p[1] * x[0] * (1.0 - x[0]);
 }
 
-/// A parabola that overshoots the interval 0 .. 1 by p: motions leave it where the middle is hit, after pi/(2 sqrt(p))
-/// revolutions in the mean (by the density 1/(pi sqrt(x (1 - x)))), and go to -1, where the map is flat.
+/// A parabola that exceeds the interval 0 .. 1 by p: motions leave it at its middle, after pi/(2 sqrt(p)) revolutions
+/// on average (by the density 1/(pi sqrt(x (1 - x)))), and go to -1, where the map is flat.
 static void holed(const double *p, const double *x, double *y) {
     const double square = 4.0 * (1.0 + p[1]) * x[0] * (1.0 - x[0]), bend = 20.0;
     y[0] = square < 40.0 ? log1p(exp(bend * (square + 1.0))) / bend - 1.0 : square;
 }
 
-/// p: a, b (Henon 1976).
+/// Henon's map (1976); p: a, b.
 static void henon(const double *p, const double *x, double *y) {
     y[0] = 1.0 - p[1] * x[0] * x[0] + x[1];
     y[1] = p[2] * x[0];
@@ -54,12 +54,12 @@ static void circle(const double *p, const double *x, double *y) {
     y[1] = next * sin(turned);
 }
 
-/// Two of them without a lock: p: both turns.
+/// Two such rotations without a lock; p: both turns.
 static void two_circles(const double *p, const double *x, double *y) {
     for (size_t i = 0; i < 2; i++) circle((double[]){0.0, p[1 + i], 1.0, 0.0}, x + 2 * i, y + 2 * i);
 }
 
-/// About (1, 1); p: modulus and angle, in turns, of the multipliers.
+/// A spiral about (1, 1); p: modulus and angle, in turns, of the multipliers.
 static void spiral(const double *p, const double *x, double *y) {
     const double c = p[1] * cos(two_pi * p[2]), s = p[1] * sin(two_pi * p[2]);
     y[0] = 1.0 + c * (x[0] - 1.0) - s * (x[1] - 1.0);
@@ -103,7 +103,8 @@ static void expect_period(known_motion *m, int period) {
 
 // ---------------------------------------------------------------- locks
 
-/// P-2 to P-89, strong to weak: multipliers of a revolution .1, .8, .98, and .996, which may be left open.
+/// Makes a lock on P-2 to P-89, strong to weak: multipliers of a revolution .1, .8, .98, and .996, which may be left
+/// open.
 static bool make_lock(size_t index, known_motion *m) {
     static const double strengths[] = {0.9, 0.2, 0.02, 0.004};
     const int q = 2 + (int)(index / 4);
@@ -120,8 +121,8 @@ static bool make_lock(size_t index, known_motion *m) {
     return true;
 }
 
-/// Just past the tongue of m/q, beyond whose edge delta = s/(2 pi q) by a share: the motion creeps past every branch,
-/// in 1/(q sqrt(delta^2 - edge^2)) revolutions from one to the next.
+/// Makes a drift just past the tongue of m/q, whose edge delta = s/(2 pi q) is exceeded by a share: the motion slows
+/// down at every branch, and takes 1/(q sqrt(delta^2 - edge^2)) revolutions from one to the next.
 static bool make_drift(size_t index, known_motion *m) {
     static const double beyond[] = {3.0, 0.3, 0.03, 1e-3, 1e-5};
     static const int fractions[][2] = {{1, 2}, {1, 3}, {2, 5}, {3, 8}, {5, 13}, {8, 21}, {13, 34}, {34, 89}};
@@ -134,7 +135,7 @@ static bool make_drift(size_t index, known_motion *m) {
     return true;
 }
 
-/// Tori of three frequencies: both rotations and their ratio are irrational.
+/// Makes a torus of three frequencies: both rotations and their ratio are irrational.
 static bool make_two_rotations(size_t index, known_motion *m) {
     static const double turns[] = {0.3819660112501052, 0.4142135623730951, 0.7320508075688772, 0.2360679774997897,
                                    0.6457513110645906, 0.1622776601683795, 0.3166247903553998, 0.6055512754639891};
@@ -165,7 +166,7 @@ static bool is_earlier(double r, int k, bool meets) {
     return false;
 }
 
-/// The root number `index` from r = 3 on, by steps; NaN past the last.
+/// Returns the root number `index` from r = 3 on, by steps; NaN after the last.
 static double find_root(int k, bool meets, size_t index) {
     const double step = 1e-4;
     for (int n = 1; n < 10000; n++) {
@@ -180,7 +181,7 @@ static double find_root(int k, bool meets, size_t index) {
     return NAN;
 }
 
-/// The last root of P-k before 4, where windows are narrow and chaos lasts long before it ends.
+/// Returns the last root of P-k before 4, where windows are narrow and chaos lasts long before it ends.
 static double find_last(int k) {
     double low = 1e-12, high = low; // below 4
     while (condition(4.0 - high, k, false) < 0.0) low = high, high *= 1.05;
@@ -191,8 +192,8 @@ static double find_last(int k) {
     return 4.0 - low;
 }
 
-/// Windows of P-2 to P-12, five of each from 3 on, and the last up to P-7: in that of P-8 chaos goes on for 3e4
-/// revolutions in the mean before it meets a basin that is 6e-5 wide, and no search of whirl's finds it.
+/// Makes a window of P-2 to P-12: five of each from 3 on, and the last up to P-7. In that of P-8 chaos lasts 3e4
+/// revolutions on average before it meets a basin that is 6e-5 wide, which no search of whirl's finds.
 static bool make_window(size_t index, known_motion *m) {
     const size_t of_each = 6;
     const int k = 2 + (int)(index / of_each);
@@ -205,7 +206,7 @@ static bool make_window(size_t index, known_motion *m) {
     return true;
 }
 
-/// Chaos that is proven, and Henon's.
+/// Makes a system whose chaos is proven, or Henon's.
 static bool make_chaos(size_t index, known_motion *m) {
     static const int k_of[] = {3, 4, 4, 5, 5, 5, 5, 6, 6, 6, 6, 6, 7, 7, 7, 7, 7, 7, 7, 7};
     static const size_t number[] = {0, 0, 1, 0, 1, 2, 3, 0, 1, 2, 3, 4, 0, 1, 2, 3, 4, 5, 6, 7};
@@ -221,7 +222,7 @@ static bool make_chaos(size_t index, known_motion *m) {
     return true;
 }
 
-/// Transient chaos, after 1e3 to 1e6 revolutions in the mean.
+/// Makes transient chaos, of 1e3 to 1e6 revolutions on average.
 static bool make_transient(size_t index, known_motion *m) {
     static const double lifetimes[] = {1e2, 3e2, 1e3, 3e3, 1e4, 3e4, 1e5, 3e5, 1e6};
     if (index >= 5 * COUNT_OF(lifetimes)) return false;
@@ -236,7 +237,7 @@ static bool make_transient(size_t index, known_motion *m) {
 /// Angles of multipliers, in turns.
 static const double angles[] = {0.0, 0.5, 0.25, 0.3819660112501052, 0.01};
 
-/// Multipliers above 1: from 1e-6 on, some leave all bounds within the run, and slow ones do not.
+/// Makes a spiral with multipliers above 1: from 1e-6 on; some leave all bounds within the run, and slow ones do not.
 static bool make_growth(size_t index, known_motion *m) {
     static const double moduli[] = {3.0, 1.5, 1.2, 1.1, 1.05, 1.01, 1.003, 1.001};
     if (index >= COUNT_OF(moduli) * COUNT_OF(angles)) return false;
@@ -247,7 +248,7 @@ static bool make_growth(size_t index, known_motion *m) {
     return true;
 }
 
-/// Multipliers below 1, close to it: what settles slowly.
+/// Makes a spiral with multipliers below 1 and close to it: it settles slowly.
 static bool make_settling(size_t index, known_motion *m) {
     static const double moduli[] = {0.2, 0.9, 0.97, 0.99, 0.997, 0.999};
     if (index >= COUNT_OF(moduli) * COUNT_OF(angles)) return false;

@@ -20,9 +20,9 @@ static const double two_pi = 6.28318530717958647693;
 
 // ---------------------------------------------------------------- shooting
 
-/// Smallest k for which the motion closes on an attracting orbit; 0: none up to 16.
+/// Returns the smallest k up to 16 for which the motion closes on an attracting orbit; 0: none.
 static int shoot_period(const known_motion *m, int transient) {
-    enum { MOST = 16 };
+    enum { MAX_PERIOD = 16 };
     whirl_system system = m->system;
     double x[KNOWN_DIMENSION], at[KNOWN_DIMENSION], matrix[KNOWN_DIMENSION * KNOWN_DIMENSION];
     int period = 0;
@@ -31,7 +31,7 @@ static int shoot_period(const known_motion *m, int transient) {
     memcpy(x, m->start, sizeof x);
     revolve(integrator, x, transient);
     memcpy(at, x, sizeof at);
-    for (int k = 1; k <= MOST && period == 0; k++) {
+    for (int k = 1; k <= MAX_PERIOD && period == 0; k++) {
         double distance = 0.0;
         revolve(integrator, at, 1);
         for (size_t i = 0; i < system.dimension; i++) distance = fmax(distance, fabs(at[i] - x[i]));
@@ -77,7 +77,7 @@ static void set_duffing(known_motion *m, double d, double a, double b, double f,
     snprintf(m->label, sizeof m->label, "d %g, a %g, b %g, f %g, w %g", d, a, b, f, w);
 }
 
-/// Case D2.
+/// Makes case D2.
 static bool make_d2(size_t index, known_motion *m) {
     static const struct {
         double force;
@@ -106,7 +106,7 @@ static bool make_periodic_duffing(size_t index, known_motion *m) {
     return true;
 }
 
-/// Exponents of case D1; Sprott 2003, appendix A.4.
+/// Makes case D1, with exponents by Sprott 2003, appendix A.4.
 static bool make_chaotic_duffing(size_t index, known_motion *m) {
     static const double rows[][5] = {
         {0.05, 0.0, 1.0, 7.5, 1.0}, {0.3, -1.0, 1.0, 0.5, 1.2}, {0.25, -1.0, 1.0, 0.4, 1.0}};
@@ -125,8 +125,8 @@ static void pendulum_rhs(const void *model, double t, const double *forcing, con
     dxdt[1] = m[1] * cos(m[2] * t) - m[0] * x[1] - sin(x[0]);
 }
 
-/// Baker and Gollub, "Chaotic dynamics" (1990): f = .9 swings, 1.07 swings with twice the period, 1.15 tumbles
-/// (D1); 1.35 goes round once a period, 1.45 with twice, 1.47 with four times the period; 1.5 tumbles.
+/// Makes the pendulum of Baker and Gollub, "Chaotic dynamics" (1990): f = .9 swings, 1.07 swings with twice the period,
+/// 1.15 is chaotic (D1); 1.35 turns once a period, 1.45 with twice, 1.47 with four times the period; 1.5 is chaotic.
 static bool make_pendulum(size_t index, known_motion *m) {
     static const struct {
         double force;
@@ -205,8 +205,9 @@ static bool make_sprott(size_t index, known_motion *m) {
 
 // ---------------------------------------------------------------- Lorenz and Rossler
 
-/// Sparrow, "The Lorenz equations" (1982): equilibria attract all up to r = 24.06 (with chaos on the way from 13.926),
-/// chaos from there to about 30 and again, closed orbits in 99.52 < r < 100.8, 145 < r < 166 and for r > 214.4.
+/// Makes Lorenz' system (Sparrow, "The Lorenz equations", 1982): equilibria attract all up to r = 24.06 (with chaos on
+/// the way from 13.926), chaos from there to about 30 and again, closed orbits in 99.52 < r < 100.8, 145 < r < 166 and
+/// for r > 214.4.
 static bool make_lorenz(size_t index, known_motion *m) {
     static const struct {
         double r;
@@ -246,7 +247,8 @@ static void rossler_rhs(const void *model, double t, const double *forcing, cons
     dxdt[2] = m[1] + x[2] * (x[0] - m[2]);
 }
 
-/// a = b = .2: closed orbits at c = 2.5 and 3.5 (Rossler 1976; Peitgen, Jurgens, Saupe 1992), chaos at 5.7.
+/// Makes Rossler's system, a = b = .2: closed orbits at c = 2.5 and 3.5 (Rossler 1976; Peitgen, Jurgens, Saupe 1992),
+/// chaos at 5.7.
 static bool make_rossler(size_t index, known_motion *m) {
     static const struct {
         double c;

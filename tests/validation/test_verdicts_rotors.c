@@ -21,7 +21,7 @@ static void expect(known_motion *m, const char *expected) {
     snprintf(m->expected, sizeof m->expected, "%s", expected);
 }
 
-/// Case A5: a rigid rotor that rests at eccentricity ratio e, at a share of its threshold speed; no unbalance.
+/// Sets case A5: a rigid rotor that rests at eccentricity ratio e, at a share of its threshold speed; no unbalance.
 static void set_a5(known_motion *m, double e, double threshold, double share) {
     const double s = share * threshold, phi = atan2(pi * sqrt(1.0 - e * e), 4.0 * e);
     const double sigma = (1.0 - e * e) * (1.0 - e * e) / (e * sqrt(16.0 * e * e + pi * pi * (1.0 - e * e)));
@@ -31,8 +31,8 @@ static void set_a5(known_motion *m, double e, double threshold, double share) {
     snprintf(m->label, sizeof m->label, "e = %g, %g of the threshold speed", e, share);
 }
 
-/// Below the threshold the journal comes to rest, near it slowly. Above, the film whirls at about half the speed: a
-/// closed orbit that the clock of the shaft sees as a torus.
+/// Makes case A5. Below the threshold the journal comes to rest, near it slowly. Above, the film whirls at about half
+/// the speed: a closed orbit that sections by the shaft show as a torus.
 static bool make_a5(size_t index, known_motion *m) {
     static const double rows[][2] = {
         {0.3, 2.605785828}, {0.45697072, 2.531705709}, {0.5, 2.541730858}, {0.1, 2.741278636}};
@@ -58,7 +58,7 @@ static void too_coarse(void **state) {
     }
 }
 
-/// Case A7: the circle of an unloaded rotor, multipliers .575 and .101.
+/// Makes case A7: the circle of an unloaded rotor, multipliers .575 and .101.
 static bool make_a7(size_t index, known_motion *m) {
     static const double rho[] = {.304206515539, .504787456190};
     if (index >= COUNT_OF(rho)) return false;
@@ -83,7 +83,7 @@ static bool make_a8(size_t index, known_motion *m) {
     return true;
 }
 
-/// Case B2: an asymmetric shaft is unstable where (w^2 - w1^2)(w2^2 - w^2) > (c w)^2, else it comes to rest.
+/// Makes case B2: an asymmetric shaft is unstable where (w^2 - w1^2)(w2^2 - w^2) > (c w)^2, else it comes to rest.
 static bool make_b2(size_t index, known_motion *m) {
     static const double speeds[] = {0.5, 0.8, 0.88, 0.92, 0.96, 1.0, 1.05, 1.08, 1.12, 1.2, 1.6, 2.0},
                         damping[] = {0.05, 0.15};
@@ -98,7 +98,7 @@ static bool make_b2(size_t index, known_motion *m) {
     return true;
 }
 
-/// Case B3: gravity at twice the speed on a stable asymmetric shaft is P-1.
+/// Makes case B3: gravity at twice the speed on a stable asymmetric shaft is P-1.
 static bool make_b3(size_t index, known_motion *m) {
     static const double speeds[] = {0.3, 0.45, 0.489898, 0.6, 0.7, 1.5};
     if (index >= COUNT_OF(speeds)) return false;
@@ -110,7 +110,7 @@ static bool make_b3(size_t index, known_motion *m) {
     return true;
 }
 
-/// Case C2: the annular rub, which is stable on the upper branch; the motion starts near it.
+/// Makes case C2: the annular rub, which is stable on the upper branch; the motion starts near it.
 static bool make_c2(size_t index, known_motion *m) {
     static const double rows[][2] = {{1.0, 1.078622962500}, {1.2, 1.381926301669}};
     if (index >= COUNT_OF(rows)) return false;
@@ -128,8 +128,8 @@ static bool make_c2(size_t index, known_motion *m) {
     return true;
 }
 
-/// Case C3: from outside the unstable backward whirl friction that never reverses drives the rotor away; from inside
-/// it comes to rest.
+/// Makes case C3: from outside the unstable backward whirl, friction that never reverses makes the motion grow; from
+/// inside it comes to rest.
 static bool make_c3(size_t index, known_motion *m) {
     static const struct {
         double zeta, kappa, whirl, radius;
@@ -162,7 +162,7 @@ static bool make_c4(size_t index, known_motion *m) {
     return true;
 }
 
-/// A rotor that does not touch is linear: P-1.
+/// Makes a rotor that does not touch, which is linear: P-1.
 static bool make_free_rub(size_t index, known_motion *m) {
     static const double speeds[] = {0.3, 0.6, 0.85, 1.3, 2.0, 4.0};
     if (index >= COUNT_OF(speeds)) return false;

@@ -21,7 +21,7 @@ static const char table[] = "Vertical";
 static const double pi = 3.14159265358979323846;
 static const double modulus = 2e11, density = 7800.0, diameter = 0.02, L = 3.0;
 
-/// kg/m and N m2 of the shaft.
+/// Returns the mass of the shaft per length, kg/m; `bending` is its stiffness, N m2.
 static double line_mass(void) {
     return density * pi * diameter * diameter / 4.0;
 }
@@ -51,7 +51,7 @@ static double free_end(double pull, double square) {
     return (double)(bent[0] * sheared[1] - bent[1] * sheared[0]);
 }
 
-/// The zero of `free_end` over the square between `low` and `high`, which have one.
+/// Returns the zero of `free_end` over the square, which is between `low` and `high`.
 static double square_between(double pull, double low, double high) {
     const bool rises = free_end(pull, low) < 0.0;
     if (rises == (free_end(pull, high) < 0.0)) return NAN;
@@ -62,7 +62,7 @@ static double square_between(double pull, double low, double high) {
     return 0.5 * (low + high);
 }
 
-/// A cantilever whose clamp is at one of its ends; `top`: start or end.
+/// Computes a cantilever that is clamped at one of its ends; `top`: start or end.
 static whirl_result *cantilever(double pull, bool clamp_at_start, const char *top, const char *more) {
     char text[SIZE];
     const double g = fabs(pull) * bending() / (line_mass() * L * L * L);
@@ -81,13 +81,13 @@ static whirl_result *cantilever(double pull, bool clamp_at_start, const char *to
     return result_of_text(text);
 }
 
-/// rad/s of mode `which` of one plane; both planes have each.
+/// Returns the frequency of mode `which` of one plane, rad/s; both planes have each.
 static double frequency_of(const whirl_result *result, size_t which) {
     const double *all = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_MODES_FREQUENCY, 0);
     return all ? all[2 * which] : (double)NAN;
 }
 
-/// omega^2 m L^4/EI of it.
+/// Returns omega^2 m L^4/EI of that mode.
 static double square_of(const whirl_result *result, size_t which) {
     return pow(frequency_of(result, which), 2.0) * line_mass() * pow(L, 4.0) / bending();
 }

@@ -21,7 +21,7 @@
 #include "whirl/engine/rotor.h"
 #include "whirl/engine/study.h"
 
-enum { POINTS = 26, TEXT = POINTS * 26, COEFFICIENTS = 8, MOST = 32, WHOLE = 16384 };
+enum { POINTS = 26, TEXT = POINTS * 26, COEFFICIENTS = 8, MAX_DIMENSION = 32, WHOLE = 16384 };
 
 static const char *const names[COEFFICIENTS] = {"kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy"};
 
@@ -48,7 +48,7 @@ static void append(char *text, size_t i, double number) {
     snprintf(text + used, TEXT - used, "%s%.17g", i > 0 ? ", " : "", number);
 }
 
-/// K + i w C at equal distances from 0 to `top`, C there by a small frequency.
+/// Writes K + i w C at equal distances from 0 to `top`; C at 0 is taken at a small frequency.
 static void tabulate(over_s *of, double top, table *out) {
     memset(out, 0, sizeof *out);
     for (size_t i = 0; i < POINTS; i++) {
@@ -94,7 +94,7 @@ static double complex stiffness(const double *of, int row, int column, double co
     return of[2 * row + column] + s * of[4 + 2 * row + column];
 }
 
-/// Z_qq - Z_qs Z_ss^-1 Z_sq.
+/// Returns Z_qq - Z_qs Z_ss^-1 Z_sq.
 static matrix condensed(double complex s) {
     double complex a[2][2], z[2][2];
     matrix out;
@@ -135,12 +135,12 @@ static whirl_rotor *with_pad(const disc *d) {
     return rotor;
 }
 
-/// All eigenvalues with an imaginary part above or at 0, by the clock, [MOST].
+/// Writes all eigenvalues with an imaginary part of 0 or more, over the clock, [MAX_DIMENSION]; returns their number.
 static size_t eigenvalues(const whirl_rotor *rotor, double complex *out) {
-    const double start[MOST] = {0.0};
+    const double start[MAX_DIMENSION] = {0.0};
     whirl_modes *modes;
     size_t count = 0;
-    assert_true(whirl_rotor_system(rotor)->dimension <= MOST);
+    assert_true(whirl_rotor_system(rotor)->dimension <= MAX_DIMENSION);
     require_ok(whirl_modes_new(whirl_rotor_system(rotor), start, &modes));
     for (size_t i = 0; i < modes->count; i++) out[count++] = modes->modes[i].real + modes->modes[i].imaginary * I;
     for (size_t i = 0; i < modes->real_count; i++) out[count++] = modes->reals[i];
@@ -148,7 +148,7 @@ static size_t eigenvalues(const whirl_rotor *rotor, double complex *out) {
     return count;
 }
 
-/// The part of the largest one by which any of `of` is away from its nearest one.
+/// Returns the largest distance of any of `of` from the nearest of the others, over the largest one.
 static double farthest(const double complex *of, size_t count, const double complex *among, size_t most) {
     double worst = 0.0;
     for (size_t i = 0; i < count; i++) {
@@ -160,8 +160,8 @@ static double farthest(const double complex *of, size_t count, const double comp
 }
 
 static void respond(const whirl_rotor *rotor, double complex out[2]) {
-    const double start[MOST] = {0.0};
-    double rest[MOST], response[2 * MOST];
+    const double start[MAX_DIMENSION] = {0.0};
+    double rest[MAX_DIMENSION], response[2 * MAX_DIMENSION];
     require_ok(whirl_forced_response(whirl_rotor_system(rotor), start, rest, response));
     for (int a = 0; a < 2; a++) out[a] = response[2 * a] + response[2 * a + 1] * I;
 }
@@ -170,7 +170,7 @@ static double apart(const double complex a[2], const double complex b[2]) {
     return hypot(cabs(a[0] - b[0]), cabs(a[1] - b[1])) / hypot(cabs(b[0]), cabs(b[1]));
 }
 
-/// x [MOST] after so many revolutions.
+/// Carries x [MAX_DIMENSION] over `revolutions`.
 static void carry(const whirl_rotor *rotor, int revolutions, double *x) {
     whirl_integrate_options options = whirl_integrate_default();
     whirl_integrator *integrator;
@@ -187,7 +187,7 @@ static void pad(void **state) {
     static table of;
     const disc d = {300.0, 10.0, 2e-5, 0.0};
     whirl_rotor *fitted, *whole = with_pad(&d), *linear;
-    double complex among[MOST], known[MOST], response[3][2];
+    double complex among[MAX_DIMENSION], known[MAX_DIMENSION], response[3][2];
     char note[WHIRL_MESSAGE_SIZE];
     (void)state;
     tabulate(condensed, 1500.0, &of);
@@ -208,7 +208,7 @@ static void pad(void **state) {
     check_within("Whirl in time", "a pad condensed: part by which the linear study of the table does", 0.0,
                  apart(response[2], response[1]), 1e-12);
     // A blow on the disc: all states begin at 0.
-    double x[MOST] = {0.0, 0.0, 0.5, -0.3}, y[MOST] = {0.0, 0.0, 0.0, 0.0, 0.5, -0.3}, worst = 0.0;
+    double x[MAX_DIMENSION] = {0.0, 0.0, 0.5, -0.3}, y[MAX_DIMENSION] = {0.0, 0.0, 0.0, 0.0, 0.5, -0.3}, worst = 0.0;
     for (int n = 0; n < 6; n++) {
         carry(fitted, 1, x);
         carry(whole, 1, y);
@@ -230,7 +230,7 @@ static void response_at_speeds(void **state) {
         const disc d = {of.w[k], 10.0, 2e-5, 0.0};
         whirl_rotor *fitted, *linear;
         double complex expected[2];
-        double x[MOST] = {0.0};
+        double x[MAX_DIMENSION] = {0.0};
         require_ok(build(&d, &of, true, &fitted));
         require_ok(build(&d, &of, false, &linear));
         respond(linear, expected);
@@ -252,7 +252,7 @@ static matrix solid(double complex s) {
     return (matrix){{{z, 0.0}, {0.0, z}}};
 }
 
-/// m s^2 + Z(s) = 0 by Newton's method.
+/// Returns a root of m s^2 + Z(s) = 0 by Newton's method.
 static double complex pole_of(double mass) {
     double complex p = -50.0 + I * sqrt((k0 + 0.5 * k1) / mass);
     for (int step = 0; step < 50; step++) {
@@ -268,11 +268,11 @@ static void free_decay(void **state) {
     const disc d = {250.0, 10.0, 0.0, 0.0};
     const double complex p = pole_of(d.mass), turned = cexp(p * 6.283185307179586476925 / d.speed);
     whirl_rotor *fitted;
-    double x[MOST] = {0.0, 0.0, 1.0, 0.0}, places[4];
+    double x[MAX_DIMENSION] = {0.0, 0.0, 1.0, 0.0}, places[4];
     (void)state;
     tabulate(solid, 1000.0, &of);
     require_ok(build(&d, &of, true, &fitted));
-    double complex found[MOST];
+    double complex found[MAX_DIMENSION];
     const size_t count = eigenvalues(fitted, found);
     const double complex known[] = {p / d.speed};
     check_within("Whirl in time", "solid: part by which an eigenvalue differs from the closed form", 0.0,
@@ -294,7 +294,7 @@ static void at_rest(void **state) {
     static table of;
     const disc d = {250.0, 10.0, 0.0, 3e-4};
     whirl_rotor *fitted;
-    double x[MOST] = {0.0};
+    double x[MAX_DIMENSION] = {0.0};
     (void)state;
     tabulate(solid, 1000.0, &of);
     require_ok(build(&d, &of, true, &fitted));
@@ -308,7 +308,8 @@ static void tangent(void **state) {
     static table of;
     const disc d = {250.0, 10.0, 1e-5, 0.0};
     whirl_rotor *fitted;
-    double x[MOST], dx[MOST], moved[MOST], slope[MOST], other[MOST], change[MOST], trace = 0.0, worst = 0.0;
+    double x[MAX_DIMENSION], dx[MAX_DIMENSION], moved[MAX_DIMENSION], slope[MAX_DIMENSION], other[MAX_DIMENSION],
+        change[MAX_DIMENSION], trace = 0.0, worst = 0.0;
     (void)state;
     tabulate(condensed, 1500.0, &of);
     require_ok(build(&d, &of, true, &fitted));
@@ -326,7 +327,7 @@ static void tangent(void **state) {
     for (size_t i = 0; i < n; i++) worst = fmax(worst, fabs(other[i] - slope[i] - change[i]) / (1.0 + fabs(other[i])));
     check_within("Whirl in time", "derivative along a direction beside the difference", 0.0, worst, 1e-13);
     for (size_t i = 0; i < n; i++) {
-        double unit[MOST] = {0.0};
+        double unit[MAX_DIMENSION] = {0.0};
         unit[i] = 1.0;
         system->tangent(system->model, 0.0, forcing, x, NULL, 1, unit, change);
         trace += change[i];
@@ -339,14 +340,14 @@ static void tangent(void **state) {
 
 enum { SPEEDS = 5 };
 
-/// A fluid whose poles, and whose drive along the whirl, go with the speed.
+/// Returns the stiffness of a fluid whose poles, and whose drive along the whirl, are in proportion to the speed.
 static matrix turning(double complex s, double speed) {
     const double p = 0.8 * speed, drive = 2e3 * speed;
     const double complex slow = p / (s + p), place = 6e6 + 3e3 * speed - 2e6 * slow + 3e3 * s;
     return (matrix){{{place, drive * slow}, {-0.9 * drive * slow, place + 5e5 * slow}}};
 }
 
-/// The disc in time, or for linear studies, at a speed.
+/// Makes the disc at a speed, for motions in time or for linear studies.
 static whirl_rotor *at_speed(double speed, bool in_time) {
     static char lists[COEFFICIENTS][SPEEDS * TEXT], speeds[TEXT], frequencies[TEXT];
     static bool written;
@@ -383,9 +384,9 @@ static whirl_rotor *at_speed(double speed, bool in_time) {
 /// Machines of a sweep have the same poles, and numbers that go smoothly with the speed.
 static void over_speeds(void **state) {
     const double forcing[WHIRL_MAX_FORCING] = {1.0};
-    double worst = 0.0, jump = 0.0, x[MOST], slopes[2][MOST];
+    double worst = 0.0, jump = 0.0, x[MAX_DIMENSION], slopes[2][MAX_DIMENSION];
     (void)state;
-    for (size_t i = 0; i < MOST; i++) x[i] = cos((double)i);
+    for (size_t i = 0; i < MAX_DIMENSION; i++) x[i] = cos((double)i);
     for (int k = 0; k <= 40; k++) {
         const double speed = 300.0 + 9.99 * k;
         double complex responses[2][2] = {{0.0}};
@@ -445,13 +446,14 @@ static void inertia(void **state) {
 
 // ---------------------------------------------------------------- five tilting pads
 
-/// The largest real part of the eigenvalues of the case's machine in time.
+/// Returns the largest real part of the eigenvalues of the case's machine in time.
 static double growth_at(const whirl_case *object, double q) {
-    const double start[2 * MOST] = {0.0};
+    const double start[2 * MAX_DIMENSION] = {0.0};
     whirl_rotor *rotor;
     whirl_modes *modes;
     require_ok(whirl_case_rotor(object, "q", q, &rotor));
-    assert_true(whirl_rotor_system(rotor)->frequency_count == 0 && whirl_rotor_system(rotor)->dimension <= 2 * MOST);
+    assert_true(whirl_rotor_system(rotor)->frequency_count == 0 &&
+                whirl_rotor_system(rotor)->dimension <= 2 * MAX_DIMENSION);
     require_ok(whirl_modes_new(whirl_rotor_system(rotor), start, &modes));
     const double growth = modes->growth;
     whirl_modes_free(modes);

@@ -80,7 +80,7 @@ static whirl_status at(const void *context, double frequency, whirl_machine *mac
     return status;
 }
 
-/// In SI: real parts and frequencies of its modes [most]; how many, and the largest real part of all.
+/// Writes real parts and frequencies of the modes [most] in SI, and the largest real part of all; returns their number.
 static size_t modes_of(const discs *d, size_t most, double (*found)[2], double *growth) {
     whirl_machine machine;
     whirl_modes *modes;
@@ -120,7 +120,7 @@ static void straight(void **state) {
     relative("straight stiffness: stability, 1/s", sigma, growth, 1e-12);
 }
 
-/// Bilinear tables of speed and frequency: K = a + b W + c w + d W w.
+/// Returns a number of bilinear tables of speed and frequency: K = a + b W + c w + d W w.
 static double bilinear(double speed, double w) {
     return 4e6 + 2e3 * speed + 3e3 * w + 1.5 * speed * w;
 }
@@ -196,7 +196,7 @@ static double damping(const solid *s, double w) {
     return s->k1 * s->relaxation / (1.0 + t * t);
 }
 
-/// A table of so many frequencies up to `high`.
+/// Makes a table of `count` frequencies up to `high`.
 static discs tabulate(const solid *s, size_t count, double high, double cross, char text[3][TEXT]) {
     size_t used[3] = {0};
     for (size_t i = 0; i < count; i++) {
@@ -208,7 +208,7 @@ static discs tabulate(const solid *s, size_t count, double high, double cross, c
     return (discs){300.0, 0.0, cross, NULL, text[0], 1, {s->mass}, {text[1]}, {text[2]}};
 }
 
-/// m s^2 + Z(s) - i q = 0 by Newton's method from the mode of the table.
+/// Returns the root of m s^2 + Z(s) - i q = 0 by Newton's method from the mode of the table.
 static double complex exact_pole(const solid *s, double q, double complex from) {
     double complex p = from;
     for (int step = 0; step < 50; step++) {
@@ -219,7 +219,7 @@ static double complex exact_pole(const solid *s, double q, double complex from) 
     return p;
 }
 
-/// m s^2 + C(w) s + K(w) = 0 with w = Im s, of the formulas themselves: w by halving.
+/// Returns the root of m s^2 + C(w) s + K(w) = 0 with w = Im s, by the formulas themselves: w by halving.
 static double complex consistent_pole(const solid *s, double high) {
     double low = 0.0, middle = 0.0;
     for (int step = 0; step < 200; step++) {
@@ -233,7 +233,7 @@ static double complex consistent_pole(const solid *s, double high) {
     return -damping(s, middle) / (2.0 * s->mass) + I * middle;
 }
 
-/// The largest eigenvalue of the table's machine.
+/// Returns the largest eigenvalue of the table's machine.
 static double complex pole_of(const discs *d) {
     double found[8][2], growth;
     const size_t count = modes_of(d, 8, found, &growth);

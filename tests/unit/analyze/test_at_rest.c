@@ -68,7 +68,7 @@ static whirl_verdict judge(const oscillator *o, const char *method, const double
 
 static const char *const methods[] = {"rk4", "dop853", "rodas5p", "cvode-bdf"};
 
-/// The exponent of rest is -2 pi damping per revolution, its order sqrt(1 - damping^2).
+/// At an equilibrium the exponent is -2 pi damping per revolution, and the order of the mode sqrt(1 - damping^2).
 static void rests_by_all_methods(void **state) {
     const double dampings[] = {0.6, 0.1, 0.01}, start[] = {0.0, 0.0};
     (void)state;
@@ -86,7 +86,7 @@ static void rests_by_all_methods(void **state) {
         }
 }
 
-/// At nothing, too, where a motion has no size but what its steps leave.
+/// Equilibria at 0 are found, too, where a motion has no size except the errors of its steps.
 static void rests_at_zero(void **state) {
     const oscillator o = {.damping = 0.1};
     const double start[] = {0.3, 0.0};
@@ -94,8 +94,8 @@ static void rests_at_zero(void **state) {
     for (size_t m = 0; m < 3; m++) assert_true(judge(&o, methods[m], start, 1100).rests);
 }
 
-/// A vibration, however small; a cycle about an unstable equilibrium; and an equilibrium that draws in so slowly that
-/// what is near by may be something else.
+/// No equilibrium is reported for a vibration, however small; for a cycle about an unstable equilibrium; and for an
+/// equilibrium that attracts so slowly that the motion near it may be another one.
 static void what_is_no_rest(void **state) {
     const oscillator forced = {.damping = 0.1, .load = 0.7, .force = 1e-7};
     const oscillator cycle = {.damping = -0.01, .load = 0.7, .cycle = 1e-7};
@@ -110,7 +110,7 @@ static void what_is_no_rest(void **state) {
     assert_int_equal(judge(&forced, "rk4", start, 300).period, 1);
 }
 
-/// What a second tolerance does not find at rest is P-1 at most.
+/// A motion that is not at rest at the second tolerance is P-1 at most.
 static void both_tolerances_must_rest(void **state) {
     const oscillator o = {.damping = 0.1, .load = 0.7};
     const double start[] = {0.0, 0.0};

@@ -55,7 +55,7 @@ static void two_tolerances(void **state) {
     assert_int_equal(confirm(open, p2).advice.remedy, WHIRL_LONGER_TRANSIENT);
 }
 
-/// What became of copies of a chaotic motion, in whatever order they end.
+/// Copies of a chaotic motion: how they end decides the confidence, and the order of their ends does not.
 static void followed(void **state) {
     (void)state;
     whirl_verdict chaos = verdict_of(WHIRL_CHAOTIC, 0, WHIRL_HIGH);
@@ -172,7 +172,7 @@ static whirl_confidence weighed(whirl_verdict v, const evidence *e) {
     return v.agreement;
 }
 
-/// A motion on a stable orbit is P-k for sure; not where the orbit hardly draws in, or where its returns are hardly
+/// A motion on a stable orbit is P-k with high confidence, unless the orbit hardly attracts or its returns are hardly
 /// apart.
 static void on_an_orbit(void **state) {
     (void)state;
@@ -196,7 +196,7 @@ static void on_an_orbit(void **state) {
     assert_int_equal(weighed(sure, &e), WHIRL_FAIR);
 }
 
-/// Without an orbit returns and exponent must be clear, and other returns far.
+/// Without an orbit, returns and exponent must be clear, and returns after other periods far.
 static void by_returns(void **state) {
     (void)state;
     const whirl_verdict v = {.regime = WHIRL_PERIODIC,
@@ -216,7 +216,7 @@ static void by_returns(void **state) {
     assert_int_equal(weighed(v, &e), WHIRL_FAIR);
 }
 
-/// Chaos is sure where it is strong, steady, irregular and watched for long.
+/// Chaos has high confidence if it is strong, steady, irregular and watched for long.
 static void in_chaos(void **state) {
     (void)state;
     enum { COUNT = 1000 };
@@ -242,7 +242,7 @@ static void in_chaos(void **state) {
     assert_int_equal(weighed(sure, &e), WHIRL_FAIR);
 }
 
-/// An equilibrium is sure where it draws in what is so near, and perturbations are seen to die out.
+/// An equilibrium has high confidence if it attracts motions as near as this one, and perturbations are seen to decay.
 static void at_rest(void **state) {
     (void)state;
     double growth[1000];

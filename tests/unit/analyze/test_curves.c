@@ -68,7 +68,7 @@ static void open_or_thick(void **state) {
     assert_int_equal(curves_find(&all).count, 0);
 }
 
-/// A rotation close to 2/5 that has filled five short arcs only does not show its curve, let alone five.
+/// A rotation close to 2/5 that has filled only five short arcs does not show its curve, let alone five curves.
 static void half_filled(void **state) {
     (void)state;
     static double points[COUNT][3];

@@ -82,7 +82,7 @@ static void zero_one_sees_chaos(void **state) {
     assert_true(isnan(zero_one(&henon, 99)));
 }
 
-/// Rotations, periodic points and slow spirals are not chaos; where nothing moves there is nothing to say.
+/// The 0-1 test finds no chaos in rotations, periodic points and slow spirals; if nothing moves it has no answer.
 static void zero_one_sees_order(void **state) {
     (void)state;
     const double turns[] = {golden, 0.41421356, 0.27201965, 0.1, 0.25, 0.003};
@@ -100,7 +100,8 @@ static void zero_one_sees_order(void **state) {
     assert_true(isnan(zero_one(&rest, 650)));
 }
 
-/// r = 4 forgets at once (its points are uncorrelated, although they follow from each other); rotations never do.
+/// The logistic map at r = 4 has no memory (its points are uncorrelated, although each follows from the one before);
+/// rotations never forget.
 static void memory(void **state) {
     (void)state;
     const map_system system = {
@@ -160,7 +161,7 @@ static void rotation_numbers(void **state) {
         }
 }
 
-/// Points that do not go round a curve have none, nor do too few of them.
+/// Points that do not go round a curve have no rotation number, and neither have too few points.
 static void no_rotation_number(void **state) {
     (void)state;
     const map_system henon = {

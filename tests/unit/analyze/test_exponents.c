@@ -13,7 +13,7 @@
 #include "near.h"
 #include "synthetic.h"
 
-/// Standard normal numbers from a linear congruential generator (Knuth's MMIX), by Box and Muller.
+/// Returns standard normal numbers from a linear congruential generator (Knuth's MMIX), by Box and Muller.
 static double normal(uint64_t *seed) {
     double u[2];
     for (size_t i = 0; i < 2; i++) {
@@ -104,7 +104,8 @@ static void known_exponents(void **state) {
                     log(0.97), 1e-6);
 }
 
-/// The first tenth, in which the perturbation turns, does not count; nothing followed is no number.
+/// The first tenth of the growth, in which the perturbation turns, does not count. Without a perturbation the exponent
+/// is NaN.
 static void what_counts(void **state) {
     (void)state;
     double growth[100];
@@ -158,7 +159,8 @@ static void dimension_of_an_attractor(void **state) {
     assert_true(isnan(whirl_kaplan_yorke(unknown, 1)));
 }
 
-/// Exponents -0.1, with a scatter, and -0.3; their sum misses what it must be by `miss`.
+/// Makes a record with the exponents -0.1, with a scatter, and -0.3, whose sum differs from the growth of the volume by
+/// `miss`.
 static whirl_record *balanced_record(double scatter, double miss) {
     enum { COUNT = 640 };
     whirl_record *record = calloc(1, sizeof *record + 4 * COUNT * sizeof(double));
@@ -177,7 +179,7 @@ static whirl_record *balanced_record(double scatter, double miss) {
     return record;
 }
 
-/// What the sum misses belongs to every error; where errors do not explain it, there are no exponents.
+/// The error of the sum of exponents is added to every error; if errors do not explain it, there are no exponents.
 static void sums_that_miss(void **state) {
     (void)state;
     static const struct {

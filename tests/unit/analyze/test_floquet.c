@@ -84,7 +84,7 @@ static void near_beside(const void *model, double t, const double *forcing, cons
     }
 }
 
-/// A bottleneck at 0, where two equilibria have just met and gone, 1e-4 beyond the fold; it rests at 1.
+/// Returns x': a bottleneck at 0, 1e-4 beyond the fold of two equilibria, and an equilibrium at 1.
 static double past_fold(double x) {
     return (1e-4 + x * x) * (1 - x);
 }
@@ -92,7 +92,7 @@ static double past_fold_slope(double x) {
     return 2 * x * (1 - x) - (1e-4 + x * x);
 }
 
-/// A saddle at 0 that lets go slowly, and rest at 1.
+/// Returns x': a saddle at 0 that motions leave slowly, and an equilibrium at 1.
 static double beside_saddle(double x) {
     return 0.01 * x * (1 - x * x);
 }
@@ -149,7 +149,7 @@ static whirl_record *record(const whirl_system *system, const char *method, bool
 
 static const whirl_probe probe = {.name = "mass", .x = 0, .y = 0, .vx = 1, .vy = 1};
 
-/// A system of two coordinates without its equations.
+/// Makes a system of two coordinates without its equations.
 static whirl_system plane_system(const void *model) {
     return (whirl_system){.dimension = 2, .period = 2 * pi, .probe_count = 1, .probes = &probe, .model = model};
 }
@@ -178,7 +178,8 @@ static whirl_system beside_system(const beside *law) {
 
 // ---------------------------------------------------------------- tests
 
-/// exp(2 pi (-zeta w +- i w sqrt(1 - zeta^2))), whether the motion ran all its way or was set upon its orbit.
+/// The multipliers are exp(2 pi (-zeta w +- i w sqrt(1 - zeta^2))), also if the motion was moved to its orbit before it
+/// settled.
 static void multipliers_of_a_linear_oscillator(void **state) {
     static const char *const methods[] = {"rk4", "dop853", "rodas5p"};
     const oscillator model = {.w = 1.7, .zeta = 0.02};
@@ -250,7 +251,7 @@ static void early_ends_keep_verdicts(void **state) {
     assert_true(ended > POINTS / 3 && doubled > 2);
 }
 
-/// The motion does not end early where it is but held up, and rests at 1 in the end.
+/// A motion that a bottleneck or a saddle holds up does not end early; it comes to rest at 1.
 static void held_up_motions_run_on(void **state) {
     static const struct {
         beside law;
@@ -271,7 +272,7 @@ static void held_up_motions_run_on(void **state) {
     }
 }
 
-/// What stays exactly on a saddle returns, and its orbit says that it is none to rest on.
+/// A motion that stays exactly on a saddle returns; its orbit is reported as unstable.
 static void a_saddle_is_no_verdict_to_trust(void **state) {
     const beside law = {beside_saddle, beside_saddle_slope};
     const whirl_system system = beside_system(&law);
@@ -285,7 +286,8 @@ static void a_saddle_is_no_verdict_to_trust(void **state) {
     whirl_record_free(r);
 }
 
-/// Just outside the unstable torus the motion goes away so slowly that it seems to stand; it is not set upon the focus.
+/// Just outside the unstable torus the motion moves away so slowly that it seems to be at rest. It must not be moved to
+/// the focus.
 static void an_unstable_torus_is_no_basin(void **state) {
     const whirl_system system = {.dimension = 3,
                                  .period = 2 * pi,

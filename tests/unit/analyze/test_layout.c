@@ -37,14 +37,14 @@ static whirl_record_options options_for_test(void) {
     return options;
 }
 
-/// Whether a text has one of some words.
+/// Returns true if a text has one of some words.
 static bool says(const char *text, const char *const *words) {
     while (*words && !strstr(text, *words)) words++;
     return *words != NULL;
 }
 
-/// Every length and force of every analysis tells how it is counted, those of sinusoids so that all who show them
-/// count as they are asked to.
+/// The meaning of every length and force names its convention (0-p, from the centre, ...). Amplitudes of sinusoids have
+/// the convention that a reader may change (p-p, rms).
 static void meanings_tell_how_lengths_are_counted(void **state) {
     (void)state;
     static const char *const lengths[] = {"0-p",           "from the centre",          "radial", "upwards",
@@ -59,7 +59,7 @@ static void meanings_tell_how_lengths_are_counted(void **state) {
         if (strcmp(field->unit, "force") == 0) assert_true(says(field->meaning, forces));
         if (strstr(field->name, "shape")) assert_true(says(field->meaning, relative));
         assert_int_equal(length && says(field->name, sinusoids), whirl_field_counting(field) == WHIRL_AMPLITUDE);
-        // Loads of machines at rest are in SI, nothing moves, and so is the torque of friction.
+        // Only static loads, torques and stiffnesses are in SI.
         const bool at_rest = strncmp(field->name, "statics/", 8) == 0 || strstr(field->name, "torque");
         if (*field->unit == 'N') assert_true(at_rest || strstr(field->unit, "N/m"));
     }
@@ -80,7 +80,8 @@ static whirl_analysis_set all_analyses(void) {
     return set;
 }
 
-/// State i at step n is 10 i + n; its waveform x of probe s at sample j is s + cos(2 pi j/16), y the sine.
+/// A record made by hand: coordinate i in revolution n is 10 i + n. The waveform of probe s at sample j is
+/// x = s + cos(2 pi j/16), y = sin(2 pi j/16).
 typedef struct written_record {
     whirl_record record;
     double section[REVOLUTIONS][8], growth[REVOLUTIONS], waveform[2][2][REVOLUTIONS * 16];
@@ -271,7 +272,7 @@ static void divergence(void **state) {
     free(block);
 }
 
-/// Fields without numbers are left out; options that contradict the choice are refused.
+/// Fields without numbers are left out; options without the data that the chosen analyses need are refused.
 static void options_decide(void **state) {
     (void)state;
     const whirl_integrate_options integrate = steps();

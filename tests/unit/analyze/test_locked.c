@@ -14,7 +14,7 @@
 
 static const double two_pi = 6.283185307179586;
 
-/// A revolution of phi, in turns, with its tangent: p = {s, delta, p, q}, by RK4.
+/// Carries phi, in turns, and its tangent over a revolution by RK4; p = {s, delta, p, q}.
 static void adler_map(const double *p, size_t step, double *z, double *v) {
     enum { STEPS = 4 };
     const double h = 1.0 / STEPS;
@@ -109,7 +109,7 @@ static void locked(void **state) {
     check_locked("locked on P-5 to P-89, on their way", tongues);
 }
 
-/// On periods up to a third of the revolutions watched.
+/// Motions locked on periods up to a third of the revolutions watched.
 static void locked_on_long_periods(void **state) {
     static const int tongues[TONGUES][2] = {{34, 97},  {37, 98},  {37, 101}, {34, 111}, {50, 121}, {55, 144},
                                             {61, 150}, {64, 167}, {41, 173}, {70, 187}, {80, 207}, {89, 216}};

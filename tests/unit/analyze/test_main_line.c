@@ -15,7 +15,7 @@
 #include "section.h"
 #include "whirl/engine/analyze.h"
 
-enum { SAMPLES = 64, DIMENSION = 4, MOST = 128 };
+enum { SAMPLES = 64, DIMENSION = 4, MAX_REVOLUTIONS = 128 };
 
 static const double two_pi = 6.283185307179586476925;
 
@@ -25,7 +25,7 @@ typedef struct known_lines {
     double order, line, growth, wander, third, third_order, third_wander;
 } known_lines;
 
-/// x, y, vx and vy (displacements and their rates) after n revolutions.
+/// Computes x, y, vx and vy (displacements and their rates) after n revolutions.
 static void lines_at(const known_lines *of, double n, double out[DIMENSION]) {
     const double phases[] = {two_pi * n, two_pi * n * (of->order + 0.5 * of->wander * n),
                              two_pi * n * (2.0 * of->order - 1.0 + of->wander * n),
@@ -46,13 +46,14 @@ static void lines_at(const known_lines *of, double n, double out[DIMENSION]) {
 typedef struct known_record {
     whirl_probe probe;
     whirl_record record;
-    double waveform[2 * MOST * SAMPLES], section[DIMENSION * MOST], growth[MOST], low[DIMENSION], high[DIMENSION];
+    double waveform[2 * MAX_REVOLUTIONS * SAMPLES], section[DIMENSION * MAX_REVOLUTIONS], growth[MAX_REVOLUTIONS],
+        low[DIMENSION], high[DIMENSION];
 } known_record;
 
 static known_record *record_lines(const known_lines *of, size_t revolutions) {
     known_record *r = calloc(1, sizeof *r);
     assert_non_null(r);
-    assert_true(revolutions <= MOST);
+    assert_true(revolutions <= MAX_REVOLUTIONS);
     const size_t count = revolutions * SAMPLES;
     r->probe = (whirl_probe){.name = "disc", .x = 0, .y = 1, .vx = 2, .vy = 3};
     for (size_t i = 0; i < DIMENSION; i++) r->low[i] = INFINITY, r->high[i] = -INFINITY;
@@ -99,7 +100,8 @@ static void two_frequencies(void **state) {
     }
 }
 
-/// A third frequency counts from a hundredth of the largest line on; one that wanders by 0.4 bins does not stay.
+/// A third frequency counts if its line is a hundredth of the largest or more. A line that wanders by 0.4 bins is not
+/// constant.
 static void a_third_frequency(void **state) {
     static const struct {
         double size, wander;
@@ -131,7 +133,7 @@ static void a_third_frequency(void **state) {
     }
 }
 
-/// Its rate is that of the line; 0.2 % over the record is what counts as none.
+/// The reported trend is the rate at which the line changes; up to 0.2 % over the record counts as none.
 static void a_line_that_changes(void **state) {
     static const struct {
         double growth;
@@ -150,8 +152,8 @@ static void a_line_that_changes(void **state) {
     }
 }
 
-/// Its order is another one in the second half by half of the record times `wander`: a twentieth of a bin counts as
-/// none.
+/// The reported drift is the change of the order from half to half of the record: half of the record times `wander`. Up
+/// to a twentieth of a bin counts as none.
 static void a_line_that_wanders(void **state) {
     static const struct {
         double wander;
@@ -168,8 +170,8 @@ static void a_line_that_wanders(void **state) {
     }
 }
 
-/// Of 40 revolutions, too few for a curve: two frequencies and three are told by their lines, and by no curve; a third
-/// one that wanders, and a line that dies out stay open.
+/// Forty revolutions are too few for a curve. Verdicts on two and on three frequencies then follow from lines alone.
+/// With a third line that wanders or a line that decays the verdict stays open.
 static void verdicts(void **state) {
     static const struct {
         known_lines lines;

@@ -63,7 +63,7 @@ static whirl_system system_of(const saddle *s) {
                           .model = s};
 }
 
-/// The state of the closed form.
+/// Computes the state at time t in closed form.
 static void state_at(const saddle *s, double t, double x[4]) {
     x[0] = cos(s->w * t);
     x[1] = sin(s->w * t);
@@ -71,7 +71,7 @@ static void state_at(const saddle *s, double t, double x[4]) {
     x[3] = s->w * x[0];
 }
 
-/// Its record over 8 revolutions.
+/// Makes the record of the saddle's motion over 8 revolutions.
 static whirl_record *record(const saddle *s, size_t revolutions, size_t segments) {
     const whirl_system system = system_of(s);
     const whirl_orbit like = {

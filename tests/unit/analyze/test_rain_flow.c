@@ -18,8 +18,8 @@ static void assert_refused(whirl_status status, const char *words) {
     if (!strstr(status.message, words)) fail_msg("'%s' does not say '%s'", status.message, words);
 }
 
-enum { MOST = 4001 };
-static double cycles[MOST][WHIRL_SIGNALS_CYCLE];
+enum { SAMPLES = 4001 };
+static double cycles[SAMPLES][WHIRL_SIGNALS_CYCLE];
 static size_t rows;
 
 static double cycles_of(double range) {
@@ -88,11 +88,11 @@ static void what_does_not_matter(void **state) {
 /// A sine of 500 periods and the amplitude 50 about any mean: damage n/N.
 static void damage_of_a_sine(void **state) {
     (void)state;
-    static double sine[MOST];
+    static double sine[SAMPLES];
     const double point = 200.0, life = 1e6, several[] = {400.0, 200.0, 50.0}, lives[] = {1e4, 1e6, 1e8};
     double damage;
-    for (size_t i = 0; i < MOST; i++) sine[i] = 30.0 + 50.0 * sin(0.25 * 3.14159265358979323846 * (double)i);
-    assert_ok(whirl_signals_rain_flow(sine, MOST, *cycles, &rows));
+    for (size_t i = 0; i < SAMPLES; i++) sine[i] = 30.0 + 50.0 * sin(0.25 * 3.14159265358979323846 * (double)i);
+    assert_ok(whirl_signals_rain_flow(sine, SAMPLES, *cycles, &rows));
     // The first and last quarter are half cycles of 50, the rest are 499.5 cycles of 100: N = 1e6 2^5.
     assert_ok(whirl_signals_damage(*cycles, rows, &point, &life, 1, 5.0, 51.0, &damage));
     assert_near(damage, 499.5 / 32e6, 1e-17);

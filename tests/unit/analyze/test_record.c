@@ -1,4 +1,4 @@
-// Recording: what is gathered of motions that are known in closed form.
+// Records of motions that are known in closed form.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -13,8 +13,8 @@
 
 static const double pi = 3.14159265358979323846;
 
-/// Two free motions about a centre: x = cos t, y = direction 0.5 sin t, from (1, 0, 0, direction 0.5); one contact,
-/// closed with force x - 0.6 where x > 0.6.
+/// An oscillator in the plane. From (1, 0, 0, d/2) with d = 1 or -1 it follows x = cos t, y = d/2 sin t. Its contact
+/// (wall) has the force x - 0.6 where x > 0.6.
 static void harmonic(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
     (void)model, (void)t, (void)forcing;
     dxdt[0] = x[2];
@@ -62,7 +62,7 @@ static void test_ellipse(void **state) {
         assert_true(fabs(r->mean[0]) < 1e-9 && fabs(r->mean[1]) < 1e-9);
         assert_true(r->backward[0] == (direction < 0 ? 1.0 : 0.0));
         assert_true(fabs(r->low[1] + 0.5) < 1e-9 && fabs(r->high[3] - 0.5) < 1e-9);
-        // In contact while |t| < acos 0.6: a share of acos(0.6)/pi, to one instant of 1024; three beginnings.
+        // In contact while |t| < acos 0.6: a share of acos(0.6)/pi, to two instants of 1024; it closes three times.
         assert_true(fabs(r->contact_share[0] - acos(0.6) / pi) < 2.0 / 1024);
         assert_true(r->contact_number[0] == 3.0);
         assert_true(fabs(r->contact_force[0] - 0.4) < 1e-9);
@@ -79,7 +79,8 @@ static void test_ellipse(void **state) {
     }
 }
 
-/// x' = -a x, y' = -b y with the slower rate a: a perturbation shrinks by exp(-a) a revolution once it is aligned.
+/// A node at (1, 2) with the rates 1/4 and 2: once a perturbation is aligned with x, it shrinks by exp(-1/4) in a
+/// revolution.
 static void node(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
     (void)model, (void)t, (void)forcing;
     dxdt[0] = -0.25 * (x[0] - 1);
@@ -101,7 +102,7 @@ static void test_growth_is_the_largest_exponent(void **state) {
     whirl_record_free(r);
 }
 
-/// x' = a x: leaves |x| <= limit in a revolution that is known.
+/// x' = x: exp(n) passes the limit in a known revolution.
 static void explosion(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
     (void)model, (void)t, (void)forcing;
     dxdt[0] = x[0];
@@ -125,13 +126,13 @@ static void test_samples_divide_the_steps(void **state) {
     assert_int_equal(whirl_record_samples(&options, 1000), 100);
     assert_int_equal(whirl_record_samples(&options, 997), 997);
     assert_int_equal(whirl_record_samples(&options, 48), 48);
-    // As the definition has it, for every number of steps.
+    // The definition, for every number of steps: the smallest divisor from 64 on.
     for (int steps = 1; steps <= 2000; steps++) {
         int found = steps < 64 ? steps : 64;
         while (steps % found != 0) found++;
         assert_int_equal(whirl_record_samples(&options, steps), found);
     }
-    assert_int_equal(whirl_record_samples(&options, 2147483647), 2147483647); // a prime, and at once
+    assert_int_equal(whirl_record_samples(&options, 2147483647), 2147483647); // a prime; the search must be fast
 }
 
 /// x' = -x/4 + cos t: settles on its one periodic motion as exp(-2 pi/4) a revolution.
@@ -150,7 +151,7 @@ static void test_a_settled_transient_ends_early(void **state) {
     options.settle = true;
     whirl_record *early = record(&system, &options, start, 64);
     assert_true(whole->revolutions == 1200);
-    // e^(-2 pi n/4) reaches 1e-11 of itself after 17 revolutions; 35 returns prove it; then 64 and the record.
+    // e^(-2 pi n/4) is below 1e-11 after 17 revolutions. 35 returns prove it. Then come 64 revolutions and the record.
     assert_true(early->revolutions > 17 + 35 + 64 + 100 - 5 && early->revolutions < 17 + 35 + 64 + 100 + 10);
     assert_int_equal(early->section_count, 164);
     assert_int_equal(early->growth_count, 164);
@@ -216,7 +217,7 @@ static void forced_slopes(const void *model, double t, const double *forcing, co
         dxdt[i] = size * cos(t + of->phase) - of->s * (x[i] - of->constant);
 }
 
-/// The growth is that of the motion wherever its section is, also where the state is next to zero there.
+/// The exponent is that of the motion at every phase of the section, also if the state is near zero there.
 static void test_growth_beside_a_state_near_zero(void **state) {
     static const char *const methods[] = {"rk4", "dop853", "rodas5p"};
     static const double phases[] = {0.0, 0.3, 1.5707963267948966, 3.141592653589793}, scales[] = {1e-3, 1.0, 1e3},

@@ -107,7 +107,8 @@ static void quasi_periodic(void **state) {
     }
 }
 
-/// p[1] curves, visited in turn, each a rotation by p[0]; z = (phase, curve, number of curves).
+/// Computes the next point on p[1] curves, visited in turn, each a rotation by p[0]; z = (phase, curve, number of
+/// curves).
 static void turning_map(const double *p, size_t step, double *z, double *v) {
     (void)step;
     z[0] = fmod(z[0] + p[0], 1.0);
@@ -212,7 +213,7 @@ static void starts_on_unstable(void **state) {
     free(record);
 }
 
-/// Without a perturbation that was followed only returns to rounding count.
+/// Without a perturbation only returns to rounding errors count.
 static void blind(void **state) {
     (void)state;
     const map_system systems[] = {logistic(3.5), logistic(3.8)};
@@ -238,7 +239,8 @@ static void diverged(void **state) {
     assert_string_equal(whirl_regime_name(verdict.regime), "diverged");
 }
 
-/// What unstable steps throw out at once, or at one step size much earlier than at the other, is not trusted.
+/// Motions that diverge at once, or much earlier at one step size than at the other, may diverge by unstable steps: the
+/// verdict is not trusted.
 static void diverged_at_once_or_apart(void **state) {
     (void)state;
     const double first[] = {17.0, 1.0, 17.0}, other[] = {18.0, 1.0, 40.0};
@@ -253,7 +255,7 @@ static void diverged_at_once_or_apart(void **state) {
     }
 }
 
-/// A record of one revolution, and one of a few, say nothing.
+/// Records of one revolution and of a few have no verdict.
 static void too_short(void **state) {
     (void)state;
     for (size_t watch = 1; watch < 12; watch++) {
@@ -268,7 +270,7 @@ static void too_short(void **state) {
     }
 }
 
-/// What could not be told of few points stands in no sentence.
+/// Quantities that could not be computed from few points appear in no sentence.
 static void reasons_have_numbers_alone(void **state) {
     (void)state;
     const map_system systems[] = {logistic(3.8), logistic(3.5), logistic(3.56994)};

@@ -9,7 +9,8 @@
 
 #include "settling.h"
 
-/// Revolutions until 1e-6 (1 + 2^-n), beside a phase that turns by `rate`, counts as settled; 1000 where it never does.
+/// Returns the revolutions until the sequence 1e-6 (1 + 2^-n), together with a phase that turns by `rate`, counts as
+/// settled; 1000 if it never does.
 static int revolutions(double rate) {
     const double turns[2] = {0.0, 6.283185307179586476925};
     settling *s = settling_new(&(whirl_system){.dimension = 2, .turns = turns});
@@ -23,7 +24,8 @@ static int revolutions(double rate) {
     return n;
 }
 
-/// The first that returns to 1e-11 of its size comes from 2^-n < 1e-11, n = 37; it is the first of 35 in a row.
+/// The first return to 1e-11 of the size is at n = 37, where 2^-n < 1e-11. It is the first of the 35 in a row that are
+/// needed.
 static void phases_have_no_part(void **unused) {
     (void)unused;
     const int expected = 37 + 34;

@@ -51,7 +51,7 @@ static void fill_keyphasor(const run_up *run) {
     }
 }
 
-/// Pulses at the whole turns that are within the samples.
+/// Writes the pulses at the whole turns within the samples, and returns their number.
 static size_t exact_pulses(const run_up *run) {
     const size_t whole = (size_t)turns_at(run, time_at[COUNT - 1]);
     for (size_t k = 0; k <= whole; k++) instants[k] = time_of(run, (double)k);
@@ -132,7 +132,7 @@ static void polynomials_are_interpolated(void **state) {
     }
 }
 
-/// Where a pulse and a sample meet the sample itself is given, to the bit.
+/// At a pulse that coincides with a sample the value is that of the sample, to the bit.
 static void samples_at_pulses_stay(void **state) {
     (void)state;
     const double t[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0};
@@ -173,7 +173,7 @@ static void phases_of_a_run_up(void **state) {
     assert_true(worst < most && worst > 0.01 * most);
 }
 
-/// Whatever the pulses are, the time of equal angles never goes back.
+/// The time of equal angles never decreases, for any pulses.
 static void angles_stay_monotone(void **state) {
     (void)state;
     const double pulses[] = {0.0, 0.1, 5.0, 5.001, 5.002, 19.0, 20.0};
@@ -189,7 +189,7 @@ static void angles_stay_monotone(void **state) {
 
 // ---------------------------------------------------------------- spectra
 
-/// Three orders of two channels, while the speed grows by a tenth.
+/// Fills two channels with three orders, while the speed grows by a tenth.
 static void fill_orders(const run_up *run) {
     fill_keyphasor(run);
     for (size_t i = 0; i < COUNT; i++) {
@@ -333,7 +333,8 @@ static void recurrence_of_periods(void **state) {
     assert_true(isnan(determinism) && longest == 0);
 }
 
-/// Points that alternate, with noise up to 0.02 of the size: the smallest period that returns within the tolerance.
+/// Points of period 2 with noise up to 0.02 of the size: the smallest period that returns within the tolerance is
+/// found.
 static void a_period_in_noise(void **state) {
     (void)state;
     enum { N = 400 };
@@ -458,7 +459,7 @@ static void sizes_that_mean_nothing_are_refused(void **state) {
     assert_int_equal(whirl_signals_orders(50, 0, 5.0) + whirl_signals_orders(50, 10, NAN), 0);
 }
 
-/// What is strange but no error has an answer.
+/// Unusual but valid signals have an answer.
 static void strange_signals_are_answered(void **state) {
     (void)state;
     const double two[] = {0.0, 9.95};
@@ -475,7 +476,8 @@ static void strange_signals_are_answered(void **state) {
     assert_ok(whirl_signals_spectrum(v, v, 40, 10, 5.0, NULL, &lines[0][0], &found, synchronous));
 }
 
-/// A number of a sequence (Numerical Recipes' quick one): mostly ordinary, at times a gap, an infinity or a huge one.
+/// Returns a number of a pseudo-random sequence (Numerical Recipes' quick one): mostly ordinary, at times a gap, an
+/// infinity or a huge number.
 static double any_number(uint32_t *seed) {
     *seed = *seed * 1664525U + 1013904223U;
     const uint32_t kind = *seed >> 20;

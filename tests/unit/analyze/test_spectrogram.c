@@ -21,7 +21,8 @@ static void assert_refused(whirl_status status, const char *words) {
     if (!strstr(status.message, words)) fail_msg("'%s' does not say '%s'", status.message, words);
 }
 
-/// Shares of the amplitude of a sweep, by quadrature and by error functions of complex arguments.
+/// A Hann window keeps the part of the amplitude of a sweep that quadrature and error functions of complex arguments
+/// give.
 static void loss_of_a_sweep(void **state) {
     (void)state;
     static const double known[3][2] = {{0.25, 0.9995372077858}, {1.0, 0.992644641011}, {4.0, 0.8942682817821}};
@@ -54,7 +55,7 @@ static void check_bin(size_t row, size_t bin, const double expected[4]) {
     for (size_t c = 0; c < 4; c++) assert_near(rows[(row * BINS + bin) * 4 + c], expected[c], 1e-13);
 }
 
-/// An ellipse of the frequency 5 and a mean: its amplitudes in all windows, half of them in the bins next to it.
+/// An ellipse of frequency 5 and a mean have the same amplitudes in all windows, half of them in the next bins.
 static void ellipse_in_all_windows(void **state) {
     (void)state;
     assert_int_equal(whirl_signals_frequencies(WINDOW), BINS);

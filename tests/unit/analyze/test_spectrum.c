@@ -22,7 +22,7 @@ typedef struct tone {
     double order, a, p, b, q;
 } tone;
 
-/// A record that holds the sum of the tones about (x0, y0).
+/// Makes the record of a sum of tones about (x0, y0).
 static whirl_record record_of_tones(const tone *tones, size_t tone_count, double x0, double y0) {
     static const whirl_probe probe = {.name = "disc", .y = 1};
     double *waveform = malloc(2 * COUNT * sizeof(double));
@@ -162,7 +162,7 @@ static void hann_lobe(void **state) {
     }
 }
 
-/// The bins: orders 0 to 5, a hundredth apart; a line at the highest order is found, a small one beyond is not.
+/// Bins are orders 0 to 5, a hundredth apart. A line at the highest order is found, a small one beyond it is not.
 static void range(void **state) {
     (void)state;
     const tone tones[] = {{5.0, 0.1, 0.0, 0.1, 0.3}, {5.5, 0.005, 0.0, 0.005, 0.3}};
@@ -175,7 +175,7 @@ static void range(void **state) {
     whirl_spectrum_free(spectrum);
 }
 
-/// What is below a ten-thousandth of the largest line is not reported, and at most 16 lines are, the largest.
+/// Lines below a ten-thousandth of the largest are not reported, and of the others only the 16 largest are.
 static void few_lines(void **state) {
     (void)state;
     const tone small[] = {{1.0, 1.0, 0.0, 1.0, 0.0}, {2.0, 0.7e-4, 0.0, 0.7e-4, 0.0}};
@@ -199,7 +199,8 @@ static void standstill(void **state) {
     whirl_spectrum_free(spectrum);
 }
 
-/// Lines lie where the motion is, also above the highest order, and their squares are those of the waveform.
+/// Lines are found at all orders, also above the highest one that is asked for, and the sum of their squares is that of
+/// the waveform.
 static void lines_hold_the_motion(void **state) {
     // 1X, and a backward whirl far above 5X; to half of the samples.
     static const double orders[] = {5.65, 11.3, 29.7};

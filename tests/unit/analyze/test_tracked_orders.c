@@ -24,7 +24,8 @@ enum { TURNS = 7, SAMPLES = 12, CHANNELS = 2, COUNT = TURNS * SAMPLES, ORDERS = 
 static double turned[CHANNELS * COUNT], vectors[2 * CHANNELS * ORDERS * TURNS];
 static const double orders[ORDERS] = {0.0, 0.5, 1.0, 2.0};
 
-/// Means 3 and -2; orders 1/2, 1, 2 and 5 of known amplitudes and lags, half of them in the second channel.
+/// Fills two channels: means 3 and -2, and orders 1/2, 1, 2 and 5 of known amplitudes and lags, half as large in the
+/// second channel.
 static void fill(void) {
     for (size_t i = 0; i < COUNT; i++) {
         const double angle = two_pi * (double)(i + 1) / SAMPLES;

@@ -14,7 +14,7 @@
 
 static const double two_pi = 6.283185307179586476925;
 
-/// Numbers from -1 to 1 without a pattern.
+/// Returns pseudo-random numbers from -1 to 1.
 static double random_number(uint64_t *state) {
     *state = *state * 6364136223846793005u + 1442695040888963407u;
     return (double)(*state >> 11) / 4503599627370496.0 - 1.0;
@@ -30,7 +30,8 @@ static double complex sum(const double *samples, size_t count, double bin) {
     return (double)re + I * (double)im;
 }
 
-/// Noise in a Hann window has all frequencies; the error is measured by the mean size of their amplitudes.
+/// Returns the largest error of the transform of noise in a Hann window, which has all frequencies, over the mean size
+/// of the amplitudes.
 static double largest_error(size_t count) {
     double *x = malloc(2 * count * sizeof *x), *y = x + count, worst = 0.0, power = 0.0;
     uint64_t state = count;
@@ -65,7 +66,7 @@ static void transform_is_the_sum(void **state) {
     }
 }
 
-/// The amplitude of a sinusoid on a bin without a window is that of the sinusoid.
+/// A sinusoid at the frequency of a bin, without a window, has its own amplitude there.
 static void window_sum_is_the_unit(void **state) {
     enum { COUNT = 96 };
     double x[COUNT], y[COUNT];

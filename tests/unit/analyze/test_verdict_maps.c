@@ -13,7 +13,7 @@
 
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 
-/// The verdict on 650 iterates. It must be the expected one, or for a trap at least none that is wrong.
+/// Returns the verdict on 650 iterates. It must be the expected one, or for a trap at least not a wrong one.
 static whirl_verdict judge(const map_system *system, size_t transient) {
     whirl_record *record = record_map(system, transient, 650, 100);
     record->revolutions = (double)(transient + 650);
@@ -35,7 +35,7 @@ static map_system logistic(double r) {
         .map = logistic_map, .dimension = 1, .section_dimension = 1, .parameters = {r}, .start = {0.3123}};
 }
 
-/// A circle that turns by a share of itself, as a section sees it.
+/// Makes the system of a rotation by `turn` turns, whose section is a circle.
 static map_system rotation(double turn) {
     return (map_system){.map = circle_map,
                         .embed = on_circle,
@@ -50,7 +50,7 @@ static double iterate(double r, double x, int count) {
     return x;
 }
 
-/// Zero of f^count(1/2) - target(r) in (low, high), where it changes sign.
+/// Returns the zero of f^count(1/2) - target(r) in (low, high), where it changes sign.
 static double bisect(double low, double high, int count, double (*target)(double r)) {
     const double sign = iterate(low, 0.5, count) - target(low);
     for (int i = 0; i < 200; i++) {
@@ -103,8 +103,8 @@ static void superstable_cycles(void **state) {
         assert_int_equal(for_all_roots(period, critical_point, is_superstable), known[period - 2]);
 }
 
-/// The superstable cycles of the cascade, to the longest period that is told, and one beyond it, which is not; nor are
-/// long ones where less than three periods are watched, and the reason says so.
+/// The superstable cycles of the cascade are recognized up to the longest period, and the one beyond it is not. Long
+/// periods are not recognized if less than three periods are watched; the reason says so.
 static void long_periods(void **state) {
     (void)state;
     const double near[] = {3.5546408628, 3.5666673799, 3.5692435316, 3.5697952937, 3.5699134654};
@@ -133,14 +133,14 @@ static void long_periods(void **state) {
     }
 }
 
-/// A motion that repeats after 96 points by construction: x' = x/2 towards the point of a fixed list whose turn it is.
+/// Computes x' = x/2 towards the next point of a fixed list of 96: the motion repeats after 96 points by construction.
 static void listed_map(const double *p, size_t step, double *z, double *v) {
     const double target = fmod(p[1] * (double)(step % (size_t)p[0]) * (double)(step % (size_t)p[0]), 1.0);
     v[0] *= 0.5;
     z[0] = target + 0.5 * (z[0] - target);
 }
 
-/// Every period from 65 to 128, of points in no order.
+/// Every period from 65 to 128 is recognized, with points in random order.
 static void listed_periods(void **state) {
     (void)state;
     for (int k = 65; k <= 130; k++) {
@@ -155,7 +155,8 @@ static void listed_periods(void **state) {
     }
 }
 
-/// Two points by turns, and beside them what shrinks by p[0] a step, or passes where p[1] + y^2 nearly vanishes.
+/// Alternates between two points; a third coordinate shrinks by p[0] a step, or passes a bottleneck where p[1] + y^2
+/// nearly vanishes.
 static void approaching_map(const double *p, size_t step, double *z, double *v) {
     const double slope = p[0] + 2.0 * z[1];
     z[1] = p[2] > 0.0 ? z[1] + p[1] + z[1] * z[1] : p[0] * z[1];
@@ -164,8 +165,8 @@ static void approaching_map(const double *p, size_t step, double *z, double *v) 
     z[0] = (step % 2 ? 0.2 : 0.7) + p[3] * z[1];
 }
 
-/// What comes near P-2 at an even rate is told before it is there, with no more than fair confidence; what passes the
-/// place where two orbits have just vanished, which slows down as it nears, is not.
+/// A motion that approaches P-2 at a steady rate is judged as P-2 before it arrives, with fair confidence at most. A
+/// motion that slows down in the bottleneck that two orbits have left is not.
 static void convergence_is_foreseen(void **state) {
     const map_system even = {.map = approaching_map,
                              .dimension = 2,
@@ -199,7 +200,7 @@ static bool is_misiurewicz(double r, int count) {
     return true;
 }
 
-/// Where 1/2 falls onto the unstable fixed point almost all motions are chaotic (Misiurewicz 1981).
+/// If 1/2 is mapped onto the unstable fixed point, almost all motions are chaotic (Misiurewicz 1981).
 static void misiurewicz_points(void **state) {
     (void)state;
     int found = 0;
@@ -266,7 +267,7 @@ static void cats(void **state) {
     }
 }
 
-/// A rational rotation returns, but nothing holds it: it is not told as periodic. Nor is a slow drift.
+/// A rational rotation returns but does not attract: it is not judged periodic. Neither is a slow drift.
 static void neutral_returns(void **state) {
     (void)state;
     const double turns[] = {0.5, 1.0 / 3.0, 0.4, 0.4 + 1e-9, 0.25 + 1e-7, 0.4 + 1e-5};
@@ -276,7 +277,7 @@ static void neutral_returns(void **state) {
     }
 }
 
-/// The golden and other rotations far from rational ones are tori, with confidence.
+/// The golden mean and other rotations far from rational ones are quasi-periodic, with high confidence.
 static void rotations(void **state) {
     (void)state;
     const double turns[] = {0.38196601125, 0.41421356237, 0.27201964951, 0.2360679775,  0.44948974278,
@@ -301,8 +302,8 @@ static void rotations(void **state) {
     assert_non_null(strstr(reason, "locks up to P-216 are excluded, longer ones are not"));
 }
 
-/// Slow rotations draw no curve in the revolutions watched. The way round, 1/|k turns - p| iterates, is told to a
-/// third, and the watch that is advised shows the curve.
+/// Slow rotations do not fill their curve in the revolutions watched. The length of a round, 1/|k turns - p| iterates,
+/// is reported to a third; with the advised `watch` the curve is recognized.
 static void drifts(void **state) {
     const double turns[] = {0.4992615, 0.5003, 0.0009, 1.0 / 3.0 + 3e-4, 0.25 - 1.6e-4, 0.0011};
     const int branches[] = {2, 2, 1, 3, 4, 1};
@@ -332,7 +333,7 @@ static void drifts(void **state) {
     }
 }
 
-/// Two rotations at once, the second of a size of its own.
+/// Computes two rotations; the second has its own size.
 static void two_rotations_map(const double *p, size_t step, double *z, double *v) {
     (void)step, (void)v;
     for (int i = 0; i < 2; i++) z[i] = fmod(z[i] + p[i], 1.0);
@@ -352,8 +353,8 @@ static void on_thin_torus(const double *z, double *point) {
     embed_two(z, 2e-3, point);
 }
 
-/// The record with the growth of all perturbations, of which the first two neither grow nor die out; the others die
-/// out, at `second` from the second on where that is below 0.
+/// Judges the record with the growth of all perturbations. The first two neither grow nor decay. The others decay, and
+/// so does the second at the rate `second` if that is below 0.
 static whirl_verdict judge_with_exponents(whirl_record *record, double second) {
     const size_t d = record->dimension, count = record->growth_count;
     double *growths = malloc(count * (d + 1) * sizeof *growths);
@@ -370,8 +371,8 @@ static whirl_verdict judge_with_exponents(whirl_record *record, double second) {
     return verdict;
 }
 
-/// Tori of three frequencies draw a surface. It may look like a curve, but is not told as one; the exponents tell what
-/// it is.
+/// The section of a torus of three frequencies is a surface. It may look like a curve, but is not judged as one; the
+/// exponents identify it.
 static void surfaces(void **state) {
     void (*const embeddings[])(const double *, double *) = {on_wide_torus, on_thin_torus};
     const double turns[][2] = {
@@ -402,7 +403,8 @@ static void surfaces(void **state) {
     assert_true(told >= 7);
 }
 
-/// Of a curve they say the same as its points; a second exponent below zero lets curves count that are not smooth.
+/// For a curve exponents give the same verdict as its points. With a second exponent below zero, curves that are not
+/// smooth are accepted, too.
 static void curves_with_exponents(void **state) {
     const double seconds[] = {0.0, -0.01, -1.0};
     (void)state;

@@ -46,7 +46,7 @@ static double largest_error(const double expected[ORDERS][3][2]) {
     return worst;
 }
 
-/// Amplitudes and weights to the twelve digits that were computed in 40 digits.
+/// Amplitudes and weights agree to the twelve digits of a computation in 40 digits.
 static void digits_of_two_orders(void **state) {
     (void)state;
     static const double one[ORDERS][3][2] = {
@@ -152,7 +152,8 @@ static void crossing_orders_together(void **state) {
 
 // ---------------------------------------------------------------- the angle
 
-/// The angle at the instants of resampled samples is theirs; before and after the pulses there is none.
+/// At the instants of resampled samples the angle is that of the samples; before the first and after the last pulse
+/// there is none.
 static void angle_of_a_run_up(void **state) {
     (void)state;
     enum { PULSES = 30, EACH = 16, MANY = (PULSES - 1) * EACH };

@@ -51,7 +51,7 @@ static answer analyse(path_fn *path, double gap) {
                     block[whirl_layout_field(&layout, "winding/dry_whip")->offset]};
 }
 
-/// About a centre far from (0, 0), as a journal that hangs in its bearing.
+/// Computes a forward circle about a centre far from (0, 0), as of a journal that hangs in its bearing.
 static void forward_off_centre(double t, double *x, double *y) {
     *x = 3.0 + 0.2 * cos(two_pi * t);
     *y = -2.0 + 0.1 * sin(two_pi * t);

@@ -17,7 +17,7 @@ static double uniform(uint64_t *seed) {
     return (double)(*seed >> 11) / 9007199254740992.0;
 }
 
-/// Error in units in the last place of the true value, which 64-bit significands give to 1/1000 of one.
+/// Returns the error in units in the last place of the true value, which has 64-bit significands: 1/1000 of a unit.
 static double error_in_ulps(double value, long double truth) {
     int exponent;
     frexpl(truth, &exponent);
@@ -53,7 +53,7 @@ static void test_other_roots(void **state) {
     assert_true(isnan(v_ninth_root(NAN)) && isnan(v_over_root(NAN)));
 }
 
-/// atan(y/x), x > 0, as the film has it, with a division of its own.
+/// Returns atan(y/x) for x > 0 by the division of the film's kernel.
 static double angle_of(double y, double x) {
     const double over = x / (x * x + y * y);
     return v_half_angle(x * over - 0.5, y * over);
@@ -83,7 +83,7 @@ static void test_special_values(void **state) {
     assert_true(isnan(angle_of(NAN, 1.0)) && isnan(angle_of(1.0, NAN)));
 }
 
-/// Angles that are added to others: absolute errors count.
+/// Angles that are added to others need a small absolute error.
 static void test_sine_and_cosine_of_small_angles(void **state) {
     double worst = 0.0, s, c;
     uint64_t seed = 17;
@@ -124,7 +124,7 @@ static void test_sine_and_cosine(void **state) {
     assert_true(isnan(s) && isnan(c));
 }
 
-/// Angles of phases that turn many times in a revolution, either way: absolute errors count.
+/// Phases that turn many times in a revolution, in both directions, need a small absolute error.
 static void test_sine_and_cosine_of_large_angles(void **state) {
     double worst = 0.0, s, c;
     uint64_t seed = 29;

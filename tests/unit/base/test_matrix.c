@@ -16,11 +16,11 @@
 
 static const double pi = 3.14159265358979323846;
 
-enum { MOST = 100 };
+enum { MAX_SIZE = 100 };
 
 static unsigned noise = 1;
 
-/// Numbers that are no pattern, between -1 and 1.
+/// Returns pseudo-random numbers between -1 and 1.
 static double some_number(void) {
     noise = noise * 1664525u + 1013904223u;
     return (double)(noise >> 8) / (double)(1u << 23) - 1.0;
@@ -29,18 +29,18 @@ static double some_number(void) {
 // ---------------------------------------------------------------- eigenvalues
 
 typedef struct spectrum {
-    double real[MOST], imaginary[MOST];
+    double real[MAX_SIZE], imaginary[MAX_SIZE];
 } spectrum;
 
 static spectrum spectrum_of(size_t n, const double *matrix) {
-    static double copy[MOST * MOST];
+    static double copy[MAX_SIZE * MAX_SIZE];
     spectrum s;
     memcpy(copy, matrix, n * n * sizeof *copy);
     assert_true(matrix_eigen(n, copy, s.real, s.imaginary, NULL));
     return s;
 }
 
-/// Whether each wanted value is there, to `tolerance`, as often as it is wanted.
+/// Checks that every expected value is found to `tolerance`, as often as it is expected.
 static void expect_spectrum(size_t n, spectrum found, const spectrum *wanted, double tolerance) {
     for (size_t i = 0; i < n; i++) {
         size_t nearest = i;
@@ -66,9 +66,9 @@ static void test_companion_matrices(void **state) {
 
 /// Cyclic shifts have the roots of unity: all moduli alike, where shifts of the QR algorithm can go round in circles.
 static void test_cyclic_shifts(void **state) {
-    static double matrix[MOST * MOST];
+    static double matrix[MAX_SIZE * MAX_SIZE];
     (void)state;
-    for (size_t n = 1; n <= MOST; n = 2 * n + 1) {
+    for (size_t n = 1; n <= MAX_SIZE; n = 2 * n + 1) {
         spectrum wanted;
         memset(matrix, 0, sizeof matrix);
         for (size_t i = 0; i < n; i++) {
@@ -147,7 +147,7 @@ static void test_bad_scales(void **state) {
     expect_spectrum(N, spectrum_of(N, matrix), &wanted, 1e-10);
 }
 
-/// A v = lambda v to rounding, of length 1; and the eigenvalues are LAPACK's.
+/// Eigenvectors of length 1 fulfil A v = lambda v to rounding, and the eigenvalues are LAPACK's.
 static void test_eigenvectors(void **state) {
     enum { N = 30 };
     static double matrix[N * N], copy[N * N], vectors[N * N * 2];
@@ -272,8 +272,8 @@ static void test_hilbert(void **state) {
     for (size_t i = 0; i < N; i++) assert_true(fabs(solution[0][i] / wanted[i] - 1) < 1e-9);
 }
 
-/// What the segments of an orbit lead to: blocks along the diagonal and beside it, one in the corner, the rest zero;
-/// its pivots stand below. The solution is whole.
+/// Matrices like those of an orbit's segments: blocks on the diagonal and next to it, one in the corner, with pivots
+/// below the diagonal. The solution has whole numbers.
 static void test_blocks_in_a_ring(void **state) {
     enum { N = 3, BLOCKS = 5, ALL = N * BLOCKS };
     double a[ALL * ALL] = {0}, b[ALL] = {0};
@@ -295,7 +295,7 @@ static void test_blocks_in_a_ring(void **state) {
     assert_false(elimination_decompose(2, nowhere, order));
 }
 
-/// A driven chain in complex numbers: what is put back gives the right-hand sides.
+/// A driven chain in complex numbers: the matrix times the solution is the right-hand side.
 static void test_complex_equations(void **state) {
     enum { N = 20, SIDES = 3 };
     static double a[N * N * 2], b[SIDES * N * 2], x[SIDES * N * 2];
@@ -315,8 +315,7 @@ static void test_complex_equations(void **state) {
         }
 }
 
-/// x + y = 2, twice: of all solutions (1, 1) is the shortest. Where nothing solves x = 1 and x = 3, x = 2 comes
-/// nearest.
+/// Of all solutions of x + y = 2 (twice) the shortest is (1, 1). If no x solves x = 1 and x = 3, the nearest is 2.
 static void test_the_shortest_solution(void **state) {
     const double free[4] = {1, 1, 1, 1}, torn[4] = {1, 0, 1, 0};
     double both[2] = {2, 2}, nearest[2] = {1, 3};
@@ -328,7 +327,7 @@ static void test_the_shortest_solution(void **state) {
     assert_true(rank == 1 && fabs(nearest[0] - 2) < 1e-15 && fabs(nearest[1]) < 1e-15);
 }
 
-/// No answer is said to be one.
+/// The solver reports that a problem without an answer has none.
 static void test_what_has_no_answer(void **state) {
     const double singular[4] = {1, 2, 2, 4}, indefinite[4] = {1, 2, 2, 1}, one[4] = {1, 0, 0, 1};
     double nowhere[4] = {1, NAN, 0, 1}, values[2], more[2], vectors[8], side[4] = {1, 1, 1, 1};

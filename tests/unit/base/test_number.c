@@ -38,7 +38,7 @@ static void short_decimals_stay_short(void **state) {
     }
 }
 
-/// Doubles of any bits (a linear congruential generator by Knuth, MMIX), the ends of the range among them.
+/// Doubles of random bits (a linear congruential generator by Knuth, MMIX) and the ends of the range come back.
 static void every_double_comes_back(void **state) {
     const double ends[] = {5e-324, 2.2250738585072014e-308, 1.7976931348623157e308, -4.9406564584124654e-320};
     uint64_t bits = 1;
@@ -56,7 +56,7 @@ static void every_double_comes_back(void **state) {
     }
 }
 
-/// Significant digits of a written number, zeros at its ends not counted.
+/// Returns the number of significant digits of a written number, without zeros at its ends.
 static size_t significant_digits(const char *text) {
     size_t count = 0, zeros = 0;
     for (; *text && *text != 'e'; text++) {
@@ -67,7 +67,7 @@ static size_t significant_digits(const char *text) {
     return count - zeros;
 }
 
-/// What was written with up to 15 digits needs no more.
+/// A number that was written with up to 15 digits is written with the same digits.
 static void decimals_of_15_digits_need_no_more(void **state) {
     uint64_t bits = 7;
     char text[NUMBER_SIZE], given[NUMBER_SIZE];

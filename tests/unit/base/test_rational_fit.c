@@ -30,7 +30,7 @@ static bool make(size_t count, const double *w, const rational_sample *samples, 
     return rational_fit_poles(1, count, w, samples, pairs, out) && rational_fit_numbers(count, w, samples, out);
 }
 
-/// The largest difference at many frequencies, as a part of the size there.
+/// Returns the largest relative difference over many frequencies.
 static double apart(const rational_fit *one, const rational_fit *other, double low, double high) {
     double most = 0.0;
     for (int k = 0; k <= 1000; k++) {
@@ -48,8 +48,8 @@ static void close_to(double found, double expected, double share) {
     if (!(fabs(found - expected) <= share * fabs(expected))) fail_msg("%.17g, expected %.17g", found, expected);
 }
 
-/// Its own poles and numbers, of a pair that whirls and of two real poles (-181.4 and -1518.6), from 0 and from above
-/// 0.
+/// A fit of samples of a rational function finds its poles and residues: a pair that whirls and two real poles (-181.4
+/// and -1518.6), from 0 and from above 0.
 static void found_again(void **state) {
     static const double lows[] = {0.0, 40.0};
     (void)state;
@@ -78,7 +78,7 @@ static void found_again(void **state) {
     }
 }
 
-/// More poles than there are do no harm.
+/// A fit with more poles than the function has is as good.
 static void with_poles_to_spare(void **state) {
     double w[SAMPLES];
     rational_sample samples[SAMPLES];
@@ -92,7 +92,7 @@ static void with_poles_to_spare(void **state) {
     }
 }
 
-/// Constants alone, with and without poles.
+/// Constants are fitted, with and without poles.
 static void constants(void **state) {
     const rational_fit flat = {.constant = {1e6, 0.0, 5.0, 2e6}, .slope = {300.0, 0.0, 0.0, 0.0}};
     double w[8];
@@ -127,8 +127,8 @@ static void with_noise(void **state) {
     }
 }
 
-/// A function whose pole grows is met as nearly as stable poles can, and what decays has no negative damping beyond the
-/// samples that they do not have themselves.
+/// A function with an unstable pole is approximated as well as stable poles can. The fit of a damping that falls with
+/// the frequency has no negative damping beyond the samples.
 static void kept_stable(void **state) {
     double w[SAMPLES];
     rational_sample samples[SAMPLES];

@@ -12,7 +12,7 @@
 #include "utf8.h"
 #include "whirl/status.h"
 
-/// RFC 3629, section 3.
+/// Encodes a character by RFC 3629, section 3; returns the number of bytes.
 static size_t encode(unsigned number, char *text) {
     if (number < 0x80) return text[0] = (char)number, 1;
     const size_t length = number < 0x800 ? 2 : number < 0x10000 ? 3 : 4;
@@ -22,7 +22,7 @@ static size_t encode(unsigned number, char *text) {
     return length;
 }
 
-/// The property Bidi_Control (PropList.txt), the categories Cc, Zl and Zp.
+/// Returns true for the property Bidi_Control (PropList.txt) and the categories Cc, Zl and Zp.
 static bool steers(unsigned number) {
     static const unsigned marks[] = {0x061C, 0x200E, 0x200F, 0x202A, 0x202B, 0x202C, 0x202D,
                                      0x202E, 0x2066, 0x2067, 0x2068, 0x2069, 0x2028, 0x2029};

@@ -13,7 +13,7 @@
 
 enum { MAJOR = WHIRL_VERSION_MAJOR, MINOR = WHIRL_VERSION_MINOR, PATCH = WHIRL_VERSION_PATCH };
 
-/// A version as one number: in this order they came.
+/// Returns a version as one number; versions were published in the order of these numbers.
 static long place(int major, int minor, int patch) {
     return (major * 1000L + minor) * 1000L + patch;
 }

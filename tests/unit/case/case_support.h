@@ -37,7 +37,7 @@ static const char good_case[] = "whirl: 1\n"                                    
                                 "  integrate: {steps_per_revolution: 64, transient: 20, record: 10}\n"         // 21
                                 "  analyze: [poincare, regime, spectrum]\n";                                   // 22
 
-/// good_case with every `old` replaced by `new`. Freed by the caller.
+/// Returns good_case with every `old` replaced by `new`. Freed by the caller.
 static inline char *edited(const char *text, const char *old, const char *new) {
     const char *at = strstr(text, old);
     assert_non_null(at); // an edit that changes nothing would test nothing
@@ -68,7 +68,7 @@ static inline whirl_case *parse_edited(const char *old, const char *new) {
     return object;
 }
 
-/// The bytes give exactly one problem, which reads like this.
+/// Checks that the bytes give exactly one problem with this text.
 static inline void expect_bytes_problem(const char *text, size_t length, const char *expected) {
     char found[sizeof(whirl_problem)];
     whirl_problems problems = {0};

@@ -38,7 +38,8 @@ static void long_cells_are_read_whole(void **state) {
     csv_free(&table);
 }
 
-/// A cell that is longer is refused, with its place and its length: cut, it would be another name or another number.
+/// A cell that is too long is refused with its place and its length: if it were cut, it would be another name or
+/// number.
 static void longer_cells_are_refused(void **state) {
     char text[600];
     csv_table table;

@@ -7,7 +7,7 @@
 #include "lanes.h"
 #include "whirl/engine/study.h"
 
-/// A number from -0.4 to 0.4 (xorshift, Marsaglia 2003).
+/// Returns a number from -0.4 to 0.4 (xorshift, Marsaglia 2003).
 static double draw(uint64_t *seed) {
     *seed ^= *seed << 13;
     *seed ^= *seed >> 7;

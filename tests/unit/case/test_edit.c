@@ -89,7 +89,7 @@ static void what_takes_no_value_is_refused(void **state) {
     }
 }
 
-/// What was written is what --set would have made of it.
+/// The edited case is the one that --set makes.
 static void an_edited_case_means_what_was_written(void **state) {
     (void)state;
     char *found = NULL;

@@ -5,7 +5,7 @@
 
 #include "whirl/engine/study.h"
 
-/// A word or number for the key that is not its default.
+/// Returns a word or number for the key that is not its default.
 static const char *other_value(const whirl_key *key, char text[WHIRL_NAME_SIZE]) {
     if (strcmp(key->name, "method") == 0) return "rodas5p";
     if (key->kind == WHIRL_KEY_CHOICE && strcmp(key->choices, "unlocated|located") == 0) return "located";
@@ -22,19 +22,20 @@ static const char *other_value(const whirl_key *key, char text[WHIRL_NAME_SIZE])
     return text;
 }
 
-/// Parts that are studies of their own.
+/// Returns true for parts that are studies of their own.
 static bool is_study(const char *part) {
 #define NAMED(name, ...) strcmp(part, #name) == 0 ||
     return WHIRL_STUDIES_AT_REST(NAMED) false;
 #undef NAMED
 }
 
-/// The batch of a part of a study that is said beside a sweep, and has points of its own.
+/// Returns the index of the batch of a part of a study, for a part that is given together with a sweep and has its own
+/// points.
 static size_t batch_of(const char *part) {
     return strcmp(part, "branch") == 0 ? 1 : strcmp(part, "motions") == 0 ? 2 : 0;
 }
 
-/// The study of a small case with one key of one part said.
+/// Writes a small case whose study has one key of one part.
 static void with_key(const char *part, const char *key, const char *value, whirl_case **object, whirl_study *study) {
     char text[1024], line[256];
     const bool of_study = strcmp(part, "study") == 0;
@@ -94,7 +95,7 @@ static void every_option_arrives(void **state) {
     follow(whirl_batch_members(), 0);
 }
 
-/// Whether a group of case files has the key.
+/// Returns true if a group of case files has the key.
 static bool is_described(const whirl_member *member) {
     for (const whirl_group *const *group = whirl_case_groups(); *group; group++)
         if (strcmp((*group)->name, member->part) == 0) return whirl_group_key(*group, member->key.name) == &member->key;

@@ -137,7 +137,7 @@ static void units(void **state) {
                    "t:19:35: study.sweep.from: is in mm, expected a plain number");
 }
 
-/// The good case with parameters, the gap of the rub, and the values of a sweep of `wide` in other words.
+/// Returns the good case with these parameters, this gap of the rub, and a sweep of `wide` over these values.
 static char *swept_case(const char *parameters, const char *gap, const char *values) {
     char sweep[128];
     snprintf(sweep, sizeof sweep, "parameter: wide, %s, points", values);
@@ -176,7 +176,7 @@ static void units_of_sweeps(void **state) {
     }
 }
 
-/// Whatever is analysed, what it needs is recorded.
+/// The record has everything that the chosen analyses need.
 static void single_analyses(void **state) {
     (void)state;
     for (const whirl_analysis *a = whirl_analyses(); a->name; a++) {

@@ -5,7 +5,8 @@
 
 #include "../read_all.h"
 
-/// "key:" as a word, in the case itself or in a line of it that is commented out (what excludes something else).
+/// Returns true if a text has "key:" as a word, in the case itself or in a line that is commented out (since it
+/// excludes another one).
 static bool shows_key(const char *text, const char *key) {
     const size_t length = strlen(key);
     for (const char *at = strstr(text, key); at; at = strstr(at + 1, key)) {

@@ -38,7 +38,7 @@ static void expect_wrong(const char *lines, const char *expected) {
     assert_string_equal(problem, expected);
 }
 
-/// The distribution of the parameter in "{NAME: ...}".
+/// Reads the distribution of the parameter in "{NAME: ...}".
 static whirl_tolerance distribution(const char *text) {
     char lines[1024], problem[1024];
     whirl_study study;

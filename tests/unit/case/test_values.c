@@ -11,7 +11,7 @@ static double value_of(const whirl_case *object, const char *name) {
     return value;
 }
 
-/// The value of "p: TEXT" in SI.
+/// Returns the value of "p: TEXT" in SI.
 static double parameter_value(const char *text) {
     char line[200];
     snprintf(line, sizeof line, "kappa: 10\n  p: %s", text);
@@ -29,7 +29,7 @@ static void expect_parameter(const char *text, double expected) {
 
 static const double pi = 3.14159265358979323846;
 
-/// A number in a decimal unit is the double that is read where its exponent is that of the unit, whatever the unit.
+/// A number in a decimal unit is the double nearest to the number with the unit's exponent, for every unit.
 static void decimal_units_are_exact(void **state) {
     static const struct {
         const char *unit;
@@ -192,7 +192,7 @@ static void parameters_are_set(void **state) {
     whirl_case_free(object);
 }
 
-/// A plain number is in the SI unit of what it replaces, and results say so.
+/// A plain number has the SI unit of the value that it replaces, and results show this unit.
 static void set_numbers_keep_their_unit(void **state) {
     (void)state;
     whirl_case *object = parse_good(good_case);
@@ -268,7 +268,7 @@ static void a_swept_parameter_can_be_assigned(void **state) {
     whirl_case_free(object);
 }
 
-/// The rotor's numbers after a key was set, as they are after the same edit by hand.
+/// Checks that the rotor has the same numbers after a key was set as after the same edit by hand.
 static void expect_key_set(const char *assignment, const char *old, const char *new) {
     whirl_case *set = parse_good(good_case), *edited_case = parse_edited(old, new);
     whirl_result *a = calloc(1, sizeof *a), *b = calloc(1, sizeof *b);
@@ -424,7 +424,7 @@ static void carry_follows_the_parameter(void **state) {
     assert_int_equal(carry_of("from: 1, to: 20", "start: rest"), WHIRL_CARRY_NONE);
 }
 
-/// The state that the first point of batch `index` starts from.
+/// Computes the state from which the first point of batch `index` starts.
 static void start_of(const whirl_case *object, size_t index, double state[8]) {
     const whirl_study study = study_of(object);
     const whirl_batch *batch = &study.batches[index];
@@ -619,7 +619,7 @@ static void a_case_runs(void **state) {
     whirl_case_free(object);
 }
 
-/// A table of coefficients is the bearing that has its numbers, in the units that they are written in.
+/// A bearing with a table of coefficients has the numbers of the table, in the units that are written there.
 static void lists_are_in_si(void **state) {
     static const char *const lines[] = {
         "- bearing: {at: disc, speeds: [600 rpm, 100 rad/s, 2000 rpm], kxx: [1 kN/m, 3 kN/m, 9 MN/m], cxx: 7 N s/m}",
@@ -641,7 +641,7 @@ static void lists_are_in_si(void **state) {
     for (int i = 0; i < 8; i++) assert_true(fabs(slopes[0][i] - slopes[1][i]) <= 1e-13 * fabs(slopes[1][i]));
 }
 
-/// The slope of the case's rotor with a parameter at a value (NULL: as it is), at one state.
+/// Computes the slope of the case's rotor at one state, with a parameter at a value (NULL: the case's value).
 static void slope_of(const whirl_case *object, const char *name, double value, double slope[8]) {
     const double x[8] = {1.2, -0.9, 0.2, -0.4, 0.01, 0.02, 0.03, 0.04}; // in contact
     double forcing[WHIRL_MAX_FORCING];
@@ -654,8 +654,8 @@ static void slope_of(const whirl_case *object, const char *name, double value, d
     whirl_rotor_free(rotor);
 }
 
-/// What does not hang on a family's parameter is not evaluated again: each machine is that of the case with the
-/// parameter set, to the bit, whichever expressions lie between.
+/// Expressions that do not depend on a family's parameter are not evaluated again. Each machine is that of the case
+/// with the parameter set, to the bit, for every chain of expressions.
 static void machines_of_families_are_those_of_set_cases(void **state) {
     static const struct {
         const char *name, *setting;

@@ -67,7 +67,7 @@ static const char good[] = "ross_version = \"2.3.0\"\n"
                            "E = 211e9\n"
                            "G_s = 81.2e9\n";
 
-/// The good file with `from` replaced by `to`.
+/// Writes the good file with `from` replaced by `to`.
 static void edit(const char *from, const char *to, char *text, size_t size) {
     const char *const place = strstr(good, from);
     if (!place) fail_msg("there is no '%s'", from);
@@ -100,7 +100,7 @@ static const char cone[] =
     "ROSS's own frequencies are higher, by about 0.5 % where a diameter grows by half along an element and 2 % where "
     "it doubles: its cones are too stiff, those here agree with fine steps of cylinders: 'Shaft Element 1'.";
 
-/// The note beside that of the good file's cone, which is the last one.
+/// Checks the last note, which follows that of the good file's cone.
 static void expect_note(const char *from, const char *to, const char *note) {
     char text[4096];
     whirl_imported imported;
@@ -236,7 +236,8 @@ static void test_refused_by_name(void **state) {
                    "r.toml:18: [DiscElement_Disk 0]: is a DiscElement, expected DiskElement_...");
 }
 
-/// A magnetic bearing in place of the support, whose coefficients go: `keys` behind what all of them have.
+/// Writes the good file with a magnetic bearing in place of the support and its coefficients; `keys` follow the keys
+/// that all magnetic bearings have.
 static void magnet_with(const char *keys, char text[4096]) {
     edit("BearingElement_Support\"]\n", "MagneticBearingElement_Support\"]\n", text, 4096);
     char *const head = strstr(text, "MagneticBearingElement_Support\"]\n");
@@ -279,7 +280,7 @@ static void test_magnets(void **state) {
     }
 }
 
-/// A film whose dimensions the file has stands in a comment beside its coefficients.
+/// A film whose dimensions are in the file is written as a comment next to its coefficients.
 static void test_film(void **state) {
     (void)state;
     expect_line(
@@ -291,7 +292,7 @@ static void test_film(void **state) {
         "viscosity: 0.1 Pa s}\n");
 }
 
-/// Refused with a sentence, or a case that is good.
+/// Checks that a file is refused with a sentence, or gives a valid case.
 static void expect_good_or_refused(const char *text, size_t length) {
     whirl_imported imported;
     const whirl_status status = whirl_import_parse(text, length, "r.toml", &imported);
@@ -307,7 +308,7 @@ static void expect_good_or_refused(const char *text, size_t length) {
     whirl_imported_free(&imported);
 }
 
-/// Every byte left out or replaced by what means something to TOML.
+/// Files in which any byte is left out or replaced by a byte that has a meaning in TOML are refused or valid.
 static void test_broken_bytes(void **state) {
     static const char marks[] = "[]{}=.,\"'#\n\\ -";
     char text[sizeof good];
@@ -321,7 +322,7 @@ static void test_broken_bytes(void **state) {
     }
 }
 
-/// Every value replaced by numbers that machines rarely have.
+/// Files in which any value is replaced by an unusual number are refused or valid.
 static void test_strange_numbers(void **state) {
     static const char *const numbers[] = {"0", "-1", "1e-30", "1e-9", "1e9", "1e30", "1e300", "nan"};
     char text[sizeof good + 16];
@@ -335,7 +336,7 @@ static void test_strange_numbers(void **state) {
     }
 }
 
-/// The good file as of ROSS 3, with this in the place of its table: a line of the case, or the message.
+/// Imports the good file in the format of ROSS 3 with another table; expects a line of the case, or the message.
 static void expect_of_3(const char *table, const char *line, const char *message) {
     static const char old[] = "frequency = [ 0.0, 100.0, 400.0,]\nkxx = [ 1e6, 2e6, 3e6,]";
     char text[4096], whole[4096];
@@ -351,7 +352,7 @@ static void expect_of_3(const char *table, const char *line, const char *message
     whirl_imported_free(&imported);
 }
 
-/// What stands for such a table in time, or why nothing does.
+/// Motions use a rational function in place of such a table; if none can be fitted, the reason is given.
 static void in_time(void **state) {
     static const struct {
         const char *table, *note;
@@ -496,7 +497,7 @@ static void test_notes(void **state) {
                 "Sections without lateral coefficients are left out: 'Collar'.");
 }
 
-/// What ROSS computes otherwise of the same numbers.
+/// Notes name what ROSS computes differently from the same numbers.
 static void test_differences(void **state) {
     (void)state;
     expect_note("n = 1\ntag", "n = 1\nshear_method_calc = \"hutchinson\"\ntag", HUTCHINSON "'Shaft Element 1'.");
@@ -547,7 +548,7 @@ static void test_names(void **state) {
     expect_line("\"BearingElement_Support\"", "\"BearingElement_a\\nwhirl: 2\"", "    # a?whirl: 2, node 3\n");
 }
 
-/// One rotor as TOML and as JSON, with null for what TOML leaves out.
+/// A rotor as TOML and as JSON (with null for keys that TOML leaves out) gives the same case.
 static void test_json(void **state) {
     static const char toml[] = "[ShaftElement_1]\nL = 1\nidl = 0\nodl = 0.1\nn = 0\n"
                                "[ShaftElement_1.material]\nname = \"a\"\nrho = 1\nE = 3\nG_s = 1\n";

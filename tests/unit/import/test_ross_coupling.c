@@ -23,7 +23,7 @@
 static const char good[] =
     PIECE(0, 0.2) PIECE(1, 0.3) PIECE(3, 0.1) HELD(0) HELD(4) "[CouplingElement_Hub]\n" ENDS LATERAL "n = 2\n";
 
-/// The good file with `from` replaced by `to`.
+/// Imports the good file with `from` replaced by `to`.
 static whirl_status import(const char *from, const char *to, whirl_imported *out) {
     char text[4096];
     const char *const place = strstr(good, from);
@@ -94,7 +94,7 @@ static void test_two_shafts(void **state) {
     expect_note("", "", NULL);
 }
 
-/// A bearing between both shafts takes what differs along x and y.
+/// A bearing between both shafts may have different coefficients along x and y.
 static void test_unequal(void **state) {
     static const char sum[] = "radial: 0 N/m, tilt: 5000 N m/rad";
     (void)state;
@@ -179,7 +179,7 @@ static void test_notes(void **state) {
     expect_line(LATERAL, "", "    hub_right: {shaft: shaft_2, position: 0 m, mass: 3 kg");
 }
 
-/// Refused with a sentence, or a case that is good.
+/// Checks that a file is refused with a sentence, or gives a valid case.
 static void expect_good_or_refused(const char *text) {
     whirl_imported imported;
     whirl_case *object = NULL;
@@ -195,7 +195,7 @@ static void expect_good_or_refused(const char *text) {
     whirl_imported_free(&imported);
 }
 
-/// Every number of the coupling replaced by others, nodes among them.
+/// Files in which any number of the coupling, nodes among them, is replaced are refused or valid.
 static void test_strange_numbers(void **state) {
     static const char *const numbers[] = {"0", "1", "3", "4", "5", "-1", "1e-30", "1e30", "1e308", "nan", "1000000"};
     char text[sizeof good + 16];

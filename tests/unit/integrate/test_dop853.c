@@ -47,7 +47,7 @@ static void expect_near(double a, double b, double tolerance) {
     if (!(fabs(a - b) <= tolerance)) fail_msg("%.17g is not within %g of %.17g", a, tolerance, b);
 }
 
-/// Sum of weight[j] c[j]^power over the stages.
+/// Returns the sum of weight[j] c[j]^power over the stages.
 static double moment(const double *weight, int power) {
     double sum = 0.0;
     for (int j = 0; j < DOP853_STAGES; j++) sum += weight[j] * pow(dop853_c[j], power);
@@ -77,7 +77,7 @@ static void test_numbers_meet_their_conditions(void **state) {
     }
 }
 
-/// Sum of the weights of one of several sums times c^power.
+/// Returns the sum of weights times c^power of one of the sums.
 static double sum_moment(const slope_sums *sums, size_t which, int power) {
     double total = 0.0;
     for (size_t j = 0; j < sums->count; j++) total += sums->weight[j][which] * pow(dop853_c[sums->place[j]], power);
@@ -234,7 +234,8 @@ static void spring_switch(const void *model, double t, const double *x, double *
     values[0] = x[0] - gap;
 }
 
-/// Duration of one oscillation from x = -1: outside as cos, within the stop with frequency w about gap stiffness/w^2.
+/// Returns the duration of one oscillation from x = -1: outside the stop x follows cos; in it, a vibration of frequency
+/// w about gap stiffness/w^2.
 static double spring_period(void) {
     const double w = sqrt(1.0 + stiffness), v = sqrt(1.0 - gap * gap), shift = gap - gap * stiffness / (w * w);
     return 2.0 * (pi - acos(gap)) + 2.0 * (pi / 2.0 - atan2(shift * w, v)) / w;
@@ -257,7 +258,7 @@ static void test_contacts_are_located(void **state) {
         }
 }
 
-/// A stone over a floor at x = 0; z counts the time below it. x = height + (t - 1)^2/2.
+/// Computes the slope of a stone over a floor at x = 0; z counts the time below it. x = height + (t - 1)^2/2.
 static void stone_on_sides(const void *model, double t, const double *forcing, const double *x, const double *sides,
                            double *dxdt) {
     (void)model, (void)t, (void)forcing;

@@ -13,7 +13,7 @@
 #include "whirl/engine/ensemble.h"
 #include "whirl/engine/rotor.h"
 
-enum { DIMENSION = 4, MOST = 5, ALONE = 6, TOGETHER = 4 };
+enum { DIMENSION = 4, LANES = 5, ALONE = 6, TOGETHER = 4 };
 
 static void must(whirl_status status) {
     if (status.code != WHIRL_OK) fail_msg("%s", status.message);
@@ -68,7 +68,7 @@ static void contacts_of_nobody(const void *model, const double *x, double *force
     fail_msg("a machine was asked for its contacts after it had left");
 }
 
-/// The rotor goes; its system stays, to tell who asks (without it an address sanitizer would).
+/// Frees the rotor. Its system remains, with functions that fail the test when they are called.
 static void machine_leaves(machine *own) {
     whirl_rotor_free(own->rotor);
     own->rotor = NULL;
@@ -97,7 +97,7 @@ static const way ways[] = {{"rk4", false, 0.0},     {"rk4", false, 0.3},    {"rk
 static const char *const sets[] = {"scalar", "simd128", "fma", "avx2", "avx512"};
 enum { WAYS = sizeof ways / sizeof *ways, SETS = sizeof sets / sizeof *sets };
 
-/// NULL where the processor has no such instructions.
+/// Makes the ensemble; NULL if the processor lacks the instruction set.
 static whirl_ensemble *ensemble_by(const way *by, const char *set, const whirl_system *system) {
     whirl_integrate_options options = whirl_integrate_default();
     whirl_ensemble *lanes;
@@ -105,7 +105,7 @@ static whirl_ensemble *ensemble_by(const way *by, const char *set, const whirl_s
     options.located = by->located;
     options.steps_per_revolution = 64;
     setenv("WHIRL_ISA", set, 1);
-    const bool there = whirl_ensemble_new(system, &options, MOST, &lanes).code == WHIRL_OK;
+    const bool there = whirl_ensemble_new(system, &options, LANES, &lanes).code == WHIRL_OK;
     unsetenv("WHIRL_ISA");
     return there ? lanes : NULL;
 }
@@ -117,7 +117,7 @@ static void revolve(whirl_ensemble *lanes, size_t count, int revolutions) {
     for (int i = 0; i < revolutions; i++) whirl_ensemble_revolve(lanes, count, &watch);
 }
 
-/// A machine as it goes where no other is.
+/// Carries a machine without others in the lanes.
 static void carry_alone(const way *by, const char *set, double eccentricity, int revolutions, double *x) {
     machine *own = machine_new(eccentricity, by->damping);
     whirl_ensemble *lanes = ensemble_by(by, set, &own->system);
@@ -140,24 +140,24 @@ static double eccentricity_of(size_t number) {
 
 // ---------------------------------------------------------------- some are observed
 
-/// What is seen of every third lane is the same whether the others are observed or not, and so is where all go.
+/// Observes every third lane: the results are the same whether other lanes are observed or not, and so are the states.
 static void observe_every_third(const way *by, const char *set) {
-    machine *own[MOST];
-    bool third[MOST];
+    machine *own[LANES];
+    bool third[LANES];
     const whirl_ensemble_observe all = {.extremes = true}, some = {.extremes = true, .lanes = third};
     machine *structure = machine_new(1.0, by->damping);
     whirl_ensemble *ways_to_look[] = {ensemble_by(by, set, &structure->system),
                                       ensemble_by(by, set, &structure->system)};
-    for (size_t i = 0; ways_to_look[0] && i < MOST; i++) {
+    for (size_t i = 0; ways_to_look[0] && i < LANES; i++) {
         third[i] = i % 3 == 1;
         own[i] = machine_new(eccentricity_of(i), by->damping);
         for (int w = 0; w < 2; w++) must(whirl_ensemble_load(ways_to_look[w], i, &own[i]->system, start));
     }
     for (int n = 0; ways_to_look[0] && n < TOGETHER; n++) {
-        whirl_ensemble_revolve(ways_to_look[0], MOST, &all);
-        whirl_ensemble_revolve(ways_to_look[1], MOST, &some);
+        whirl_ensemble_revolve(ways_to_look[0], LANES, &all);
+        whirl_ensemble_revolve(ways_to_look[1], LANES, &some);
     }
-    for (size_t i = 0; ways_to_look[0] && i < MOST; i++) {
+    for (size_t i = 0; ways_to_look[0] && i < LANES; i++) {
         double x[DIMENSION], low[2][DIMENSION], share[2];
         whirl_ensemble_state(ways_to_look[0], i, x);
         expect_same(ways_to_look[1], i, x);
@@ -181,20 +181,20 @@ static void test_lanes_that_are_observed_do_not_notice_others(void **state) {
 
 // ---------------------------------------------------------------- machines leave
 
-/// All lanes are left one after the other, the first always by the last: by machines that are gone the next moment.
+/// Frees the lanes one after the other: the last lane moves to the first place, whose machine is freed at once.
 static void leave_one_by_one(const way *by, const char *set) {
-    machine *own[MOST];
-    size_t who[MOST];
+    machine *own[LANES];
+    size_t who[LANES];
     machine *structure = machine_new(1.0, by->damping);
     whirl_ensemble *lanes = ensemble_by(by, set, &structure->system);
     int revolutions = TOGETHER;
-    for (size_t i = 0; lanes && i < MOST; i++) {
+    for (size_t i = 0; lanes && i < LANES; i++) {
         who[i] = i;
         own[i] = machine_new(eccentricity_of(i), by->damping);
         must(whirl_ensemble_load(lanes, i, &own[i]->system, start));
     }
-    if (lanes) revolve(lanes, MOST, TOGETHER);
-    for (size_t used = MOST - 1; lanes && used > 0; used--, revolutions += ALONE) {
+    if (lanes) revolve(lanes, LANES, TOGETHER);
+    for (size_t used = LANES - 1; lanes && used > 0; used--, revolutions += ALONE) {
         double expected[DIMENSION];
         whirl_ensemble_move(lanes, used, 0);
         machine_leaves(own[who[0]]);
@@ -211,7 +211,7 @@ static void leave_one_by_one(const way *by, const char *set) {
         revolve(lanes, 2, ALONE); // the first is empty
         carry_alone(by, set, 1.0, ALONE, expected);
         expect_same(lanes, 1, expected);
-        for (size_t i = 0; i < MOST; i++) machine_free(own[i]);
+        for (size_t i = 0; i < LANES; i++) machine_free(own[i]);
     }
     whirl_ensemble_free(lanes);
     machine_free(structure);
@@ -237,7 +237,7 @@ static void test_a_machine_that_moves_nowhere_stays(void **state) {
     machine_free(own);
 }
 
-/// Without contacts there would be nothing to ask machines for.
+/// The machines must have contacts: otherwise the ensemble would not call their functions.
 static void test_the_rotor_rubs(void **state) {
     (void)state;
     machine *own = machine_new(eccentricity_of(0), 0.0);
@@ -350,7 +350,7 @@ static void carry_in_lanes(whirl_ensemble *lanes, size_t followed, sampled *samp
     for (size_t l = 0; l < 2; l++) whirl_ensemble_state(lanes, l, out[l].x);
 }
 
-/// Three revolutions of two machines: the states and all that is seen of them are the integrator's own, to the bit.
+/// Checks that three revolutions of two machines give the states and observations of an integrator, to the bit.
 static void expect_lanes_of_integrators(const char *method, size_t followed) {
     machine *own[2] = {machine_new(eccentricity_of(0), 0.0), machine_new(eccentricity_of(1), 0.1)};
     whirl_integrate_options options = whirl_integrate_default();
@@ -388,7 +388,7 @@ static void test_lanes_of_integrators(void **state) {
     expect_lanes_of_integrators("cvode-adams", 1);
 }
 
-/// A machine with other coordinates or contacts has no place there.
+/// A machine with other coordinates or contacts is refused.
 static void test_lanes_of_integrators_have_one_shape(void **state) {
     (void)state;
     machine *own = machine_new(eccentricity_of(0), 0.0);
@@ -430,7 +430,7 @@ static flown unit_at(const double *x) {
 static bool carry_parts(const char *set, const whirl_system *system, size_t count, const double *from,
                         const double *length, flown *all) {
     const whirl_integrate_options options = exact_options();
-    whirl_perturbations beside[MOST];
+    whirl_perturbations beside[LANES];
     whirl_ensemble *lanes;
     setenv("WHIRL_ISA", set, 1);
     const bool there = whirl_ensemble_flow(system, &options, count, DIMENSION, &lanes).code == WHIRL_OK;
@@ -452,7 +452,7 @@ static bool carry_parts(const char *set, const whirl_system *system, size_t coun
     return true;
 }
 
-/// As an integrator carries it over the whole period.
+/// Carries the machine over the whole period by an integrator.
 static flown fly_by_integrator(const whirl_system *system, const double *x) {
     const whirl_integrate_options options = exact_options();
     whirl_integrator *integrator;
@@ -472,8 +472,8 @@ static void expect_near(const flown *a, const flown *b) {
     assert_true(fabs(a->volume - b->volume) < 1e-9);
 }
 
-/// The rotor rubs, with forces that jump and without: one lane over all of the period, and over its parts one after
-/// the other.
+/// A rotor that rubs, with forces that jump and without, is carried in one lane over the whole period, and over its
+/// parts one after the other.
 static void test_parts_lead_where_integrators_do(void **state) {
     (void)state;
     for (int damped = 0; damped < 2; damped++) {
@@ -499,15 +499,15 @@ static void test_parts_lead_where_integrators_do(void **state) {
 static void test_parts_do_not_notice_others(void **state) {
     (void)state;
     machine *own = machine_new(eccentricity_of(0), 0.0);
-    const double period = own->system.period, from[MOST] = {0.0, 1.0, 2.0, 3.0, 4.0};
-    const double length[MOST] = {period, 0.3 * period, 0.2 * period, 0.5 * period, 0.1 * period};
-    flown first[MOST];
+    const double period = own->system.period, from[LANES] = {0.0, 1.0, 2.0, 3.0, 4.0};
+    const double length[LANES] = {period, 0.3 * period, 0.2 * period, 0.5 * period, 0.1 * period};
+    flown first[LANES];
     bool known = false;
     for (int set = 0; set < SETS; set++) {
-        flown together[MOST];
-        for (int i = 0; i < MOST; i++) together[i] = unit_at(start);
-        if (!carry_parts(sets[set], &own->system, MOST, from, length, together)) continue;
-        for (int i = 0; i < MOST; i++) {
+        flown together[LANES];
+        for (int i = 0; i < LANES; i++) together[i] = unit_at(start);
+        if (!carry_parts(sets[set], &own->system, LANES, from, length, together)) continue;
+        for (int i = 0; i < LANES; i++) {
             flown alone = unit_at(start);
             assert_true(carry_parts(sets[set], &own->system, 1, &from[i], &length[i], &alone));
             assert_memory_equal(&alone, &together[i], sizeof alone);
@@ -519,7 +519,7 @@ static void test_parts_do_not_notice_others(void **state) {
     machine_free(own);
 }
 
-/// Other methods carry no parts in lanes, and say so.
+/// Other methods do not carry parts of a period in lanes, and refuse them.
 static void test_parts_of_other_methods_are_refused(void **state) {
     (void)state;
     machine *own = machine_new(eccentricity_of(0), 0.0);

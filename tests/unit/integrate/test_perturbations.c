@@ -152,7 +152,7 @@ static void revolve(whirl_integrator *integrator, double *x) {
     assert_int_equal(whirl_integrator_revolve(integrator, x, NULL, NULL), WHIRL_BOUNDED);
 }
 
-/// d(flow)/dx by central differences of order four, column after column.
+/// Computes d(flow)/dx by central differences of order four, column after column.
 static void difference_flow(whirl_integrator *integrator, const double *x, double step, double *columns) {
     static const double offsets[4] = {-2.0, -1.0, 1.0, 2.0}, weights[4] = {1.0, -8.0, 8.0, -1.0};
     memset(columns, 0, 4 * sizeof *columns);
@@ -165,7 +165,7 @@ static void difference_flow(whirl_integrator *integrator, const double *x, doubl
         }
 }
 
-/// The monodromy over a revolution from x, which goes on.
+/// Computes the monodromy over a revolution from x, which is carried on. Returns the growth of the volume.
 static double carry_columns(whirl_integrator *integrator, double *x, double *columns) {
     whirl_perturbations set = {.count = 2, .vectors = columns};
     const double unit[4] = {1.0, 0.0, 0.0, 1.0};
@@ -286,7 +286,7 @@ static void test_sticking(void **state) {
     assert_false(volume == volume); // the area is lost: there is no logarithm of it
 }
 
-/// An equilibrium leaves steps to the perturbations alone: x'' + 2 zeta x' + x = 0 at rest has a monodromy in closed
+/// At an equilibrium only the perturbations limit the steps: x'' + 2 zeta x' + x = 0 at rest has a monodromy in closed
 /// form.
 static void test_perturbations_of_an_equilibrium(void **state) {
     const oscillator linear = {.zeta = 0.1, .gap = 1e3, .stiffness = 1.0, .belt = 1e3};

@@ -28,7 +28,7 @@ typedef struct tableau {
     double alpha[S][S], beta[S][S], b[S], dense[3][S], gamma_sum[S];
 } tableau;
 
-/// row Gamma, for a row of weights of the increments.
+/// Multiplies a row of weights of the increments by Gamma.
 static void through_gamma(double gamma[S][S], const double *row, int count, double *out) {
     for (int j = 0; j < S; j++) {
         out[j] = 0.0;
@@ -72,8 +72,8 @@ static const tree trees[] = {
     {5, 60, {6, -1}},    {5, 120, {7, -1}}};
 enum { TREES = sizeof trees / sizeof *trees };
 
-/// The elementary weights of all stages: a node with one branch is reached by beta, with several by alpha (Hairer,
-/// Wanner 1996, IV.7).
+/// Computes the elementary weights of all stages: a node with one branch is reached by beta, with several by alpha
+/// (Hairer, Wanner 1996, IV.7).
 static void weigh(const tableau *t, double phi[TREES][S]) {
     for (int n = 0; n < TREES; n++)
         for (int i = 0; i < S; i++) {
@@ -128,7 +128,7 @@ static void test_interpolant_has_order_four(void **state) {
     }
 }
 
-/// R(z), increment by increment on x' = z x from x = 1.
+/// Returns R(z), from the increments on x' = z x from x = 1.
 static double complex amplification(double complex z) {
     double complex u[S], x = 1.0;
     for (int i = 0; i < S; i++) {
@@ -170,7 +170,8 @@ typedef struct stiff_model {
     long *asked;
 } stiff_model;
 
-/// x' = -rate (x - cos t) - sin t (Prothero and Robinson 1974): x = cos t, and what is off it dies out at once.
+/// x' = -rate (x - cos t) - sin t (Prothero and Robinson 1974): the solution is x = cos t, and deviations from it decay
+/// at once.
 static void stiff_rhs(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
     const stiff_model *own = model;
     (void)forcing;
@@ -242,7 +243,7 @@ static void test_with_the_jacobian_and_without(void **state) {
         }
 }
 
-/// The monodromy matrix against differences of motions; its determinant against exp(-0.3 period) and the volume.
+/// The monodromy matrix agrees with differences of motions, its determinant with exp(-0.3 period) and with the volume.
 static void test_perturbations(void **state) {
     (void)state;
     whirl_system system = duffing;

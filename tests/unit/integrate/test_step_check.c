@@ -89,7 +89,7 @@ static void test_the_limit_of_oscillation(void **state) {
     assert_true(whirl_step_is_unstable(&bad));
 }
 
-/// A machine that is unstable itself is no fault of the step.
+/// A machine that is itself unstable is no reason to refuse the step.
 static void test_what_grows_by_itself(void **state) {
     (void)state;
     const whirl_step_check slow = check_spring(-0.1, 4, 64, true), fast = check_spring(-3, 1, 64, true);
@@ -119,7 +119,8 @@ static void test_methods_with_a_tolerance_are_left_alone(void **state) {
     assert_int_equal(whirl_step_check_revolution(&system, &options, start, NULL, 1e-6, &check).code, WHIRL_BAD_INPUT);
 }
 
-/// dop853 crawls in proportion to the decay rate, with its own limit on the real axis; rodas5p does not.
+/// The steps of dop853 are in proportion to the decay rate, by its own limit on the real axis; those of rodas5p are not
+/// limited.
 static void test_what_stiffness_costs(void **state) {
     double steps[2];
     (void)state;

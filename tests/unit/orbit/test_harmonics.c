@@ -13,7 +13,7 @@ enum { COUNT = 9, MANY = 31, N = 2 };
 
 static const double two_pi = 6.283185307179586476925;
 
-/// A curve with harmonics up to the fourth, which nine points hold, and its derivative.
+/// Computes a curve with harmonics up to the fourth, which nine points determine, and its derivative.
 static void curve_at(double t, double *x, double *slope) {
     x[0] = 1.5 + cos(t) - 0.25 * sin(2.0 * t) + 0.125 * cos(4.0 * t);
     x[1] = -0.5 + 2.0 * sin(t) + 0.375 * cos(3.0 * t) - 0.0625 * sin(4.0 * t);
@@ -75,7 +75,7 @@ static void weights_say_the_same(void **state) {
     }
 }
 
-/// To more points the curve stays what it is; to fewer its last harmonics are left out.
+/// With more points the curve stays the same; with fewer, its last harmonics are left out.
 static void points_may_be_more_or_fewer(void **state) {
     (void)state;
     double points[COUNT * N], series[COUNT * N], spread[MANY * N], expected[MANY * N], slopes[MANY * N], x[N], slope[N];

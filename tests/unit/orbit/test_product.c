@@ -17,7 +17,7 @@ enum { N = 6 };
 
 static uint64_t seed;
 
-/// Numbers from -1 to 1, the same in every run.
+/// Returns numbers from -1 to 1, the same in every run.
 static double next_number(void) {
     seed = seed * 6364136223846793005u + 1442695040888963407u;
     return (double)(int64_t)seed * 0x1p-63;
@@ -29,7 +29,7 @@ static void make_orthogonal(double *q) {
     assert_true(matrix_orthogonal(N, a, q, r));
 }
 
-/// out = left middle right'.
+/// Computes out = left middle right'.
 static void multiply(const double *left, const double *middle, const double *right, double *out) {
     memset(out, 0, sizeof(double) * N * N);
     for (size_t i = 0; i < N; i++)
@@ -38,7 +38,7 @@ static void multiply(const double *left, const double *middle, const double *rig
                 for (size_t k = 0; k < N; k++) out[i * N + k] += left[i * N + a] * middle[a * N + b] * right[k * N + b];
 }
 
-/// Factors whose product has the eigenvalues of diag(d) with the first two turned into a pair r e^(+-i angle).
+/// Makes factors whose product has the eigenvalues of diag(d), with the first two replaced by a pair r e^(+-i angle).
 static void make_factors(size_t count, const double d[N], double angle, double above, double *factors) {
     double q[2][N * N], first[N * N];
     make_orthogonal(first);
@@ -59,8 +59,8 @@ static void make_factors(size_t count, const double d[N], double angle, double a
     }
 }
 
-/// Each is exact to its own size, from 2^40 to 1e-120, which the product itself would lose and a single matrix cannot
-/// hold; coupled by rows that are as small as their own diagonal.
+/// Each eigenvalue is exact relative to its own size, from 2^40 to 1e-120, which the product would lose and a single
+/// matrix cannot hold. The rows that couple them are as small as their diagonal.
 static void each_is_exact_to_its_own_size(void **state) {
     enum { COUNT = 40 };
     static const double d[N] = {2.0, 2.0, 0.9, -0.6, 1e-1, 1e-3};
@@ -85,7 +85,7 @@ static void each_is_exact_to_its_own_size(void **state) {
     }
 }
 
-/// Neighbours that orthogonal iteration can hardly tell apart, and none to tell apart at all.
+/// Eigenvalues that orthogonal iteration hardly separates, and equal ones, are found.
 static void near_and_equal_ones(void **state) {
     enum { COUNT = 3 };
     static const double sets[][N] = {{1.0, 1.0, 0.99, 0.98, -0.97, 0.5}, {1.0, 1.0, 1.0, -1.0, 1.0, 1.0}};
@@ -107,7 +107,7 @@ static void near_and_equal_ones(void **state) {
     }
 }
 
-/// A factor that loses a direction makes a 0; one that is not finite makes none.
+/// A singular factor makes an eigenvalue 0; with a factor that is not finite there is no answer.
 static void singular_and_broken_factors(void **state) {
     static const double d[N] = {1.5, 1.5, 0.7, 0.4, 0.2, 0.0};
     double factors[2 * N * N];

@@ -19,7 +19,7 @@ static inline void *sample_take(size_t count, size_t size) {
     return memory;
 }
 
-/// The numbers of a field of a point that may be written to.
+/// Returns the numbers of a field of a point, which the caller may change.
 static inline double *sample_field(whirl_table *table, size_t point, const char *name, size_t which) {
     const whirl_field *field = whirl_layout_field(&table->layout, name);
     if (!field) abort();
@@ -34,7 +34,7 @@ static inline void sample_verdict(whirl_table *table, size_t point, whirl_regime
     *sample_field(table, point, "regime/exponent_error", 0) = 0.01;
 }
 
-/// Lines (order, amplitude in x) of the spectrum of the first station, ended by order 0.
+/// Sets the lines (order, amplitude in x) of the spectrum of the first station; order 0 ends the list.
 static inline void sample_lines(whirl_table *table, size_t point, const double (*lines)[2]) {
     double *at = sample_field(table, point, "spectrum/lines", 0);
     for (size_t i = 0; i < WHIRL_MAX_LINES * 5; i++) at[i] = (double)NAN;
@@ -101,7 +101,7 @@ static inline void sample_table(const whirl_result *result, whirl_table *table, 
     for (size_t i = 0; i < count * table->layout.size; i++) table->blocks[i] = (double)NAN;
 }
 
-/// Sweep of r_k over 11 values from 1.0 to 0.0: six P-1, P-2, two quasi-periodic, two chaotic ones that rub.
+/// Makes the sweep of r_k over 11 values from 1.0 to 0.0: six P-1, one P-2, two quasi-periodic, two chaotic with rub.
 static inline void sample_sweep(whirl_result *result, whirl_table *table) {
     static const double lines[][2] = {{1.0, 0.3}, {0.5, 0.1}, {0.0, 0.0}};
     sample_table(result, table, "sweep", 11, false);
@@ -117,7 +117,7 @@ static inline void sample_sweep(whirl_result *result, whirl_table *table) {
     }
 }
 
-/// Two points in detail: r_k = 0.6 (P-1) and 0.25 (chaotic, rubbing).
+/// Makes two points in detail: r_k = 0.6 (P-1) and 0.25 (chaotic, rubbing).
 static inline void sample_detail(whirl_result *result, whirl_table *table) {
     static const double periodic[][2] = {{1.0, 0.3}, {3.0, 0.003}, {0.0, 0.0}};
     static const double broad[][2] = {{1.0, 0.1}, {0.43, 0.08}, {0.40, 0.06}, {0.46, 0.05}, {0.0, 0.0}};
@@ -131,7 +131,7 @@ static inline void sample_detail(whirl_result *result, whirl_table *table) {
     }
 }
 
-/// Freed by whirl_result_free.
+/// Makes the result; the caller frees it by whirl_result_free.
 static inline whirl_result *sample_result(void) {
     static const whirl_probe stations[] = {{.name = "disc", .x = 0, .y = 1, .vx = 4, .vy = 5, .gap = 1.2},
                                            {.name = "journal", .x = 2, .y = 3, .vx = 6, .vy = 7, .clearance = 1.0}};

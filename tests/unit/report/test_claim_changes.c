@@ -37,8 +37,8 @@ static void add_table(whirl_result *result, const char *name, size_t count, cons
     }
 }
 
-/// A branch from 0.1 to 0.8: Hopf points at 0.3, subcritical, and 0.6, a fold at 0.5; a curve of Hopf points in two
-/// legs from 0.3.
+/// Makes a branch from 0.1 to 0.8: Hopf points at 0.3, subcritical, and 0.6, a fold at 0.5; a curve of Hopf points in
+/// two pieces from 0.3.
 static whirl_result *branched(void) {
     static const made_point branch[] = {
         {0.1, 1, 0, NAN, NAN, NAN},           {0.6, 1, WHIRL_HOPF, 0.1, -2.0, NAN}, {0.5, 1, WHIRL_FOLD, NAN, NAN, NAN},
@@ -141,7 +141,7 @@ static void results_without_branches(void **state) {
     whirl_result_free(result);
 }
 
-/// Of the sweep: chaos with rub 4 % of the time at 0.1 and 0; P-1 with lines 1 and 0.5 at 0.6.
+/// In the sweep there is chaos with rub 4 % of the time at 0.1 and 0, and P-1 with lines 1 and 0.5 at 0.6.
 static void how_long_and_the_largest_line(void **state) {
     (void)state;
     whirl_claim claim = {.from = 0.0, .to = 0.15, .has_contact = true, .contact = WHIRL_CONTACT_AT_TIMES};

@@ -173,7 +173,7 @@ static void what_is_unknown_does_not_agree(void **state) {
     whirl_result_free(result);
 }
 
-/// A run that was stopped: what it did not come to agrees with nothing and is counted in nothing.
+/// Points that a stopped run has not computed agree with nothing and are not counted.
 static void points_not_done_are_unknown(void **state) {
     (void)state;
     char found[600];

@@ -42,7 +42,7 @@ static whirl_result *large_result(void) {
     return result;
 }
 
-/// Bytes that the base64 text after `key` stands for.
+/// Returns the number of bytes that the base64 text after `key` encodes.
 static size_t decoded_size(const char *text, const char *key) {
     const char *at = strstr(text, key);
     assert_non_null(at);
@@ -51,7 +51,7 @@ static size_t decoded_size(const char *text, const char *key) {
     return length * 3 / 4;
 }
 
-/// The explorer of a result, by a template that is its mark alone; to be freed.
+/// Returns the explorer of a result, by a template of its mark alone; to be freed.
 static char *page_of(const whirl_result *result) {
     char folder[] = "/tmp/whirl-explorer-XXXXXX", path[64];
     const char *const names[] = {"large"};
@@ -82,7 +82,7 @@ static void large_tables_are_thinned(void **state) {
     whirl_result_free(result);
 }
 
-/// A map of so many columns and rows, with a regime and a number of no great interest in every cell.
+/// Makes a map of `columns` and `rows`, with a regime and an arbitrary number in every cell.
 static whirl_result *map_of(size_t columns, size_t rows) {
     static const char *const names[] = {"map/second", "regime/code", "made/number"};
     whirl_result *result = calloc(1, sizeof *result);
@@ -109,8 +109,8 @@ static whirl_result *map_of(size_t columns, size_t rows) {
     return result;
 }
 
-/// Small maps have all numbers; larger ones, up to a million cells, all cells with the numbers looked at most; still
-/// larger ones every second column and row.
+/// Small maps have all numbers. Maps up to a million cells have all cells with the most used numbers, still larger ones
+/// every second column and row.
 static void maps_are_leaner_and_then_thinned(void **state) {
     static const struct {
         size_t columns, rows, stride;
@@ -136,7 +136,7 @@ static void maps_are_leaner_and_then_thinned(void **state) {
     }
 }
 
-/// A map with a hole says which cells its points are.
+/// A map with missing points lists the cells of its points.
 static void maps_with_holes_tell_their_cells(void **state) {
     (void)state;
     whirl_result *result = map_of(3, 2);
@@ -151,8 +151,7 @@ static void maps_with_holes_tell_their_cells(void **state) {
     whirl_result_free(result);
 }
 
-/// One square of a refined map that was not divided, cut off above: its corners are in the page, in a grid of all
-/// cells.
+/// A refined map with one undivided square, cut off above: its corners are in the page, in a grid of all cells.
 static void refined_maps_tell_their_squares(void **state) {
     static const size_t corners[] = {0, 4, 10, 14};
     (void)state;
@@ -178,7 +177,7 @@ static void refined_maps_tell_their_squares(void **state) {
     whirl_result_free(result);
 }
 
-/// A point more than there is room for: every second point stays, but all that was located between them.
+/// With one point too many every second point stays, and all points that were located between them.
 static void critical_speeds_are_never_thinned(void **state) {
     (void)state;
     enum { NUMBERS = 600 };
@@ -218,8 +217,8 @@ static void critical_speeds_are_never_thinned(void **state) {
     whirl_result_free(result);
 }
 
-/// A result of branches, of `count` orbits of one revolution in 64 segments of 256 coordinates, that of point p being p
-/// everywhere; the last one is not done.
+/// Makes a result of branches of `count` orbits of one revolution in 64 segments of 256 coordinates. All numbers of
+/// orbit p are p; the last orbit is not done.
 static whirl_result *many_orbits(size_t count) {
     enum { SEGMENTS = 64, DIMENSION = 256, NODES = SEGMENTS * DIMENSION };
     static const whirl_system system = {.dimension = DIMENSION};

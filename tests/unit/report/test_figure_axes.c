@@ -18,7 +18,7 @@ static void expect_finite(const whirl_axis *axis) {
     for (size_t i = 0; i < axis->tick_count; i++) assert_true(isfinite(axis->ticks[i]));
 }
 
-/// A figure of one panel with two points, whose axes are said or not.
+/// Finishes a figure of one panel with two points, with given or missing axes.
 static void finish(double first, double second, bool said, const char *log) {
     whirl_figure *figure = calloc(1, sizeof *figure);
     assert_non_null(figure);
@@ -56,7 +56,7 @@ static void ends_are_finite(void **state) {
                 for (size_t log = 0; log < 3; log++) finish(values[i], values[k], said, logs[log]);
 }
 
-/// Ordinary numbers beside infinite ones are shown as if these were not there.
+/// Axes are those of the finite numbers; infinite ones are left out.
 static void finite_numbers_are_shown(void **state) {
     (void)state;
     whirl_axis axis = {.low = 0.0};

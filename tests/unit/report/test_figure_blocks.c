@@ -13,14 +13,15 @@
 #include "figure_build.h"
 #include "gnuplot_script.h"
 
-/// Number of the block that the n-th plotted series is drawn from, by the script.
+/// Returns the number of the block from which the script plots the n-th series.
 static long index_of(const char *script, size_t n) {
     const char *at = script;
     for (size_t k = 0; at && k <= n; k++) at = strstr(at + (k > 0), "data index ");
     return at ? strtol(at + strlen("data index "), NULL, 10) : -1;
 }
 
-/// First number of a block, counted as gnuplot does: two empty lines or more end a block, one without numbers is none.
+/// Returns the first number of a block. As in gnuplot two empty lines or more end a block, and a block without numbers
+/// does not count.
 static double first_of(const char *data, long block) {
     long found = -1, empty = 2;
     for (const char *line = data; *line; line += strcspn(line, "\n") + 1) {

@@ -13,7 +13,7 @@
 
 static const double em = 0.9 * 6.5 * 2.54 / 72.0; // cm, a letter's height
 
-/// The point at shares of a text's box, cm in its panel, as the explorer's renderer lays texts out.
+/// Computes the point at given shares of a text's box, cm in its panel, as the explorer's renderer places texts.
 static void point_of(const whirl_figure *figure, const whirl_panel *panel, const whirl_series *series, size_t k,
                      double along, double across, double point[2]) {
     const double wide = figure_text_width(figure, strlen(series->texts[k])), tall = 0.9 * em;
@@ -31,7 +31,7 @@ static void point_of(const whirl_figure *figure, const whirl_panel *panel, const
         height * (series->y[k] - panel->y.low) / (panel->y.high - panel->y.low) + u * sin(angle) + v * cos(angle);
 }
 
-/// Whether a point lies in the box of a text.
+/// Returns true if a point lies in the box of a text.
 static bool is_in(const whirl_figure *figure, const whirl_panel *panel, const whirl_series *series, size_t k,
                   const double point[2]) {
     double o[2], a[2], b[2];
@@ -63,7 +63,7 @@ static size_t texts_apart(const whirl_figure *figure, const whirl_panel *panel) 
     return texts;
 }
 
-/// A panel with `count` marks in the unit square, by a sequence that fills it evenly, and their numbers.
+/// Makes a panel with `count` marks in the unit square, by a sequence that fills it evenly, and their numbers.
 static whirl_figure *crowd(size_t count, bool movable) {
     whirl_figure *figure = calloc(1, sizeof *figure);
     assert_non_null(figure);
@@ -113,7 +113,7 @@ static void texts_with_room_stay(void **state) {
     whirl_figure_free(fixed);
 }
 
-/// A text at an edge, 0: right, 1: top, stands on the only sides that have room there.
+/// A text at an edge (0: right, 1: top) is placed on one of the sides that have room.
 static void texts_at_edges_stand_inside(void **state) {
     (void)state;
     for (int edge = 0; edge < 2; edge++) {

@@ -41,7 +41,7 @@ static void made_free(made *own) {
     whirl_result_free(own->result);
 }
 
-/// What is written of a sheet; freed by the caller.
+/// Returns the written sheet; freed by the caller.
 static char *written(const whirl_sheet *sheet, whirl_sheet_form form) {
     char *text;
     size_t size;
@@ -91,7 +91,7 @@ static void phrases(void **state) {
     made_free(&own);
 }
 
-/// Columns: a text, a number, one that stays empty, and several numbers a cell.
+/// Makes a sheet with four columns: a text, a number, an empty one, and one with several numbers a cell.
 static whirl_sheet *sheet_of(made *own, const char *name) {
     own->of.units = &own->units;
     whirl_sheet *sheet = find_sheet(&own->of, name, "Made by hand");
@@ -204,7 +204,7 @@ static void letters(void **state) {
     made_free(&own);
 }
 
-/// Few rows that are wider than a terminal stand beside their headings; more rows do not.
+/// A sheet of few rows that is wider than a terminal is written with headings at the left; one of more rows is not.
 static void transposed(void **state) {
     (void)state;
     made own = made_in("");
@@ -234,7 +234,7 @@ static void transposed(void **state) {
     made_free(&own);
 }
 
-/// A name that several tables have is told with that of the table.
+/// A name that several tables have is shown with that of the table.
 static void sheets_of_one_name(void **state) {
     (void)state;
     made own = made_in("");
@@ -263,7 +263,7 @@ static void sheets_of_one_name(void **state) {
     made_free(&own);
 }
 
-/// Once memory was lacking nothing is added and nothing is written to what is not there.
+/// After a failure of memory nothing is added or written.
 static void memory_is_lacking(void **state) {
     (void)state;
     made own = made_in("");
@@ -324,13 +324,14 @@ static void customary_units(void **state) {
 
 enum { UP = 12, WAYS = 2 * UP };
 
-/// The value of a point of a sweep from 1 to 12, or from 12 to 1; the way back has values in the same order.
+/// Returns the value of a point of a sweep from 1 to 12, or from 12 to 1; the way back has the values in the same
+/// order.
 static double value_at(size_t point, bool falls) {
     return (double)(falls ? UP - point % UP : point % UP + 1);
 }
 
-/// A sweep from 1 to 12 and back (falls: from 12 to 1 and back), whose largest line is 0.3 and once a revolution; the
-/// line beside it by its order and amplitude (0: none) at every point.
+/// Makes a sweep from 1 to 12 and back (falls: from 12 to 1 and back). Its largest line is 0.3 at 1X; `beside` has
+/// order and amplitude (0: none) of a second line at every point.
 static made swept(double (*beside)[2], whirl_regime regime, bool falls, whirl_table *table) {
     made own = made_in("");
     *table = (whirl_table){.count = 0};
@@ -368,8 +369,8 @@ static bool is_told(const made *own, const char *expected) {
     return false;
 }
 
-/// A line that is there from 8 on the way up and down to 5 on the way back, with one amplitude, jumps with a hysteresis
-/// of 3; its order of a half is locked, on both ways.
+/// A line that exists from 8 on the way up and down to 5 on the way back, with one amplitude, jumps with a hysteresis
+/// of 3. Its order of a half is locked on both ways.
 static void lines_jump(void **state) {
     (void)state;
     for (int falls = 0; falls < 2; falls++) {
@@ -435,8 +436,8 @@ static void lines_grow(void **state) {
 enum { DUFFING = 60 };
 static const double duffing_force = 0.15, duffing_damping = 0.15, duffing_from = -0.2, duffing_step = 0.0305;
 
-/// Amplitude a of the Duffing oscillator at a detuning s: a^2 ((s - a^2)^2 + damping^2) = force^2 (Nayfeh and Mook,
-/// Nonlinear Oscillations, 4.1), the root a^2 nearest to the one before.
+/// Returns a^2 of the Duffing oscillator at a detuning s: a^2 ((s - a^2)^2 + damping^2) = force^2 (Nayfeh and Mook,
+/// Nonlinear Oscillations, 4.1), the root nearest to `before`.
 static double duffing_square(double s, double before) {
     enum { STEPS = 20000 };
     double best = HUGE_VAL, last = 0.0;
@@ -450,7 +451,7 @@ static double duffing_square(double s, double before) {
     return best;
 }
 
-/// Discriminant of the same cubic in a^2, whose zeros are the folds of the response: its jumps.
+/// Returns the discriminant of that cubic in a^2; its zeros are the folds of the response, where it jumps.
 static double duffing_discriminant(double s) {
     const double b = -2.0 * s, c = s * s + duffing_damping * duffing_damping, d = -duffing_force * duffing_force;
     return 18.0 * b * c * d - 4.0 * b * b * b * d + b * b * c * c - 4.0 * c * c * c - 27.0 * d * d;

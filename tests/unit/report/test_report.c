@@ -22,7 +22,7 @@
 #include "whirl/engine/result.h"
 #include "whirl/status.h"
 
-/// A folder of its own for every test, the working folder while it runs.
+/// Makes a folder for the test, which is the working folder while it runs.
 static int enter_folder(void **state) {
     static char folder[64];
     snprintf(folder, sizeof folder, "/tmp/whirl-report-XXXXXX");
@@ -45,7 +45,7 @@ static long size_of(const char *path) {
     return stat(path, &found) == 0 ? (long)found.st_size : -1;
 }
 
-/// The file as a string; freed by the caller.
+/// Returns the file as a string; freed by the caller.
 static char *contents(const char *path) {
     const long size = size_of(path);
     FILE *stream = fopen(path, "r");
@@ -109,7 +109,7 @@ static const whirl_panel *panel_of(const whirl_figure *figure, const char *name)
     return NULL;
 }
 
-/// Whether a panel has a point in a series of that shape and colour.
+/// Checks that a panel has a point in a series of that shape and colour.
 static void assert_point(const whirl_panel *panel, whirl_shape shape, const char *colour, double x, double y) {
     for (size_t i = 0; i < panel->count; i++) {
         const whirl_series *one = panel->series[i];
@@ -161,7 +161,7 @@ static void everything_is_written(void **state) {
     whirl_result_free(result);
 }
 
-/// The disc reaches a stator at 1.2, the journal none: where that is drawn and written, and where it is not.
+/// The disc reaches a stator at 1.2, the journal has none: figures and texts show the first and not the second.
 static void gaps_are_shown_where_they_are(void **state) {
     (void)state;
     whirl_result *result = sample_result();
@@ -183,7 +183,7 @@ static void gaps_are_shown_where_they_are(void **state) {
     whirl_result_free(result);
 }
 
-/// Stators that the orbit comes near to, that it is far from, and around it.
+/// Stators near the orbit, far from it, and around it are drawn as the caption says.
 static void stators_near_the_orbit_are_drawn(void **state) {
     (void)state;
     whirl_result *result = sample_result();
@@ -212,7 +212,7 @@ static void stators_near_the_orbit_are_drawn(void **state) {
     whirl_result_free(result);
 }
 
-/// A run that was stopped after four points of the sweep.
+/// A run that stopped after four points of the sweep has a report.
 static void partial_results_say_so(void **state) {
     (void)state;
     whirl_result *result = sample_result();
@@ -369,7 +369,7 @@ static void failing_gnuplot_is_told(void **state) {
     whirl_result_free(result);
 }
 
-/// Only the regime is known; one point diverged; there are no contacts.
+/// A sweep of regimes alone, in which one point diverged, without contacts, has a report.
 static void what_is_absent_is_left_out(void **state) {
     (void)state;
     whirl_result *result = sample_result();

@@ -24,7 +24,7 @@
 #include "whirl/engine/result.h"
 #include "whirl/status.h"
 
-/// What a writer puts out for a text.
+/// Returns what a writer writes for a text.
 static char *written(void (*writer)(FILE *, const char *), const char *text) {
     char *memory = NULL;
     size_t size = 0;

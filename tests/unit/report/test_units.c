@@ -55,8 +55,7 @@ static void lengths(void **state) {
     whirl_result_free(result);
 }
 
-/// What the command asks for goes before what the result says, kind by kind; what a file says that is no unit is
-/// nothing.
+/// The units of the command replace those of the result, kind by kind; a word of a file that is no unit has no effect.
 static void who_asks(void **state) {
     (void)state;
     whirl_result *result = sample_result();
@@ -97,8 +96,8 @@ static void parameters(void **state) {
     whirl_result_free(result);
 }
 
-/// A parameter is shown in the unit that is chosen for its kind, by the factors of NIST SP 811; where none is, and of
-/// temperatures, which no factor shows, as the case writes it.
+/// A parameter is shown in the unit that is chosen for its kind, by the factors of NIST SP 811. Without a choice, and
+/// for temperatures, which have no factor, it is shown as the case writes it.
 static void parameters_in_chosen_units(void **state) {
     static const struct {
         const char *si, *written, *unit;
@@ -165,7 +164,7 @@ static void weight_in_chosen_units(void **state) {
     }
 }
 
-/// Points that vary the scale have lengths of their own; a parameter that varies without it is not the scale.
+/// Points with different length scales are shown with their own; a parameter that changes no scale is not one.
 static void points_have_scales(void **state) {
     (void)state;
     whirl_result *result = sample_result();
@@ -194,7 +193,7 @@ static void points_have_scales(void **state) {
     whirl_result_free(result);
 }
 
-/// The sample as a result of that case, whose sweep is over `parameter`, its last point at `value`.
+/// Returns the sample as a result of that case, with a sweep over `parameter` whose last point is at `value`.
 static whirl_result *result_of(const char *text, const char *parameter, double value) {
     whirl_result *result = sample_result();
     whirl_table *sweep = &result->tables[0];

@@ -66,7 +66,8 @@ static void a_lemon_has_two_arcs(void **state) {
     }
 }
 
-/// Pads tilt out of the way: a pentagon of an inscribed circle of 0.7, whose corners are 0.7/cos 36 degrees away.
+/// Tilting pads yield: the wall is a pentagon with an inscribed circle of 0.7, whose corners are 0.7/cos 36 degrees
+/// away.
 static void pads_that_tilt_have_a_polygon(void **state) {
     (void)state;
     const machine_wall wall = wall_of(2, 0.7);

@@ -23,7 +23,7 @@ static inline void check(whirl_status status) {
     if (status.code != WHIRL_OK) fail_msg("%s", status.message);
 }
 
-/// Numbers between `low` and `high` that follow from *seed.
+/// Returns numbers between `low` and `high` that follow from *seed.
 static inline double uniform(uint64_t *seed, double low, double high) {
     *seed = *seed * 6364136223846793005u + 1442695040888963407u;
     return low + (high - low) * (double)(*seed >> 11) / 9007199254740992.0;

@@ -52,7 +52,7 @@ static whirl_rotor *rotor_of(bool with_film) {
     return rotor;
 }
 
-/// Accelerations in SI of z = x + i y, by Cramer's rule: the mass matrix is [[m + f, -f], [-f, M + f]].
+/// Computes the accelerations in SI of z = x + i y by Cramer's rule; the mass matrix is [[m + f, -f], [-f, M + f]].
 static void accelerate(const double complex z[2], const double complex v[2], double complex a[2]) {
     const double complex d = z[0] - z[1], w = v[0] - v[1], turn = I * ratio * omega;
     const double complex seal = -(seal_k * d + seal_c * (w - turn * d) + fluid * (turn * turn * d - 2.0 * turn * w));
@@ -87,7 +87,7 @@ static void accelerations_are_those_of_the_mass_matrix(void **state) {
     whirl_rotor_free(rotor);
 }
 
-/// The trace by the divergence and by the Jacobian, column after column; with a film and a bearing that acts across.
+/// The divergence is the trace of the Jacobian, with a film and a bearing with cross-coupled stiffness.
 static void the_trace_is_that_of_the_jacobian(void **state) {
     (void)state;
     for (int with_film = 0; with_film < 2; with_film++) {

@@ -53,7 +53,8 @@ static void test_stations(void **state) {
     whirl_design_free(design);
 }
 
-/// A crack or a shaft between two places of one shaft of finite elements would only make it stiffer.
+/// A crack or a shaft between two places of one shaft of finite elements would only add to its stiffness: it is
+/// refused.
 static void test_shaft_beside_segments(void **state) {
     static const char *const elements[] = {"crack", "shaft"};
     (void)state;
@@ -81,7 +82,7 @@ static void test_shaft_beside_segments(void **state) {
     }
 }
 
-/// Mass may come from an element, so it is missed when the rotor is built.
+/// Elements may have mass, so a missing mass is found when the rotor is built.
 static void test_inertia(void **state) {
     const whirl_setting tilts_alone[] = {{"polar", 1, NULL}, {"mass", 1, NULL}},
                         along_y[] = {{"mass", 1, NULL}, {"moves", 0, "y"}};
@@ -141,7 +142,7 @@ static void test_elements(void **state) {
     whirl_design_free(design);
 }
 
-/// A kind of element that is no mass, no force: a design is told of it, others are not.
+/// A kind of element without mass and force can be added to one design; other designs do not have it.
 static void test_own_types(void **state) {
     static const whirl_key keys[] = {STATION_KEY("at", REQUIRED, "where it is of no use")};
     static const element_type idler = {.group = {"idler", "an element that does nothing", "", keys, 1, NULL, NULL},

@@ -9,12 +9,12 @@
 
 #include "whirl/engine/rotor.h"
 
-enum { MOST = 10 };
+enum { MAX_SETTINGS = 10 };
 
 /// An element with values, and the keys that are doubted, in order.
 typedef struct example {
     const char *kind;
-    whirl_setting values[MOST];
+    whirl_setting values[MAX_SETTINGS];
     const char *doubted;
 } example;
 
@@ -30,7 +30,7 @@ static void check(const example *of) {
     whirl_design *design;
     char doubted[64] = "";
     size_t count = 0;
-    while (count < MOST && of->values[count].key) count++;
+    while (count < MAX_SETTINGS && of->values[count].key) count++;
     assert_int_equal(whirl_design_new(300.0, 1e-4, &design).code, WHIRL_OK);
     assert_int_equal(whirl_design_station(design, "disc", &mass, 1).code, WHIRL_OK);
     assert_int_equal(whirl_design_station(design, "ring", &mass, 1).code, WHIRL_OK);
@@ -181,7 +181,7 @@ static void every_element_doubts_what_it_is_not_for(void **unused) {
     for (size_t i = 0; i < sizeof examples / sizeof *examples; i++) check(&examples[i]);
 }
 
-/// Without a radius nothing is known of the length.
+/// Without a radius the length cannot be doubted.
 static void a_film_by_its_load_is_not_doubted(void **unused) {
     (void)unused;
     const example by_load = {"film", {{"at", 0, "disc"}, {"clearance", 1.0, NULL}, {"load", 100.0, NULL}}, ""};

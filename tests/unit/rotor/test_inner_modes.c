@@ -23,7 +23,7 @@ static inner_modes of(problem *p) {
     return (inner_modes){INNER, KEPT, p->k, p->m, p->follow, p->squares, p->shapes};
 }
 
-/// The problem of a number, and something as its solution.
+/// Fills a problem that `number` identifies, with an arbitrary solution.
 static void fill(problem *p, double number, bool solved) {
     for (size_t i = 0; i < SQUARE; i++) p->k[i] = number + (double)i, p->m[i] = 1.0 / (1.0 + (double)i);
     for (size_t i = 0; i < BESIDE; i++) p->follow[i] = solved ? sqrt(number + (double)i) : -(double)i;

@@ -15,7 +15,7 @@ static void must(whirl_status status) {
     if (status.code != WHIRL_OK) fail_msg("%s", status.message);
 }
 
-/// A cylinder of two segments alike, a bore, a cone; a wheel in the middle and a mass at the end.
+/// Makes a cylinder of two equal segments, a bore, a cone; a wheel in the middle and a mass at the end.
 static whirl_design *machine(void) {
     whirl_design *design;
     must(whirl_design_new(100.0, 1e-3, &design));

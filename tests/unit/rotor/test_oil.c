@@ -11,7 +11,7 @@
 #include "whirl/engine/rotor.h"
 #include "whirl/engine/system.h"
 
-enum { MOST = 16, FORCED_BY_OIL_ALONE = 2, OF_OIL = 3, KINDS = 4, STATES = 9 };
+enum { MAX_SETTINGS = 16, FORCED_BY_OIL_ALONE = 2, OF_OIL = 3, KINDS = 4, STATES = 9 };
 
 /// Elements with a liquid, and what they need beside its keys and those of `add`.
 static const struct {
@@ -38,9 +38,9 @@ static whirl_design *new_design(double speed) {
     return design;
 }
 
-/// An element with a clearance of 0.1 mm, radius of 50 mm and length of 25 mm, and more settings.
+/// Adds an element with a clearance of 0.1 mm, radius of 50 mm and length of 25 mm, and more settings.
 static whirl_status add(whirl_design *design, size_t kind, const whirl_setting *more, size_t count) {
-    whirl_setting all[MOST] = {
+    whirl_setting all[MAX_SETTINGS] = {
         {"at", 0.0, "journal"}, {"clearance", 1e-4, NULL}, {"radius", 0.05, NULL}, {"length", 0.025, NULL}};
     memcpy(all + 4, kinds[kind].more, kinds[kind].count * sizeof *more);
     memcpy(all + 4 + kinds[kind].count, more, count * sizeof *more);
@@ -55,7 +55,8 @@ static whirl_status build(size_t kind, const whirl_setting *more, size_t count, 
     return status;
 }
 
-/// Slopes at a place off the middle, in clearances and by tau; the fifth is the journal's acceleration along x.
+/// Computes the slopes at a place off the middle, in clearances and by tau; the fifth is the journal's acceleration
+/// along x.
 static void find_slopes(size_t kind, const whirl_setting *more, size_t count, double slopes[STATES]) {
     const double x[STATES] = {0.3, -0.4, 0.1, 0.2, 0.3, -0.6, 0.9, 0.3, 0.5};
     double forcing[WHIRL_MAX_FORCING] = {0.0};
@@ -70,7 +71,7 @@ static void find_slopes(size_t kind, const whirl_setting *more, size_t count, do
     whirl_rotor_free(rotor);
 }
 
-/// ISO VG 32 as its data sheet has it.
+/// ISO VG 32 has the viscosities of its data sheet.
 static void kinematic_viscosity_times_density_is_the_dynamic_one(void **unused) {
     (void)unused;
     const whirl_setting dynamic[] = {{"viscosity", 32e-6 * 870.0, NULL}, {"density", 870.0, NULL}};
@@ -83,7 +84,7 @@ static void kinematic_viscosity_times_density_is_the_dynamic_one(void **unused) 
     }
 }
 
-/// Another oil around a floating ring, of the same density.
+/// A floating ring may have another oil outside, of the same density.
 static void kinematic_viscosity_around_a_ring(void **unused) {
     (void)unused;
     const whirl_setting dynamic[] = {

@@ -21,21 +21,21 @@ static const double pi = 3.14159265358979323846;
 
 enum { PLACES = 500, ROUND = 6 };
 
-/// 0 to 1, the same every time: Park and Miller 1988.
+/// Returns numbers from 0 to 1, the same every time (Park and Miller 1988).
 static double next(void) {
     static uint64_t seed = 1;
     seed = seed * 16807 % 2147483647;
     return (double)seed / 2147483647.0;
 }
 
-/// S of the table.
+/// Looks S up in the table.
 static void look_up(double table, double t, double w, double half, double force[2]) {
     pads_entry entry;
     pads_enter(table, t, w, half, false, &entry);
     pads_read(&entry, force);
 }
 
-/// The force of the table at a place.
+/// Looks the force at a place up in the table.
 static void look(double table, const pad_place *at, double arc, double force[2]) {
     const double cosine = cos(0.5 * arc), thickness = 1.0 - at->x;
     const double most = at->x < cosine ? (1.0 - cosine * at->x) / sin(0.5 * arc) : sqrt(1.0 - at->x * at->x);
@@ -51,7 +51,7 @@ static int rising(const void *one, const void *other) {
     return a < b ? -1 : a > b;
 }
 
-/// Errors over the largest force at a place, in any direction, that a pad has where its journal may be.
+/// Computes errors over the largest force, in any direction, of a pad at a place where its journal may be.
 static void errors(const pad_film *film, double preload, double tilt, double found[PLACES]) {
     const pad_table_key key = {.arc = film->arc, .ratio = film->ratio, .law = film->law};
     pad_workspace *work;
@@ -131,7 +131,7 @@ static void test_smooth(void **state) {
     pad_table_release(table);
 }
 
-/// Tables of this test alone lie in a folder of its own. The film is the cheapest that there is.
+/// Makes a folder for the tables of this test. The film is the cheapest one.
 static void own_cache(char folder[64]) {
     strcpy(folder, "/tmp/whirl-tables-XXXXXX");
     assert_non_null(mkdtemp(folder));
@@ -145,7 +145,8 @@ static void *hold(void *table) {
     return NULL;
 }
 
-/// What is asked to stop makes no table, whoever comes next does; threads that make one together make that of one.
+/// A thread that is asked to stop makes no table, and the next one does. Threads that make a table together make that
+/// of one thread.
 static void test_together(void **state) {
     const pad_film film = pad_table_film(&cheap);
     const whirl_stop stop = true;
@@ -172,7 +173,8 @@ static void test_together(void **state) {
     for (size_t i = 0; i < 3; i++) pad_table_release(table);
 }
 
-/// A file of another program's forces with a right checksum is no table, nor is a FIFO, on which nobody waits.
+/// A file of another program's forces with a valid checksum is not used as a table, and neither is a FIFO, which must
+/// not block.
 static void test_files(void **state) {
     char folder[64], path[512];
     bool found;

@@ -73,7 +73,7 @@ static void the_gap_is_where_contact_begins(void **state) {
     whirl_rotor_free(rotor);
 }
 
-/// Stations of shafts of finite elements know their places, the others that they have none.
+/// Stations of shafts of finite elements have positions, others have none.
 static void places_on_shafts_are_told(void **state) {
     (void)state;
     const whirl_setting mass = {"mass", 2, NULL};

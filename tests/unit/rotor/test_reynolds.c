@@ -17,8 +17,8 @@ static pad_answer solve(const pad_film *film, const pad_place *at) {
     return out;
 }
 
-/// A gap of one height, squeezed: the flow factors are those of its Reynolds number, to all digits of a very long and a
-/// very short pad, and the shear is that of Couette's flow.
+/// A squeezed gap of constant height has the flow factors of its Reynolds number, to all digits of a very long and a
+/// very short pad, and the shear of Couette's flow.
 static void one_height(void **unused) {
     static const double reynolds = 3000.0;
     const pad_place squeezed = {.b = 1.0}, still = {.x = 0.0};
@@ -58,15 +58,16 @@ static void laminar_limit(void **unused) {
     }
 }
 
-/// Reichardt's eddy viscosity over the molecular one, y+ from the nearer wall, and its derivative.
+/// Returns Reichardt's eddy viscosity over the molecular one, y+ from the nearer wall, and its derivative.
 static double eddy(double y, double *slope) {
     const double of = tanh(y / 10.7);
     *slope = 0.4 * of * of;
     return 1.0 + 0.4 * (y - 10.7 * of);
 }
 
-/// Ng and Pan's factors from the law of the wall that they are fits of (J. Basic Engineering 87, 1965): of Couette flow
-/// with h+ = h sqrt(shear/rho)/nu, perturbed by a slope of pressure along and across it. Midpoints over half the gap.
+/// Computes Ng and Pan's factors from the law of the wall to which they were fitted (J. Basic Engineering 87, 1965):
+/// Couette flow with h+ = h sqrt(shear/rho)/nu, perturbed by a slope of pressure along and across it. The integrals use
+/// midpoints over half the gap.
 static double law_of_the_wall(double h, double *around, double *along, double *shear) {
     enum { POINTS = 20000 };
     double turn = 0.0, x = 0.0, z = 0.0;
@@ -124,7 +125,7 @@ static void pressed_by_grooves(void **unused) {
     assert_true(fabs(out.drag - film.arc) < 1e-9 && fabs(out.highest - film.supply) < 1e-12);
 }
 
-/// Where nothing breaks the equation is linear: the wedge's force and that of the grooves add up.
+/// Without cavitation the equation is linear: the forces of the wedge and of the grooves add up.
 static void added(void **unused) {
     pad_film film = {.arc = 1.4, .ratio = 0.6, .around = 96, .along = 12, .supply = 3.0, .groove = 0.8};
     const pad_place there = {.x = 0.1, .y = 0.2, .a = 0.1, .b = 0.2}, back = {.x = 0.1, .y = 0.2, .a = -0.1, .b = -0.2};

@@ -11,7 +11,7 @@
 #include "settings.h"
 #include "whirl/engine/rotor.h"
 
-/// The 2015 paper's rotor in SI.
+/// Makes the 2015 paper's rotor in SI.
 static whirl_rotor *paper_rotor(const char *signs, double r_k) {
     const double omega = 650.0, c = 0.2e-3, k2 = 50.0 * 3250.0 * 3250.0;
     whirl_design *design;
@@ -39,7 +39,7 @@ static whirl_rotor *paper_rotor(const char *signs, double r_k) {
     return rotor;
 }
 
-/// Capone's film in its angles, as the literature writes it.
+/// Computes the force of Capone's film in its angles, as the literature writes it.
 static void film(double x, double y, double vx, double vy, double f[2]) {
     const double a = x - 2 * vy, b = y + 2 * vx, q = 1 - x * x - y * y, alpha = atan2(-b, -a);
     const double across = y * cos(alpha) - x * sin(alpha), along = x * cos(alpha) + y * sin(alpha);
@@ -49,7 +49,7 @@ static void film(double x, double y, double vx, double vy, double f[2]) {
     f[1] = K * (3 * y * V + cos(alpha) * G - 2 * sin(alpha) * S);
 }
 
-/// The dimensionless equations; sign is +1 as printed, -1 as derived.
+/// Computes the dimensionless equations; sign is +1 as printed, -1 as derived.
 static void paper_equations(double r_k, double sign, double t, const double *z, double *dz) {
     const double r_m = 8.4, w = 0.2, K1 = 1 / (2 * r_m * w * w), K2 = 1 / (4 * w * w);
     const double xi1 = 4300 / (420 * 650.0), xi2 = 9300 / (50 * 650.0), G = 9.8 / (650.0 * 650.0 * 0.2e-3);

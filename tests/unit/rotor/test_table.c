@@ -16,7 +16,7 @@ static void near(double found, double expected) {
         fail_msg("%.17g, expected %.17g", found, expected);
 }
 
-/// A straight line comes out straight, two points too; points are hit.
+/// A table on a straight line gives the line, also with two points; every table passes through its points.
 static void test_lines(void **state) {
     static const double x[] = {1.0, 1.5, 4.0, 4.25, 9.0};
     double y[5];
@@ -32,8 +32,8 @@ static void test_lines(void **state) {
     }
 }
 
-/// Slopes by hand. Points (0, 0), (1, 1), (2, 3): rises 1 and 2; in the middle 2 1 2/(1 + 2) = 4/3, at the ends
-/// (3 1 - 2)/2 = 1/2 and (3 2 - 1)/2 = 5/2. Half-way a cubic is (y0 + y1)/2 + h (m0 - m1)/8.
+/// The slopes are those computed by hand. Points (0, 0), (1, 1), (2, 3): rises 1 and 2; in the middle 2 1 2/(1 + 2) =
+/// 4/3, at the ends (3 1 - 2)/2 = 1/2 and (3 2 - 1)/2 = 5/2. Half-way a cubic is (y0 + y1)/2 + h (m0 - m1)/8.
 static void test_slopes_by_hand(void **state) {
     static const double x[] = {0.0, 1.0, 2.0}, y[] = {0.0, 1.0, 3.0};
     (void)state;
@@ -47,7 +47,7 @@ static void test_slopes_by_hand(void **state) {
     near(table_value(3, wide, high, 2.5), 4.0 + 3.0 * (middle - 2.75) / 8.0);
 }
 
-/// Rising points never fall between, and an extreme is not exceeded.
+/// Between rising points the table never falls, and no value exceeds the extremes of the points.
 static void test_monotone(void **state) {
     static const double x[] = {0.0, 1.0, 1.1, 3.0, 3.2, 7.0}, y[] = {0.0, 0.01, 5.0, 5.1, 40.0, 40.0};
     double before = 0.0;
@@ -95,7 +95,8 @@ static void test_bearing(void **state) {
     }
 }
 
-/// Beside the disc's mass of 2 kg, on the ground: (M + m) a = f, by Cramer's rule; at 10 rad/s where m_xx has a table.
+/// A bearing with masses between a disc of 2 kg and the ground: (M + m) a = f, by Cramer's rule; at 10 rad/s where m_xx
+/// has a table.
 static void test_inertia_on_the_ground(void **state) {
     const whirl_setting settings[] = {{"at", 0, "disc"},   {"speeds", 0, "0, 10, 40"}, {"mxx", 0, "9, 3, 1"},
                                       {"mxy", -0.5, NULL}, {"myy", 1.5, NULL},         {"kxx", 7.0, NULL},
@@ -113,7 +114,7 @@ static void test_inertia_on_the_ground(void **state) {
     whirl_rotor_free(rotor);
 }
 
-/// Between a disc and its housing: what the one gains the other loses, and what is between resists m (a - a').
+/// Between a disc and its housing the forces are opposite, and the mass of the bearing resists m (a - a').
 static void test_inertia_in_a_housing(void **state) {
     const whirl_setting settings[] = {{"at", 0, "disc"},  {"from", 0, "housing"}, {"mxx", 3.0, NULL},
                                       {"mxy", 0.7, NULL}, {"myy", 1.2, NULL},     {"kxx", 7.0, NULL},

@@ -20,7 +20,7 @@ typedef long double complex number;
 
 enum { STATIONS = 3, DEGREES = 2 * STATIONS, DIMENSION = 2 * DEGREES, TRIALS = 400, SWITCHES = 64, CONTACTS = 64 };
 
-/// A rub in the test's own words; masses, speed and length scale are 1, but for the disc's mass.
+/// A rub, as the reference equations of this file have it. All masses except the disc's, speed and length scale are 1.
 typedef struct ring {
     int station;
     double gap, stiffness, damping, friction, radius, slip_speed; ///< damping < 0, radius 0: not given
@@ -94,7 +94,7 @@ static void shaft(double k1, double k2, double sign, double t, const number d[2]
     f[1] = -(half * s * d[0] + (mean + sign * half * c) * d[1]);
 }
 
-/// Capone's film, in clearances.
+/// Computes the force of Capone's film at z = (x, y, x', y'), in clearances.
 static void film(const number z[4], number f[2]) {
     const number x = z[0], y = z[1], A = x - 2.0L * z[3], B = y + 2.0L * z[2], C = csqrtl(A * A + B * B);
     const number ca = -A / C, sa = -B / C, q = 1.0L - x * x - y * y, root = csqrtl(q);
@@ -105,7 +105,8 @@ static void film(const number z[4], number f[2]) {
     f[1] = K * (3.0L * y * V + ca * G - 2.0L * sa * S);
 }
 
-/// A shaft of stiffness k with a crack at `angle` under a load along `load`; terms of the square wave, 0: cosine.
+/// Computes the force of a shaft of stiffness k with a crack at `angle` under a load along `load`. `terms`: number of
+/// terms of the square wave; 0: a cosine.
 static void crack(double k, double loss, double across, double angle, double load, int terms, double t,
                   const number d[2], number f[2]) {
     const long double c = cosl(t + angle), s = sinl(t + angle), phi = t + angle - load;
@@ -119,17 +120,17 @@ static void crack(double k, double loss, double across, double angle, double loa
     f[1] = -(s * along + c * aside);
 }
 
-/// The seal at the disc without the inertia of its fluid.
+/// Computes the force of the seal at the disc, without the term of its fluid's inertia (in disc_inertia).
 static void seal(const number *z, number f[2]) {
     const number x = z[0], y = z[1], vx = z[DEGREES], vy = z[DEGREES + 1], e = csqrtl(x * x + y * y) / 1.1L;
     const number turn = 0.48L * cpowl(1.0L - e, 0.6L), grown = cpowl(1.0L - e * e, -1.7L);
     const number K = 0.7L * grown, D = 0.4L * grown, m = seal_mass;
-    // (d/dt - i turn)^2 z and (d/dt - i turn) z, but for the inertia.
+    // m (d/dt - i turn)^2 z + D (d/dt - i turn) z + K z without m z''.
     f[0] = -(m * (2.0L * turn * vy - turn * turn * x) + D * (vx + turn * y) + K * x);
     f[1] = -(m * (-2.0L * turn * vx - turn * turn * y) + D * (vy - turn * x) + K * y);
 }
 
-/// Switching functions of a ring; returns how many.
+/// Computes the switching functions of a ring; returns their number.
 static int ring_switches(const ring *r, const number *z, number *values) {
     const number *q = z + 2 * r->station, *v = z + DEGREES + 2 * r->station;
     const long double mass = r->station == 0 ? disc_inertia : 1.0L;
@@ -142,7 +143,7 @@ static int ring_switches(const ring *r, const number *z, number *values) {
     return count;
 }
 
-/// The ring's force on given sides of its switches.
+/// Computes the ring's force on given sides of its switches; returns their number.
 static int ring_force(const ring *r, const number *z, const double *sides, number f[2]) {
     number values[3];
     const int count = ring_switches(r, z, values);
@@ -216,7 +217,7 @@ static int equations_switches(const number *z, number *values) {
 
 // ---------------------------------------------------------------- states
 
-/// Journals up to 1e-3 of the clearance from the wall, the disc on either side of its ring.
+/// Draws a state: journals as near as 1e-3 of the clearance to the wall, the disc inside or outside of its ring.
 static void draw_state(uint64_t *seed, double *z) {
     for (int s = 0; s < STATIONS; s++) {
         const double most = s == 0 ? 1.0 : s == 1 ? 1.0 : 0.8;
@@ -237,7 +238,7 @@ static void sides_of(const whirl_system *system, const double *z, double *sides)
     for (size_t i = 0; i < system->switch_count; i++) sides[i] = sides[i] > 0.0 ? 1.0 : -1.0;
 }
 
-/// Column `by` of the Jacobian.
+/// Computes column `by` of the Jacobian from the reference equations, by a complex step.
 static void reference_column(double t, const double *z, const double *sides, int by, double *column) {
     const long double step = 1e-24L;
     number w[DIMENSION], dw[DIMENSION];
@@ -258,8 +259,8 @@ static void identity(double *columns) {
     for (int i = 0; i < DIMENSION; i++) columns[i * DIMENSION + i] = 1.0;
 }
 
-/// What rounding leaves of the films' forces (power 2.5) or their derivatives (3.5): where the film is drawn apart, the
-/// terms of a pressed film of the same thickness cancel, which grow as C/q^power.
+/// Returns a bound for the rounding errors of the films' forces (power 2.5) or their derivatives (3.5). Where a film
+/// widens, terms of the size C/q^power cancel, as large as in a film of the same thickness that narrows.
 static double film_rounding(const double *z, double power) {
     const double clearance[2] = {1.0, 0.8}, load[2] = {0.02, 0.05};
     double worst = 0.0;
@@ -278,7 +279,7 @@ static int near_enough(double ours, double theirs, double scale, double rounding
 
 // ---------------------------------------------------------------- tests
 
-/// On the state's own sides, and on sides drawn at random.
+/// Compares Jacobian and divergence with the reference: on the state's own sides, or on sides drawn at random.
 static void compare_jacobians(int at_random) {
     whirl_rotor *rotor = make_rotor();
     const whirl_system *system = whirl_rotor_system(rotor);
@@ -321,7 +322,7 @@ static void test_jacobian_on_given_sides(void **state) {
 }
 
 static void test_many_perturbations_are_one_after_the_other(void **state) {
-    // More than there is room for at once in a rotor of any size.
+    // More perturbations than a rotor takes at once.
     enum { MANY = 3000 };
     static double dx[MANY][DIMENSION], together[MANY][DIMENSION];
     whirl_rotor *rotor = make_rotor();
@@ -395,7 +396,7 @@ static void test_switches_and_their_gradients(void **state) {
     whirl_rotor_free(rotor);
 }
 
-/// Derivative by coordinate i of switch k at z + shift u, by a complex step.
+/// Returns the derivative of switch k by coordinate i at z + shift u, by a complex step.
 static long double slope_at(const double *z, const double *u, long double shift, size_t k, int i) {
     const long double step = 1e-24L;
     number w[DIMENSION], values[SWITCHES];
@@ -433,15 +434,15 @@ static void test_curvatures_of_switches(void **state) {
 
 // ---------------------------------------------------------------- lanes
 
-enum { VECTORS = 5, MOST = VECTORS * 8, TANGENTS = 3, ROWS = (1 + TANGENTS) * DEGREES, NUMBERS = 128 };
+enum { VECTORS = 5, LANES = VECTORS * 8, TANGENTS = 3, ROWS = (1 + TANGENTS) * DEGREES, NUMBERS = 128 };
 
 /// Arrays of lanes, aligned for the widest vectors.
 typedef struct block {
-    _Alignas(64) double numbers[NUMBERS * MOST], forcing[WHIRL_MAX_FORCING * MOST];
-    _Alignas(64) double sides[SWITCHES * MOST], t[MOST];
-    _Alignas(64) double q[ROWS * MOST], v[ROWS * MOST], a[ROWS * MOST], divergence[MOST];
-    _Alignas(64) double values[SWITCHES * MOST], rates[SWITCHES * MOST];
-    _Alignas(64) double normal[CONTACTS * MOST];
+    _Alignas(64) double numbers[NUMBERS * LANES], forcing[WHIRL_MAX_FORCING * LANES];
+    _Alignas(64) double sides[SWITCHES * LANES], t[LANES];
+    _Alignas(64) double q[ROWS * LANES], v[ROWS * LANES], a[ROWS * LANES], divergence[LANES];
+    _Alignas(64) double values[SWITCHES * LANES], rates[SWITCHES * LANES];
+    _Alignas(64) double normal[CONTACTS * LANES];
 } block;
 
 /// Draws all lanes of a block, the same ones for every width.
@@ -495,7 +496,7 @@ static void gather(const double *q, const double *v, size_t lanes, int k, size_t
     }
 }
 
-/// One lane of a block against the functions of the system.
+/// Compares one lane of a block with the functions of the system.
 static void compare_lane(const whirl_system *system, const block *b, size_t lanes, size_t lane, int sided) {
     double x[DIMENSION], slope[DIMENSION], forcing[WHIRL_MAX_FORCING], sides[SWITCHES];
     double dx[TANGENTS * DIMENSION], ddx[TANGENTS * DIMENSION], got[DIMENSION], normal[CONTACTS];
@@ -545,7 +546,8 @@ static void test_lanes_of_every_instruction_set(void **state) {
         const block *fused = NULL, *unfused = NULL;
         for (int set = 0; set < VECTOR_ISAS; set++) {
             if (!isa_at(set)) continue;
-            const size_t lanes = MOST; // whole vectors of every width, the film's groups and a rest
+            const size_t lanes =
+                LANES; // whole vectors of every width, and a number that groups of the film's kernel do not divide
             run_lanes(system, set, lanes, sided, &blocks[set]);
             for (size_t lane = 0; lane < lanes; lane++) compare_lane(system, &blocks[set], lanes, lane, sided);
             const block **same = isa_at(set)->fused ? &fused : &unfused;
@@ -565,7 +567,7 @@ static void test_a_damped_contact_never_pulls(void **state) {
     double z[DIMENSION] = {0.6, 0.0, 0.1, 0.0, 0.1, 0.0}, normal[CONTACTS], dz[2][DIMENSION];
     double forcing[WHIRL_MAX_FORCING];
     (void)state;
-    // 40 (0.6 - 0.5) + 3 x': 7 N inwards at 1, none on the way out faster than 4/3.
+    // 40 (0.6 - 0.5) + 3 x': 7 inwards at x' = 1, and 0 if the disc leaves the ring faster than 4/3.
     const double speeds[] = {1.0, 0.0, -1.0, -4.0 / 3.0 - 1e-9, -2.0}, forces[] = {7.0, 4.0, 1.0, 0.0, 0.0};
     for (int i = 0; i < 5; i++) {
         z[DEGREES] = speeds[i];

@@ -18,7 +18,7 @@ static void near(double expected, double obtained, double tolerance) {
     fail();
 }
 
-/// A steel cylinder of 250 mm and a diameter of 50 mm (Friswell et al. 2010, example 5.9.1).
+/// Makes a steel cylinder of 250 mm and a diameter of 50 mm (Friswell et al. 2010, example 5.9.1).
 static shaft_piece cylinder(void) {
     return (shaft_piece){.length = 0.25,
                          .outer = {0.05, 0.05},
@@ -26,7 +26,7 @@ static shaft_piece cylinder(void) {
                          .rotary = true};
 }
 
-/// ROSS's tests assert these to five decimals; of its matrices the plane x, beta.
+/// The matrices of the plane (x, beta) agree with those that ROSS's tests assert to five decimals.
 static void ross_has_the_same_matrices(void **state) {
     static const double mass[4][4] = {{1.42051, 0.04932, 0.49635, -0.03055},
                                       {0.04932, 0.00231, 0.03055, -0.00178},
@@ -52,7 +52,7 @@ static void ross_has_the_same_matrices(void **state) {
     near(polar[3], 1e3 * m.polar.at[1][3], 5e-6);
 }
 
-/// Without shear and rotary inertia: the same source, and the beam of every textbook.
+/// Without shear and rotary inertia the matrices are those of the same source and of every textbook.
 static void a_slender_one_is_that_of_euler(void **state) {
     static const double mass[4] = {1.42395, 0.0502, 0.49291, -0.02967};
     shaft_piece piece = cylinder();
@@ -112,7 +112,7 @@ static void a_cone_is_a_cone(void **state) {
     near(frustum, m.lumped_mass[0] + m.lumped_mass[1], 1e-12);
 }
 
-/// A strip between two flats by a sum over thin slices.
+/// The inertia of a strip between two flats agrees with a sum over thin slices.
 static void flats_take_away_what_they_cut(void **state) {
     enum { SLICES = 2000000 };
     shaft_piece piece = cylinder();
@@ -135,7 +135,7 @@ static void flats_take_away_what_they_cut(void **state) {
     near(1.0, (m.weight[0] + m.weight[2]) / (7810.0 * l * (area - pi / 4.0 * 1e-4)), 1e-10);
 }
 
-/// The string of a pulled piece: N/L of displacements that lean it as a whole.
+/// The stiffness of a piece under tension is that of a string for displacements that lean it as a whole: N/L.
 static void an_axial_force_pulls_it_straight(void **state) {
     shaft_piece piece = cylinder();
     piece_matrices m;

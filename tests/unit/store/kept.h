@@ -12,7 +12,7 @@ typedef struct kept_point {
     double block[KEPT_SIZE], end[KEPT_DIMENSION];
 } kept_point;
 
-/// The points of the synthetic result: those of the sweep, then that of the detail.
+/// Makes a point of the synthetic result: those of the sweep, then that of the detail.
 static inline kept_point kept_make(size_t index) {
     kept_point point = {.batch = index < SYNTHETIC_POINTS ? 0 : 1, .slot = index % SYNTHETIC_POINTS};
     const double special[KEPT_SIZE] = {NAN, -0.0, INFINITY, 5e-324, 1.0 / 3.0, -1e308, 0.0};
@@ -27,7 +27,7 @@ static inline whirl_status kept_keep(whirl_journal *journal, size_t index) {
     return store->keep(store->context, point.batch, point.slot, point.block, KEPT_SIZE, point.end, KEPT_DIMENSION);
 }
 
-/// 1 when the point is known, 0 when not; aborts when it is known with other numbers.
+/// Returns 1 if the point is known, 0 if not; aborts if it is known with other numbers.
 static inline int kept_recall(whirl_journal *journal, size_t index) {
     const kept_point point = kept_make(index);
     const whirl_point_store *store = whirl_journal_store(journal);

@@ -1,4 +1,4 @@
-// Are two results equal, doubles bit for bit?
+// Compares two results; doubles must agree bit for bit.
 #ifndef UNIT_STORE_SAME_H
 #define UNIT_STORE_SAME_H
 

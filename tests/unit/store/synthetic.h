@@ -18,7 +18,7 @@ static inline void *synthetic_take(size_t count, size_t size) {
     return memory;
 }
 
-/// The block of every point numbered through, with special values strewn in.
+/// Fills the block of every point with successive numbers, with special values between them.
 static inline void synthetic_fill(whirl_table *table, size_t count) {
     static const double special[] = {NAN, INFINITY, -INFINITY, -0.0, 5e-324, 1.0 / 3.0};
     table->count = count;
@@ -57,7 +57,7 @@ static inline void synthetic_layout(whirl_table *table, const whirl_result *resu
     if (whirl_layout_new(&system, &table->integrate, &table->record, table->analyses, &table->layout).code) abort();
 }
 
-/// Branches of orbits ("trace") or of tori ("torus"): numbers as they come, but for those that count others.
+/// Makes branches of orbits ("trace") or of tori ("torus"): arbitrary numbers, except for those that count others.
 static inline void synthetic_traced(whirl_table *table, const whirl_result *result, const char *analysis) {
     char revolutions[WHIRL_NAME_SIZE];
     snprintf(table->name, sizeof table->name, "%s", strcmp(analysis, "torus") == 0 ? "tori" : "branch");
@@ -70,7 +70,7 @@ static inline void synthetic_traced(whirl_table *table, const whirl_result *resu
     }
 }
 
-/// Fields as the analyses have them.
+/// Makes a sweep with the fields of the analyses.
 static inline void synthetic_sweep(whirl_table *table, const whirl_result *result) {
     static const char *const analyses[] = {"poincare", "regime", "lyapunov", "spectrum", "orbit", "rub"};
     snprintf(table->name, sizeof table->name, "sweep");
@@ -119,12 +119,12 @@ static inline void synthetic_planes(whirl_table *table, size_t row, size_t rows,
     }
 }
 
-/// The same without planes.
+/// Makes that map without planes.
 static inline void synthetic_map(whirl_table *table, size_t row, size_t rows, size_t numbers) {
     synthetic_planes(table, row, rows, 0, numbers);
 }
 
-/// Fields of every extent and shape: [3][2], [3], [2], a single number, and one without rows.
+/// Makes a table with fields of every extent and shape: [3][2], [3], [2], a single number, and one without rows.
 static inline void synthetic_detail(whirl_table *table, const whirl_result *result) {
     static const struct {
         const char *name, *unit, *meaning;

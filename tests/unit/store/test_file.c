@@ -124,7 +124,7 @@ static whirl_result *with_points(whirl_result *made, const size_t *slots, size_t
     return made;
 }
 
-/// A run that was stopped: the file has the points that are done, and says which these are.
+/// The file of a stopped run has the finished points and their numbers.
 static void a_partial_file_has_what_is_done(void **state) {
     fixture *f = *state;
     whirl_result *read = NULL, *again = NULL;
@@ -151,7 +151,7 @@ static void a_partial_file_has_what_is_done(void **state) {
     whirl_result_free(read);
 }
 
-/// Of a hundred thousand points that were not come to, nothing is written.
+/// A file has nothing of a hundred thousand points that were not reached.
 static void a_partial_file_is_as_large_as_its_points(void **state) {
     enum { MANY = 100000, FEW = 3 };
     fixture *f = *state;
@@ -175,7 +175,7 @@ static void a_partial_file_is_as_large_as_its_points(void **state) {
     check(whirl_result_verify(f->made, f->path));
 }
 
-/// Many points, so that datasets have several chunks of 1 MiB.
+/// A result with many points has datasets of several chunks of 1 MiB.
 static void reads_large_tables(void **state) {
     fixture *f = *state;
     whirl_table *table = &f->made->tables[0];
@@ -222,7 +222,7 @@ static void reads_what_is_left_of_a_map(void **state) {
     whirl_result_free(read);
 }
 
-/// More than a second apart, for HDF5 counts times in seconds.
+/// Files written more than a second apart are equal (HDF5 counts times in seconds).
 static void same_results_are_same_files(void **state) {
     fixture *f = *state;
     written(f);
@@ -237,7 +237,8 @@ static void same_results_are_same_files(void **state) {
     free(first);
 }
 
-/// How many points branches and tori have, and where, is found; it does not tell what was studied, but a file has it.
+/// The number and the place of the points of branches and tori are not known before a run: they do not belong to the
+/// identity of the study, but a file has them.
 static void branches_are_known_by_their_study(void **state) {
     static const char *const analyses[] = {"trace", "torus"};
     for (size_t i = 0; i < 2; ++i) {
@@ -294,7 +295,7 @@ static void says_where_it_cannot_write(void **state) {
     assert_int_equal(files_in(f->folder), 1);
 }
 
-/// A limit on the size of files acts as a full disk does. The file that was there stays as it was.
+/// A limit on the size of files acts as a full disk does. An existing file stays as it was.
 static void a_full_disk_leaves_the_old_file(void **state) {
     fixture *f = *state;
     struct rlimit before, small;
@@ -373,7 +374,7 @@ static void refuses_every_truncation(void **state) {
     }
 }
 
-/// Checksums cover all that is used: a flipped bit gives an error or changes nothing.
+/// Flips bits of all bytes that are used: the checksums find the error, or the result is the same.
 static void flip_bits(fixture *f, size_t step) {
     size_t refused = 0, tried = 0;
     written(f);
@@ -489,7 +490,7 @@ static void words_are_plain_when_they_are_read(void **state) {
     whirl_result_free(read);
 }
 
-/// What a program puts into a result may be cut within a letter, and is the same when it is read.
+/// Texts of a program may be cut within a letter, and are the same when they are read.
 static void words_that_are_not_plain_are_verified(void **state) {
     fixture *f = *state;
     snprintf(f->made->title, sizeof f->made->title, "cut \x1b[1m \xc3");

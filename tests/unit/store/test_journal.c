@@ -51,7 +51,7 @@ static whirl_journal *resumed(const fixture *f) {
     return journal;
 }
 
-/// A closed journal of the first `count` points.
+/// Makes a closed journal of the first `count` points.
 static void make(const fixture *f, size_t count) {
     whirl_journal *journal;
     remove(f->path);
@@ -70,7 +70,7 @@ static void set_bytes(const fixture *f, const unsigned char *bytes, size_t size)
 
 // ---------------------------------------------------------------- parts
 
-/// RFC 3720, appendix B.4, and the usual check value of nine digits.
+/// CRC-32C has the values of RFC 3720, appendix B.4, and the usual check value of nine digits.
 static void checksums_are_those_of_the_standard(void **state) {
     unsigned char bytes[32] = {0};
     (void)state;
@@ -128,7 +128,7 @@ static void expect_state(whirl_journal *journal, size_t batch, size_t slot, cons
     free(found);
 }
 
-/// The state furthest on counts, of whatever thread and run; what is damaged is not taken.
+/// The newest state of a motion counts, of any thread and run; a damaged one is not used.
 static void states_come_back(void **state) {
     fixture *f = *state;
     whirl_journal *journal;
@@ -156,7 +156,7 @@ static void states_come_back(void **state) {
     assert_true(access(first, F_OK) != 0 && access(second, F_OK) != 0);
 }
 
-/// A run that is begun anew has no use for them, and another study takes none.
+/// A run that begins anew does not use saved states, and neither does another study.
 static void states_of_other_runs_are_not_taken(void **state) {
     fixture *f = *state;
     whirl_journal *journal;
@@ -213,8 +213,8 @@ static void one_run_at_a_time(void **state) {
     check(whirl_journal_close(resumed(f)));
 }
 
-/// A run that ends before its first point leaves a journal that is in nobody's way; one with points, with states or of
-/// another making is not vacant.
+/// The journal of a run that ended before its first point counts as vacant. One with points, with states or of another
+/// study does not.
 static void what_holds_nothing_is_vacant(void **state) {
     const fixture *f = *state;
     whirl_journal *journal;
@@ -313,7 +313,7 @@ static void frames_of_another_study_do_not_count(void **state) {
 
 // ---------------------------------------------------------------- damage
 
-/// Goes on from whatever is there, as a run would; returns how many points were known.
+/// Continues from the points that are known, as a run would; returns their number.
 static int go_on(const fixture *f) {
     whirl_journal *journal = resumed(f);
     int known = 0;
@@ -329,7 +329,7 @@ static int go_on(const fixture *f) {
     return known;
 }
 
-/// A kill cuts the last write short, wherever.
+/// A kill may cut the last write at any byte.
 static void every_cut_loses_no_whole_point(void **state) {
     fixture *f = *state;
     unsigned char *bytes;
@@ -351,7 +351,7 @@ static void every_cut_loses_no_whole_point(void **state) {
     free(bytes);
 }
 
-/// Any one byte changed, in every bit in turn: at most the point that it belongs to is lost, and that is said.
+/// If any byte is changed, in each bit in turn, at most its point is lost, and the loss is reported.
 static void every_flipped_byte_costs_one_point_at_most(void **state) {
     fixture *f = *state;
     unsigned char *bytes;
@@ -378,7 +378,7 @@ static void every_flipped_byte_costs_one_point_at_most(void **state) {
     free(bytes);
 }
 
-/// Stretches that are lost, moved or filled with zeros, as a file system may leave them.
+/// Ranges of bytes may be lost, moved or filled with zeros, as a file system may leave them.
 static void lost_stretches_cost_their_points_only(void **state) {
     fixture *f = *state;
     unsigned char *bytes;

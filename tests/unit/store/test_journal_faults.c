@@ -34,19 +34,19 @@ static bool strikes(void) {
     return fault.failing != NEVER && (call == fault.failing || (fault.for_good && call > fault.failing));
 }
 
-/// True when the call fails, with errno set; a call that writes nothing cannot be short.
+/// Returns true if the call fails, with errno set; a call that writes nothing cannot be short.
 static bool fails(void) {
     if (!strikes() || fault.reason == SHORT_WRITE) return false;
     errno = fault.reason;
     return true;
 }
 
-/// The same for calls that no signal interrupts on a local disk.
+/// Returns true if a call fails that no signal interrupts on a local disk.
 static bool fails_for_good(void) {
     return fails() && errno != EINTR;
 }
 
-/// These take the place of the C library's for all that is linked here.
+/// Replacements of functions of the C library, for everything that is linked here.
 ssize_t pwrite(int file, const void *bytes, size_t size, off_t offset) {
     if (strikes()) {
         if (fault.reason != SHORT_WRITE) {
@@ -101,7 +101,7 @@ int open(const char *path, int flags, ...) {
     return fails_for_good() ? -1 : (int)syscall(SYS_openat, AT_FDCWD, path, flags, mode);
 }
 
-/// Where a stream meets the disk.
+/// Replaces fflush, at which a stream is written to the disk.
 int fflush(FILE *stream) {
     if (stream != stdout && stream != stderr && stream && fails_for_good()) return EOF;
     return fflush_unlocked(stream);
@@ -157,7 +157,7 @@ static bool well(whirl_status status) {
     return status.code == WHIRL_OK;
 }
 
-/// Begins or goes on, keeps what is not there, and ends as `whirl run` does; an error ends the run.
+/// Begins or continues a journal, writes the points that it lacks, and ends as `whirl run` does; an error ends the run.
 static told run(const fixture *f) {
     told t = {0};
     whirl_journal *journal;
@@ -185,7 +185,7 @@ static void expect_whole_result(const fixture *f) {
     whirl_result_free(read);
 }
 
-/// Nothing that was acknowledged is lost, and a result that is there is whole.
+/// Checks that no acknowledged point is lost, and that an existing result is whole.
 static void expect_safe(const fixture *f, const told *t) {
     whirl_journal *journal;
     if (access(f->result, F_OK) == 0) expect_whole_result(f);
@@ -210,18 +210,18 @@ static void clean(const fixture *f) {
 static const char *const reasons[] = {"ENOSPC", "EIO", "EINTR", "short"};
 static const int numbers[] = {ENOSPC, EIO, EINTR, SHORT_WRITE};
 
-/// A broken disk is met like a full one: where both would be gone through, `make soak` alone takes both.
+/// Returns true under `make soak`, which tries full and broken disks; other runs try one of them, since both take the
+/// same paths.
 static bool soaking(void) {
     return getenv("WHIRL_SOAK") != NULL;
 }
 
-/// From one call that fails to the next; under the sanitizers, where nothing but memory is looked at, every third
-/// fails.
+/// Returns the step from one failing call to the next; under sanitizers, which look at memory alone, it is 3.
 static int stride(void) {
     return getenv("WHIRL_SANITIZED") ? 3 : 1;
 }
 
-/// Interruptions and short writes are no failures.
+/// Checks the outcome: interruptions and short writes are no failures.
 static void expect_outcome(const told *t, int reason) {
     if (reason == SHORT_WRITE || reason == EINTR) assert_true(t->written && t->removed);
 }
@@ -265,7 +265,7 @@ static void every_call_and_all_later_ones_fail(void **state) {
     }
 }
 
-/// Going on fails at every call: what an earlier run kept stays.
+/// If any call of a continued run fails, the points of the earlier run stay.
 static void every_call_fails_while_going_on(void **state) {
     const fixture *f = *state;
     for (int kind = soaking() ? 0 : 1; kind < 4; ++kind) {
@@ -293,7 +293,7 @@ static void every_call_fails_while_going_on(void **state) {
     }
 }
 
-/// The point that a full disk refused is written as soon as there is room, and so are those after it.
+/// A point that a full disk refused is written as soon as there is room, and so are the points after it.
 static void a_point_that_found_no_room_is_tried_again(void **state) {
     const fixture *f = *state;
     whirl_journal *journal;
@@ -350,7 +350,7 @@ static void a_file_that_differs_is_seen(void **state) {
     assert_int_equal(whirl_result_verify(f->made, f->result).code, WHIRL_IO_ERROR);
 }
 
-/// A result of a run that was stopped says which points it has.
+/// The result of a stopped run lists its points.
 static void partial_results_are_written_and_read(void **state) {
     const fixture *f = *state;
     whirl_table *sweep = &f->made->tables[0];

@@ -48,7 +48,7 @@ static whirl_journal *begun(const fixture *f, const char *path) {
     return journal;
 }
 
-/// A closed journal of the points from `first` on.
+/// Makes a closed journal of the points from `first` on.
 static void make_other(const fixture *f, size_t first, size_t end) {
     whirl_journal *journal = begun(f, f->other);
     for (size_t i = first; i < end; ++i) check(kept_keep(journal, i));
@@ -107,7 +107,7 @@ static void a_part_takes_its_own(void **state) {
     check(whirl_journal_close(journal));
 }
 
-/// Room on the disk is asked for the points of the part alone.
+/// Only the points of the part need room on the disk.
 static void a_part_reserves_less(void **state) {
     enum { MANY = 200000 };
     const fixture *f = *state;
@@ -168,7 +168,7 @@ static void other_studies_are_refused(void **state) {
     check(whirl_journal_close(journal));
 }
 
-/// Wherever a journal is cut, or damaged in a byte, what is sound of it is taken, and no wrong number.
+/// If a journal is cut or damaged at any byte, its valid part is used, and no wrong number.
 static void what_is_sound_is_taken(void **state) {
     const fixture *f = *state;
     unsigned char *bytes;

@@ -28,7 +28,7 @@ static const whirl_member *at_offset(const whirl_member *table, size_t offset) {
     return NULL;
 }
 
-/// From `offset` on members follow one another to the end of the struct, with no more between them than alignment asks.
+/// Checks that members from `offset` on fill the struct to its end, with no gaps except for alignment.
 static void assert_covers(const whirl_member *table, size_t offset, size_t size) {
     const size_t widest = sizeof(double);
     while (offset < size) {
@@ -51,7 +51,7 @@ static void tables_cover_their_structs(void **state) {
                   offsetof(whirl_probe, runout_count)); // results have no runout
 }
 
-/// Every member that a case says stands in a group of case files with the part's name: seen by its name and meaning.
+/// Every member has a meaning and is found by its name. One without a name shares its place with one that has a name.
 static void members_describe_themselves(void **state) {
     const whirl_member *const tables[] = {whirl_integrate_members(), whirl_record_members(), whirl_probe_members()};
     (void)state;
@@ -64,7 +64,7 @@ static void members_describe_themselves(void **state) {
     assert_null(whirl_member_find(tables[0], "rto"));
 }
 
-/// Another value that the member may have.
+/// Sets another valid value of the member.
 static void change(const whirl_member *member, void *object) {
     const double value = whirl_member_number(member, object);
     switch (member->type) {
@@ -85,7 +85,7 @@ static void change(const whirl_member *member, void *object) {
     }
 }
 
-/// Changes one option of the first table after the other, in a file and in what is told of a difference.
+/// Changes one option of the first table after the other, in a file and in the reported difference.
 static void follow_each(whirl_result *made, const whirl_result *earlier, const whirl_member *member, size_t offset) {
     char path[64];
     snprintf(path, sizeof path, "/tmp/whirl-members-%ld.h5", (long)getpid());

@@ -69,7 +69,7 @@ static void put_value(hid_t object, const char *name, hid_t type, const void *va
     H5Sclose(space);
 }
 
-/// Past eight attributes the library's own choice is a fractal heap and a B-tree.
+/// Writes more than eight attributes, for which HDF5 itself chooses a fractal heap and a B-tree.
 static void put_heap(hid_t file) {
     const hid_t group = H5Gcreate2(file, "heap", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     for (int64_t i = 0; i < 12; ++i) {
@@ -106,7 +106,7 @@ static void put_external_link(hid_t file) {
     assert_true(H5Lcreate_external("other.h5", "/", file, "external", H5P_DEFAULT, H5P_DEFAULT) >= 0);
 }
 
-/// A group that holds itself.
+/// Writes a group that is a member of itself.
 static void put_ring(hid_t file) {
     assert_true(H5Lcreate_hard(file, "/detail", file, "/detail/again", H5P_DEFAULT, H5P_DEFAULT) >= 0);
 }
@@ -143,7 +143,7 @@ static void put_compressed(hid_t file) {
     put_dataset(file, H5D_CHUNKED, true);
 }
 
-/// A growing dataset is found by an extensible array.
+/// Writes a growing dataset, whose chunks HDF5 finds by an extensible array.
 static void put_growing(hid_t file) {
     const hsize_t length = 4, most = H5S_UNLIMITED;
     const hid_t space = H5Screate_simple(1, &length, &most), creation = H5Pcreate(H5P_DATASET_CREATE);
@@ -177,8 +177,8 @@ static void refuses_what_whirl_does_not_write(void **state) {
     }
 }
 
-/// Wherever a header's byte is changed, the look stays within the file (the sanitizers watch) and comes to an end. Most
-/// changes are seen at once, without any checksum.
+/// If any byte of a header is changed, the reader stays within the file (sanitizers check it) and ends. Most changes
+/// are found at once, without any checksum.
 static void looks_within_the_file(void **state) {
     fixture *f = *state;
     size_t refused = 0, tried = 0;

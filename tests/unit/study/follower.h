@@ -18,7 +18,7 @@ static void follower_slope(const void *model, double t, const double *forcing, c
     dxdt[0] = -((const follower *)model)->rate * (x[0] - cos(6.283185307179586 * t));
 }
 
-/// whirl_study.machine: the follower of rate `value`, from 0.5.
+/// Makes the follower of rate `value`, from 0.5 (whirl_study.machine).
 static whirl_status make_follower(const void *family, const whirl_batch *batch, double value, whirl_machine *out) {
     static const whirl_probe probe = {.name = "follower"};
     (void)family, (void)batch;

@@ -6,8 +6,8 @@
 
 #include "whirl/engine/study.h"
 
-/// A study with one batch, "sweep" of `parameter` over the values (borrowed), by RK4 of so many steps per revolution,
-/// without waveforms; what else is to be is set in batches[0].
+/// Makes a study with one batch, the "sweep" of `parameter` over the values (borrowed), by RK4 with `steps` steps per
+/// revolution, without waveforms. Callers set other options in batches[0].
 static inline whirl_study sweep_study(const char *parameter, const double *values, size_t count, int steps) {
     whirl_study study = {.batch_count = 1};
     whirl_batch *batch = &study.batches[0];
@@ -20,7 +20,7 @@ static inline whirl_study sweep_study(const char *parameter, const double *value
     return study;
 }
 
-/// The result belongs to the caller.
+/// Runs the study; the result belongs to the caller.
 static inline whirl_result *run(const whirl_study *study, int threads) {
     whirl_result *result;
     const whirl_status status = whirl_study_run(study, &(whirl_run_options){.threads = threads}, &result);

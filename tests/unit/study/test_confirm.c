@@ -44,7 +44,7 @@ static bool is_wrong(size_t point) {
     return rates[point] / STEPS > 2.7853;
 }
 
-/// The steps that refinement takes: twice as many until they are stable.
+/// Returns the number of steps that refinement takes: doubled until the method is stable.
 static int refined_steps(size_t point) {
     int steps = STEPS;
     while (rates[point] / steps > 2.7853) steps *= 2;
@@ -67,7 +67,8 @@ static void test_verdicts_at_two_tolerances(void **state) {
     whirl_result_free(result);
 }
 
-/// RK4 multiplies a perturbation of the follower by 1 + z + z^2/2 + z^3/6 + z^4/24 in a step, z = -r h.
+/// Returns the exponent by RK4: it multiplies a perturbation of the follower by 1 + z + z^2/2 + z^3/6 + z^4/24 in a
+/// step, z = -r h.
 static double exponent_of_rk4(double rate, int steps) {
     const double z = -rate / steps;
     return steps * log(1.0 + z + z * z / 2.0 + z * z * z / 6.0 + z * z * z * z / 24.0);
@@ -100,7 +101,7 @@ static void test_errors_of_exponents_know_the_second_tolerance(void **state) {
     }
 }
 
-/// x' = p - x^2: what starts above -sqrt p comes to rest at sqrt p, all else is lost.
+/// x' = p - x^2: motions that start above -sqrt p come to rest at sqrt p, all others diverge.
 static void parabola(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
     (void)t, (void)forcing;
     dxdt[0] = ((const follower *)model)->rate - x[0] * x[0];
@@ -114,7 +115,8 @@ static whirl_status parabola_machine(const void *family, const whirl_batch *batc
     return status;
 }
 
-/// From -1.5 only p > 2.25 comes to rest; carried from there all do, at both tolerances if both start alike.
+/// From -1.5 motions come to rest only for p > 2.25. Carried from there all do, at both tolerances if both have the
+/// same start.
 static void test_carried_points_are_confirmed_from_their_own_start(void **state) {
     static const double values[] = {4, 3, 1, 0.5};
     (void)state;
@@ -193,7 +195,7 @@ static double now(void) {
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-/// Where a point takes longer than there is time it is given up within a revolution, and what was known of it stays.
+/// A point that takes longer than the time left is given up within a revolution, and its earlier result stays.
 static void test_time_is_kept(void **state) {
     static const double slow[] = {1e-6, 2e-6}; // these need runs a hundred times as long, some ten seconds
     whirl_study s = study(WHIRL_CARRY_NONE, 0);
@@ -230,7 +232,7 @@ static void test_threads_change_no_bit(void **state) {
     }
 }
 
-/// Whatever a store knows of any pass, the result is that of a run that knew nothing.
+/// For any set of points that a store knows, the result is that of a run without known points.
 static void test_recalled_points_change_no_bit(void **state) {
     (void)state;
     for (int carry = WHIRL_CARRY_NONE; carry <= WHIRL_CARRY_BOTH; carry++) {
@@ -276,7 +278,7 @@ static bool recall_nothing(void *context, size_t pass, size_t slot, double *bloc
     return false;
 }
 
-/// All points are done, and yet the result is partial.
+/// Checks that the result is partial although all points are done.
 static void expect_partial(double budget, size_t pass, const char *sentence) {
     const whirl_study s = study(WHIRL_CARRY_NONE, budget);
     stopper own = {.pass = pass};

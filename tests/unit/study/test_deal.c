@@ -145,7 +145,7 @@ static void test_all_together_make_the_whole(void **state) {
         }
 }
 
-/// Points that are known are not dealt out. An incomplete chain is dealt, to a run that has the rest of it.
+/// Known points are not dealt out. An incomplete chain is dealt to a run that has the rest of it.
 static void test_what_is_known_is_not_dealt(void **state) {
     double values[POINTS];
     (void)state;
@@ -165,8 +165,8 @@ static void test_what_is_known_is_not_dealt(void **state) {
     end(&all);
 }
 
-/// It has no time for its confirmations, perhaps not for its points; what the others have is in its result all the
-/// same.
+/// The run that gathers may be stopped before its confirmations, or even before its points; its result still has the
+/// points of the others.
 static void test_a_stop_of_the_one_that_gathers(void **state) {
     const whirl_stop stop = true;
     double values[POINTS];

@@ -52,7 +52,7 @@ static whirl_status machine(const void *family, const whirl_batch *batch, double
 
 enum { POINTS = 57 };
 
-/// Swept both ways over w = 1.02 ... 1.30, each start carried from the point before.
+/// Sweeps w = 1.02 ... 1.30 both ways, each start carried from the point before.
 static whirl_result *sweep(double alpha) {
     double values[POINTS];
     whirl_study study = sweep_study("w", values, POINTS, 64);

@@ -78,7 +78,7 @@ static bool same_motion(const whirl_table *a, size_t i, const whirl_table *b, si
     return one.regime == other.regime && one.period == other.period;
 }
 
-/// All fields of a point but the width, which the grid has not.
+/// Checks all fields of the points except the width, which the grid lacks.
 static void expect_same_bits(const whirl_table *refined, size_t i, const whirl_table *grid, size_t j) {
     for (size_t f = 0; f < grid->layout.field_count; f++) {
         const whirl_field *field = &grid->layout.fields[f];
@@ -170,8 +170,8 @@ static void expect_two_attractors(const whirl_result *result) {
     assert_int_equal(count, 2);
 }
 
-/// Three shares, gathered, with blocks in memory and left with the store; a gathering before the last share says that
-/// points are missing, and computes none.
+/// Three shares are gathered, with blocks in memory and with blocks in the store. Gathering before the last share
+/// reports missing points, and computes none.
 static void shares_make_the_whole(void **state) {
     (void)state;
     for (int confirm = 0; confirm < 2; confirm++)
@@ -261,7 +261,7 @@ static void squares_may_be_dealt_out(void **state) {
     }
 }
 
-/// A store that is full stops the run wherever that is; what it knows then changes no bit of the next one.
+/// A full store stops the run at any place; the points that it has then change no bit of the next run.
 static void stops_change_nothing(void **state) {
     static const int limits[] = {1, 20, 24, 60, 200, 300};
     plane s;

@@ -48,7 +48,7 @@ static void what_is_not_there_is_null(void **state) {
     assert_null(whirl_table_field(detail, 0, "made/row", 1));
 }
 
-/// A case that says rpm and mm is answered in them; 2 pi/60 and 25.4e-6 are the definitions.
+/// A case in rpm and mm has results in them; 2 pi/60 and 25.4e-6 are the definitions.
 static void parameters_are_shown_in_the_units_of_the_case(void **state) {
     (void)state;
     whirl_parameter parameters[] = {{"omega", "rad/s", "6000 rpm", 6000 * 2 * 3.14159265358979323846 / 60},

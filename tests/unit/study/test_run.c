@@ -178,7 +178,7 @@ static void test_a_stop_leaves_what_is_done(void **state) {
 
 // ---------------------------------------------------------------- stores
 
-/// Whatever points are known, with gaps in carried branches too, the result is that of a run that knew none.
+/// For any known points, with gaps in carried branches too, the result is that of a run without known points.
 static void test_recalled_points_change_no_bit(void **state) {
     double values[POINTS];
     (void)state;

@@ -27,7 +27,7 @@ static bool is_partial(const whirl_result *result) {
     return whirl_result_partial(result, &done, &total);
 }
 
-/// Points of the study that a store knows, at the first tolerance.
+/// Returns the number of points that a store knows, at the first tolerance.
 static size_t known_points(const memory_store *memory) {
     size_t known = 0;
     for (size_t i = 0; i < memory->slots; i++) known += memory->known[0][i];
@@ -40,7 +40,7 @@ static size_t points_of(const whirl_study *s, whirl_share share) {
     return count;
 }
 
-/// The store refuses a point that it has, so that none is computed twice.
+/// Checks that shares make the whole. The store refuses a point that it has, so that none is computed twice.
 static void expect_shares_make_the_whole(const whirl_study *s, size_t count) {
     whirl_result *whole = run(s, 1);
     memory_store *memory = store_new(slots_of(s), 1);

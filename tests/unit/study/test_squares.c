@@ -25,8 +25,8 @@ static bool differ(const void *context, size_t a, size_t b) {
     return f->labels[a] < 0 || f->labels[a] != f->labels[b];
 }
 
-/// A disc and a thin slanting tongue that reaches into it, both in units of the plane's width; points on a small spot
-/// are in doubt.
+/// Returns the label at a place: a disc and a thin slanting tongue that reaches into it, both in units of the plane's
+/// width; points on a small spot are in doubt.
 static int label_at(double x, double y) {
     if (hypot(x - 0.8, y - 0.2) < 0.02) return -1;
     if (fabs(y - 0.15 - 0.6 * x) < 0.006 && x < 0.7) return 2;

@@ -58,7 +58,7 @@ static void slope(const void *model, double t, const double *forcing, const doub
     for (int i = 0; i < 4; i++) dxdt[i] = 0.0;
 }
 
-/// `places` from `starts` starts each, all undetermined.
+/// Makes a table of `places` places with `starts` starts each, all undetermined.
 static whirl_table make(size_t places, size_t starts, size_t row) {
     const whirl_system system = {.dimension = 4, .period = 1.0, .rhs = slope, .probe_count = 1, .probes = &probe};
     static const char *const analyses[] = {"poincare", "orbit", "regime"};
@@ -91,7 +91,7 @@ static double *field(const whirl_table *table, size_t point, const char *name) {
     return table->blocks + point * table->layout.size + found->offset;
 }
 
-/// A motion of that regime about (x, 0), up to `reach` to every side.
+/// Sets a motion of that regime about (x, 0), up to `reach` to every side.
 static void go_about(const whirl_table *table, size_t point, whirl_regime regime, double x, double reach) {
     *field(table, point, "regime/code") = regime;
     double *mean = field(table, point, "orbit/mean"), *low = field(table, point, "orbit/low");
@@ -104,7 +104,7 @@ static void go_about(const whirl_table *table, size_t point, whirl_regime regime
     }
 }
 
-/// An orbit of k revolutions whose section lies at x, x + gap, ..., begun `skip` revolutions later.
+/// Sets an orbit of k revolutions whose section is at x, x + gap, ..., and begins `skip` revolutions later.
 static void orbit(const whirl_table *table, size_t point, int k, double x, double gap, int skip) {
     go_about(table, point, WHIRL_PERIODIC, x, 2.0);
     *field(table, point, "regime/period") = k;
@@ -121,8 +121,8 @@ static whirl_coexistence tell(const whirl_table *table) {
 
 // ---------------------------------------------------------------- one place
 
-/// An orbit of two revolutions in both phases is one; chaos whose records differ somewhat is one, chaos elsewhere
-/// another one; what has no verdict has none, but counts as a start.
+/// An orbit of two revolutions in both phases is one attractor. Chaotic motions whose records differ somewhat are one,
+/// chaos elsewhere is another one. A motion without a verdict has no attractor but counts as a start.
 static void motions_of_a_place_are_told_apart(void **state) {
     static const size_t labels[] = {1, 2, 1, 0, 3, 2, 1, 4};
     static const size_t counts[] = {3, 2, 1, 1};
@@ -154,7 +154,8 @@ static void motions_of_a_place_are_told_apart(void **state) {
     drop(&table);
 }
 
-/// An orbit of 2 revolutions that is told as one of 4, whose sections agree, is the same; one of 3 is none of them.
+/// An orbit of 2 revolutions that is reported as one of 4, with the same section, is the same attractor; one of 3 is
+/// another.
 static void multiples_of_an_orbit_are_the_same(void **state) {
     static const size_t labels[] = {1, 1, 2, 3};
     whirl_table table = make(1, 4, 0);
@@ -178,8 +179,8 @@ static size_t label(const whirl_coexistence *found, size_t start, size_t place) 
     return found->labels[start * PLACES + place];
 }
 
-/// One attractor drifts and doubles its period twice; a second one stands beside it for a while; at place 3 nothing is
-/// told; after it the motion is somewhere else altogether.
+/// One attractor drifts and doubles its period twice. A second one coexists with it for a while. At place 3 nothing is
+/// known, and after it the motion is somewhere else.
 static void attractors_go_on_along_a_sweep(void **state) {
     whirl_table table = make(PLACES, 2, 0);
     (void)state;
@@ -250,7 +251,7 @@ static void periods_are_multiplied(void **state) {
     }
 }
 
-/// Points that are not there, as in the file of a run that was stopped, leave the others at their places.
+/// Missing points, as in the file of a stopped run, leave the others at their places.
 static void partial_tables_have_their_places(void **state) {
     static const size_t slots[] = {0, 2, 4, 5, 7};
     whirl_table table = make(5, 1, 0);

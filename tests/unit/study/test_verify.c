@@ -36,7 +36,7 @@ static whirl_verification *verify(const whirl_study *s, int revolutions, int thr
     return v;
 }
 
-/// x(1) from 0.5 by the closed form.
+/// Returns x(1) from 0.5 by the closed form.
 static double exact(double r) {
     const double w = 6.283185307179586, periodic = r * r / (r * r + w * w);
     return periodic + (0.5 - periodic) * exp(-r);

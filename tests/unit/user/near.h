@@ -39,7 +39,7 @@ static inline whirl_result *run(const whirl_user_system *system, int threads) {
 /// Of the linear oscillators: x'' + 2 zeta x' + x = F cos(omega t).
 static const double zeta = 0.04;
 
-/// Their derivative.
+/// Computes the derivative of the equations above.
 static inline int derivative(double t, const double *x, const double *p, const double *dx, double *ddxdt,
                              void *context) {
     (void)t, (void)x, (void)p, (void)context;

@@ -20,7 +20,7 @@
 
 static const double two_pi = 6.283185307179586476925, pi = 3.14159265358979323846, b = 0.4, c = 0.1;
 
-/// Parameter k.
+/// A pendulum; its parameter is k.
 static int pendulum(double t, const double *x, const double *p, double *dxdt, void *context) {
     (void)context;
     dxdt[0] = x[1];
@@ -73,7 +73,7 @@ static void rotation_is_periodic(void **state) {
     }
 }
 
-/// In the raw angle the same motion never comes back.
+/// Without a declared angle the same motion never returns.
 static void without_angles_it_is_not_known(void **state) {
     (void)state;
     whirl_user_system *system = make(false, false, "dop853");

@@ -15,7 +15,7 @@
 
 static const double two_pi = 6.283185307179586476925;
 
-/// Short transients, long steps, and orbits that close to 1e-10.
+/// Sets short transients, long steps, and orbits that close to 1e-10.
 static void quicken(whirl_user_system *system) {
     good(whirl_user_system_set(system, "method", "dop853"));
     good(whirl_user_system_set(system, "transient", "20"));
@@ -24,7 +24,7 @@ static void quicken(whirl_user_system *system) {
     good(whirl_user_system_set(system, "trace_step", "0.15"));
 }
 
-/// A system with the one parameter r, whose branches go from `from` to `to`.
+/// Makes a system with the parameter r, whose branches go from `from` to `to`.
 static whirl_user_system *system_of(size_t dimension, whirl_user_rates_fn rates, double from, double to) {
     whirl_user_system *system;
     good(whirl_user_system_new("Branches", dimension, &system));
@@ -41,7 +41,7 @@ static double number(const whirl_table *table, size_t point, const char *quantit
     return whirl_table_number(table, point, name, 0);
 }
 
-/// The only point of that kind.
+/// Returns the only point of that kind.
 static size_t special(const whirl_table *table, whirl_special kind) {
     size_t found = table->count, count = 0;
     for (size_t i = 0; i < table->count; i++)
@@ -171,7 +171,7 @@ static void check_pitchfork(const whirl_table *table, double located) {
     assert_true(number(table, table->count - 1, "number") == 5.0); // both ways, symmetric both ways, the other side
 }
 
-/// The same pitchfork from its side x = sqrt(r).
+/// The same pitchfork is found from its side x = sqrt(r).
 static void equilibria_end_at_pitchforks(void **state) {
     (void)state;
     const double at = 0.49;
@@ -229,7 +229,7 @@ static int lopsided(double t, const double *x, const double *p, double *dxdt, vo
     return 0;
 }
 
-/// Without a symmetry the branch goes on beyond a pitchfork, where it is another one.
+/// Without a symmetry the branch continues beyond a pitchfork along another branch.
 static void branches_go_on_where_nothing_is_mirrored(void **state) {
     (void)state;
     const double at = 0.3;

@@ -18,7 +18,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/// p: U, T.
+/// A Duffing oscillator whose displacement has the unit U = p[0], and a coordinate that approaches T = p[1].
 static int duffing(double t, const double *x, const double *p, double *dxdt, void *context) {
     const double u = x[0] / p[0], v = x[1] / p[0];
     (void)context;
@@ -36,7 +36,7 @@ static int van_der_pol(double t, const double *x, const double *p, double *dxdt,
     return 0;
 }
 
-/// u' = u: it is lost, in whatever unit.
+/// u' = u/2 diverges, in every unit.
 static int lost(double t, const double *x, const double *p, double *dxdt, void *context) {
     (void)context, (void)t, (void)p;
     dxdt[0] = 0.5 * x[0];

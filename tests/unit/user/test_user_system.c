@@ -35,7 +35,7 @@ static int oscillators(size_t count, size_t row, const double *t, const double *
     return 0;
 }
 
-/// A sweep of the speed: tight tolerances, so that closed forms are met to many digits.
+/// Makes a sweep of the speed, at tolerances so tight that closed forms agree to many digits.
 static whirl_user_system *make(void) {
     whirl_user_system *system;
     double speeds[SPEEDS];
@@ -61,7 +61,7 @@ static whirl_user_system *make(void) {
 /// in an exponent at most 2 zeta/100, or ln(4.7)/100.
 static const double swing = 8e-4, swing_in_lanes = 0.0155;
 
-/// The largest distance of amplitudes and of exponents from their closed forms.
+/// Computes the largest distance of amplitudes and of exponents from their closed forms.
 static void compare(const whirl_result *result, double most_of_exponent) {
     const whirl_table *table = whirl_result_table(result, "sweep");
     assert_int_equal(SPEEDS, table->count);
@@ -99,7 +99,7 @@ static void one_machine_is_its_closed_form(void **state) {
     whirl_user_system_free(system);
 }
 
-/// Whether all blocks have the same bits.
+/// Returns true if all blocks have the same bits.
 static bool same(const whirl_result *one, const whirl_result *other) {
     const whirl_table *a = &one->tables[0], *b = &other->tables[0];
     return a->count == b->count && a->layout.size == b->layout.size &&
@@ -174,7 +174,7 @@ static void maps_have_rows(void **state) {
     whirl_user_system_free(system);
 }
 
-/// What a result says besides its tables, and what a journal knows of it before.
+/// Other facts of a result, and the points of a journal that it began with.
 static void results_are_described(void **state) {
     (void)state;
     whirl_user_system *system = make();
@@ -230,15 +230,15 @@ static void a_function_that_fails_ends_the_run(void **state) {
     }
 }
 
-/// A mass that a spring and a damper, p[1], stop at x = 0.
+/// A mass that is stopped at x = 0 by a spring and a damper p[1].
 static int stopped(double t, const double *x, const double *p, double *dxdt, void *context) {
     oscillator(t, x, p, dxdt, context);
     if (x[0] > 0.0) dxdt[1] -= 100.0 * x[0] + p[1] * x[1];
     return 0;
 }
 
-/// No derivative tells what a jump does to a perturbation: jumps are refused by their place where it is followed, alone
-/// and in lanes, and are no harm where it is not. Kinks without jumps are followed.
+/// No derivative describes the effect of a jump on a perturbation. Jumps are refused with their place if a perturbation
+/// is followed, alone and in lanes, and are allowed otherwise. Kinks without jumps are followed.
 static void slopes_that_jump_are_refused_where_a_derivative_is_followed(void **state) {
     static const double dampers[] = {0.0, 20.0};
     (void)state;
@@ -290,7 +290,7 @@ static void slopes_that_are_no_numbers_are_divergence(void **state) {
     }
 }
 
-/// GSL's order: slopes before parameters.
+/// The equations with the arguments of GSL: slopes before parameters.
 static int as_gsl_has_it(double t, const double *x, double *slopes, void *parameters) {
     return oscillator(t, x, parameters, slopes, NULL);
 }
