@@ -68,7 +68,6 @@ typedef struct running_rotor {
                            ///< coordinates
     double *block;         ///< all arrays from own_cos on
     double *place, *slope; ///< [dimension] workspace
-    double *evaluations;   ///< evaluations of the equations so far
     double *friction;      ///< [contact_count][3] workspace
     /// [degrees] workspace: torques on twists, N m, and the accelerations by these torques.
     double *torque, *torque_acceleration;
@@ -416,7 +415,7 @@ static void running_lose(whirl_running *running, size_t count, const whirl_place
 static whirl_status running_add_turnings(running_rotor *r) {
     const whirl_rotor *rotor = r->rotor;
     const size_t n = rotor->lanes.degrees;
-    r->block = calloc(17 * n + 2 * (r->at_speed + 2) + 3 * rotor->contact_count + 5, sizeof *r->block);
+    r->block = calloc(17 * n + 2 * (r->at_speed + 2) + 3 * rotor->contact_count + 4, sizeof *r->block);
     r->along = malloc(n + 1);
     if (!r->block || !r->along) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine whose speed changes");
     // Cut the block into arrays.
@@ -440,8 +439,7 @@ static whirl_status running_add_turnings(running_rotor *r) {
     r->place = r->block + PARTS * n;
     r->slope = r->place + r->at_speed + 2;
     r->friction = r->slope + r->at_speed + 2;
-    r->evaluations = r->friction + 3 * rotor->contact_count;
-    r->shake = r->evaluations + 1;
+    r->shake = r->friction + 3 * rotor->contact_count;
     r->guided_lever = r->shake + 2;
     r->shaken = r->guided_lever + 2;
     // Compute the accelerations by the ground, by unbalances and by turning loads.
@@ -775,7 +773,6 @@ static const double *running_flow(const running_rotor *r, double w, const double
                                   const double *x, double *dxdt) {
     const double *numbers = running_numbers_at(r, w);
     const size_t n = r->rotor->lanes.degrees;
-    *r->evaluations += 1.0;
     running_find_levers(r, forcing);
     if (r->geared_count > 0) running_add_geared(r, fmax(w, slowest), x);
     rotor_flow_with(r->rotor, numbers, forcing, sides, x, dxdt);
@@ -1053,10 +1050,6 @@ static void running_speeds(const whirl_running *running, const double *x, double
     for (size_t p = 0; p < r->rotor->station_count; p++) speed[p] = running_place_of(r, p, &s).speed;
 }
 
-static double running_evaluations(const whirl_running *running) {
-    return *((const running_rotor *)running)->evaluations;
-}
-
 static double running_begins(const whirl_running *running, double time) {
     const whirl_rotor *rotor = ((const running_rotor *)running)->rotor;
     double next = INFINITY;
@@ -1143,7 +1136,6 @@ whirl_status whirl_running_new(whirl_machine_at *make, const void *context, doub
     r->shown.watched = running_watched;
     r->shown.speeds = running_speeds;
     r->shown.begins = running_begins;
-    r->shown.evaluations = running_evaluations;
     r->shown.contacts = running_contacts;
     r->shown.contact_switch = running_switch;
     r->shown.release = running_release;

@@ -77,6 +77,22 @@ static void two_discs_on_one_shaft(void **state) {
     }
 }
 
+/// A shaft with a million turns behind it moves as one that begins: its angle is exact to 1e-9 rad there.
+static void a_million_turns_behind(void **state) {
+    char more[64];
+    (void)state;
+    snprintf(more, sizeof more, ", angle: %.17g rad", 1e6 * two_pi);
+    whirl_result *own = run_two(0.8, 50.0, "", ""), *later = run_two(0.8, 50.0, more, "");
+    check_within("Run-up", "speed after a million turns", first_number(own, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0),
+                 first_number(later, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0), 1e-9);
+    for (size_t k = 0; k < 4; k++)
+        check_within("Run-up", words("place %zu after a million turns", k),
+                     first_number(own, WHIRL_FIELD_RUNUP_PLACE, k / 2, k % 2),
+                     first_number(later, WHIRL_FIELD_RUNUP_PLACE, k / 2, k % 2), 5e-8);
+    whirl_result_free(own);
+    whirl_result_free(later);
+}
+
 /// Mirrored rotation and another method change nothing.
 static void two_discs_otherwise(void **state) {
     (void)state;
@@ -542,6 +558,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(sensitive_runs),
                                        cmocka_unit_test(two_discs_on_one_shaft),
                                        cmocka_unit_test(two_discs_otherwise),
+                                       cmocka_unit_test(a_million_turns_behind),
                                        cmocka_unit_test(unbalances_said_otherwise),
                                        cmocka_unit_test(sommerfeld),
                                        cmocka_unit_test(stationary_speeds),

@@ -116,6 +116,9 @@ whirl_status whirl_integrator_follow(whirl_integrator *integrator, size_t most);
 whirl_motion whirl_integrator_carry(whirl_integrator *integrator, double *x, whirl_perturbations *perturbations,
                                     whirl_observe_fn observe, void *observer);
 
+/// Returns the number of steps that an adaptive method has tried since the integrator was made; 0 for other methods.
+size_t whirl_integrator_steps(const whirl_integrator *integrator);
+
 /// Frees an integrator; accepts NULL.
 void whirl_integrator_free(whirl_integrator *integrator);
 

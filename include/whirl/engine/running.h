@@ -156,9 +156,6 @@ struct whirl_running {
     /// speed of the shaft where a station does not twist.
     void (*speeds)(const whirl_running *running, const double *x, double *speed);
 
-    /// Returns the number of evaluations of the equations so far.
-    double (*evaluations)(const whirl_running *running);
-
     /// Returns the next instant after `time`, s, at which a torque begins; infinite if there is none.
     double (*begins)(const whirl_running *running, double time);
 

@@ -748,25 +748,24 @@ static runup_end runup_end_of(const runner *r, whirl_motion motion) {
     return r->x[r->rotor] < 1e-3 || isnan(r->x[r->rotor]) ? RUNUP_STALLED : RUNUP_STUCK;
 }
 
-/// Returns the most evaluations of the equations by time for which the samples of a part show each of its steps.
-static double runup_most_evaluations(const runner *r) {
-    // A part has 8 steps at least where the machine has switches; interpolants cost evaluations, too.
-    enum { SAMPLES_OF_STEP = 4, STAGES = 16, MIN_STEPS = 16 };
-    const double steps = fmax(MIN_STEPS, (double)r->plan->options->samples / SAMPLES_OF_STEP);
-    const bool implicit = strcmp(r->plan->options->method, "rodas5p") == 0; // with differences for its Jacobian
-    return steps * (STAGES + (implicit ? 2.0 * (double)r->most : 0.0));
+/// Returns the most steps of a part by time of which the samples show each one.
+static double runup_most_steps(const runner *r) {
+    // A part has 8 steps at least where the machine has switches.
+    enum { SAMPLES_OF_STEP = 4, MIN_STEPS = 16 };
+    return fmax(MIN_STEPS, (double)r->plan->options->samples / SAMPLES_OF_STEP);
 }
 
 /// Carries `end` over the next part of a turn, at most *length long, and keeps all samples. Writes the part's length to
 /// *length: with time as variable, a part has as many steps as its samples can show.
 static whirl_motion runup_carry_next(runner *r, double from, double *length, double *end) {
     enum { TRIES = 6 };
-    const double most = runup_most_evaluations(r);
+    const whirl_integrator *by = r->sides[r->side].seen[r->by_time];
+    const double most = runup_most_steps(r);
     for (int tries = 1;; tries++) {
-        const double before = r->machine->evaluations(r->machine);
+        const size_t before = whirl_integrator_steps(by);
         memcpy(end, r->x, r->dimension * sizeof *end);
         const whirl_motion motion = runup_carry_seen(r, from, *length, end);
-        const double used = (r->machine->evaluations(r->machine) - before) / most;
+        const double used = (double)(whirl_integrator_steps(by) - before) / most;
         if (!r->by_time) return motion;
         r->leg = *length * fmin(2.0, fmax(0.1, 0.8 / used));
         if (tries == TRIES || runup_stopped(r) || (motion == WHIRL_BOUNDED && used <= 1.5)) return motion;
@@ -1105,7 +1104,7 @@ whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_r
                 .torques = running->in_time ? running->watched_count : 0,
                 .leg = 0.05 * two_pi,
                 .unit = running->unit,
-                .angle0 = plan->angle,
+                .angle0 = running->in_time ? plan->angle : fmod(plan->angle, two_pi), // meshes know whole turns
                 .run = run};
     r.how = (whirl_turning){.driven = whirl_runup_driven(o),
                             .rate = o->to > 0.0 && o->to < o->from ? -o->rate : o->rate,

@@ -75,6 +75,10 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_pertu
     return motion;
 }
 
+size_t whirl_integrator_steps(const whirl_integrator *integrator) {
+    return integrator->method->lanes ? ((const stepper *)integrator->workspace)->tried : 0;
+}
+
 static void stepper_end(whirl_integrator *integrator) {
     stepper_free(integrator->workspace);
 }
