@@ -41,6 +41,21 @@ const char *explorer_describe(const whirl_case *object);
 /// NULL after a failure.
 const char *explorer_edit(const char *source, size_t length, const char *path, const char *value);
 
+// ---------------------------------------------------------------- measured numbers
+
+/// Reads the text of a table of measured numbers for the machine of a case, as `study: fit` reads files; `name` is the
+/// file's in messages. Returns the MeasuredTable of protocol.ts as JSON. NULL after a failure.
+const char *explorer_measured(const whirl_case *object, const char *name, const char *source, size_t length);
+
+/// Returns the largest number of rows of explorer_measured_spectrum.
+size_t explorer_measured_orders(void);
+
+/// Computes the spectrum of a measured motion: `turn` [count] are revolutions since a mark, growing; `values`
+/// [2][count] x and y at these. Writes rows [explorer_measured_orders][5] as whirl_signals_spectrum: windowed as the
+/// spectra of computed motions, or for fewer than 4 revolutions exact parts of whole revolutions. Returns the number of
+/// rows; 0 after a failure.
+int explorer_measured_spectrum(const double *turn, const double *values, size_t count, double *rows);
+
 // ---------------------------------------------------------------- plans
 
 /// Reductions of a preview; see explorer_plan_look.

@@ -1,12 +1,14 @@
 // The application: passes the user's actions to the engine, and the engine's results to the views.
 import type { Run } from './data/run';
 import { needsSpectra } from './data/quantities';
+import { FIELD } from './data/fields';
 import { isTyping, releaseFields } from './dom';
 import type { Engine } from './engine/protocol';
 import type { Range } from './figure/chart';
 import { anyFollows } from './model/derived';
 import { History } from './model/history';
 import type { Plan } from './model/recompute';
+import type { NamedText } from './model/measured';
 import { Session, type Change, type SideName } from './model/session';
 import { assignmentTexts, readAddress, writeAddress, type Address, type Computation } from './model/setting';
 import type { SideModel } from './model/side';
@@ -45,7 +47,8 @@ export class App {
       changed: (what) => this.later(what),
       progress: (now) => this.page.card.progress(now),
     });
-    this.page = new Page(this.session, {
+    const { session } = this;
+    this.page = new Page(session, {
       rest: this.restListener(),
       run: this.runListener(),
       topbar: this.topbarListener(),
@@ -53,6 +56,11 @@ export class App {
       map: this.mapListener(),
       settings: this.settingsListener(),
       pane: this.paneListener(),
+      measured: {
+        files: (files) => void this.measure(files),
+        removed: (name) => session.measured.remove(session.machine.name, name),
+        forgiven: () => session.measured.forgive(),
+      },
       document: { part: (id) => this.toPart(id), station: (name) => this.change({ station: name }) },
     });
     this.watches = new Watches(this.session, {
@@ -88,6 +96,7 @@ export class App {
     follow();
     dark.addEventListener('change', follow);
     document.addEventListener('keydown', (event) => this.key(event));
+    this.receiveFiles();
     void this.open();
   }
 
@@ -98,6 +107,7 @@ export class App {
       machine: (name) => this.choose(name),
       units: (units) => this.setUnits(units),
       compare: () => this.compare(),
+      measured: () => this.page.measured.choose(),
       theme: () => this.toggleTheme(),
       help: () => this.page.openHelp(),
     };
@@ -517,6 +527,42 @@ export class App {
     if (!trouble) return;
     this.session.side.trouble = trouble;
     this.later('all');
+  }
+
+  // ---------------------------------------------------------------- measured data
+
+  /// Takes files that are dropped onto the page.
+  private receiveFiles(): void {
+    const { root, session } = { root: this.page.root, session: this.session };
+    const wanted = (event: DragEvent) =>
+      session.engine !== undefined && session.measurable && event.dataTransfer?.types.includes('Files');
+    document.addEventListener('dragover', (event) => {
+      if (!wanted(event)) return;
+      event.preventDefault();
+      root.classList.add('dropping');
+    });
+    document.addEventListener('dragleave', (event) => {
+      if (!event.relatedTarget) root.classList.remove('dropping');
+    });
+    document.addEventListener('drop', (event) => {
+      root.classList.remove('dropping');
+      if (!wanted(event)) return;
+      event.preventDefault();
+      void this.measure([...event.dataTransfer!.files]);
+    });
+  }
+
+  private async measure(files: readonly NamedText[]): Promise<void> {
+    const { session } = this;
+    if (files.length === 0) return;
+    await session.addMeasured(files);
+    this.later('all');
+    const { diagram, range } = session.sight;
+    // A stored diagram may lack the spectra over which vectors lie.
+    const { quantity, parameter } = session.address;
+    const lacks = needsSpectra(quantity) && diagram && !diagram.column(FIELD.SPECTRUM_SYNCHRONOUS);
+    if (session.moves && lacks && session.measuredData.some(({ kind }) => kind === 'vectors') && parameter)
+      void this.recompute(range);
   }
 
   // ---------------------------------------------------------------- theme and keys

@@ -47,7 +47,7 @@ static whirl_status fit_probe_heading(fit_maker *m, size_t column, bool vectors)
         own->order = strtod(word, &end);
         if (end == word || strcmp(end, "X") != 0 || !(own->order > 0.0 && own->order <= FIT_MAX_ORDER))
             return FIT_FAIL(m, column, "'%.20s' is no order, expected 1X, 2X, 0.5X", word);
-        if (fabs(own->order * m->revolutions - round(own->order * m->revolutions)) > 1e-9)
+        if (m->revolutions > 0 && fabs(own->order * m->revolutions - round(own->order * m->revolutions)) > 1e-9)
             return FIT_FAIL(m, column, "order %.20s does not occur in a motion of %d revolution%s", word,
                             m->revolutions, m->revolutions == 1 ? "" : "s");
         word = fit_last_word(text);
@@ -152,7 +152,7 @@ static void *fit_grow(fit_maker *m, void *list, size_t count, size_t *capacity, 
 static whirl_status fit_add_motion(fit_maker *m, size_t given_count, const whirl_given *given, double speed,
                                    size_t instants) {
     if (m->fit.motion_count == WHIRL_MAX_FIT_MOTIONS)
-        return whirl_fail(WHIRL_BAD_INPUT, "%.150s: the fit has more than %d motions", m->table.path,
+        return whirl_fail(WHIRL_BAD_INPUT, "%.150s: there are more than %d motions", m->table.path,
                           WHIRL_MAX_FIT_MOTIONS);
     m->motions = fit_grow(m, m->motions, m->fit.motion_count, &m->motion_capacity, sizeof *m->motions);
     if (!m->motions) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a fit");
@@ -164,7 +164,7 @@ static whirl_status fit_add_motion(fit_maker *m, size_t given_count, const whirl
 static whirl_status fit_add_number(fit_maker *m, const fit_column *column, whirl_fit_quantity what, double at,
                                    double value) {
     if (m->fit.number_count == WHIRL_MAX_FIT_NUMBERS)
-        return whirl_fail(WHIRL_BAD_INPUT, "%.150s: the fit has more than %d numbers", m->table.path,
+        return whirl_fail(WHIRL_BAD_INPUT, "%.150s: there are more than %d numbers", m->table.path,
                           WHIRL_MAX_FIT_NUMBERS);
     m->numbers = fit_grow(m, m->numbers, m->fit.number_count, &m->number_capacity, sizeof *m->numbers);
     if (!m->numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a fit");
@@ -197,7 +197,7 @@ static whirl_status fit_take_samples(fit_maker *m, size_t angle) {
         if (fabs(place - nearest) > FIT_OFF_INSTANT * (1.0 + 0.1 * (double)i) || nearest < 0.0)
             return csv_fail(table, table->lines[i], table->columns[angle].place,
                             "%g revolutions is not one of the instants k/%g", fit_cell(m, angle, i), instants);
-        const double turn = fmod(nearest, instants * m->revolutions) / instants;
+        const double turn = (m->revolutions > 0 ? fmod(nearest, instants * m->revolutions) : nearest) / instants;
         for (size_t c = 0; c < table->column_count && status.code == WHIRL_OK; c++)
             if (m->columns[c].kind == FIT_DISPLACEMENT)
                 status = fit_add_number(m, &m->columns[c], WHIRL_FIT_SAMPLE, turn, fit_cell(m, c, i));
@@ -354,5 +354,12 @@ whirl_status fit_table_read(fit_maker *m, const fit_set *set) {
     }
     if (status.code == WHIRL_OK) status = fit_take_table(m, set);
     csv_free(&m->table);
+    return status;
+}
+
+whirl_status fit_text_read(fit_maker *m, const char *name, const char *text, size_t length) {
+    static const fit_set alone = {.place = NULL}; // without noise
+    whirl_status status = csv_read(name, text, length, FIT_MAX_COLUMNS, &m->table);
+    if (status.code == WHIRL_OK) status = fit_take_table(m, &alone);
     return status;
 }

@@ -27,7 +27,7 @@ typedef struct fit_maker {
     whirl_fit_motion *motions;
     whirl_fit_number *numbers;
     size_t motion_capacity, number_capacity;
-    int revolutions;
+    int revolutions; ///< of the fit's orbits; 0: there is no fit, samples and orders are as the table has them
     double checksum;
     // The present table.
     size_t set;
@@ -42,5 +42,9 @@ typedef struct fit_maker {
 /// Reads the table of a file, and adds its motions and numbers. WHIRL_BAD_INPUT with the place of the error, in the
 /// case or in the table; WHIRL_NO_MEMORY.
 whirl_status fit_table_read(fit_maker *m, const fit_set *set);
+
+/// Does the same with the text of a table that belongs to no fit; `name` is its name in messages. The caller frees
+/// m->table, also after a failure.
+whirl_status fit_text_read(fit_maker *m, const char *name, const char *text, size_t length);
 
 #endif

@@ -1,6 +1,6 @@
 // Typed interface of the C core: handles, texts and numbers. explorer/core/core.h describes its functions.
 import createCore, { type CoreModule } from 'whirl-core-glue';
-import type { CaseInfo, Layout, Look, Options, StationInfo, Verdict } from './protocol';
+import type { CaseInfo, Layout, Look, MeasuredTable, Options, StationInfo, Verdict } from './protocol';
 import type { Refusal } from './wire';
 
 /// Error of a request that the core rejected, with the core's message.
@@ -9,6 +9,9 @@ export class Refused extends Error {
     super(refusal.message);
   }
 }
+
+/// Columns of a row of a measured spectrum.
+const COLUMNS = 5;
 
 export interface PlanLayout {
   readonly layout: Layout;
@@ -118,6 +121,34 @@ export class Core {
     return this.withTexts(value === undefined ? [source, path] : [source, path, value], (at, pathAt, valueAt) =>
       this.text(this.module._explorer_edit(at!, this.module.lengthBytesUTF8(source), pathAt!, valueAt ?? 0)),
     );
+  }
+
+  // -------------------------------------------------------------- measured numbers
+
+  measured(object: number, name: string, text: string): MeasuredTable {
+    return this.withTexts([name, text], (nameAt, textAt) =>
+      JSON.parse(
+        this.text(this.module._explorer_measured(object, nameAt!, textAt!, this.module.lengthBytesUTF8(text))),
+      ),
+    ) as MeasuredTable;
+  }
+
+  measuredSpectrum(turns: Float64Array, x: Float64Array, y: Float64Array): Float64Array {
+    const count = turns.length;
+    const most = this.module._explorer_measured_orders();
+    const at = this.numbers(3 * count + COLUMNS * most);
+    try {
+      this.write(at, turns);
+      this.write(at + 8 * count, x);
+      this.write(at + 16 * count, y);
+      const rows = at + 24 * count;
+      return this.read(
+        rows,
+        COLUMNS * this.good(this.module._explorer_measured_spectrum(at, at + 8 * count, count, rows)),
+      );
+    } finally {
+      this.free(at);
+    }
   }
 
   // -------------------------------------------------------------- plans

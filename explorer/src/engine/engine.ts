@@ -7,6 +7,8 @@ import type {
   EngineParts,
   Layout,
   Manner,
+  MeasuredSpectrumRequest,
+  MeasuredTable,
   MotionResult,
   OrbitRequest,
   Outcome,
@@ -234,6 +236,14 @@ class Pool implements Engine {
 
   endRun(): void {
     if (this.runner && this.runner.pending.size > 0) this.dropRunner(STALE);
+  }
+
+  measured(setting: Setting, name: string, text: string, manner?: Manner): Promise<Outcome<MeasuredTable>> {
+    return this.ask({ kind: 'measured', setting, name, text }, manner);
+  }
+
+  measuredSpectrum(request: MeasuredSpectrumRequest, manner?: Manner): Promise<Outcome<Float64Array>> {
+    return this.ask({ kind: 'measured-spectrum', request }, manner);
   }
 
   rewrite(setting: Setting, edits: readonly Edit[], manner?: Manner): Promise<Outcome<string>> {

@@ -346,6 +346,41 @@ export interface Edit {
   readonly text?: string;
 }
 
+// ---------------------------------------------------------------- measured numbers
+
+/// A table of measured numbers, as `study: fit` reads files.
+export interface MeasuredTable {
+  /// First comment of the table, or "".
+  readonly title: string;
+  /// The parameter that the rows of vectors are over; "" for vectors over the speed, and for samples of one motion.
+  readonly parameter: string;
+  /// For vectors the parameter's value or the speed of every row, in SI; for samples one motion, whose value is null
+  /// if its speed is not known.
+  readonly motions: readonly (number | null)[];
+  readonly numbers: readonly MeasuredNumber[];
+}
+
+/// Index of the motion, index of the station, direction of the probe in rad from x, quantity (MEASURED), place, and
+/// value in m. The place is the order of a part, revolutions since the mark of a sample, seconds of a waveform.
+export type MeasuredNumber = readonly [
+  motion: number,
+  station: number,
+  direction: number,
+  quantity: number,
+  at: number,
+  value: number,
+];
+
+/// Quantities of measured numbers, as in whirl_fit_quantity. A part with a lag has two numbers: cos, then sin.
+export const MEASURED = { sample: 0, cos: 1, sin: 2, amplitude: 3, waveform: 4 } as const;
+
+export interface MeasuredSpectrumRequest {
+  /// Revolutions since a mark, growing.
+  readonly turns: Float64Array;
+  readonly x: Float64Array;
+  readonly y: Float64Array;
+}
+
 // ---------------------------------------------------------------- answers
 
 /// Outcome of a request; errors are values. stale: overtaken by a later request or cancelled; bad: the case has the
@@ -382,6 +417,11 @@ export interface Engine {
   /// ends the earlier run, whose outcome is stale.
   run(request: RunRequest, part?: (so_far: RunResult) => void): Promise<Outcome<RunResult>>;
   endRun(): void;
+  /// Reads the text of a table of measured numbers for the machine of a case.
+  measured(setting: Setting, name: string, text: string, manner?: Manner): Promise<Outcome<MeasuredTable>>;
+  /// Computes the spectrum of a measured motion: rows of order, amplitudes of x, y, forward and backward whirl, in the
+  /// unit of x and y. Below 4 revolutions rows are exact parts of the whole revolutions.
+  measuredSpectrum(request: MeasuredSpectrumRequest, manner?: Manner): Promise<Outcome<Float64Array>>;
   /// Writes values into the text of a case, keeps comments and layout, and checks the result. Missing keys are added to
   /// their mapping. Assignments of the setting replace the values of their parameters.
   rewrite(setting: Setting, edits: readonly Edit[], manner?: Manner): Promise<Outcome<string>>;

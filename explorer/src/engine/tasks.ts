@@ -2,6 +2,7 @@
 import { Refused, type Core } from './core';
 import type {
   Edit,
+  MeasuredSpectrumRequest,
   MotionResult,
   Options,
   OrbitRequest,
@@ -54,6 +55,10 @@ export class Tasks {
         return this.transient(task.request);
       case 'run':
         return this.runUp(id, task.request);
+      case 'measured':
+        return this.measured(task.setting, task.name, task.text);
+      case 'measured-spectrum':
+        return this.measuredSpectrum(task.request);
       case 'rewrite':
         return this.rewrite(task.setting, task.edits);
     }
@@ -125,6 +130,14 @@ export class Tasks {
 
   private *describe(setting: Setting): Steps {
     return this.core.describe(this.open(setting));
+  }
+
+  private *measured(setting: Setting, name: string, text: string): Steps {
+    return this.core.measured(this.open(setting), name, text);
+  }
+
+  private *measuredSpectrum({ turns, x, y }: MeasuredSpectrumRequest): Steps {
+    return this.core.measuredSpectrum(turns, x, y);
   }
 
   private *rewrite(setting: Setting, edits: readonly Edit[]): Steps {

@@ -3,6 +3,8 @@ import type {
   CaseInfo,
   Edit,
   Layout,
+  MeasuredSpectrumRequest,
+  MeasuredTable,
   MotionResult,
   OrbitRequest,
   PointRequest,
@@ -35,6 +37,8 @@ export type Task =
   | { readonly kind: 'part'; readonly request: PartRequest }
   | { readonly kind: 'transient'; readonly request: TransientRequest }
   | { readonly kind: 'run'; readonly request: RunRequest }
+  | { readonly kind: 'measured'; readonly setting: Setting; readonly name: string; readonly text: string }
+  | { readonly kind: 'measured-spectrum'; readonly request: MeasuredSpectrumRequest }
   | { readonly kind: 'rewrite'; readonly setting: Setting; readonly edits: readonly Edit[] };
 
 export type ToWorker =
@@ -61,7 +65,8 @@ export interface Refusal {
 }
 
 /// Result of a task.
-export type Answer = CaseInfo | MotionResult | PointResult | RunResult | TransientResult | Float64Array | string | null;
+export type Answer =
+  CaseInfo | MeasuredTable | MotionResult | PointResult | RunResult | TransientResult | Float64Array | string | null;
 
 export type FromWorker =
   | { readonly kind: 'done'; readonly id: number; readonly value: Answer }

@@ -20,6 +20,7 @@ export interface Theme {
   readonly clearance: string;
   readonly touch: string;
   readonly keyphasor: string;
+  readonly measured: string;
   readonly contactShade: string;
   /// Colours by regime class.
   readonly classes: readonly string[];
@@ -42,6 +43,7 @@ export const LIGHT: Theme = {
   clearance: '#5c6773',
   touch: '#d55e00',
   keyphasor: '#d55e00',
+  measured: '#14803c',
   contactShade: 'rgba(230,159,0,0.16)',
   classes: ['#366efb', '#1fbadd', '#1d7257', '#664406', '#cc0892', '#000000', '#9a9f95', '#fb8d41'],
 };
@@ -63,6 +65,7 @@ export const DARK: Theme = {
   clearance: '#9aa7b4',
   touch: '#ff7a2f',
   keyphasor: '#ff9a5a',
+  measured: '#58d68d',
   contactShade: 'rgba(230,159,0,0.13)',
   classes: ['#106af4', '#44aff2', '#137524', '#fdbc0b', '#be018c', '#ffffff', '#99929b', '#f66f6d'],
 };

@@ -3,6 +3,7 @@ import { Branches } from '../data/branches';
 import { Tori } from '../data/tori';
 import { partOf, partsOf, type Part } from '../data/contents';
 import { Diagram } from '../data/diagram';
+import type { MeasuredData, Seen } from '../data/measured';
 import { storedMotion } from '../data/opening';
 import type { OrbitOfBranch } from '../data/orbit';
 import { MapPlanes, type ParameterMap } from '../data/parameter_map';
@@ -11,6 +12,7 @@ import type { Run, StoredTable } from '../data/run';
 import { RunUp } from '../data/runup';
 import type { CaseInfo, Engine, OrbitRequest, Setting, StationInfo, SweepProgress } from '../engine/protocol';
 import { introOfPart, machinesOf, scalesOf, type Machine } from './machine';
+import { Measured, type NamedText } from './measured';
 import { RunModel } from './run_model';
 import { cutOf, plainText, plainValue, type Cut } from './map_cut';
 import { canRefine, MapRefinement, type MapPart } from './map_refinement';
@@ -32,6 +34,14 @@ export interface SessionListener {
   changed(what: Change): void;
   progress(now: SweepProgress | undefined): void;
 }
+
+/// Quantities of diagrams over which measured vectors lie, with the direction of their probe in degrees.
+export const VECTORS: ReadonlyMap<string, { readonly direction: number; readonly lag: boolean }> = new Map([
+  ['1x', { direction: 0, lag: false }],
+  ['1y', { direction: 90, lag: false }],
+  ['1xlag', { direction: 0, lag: true }],
+  ['1ylag', { direction: 90, lag: true }],
+]);
 
 /// "dop853 (by auto)", where the case leaves the choice.
 export function methodText(how: { readonly method: string; readonly method_chosen?: boolean }): string {
@@ -62,6 +72,8 @@ export class Session {
   readonly sights: Sights;
   /// The run of a run-up at the setting of side A.
   readonly model: RunModel;
+  /// Measured data laid over the machines.
+  readonly measured: Measured;
   private storedRun: { readonly run: Run; readonly point: number; readonly up: RunUp } | undefined;
   /// Classes of regimes hidden by the user.
   hidden: ReadonlySet<number> = new Set();
@@ -80,6 +92,7 @@ export class Session {
     const side = (name: SideName) => new SideModel(name, engine, { changed: () => listener.changed(name) });
     this.sides = { a: side('a'), b: side('b') };
     this.model = new RunModel(engine, { changed: () => listener.changed('all') });
+    this.measured = new Measured(engine, { changed: () => listener.changed('all') });
     this.sights = new Sights(engine, {
       changed: () => listener.changed('all'),
       grown: () => listener.changed('grow'),
@@ -92,6 +105,7 @@ export class Session {
     this.sights.stop();
     this.refined?.stop();
     this.model.lose();
+    this.measured.lose();
     this.engine = undefined;
     for (const side of Object.values(this.sides)) side.lose();
   }
@@ -389,6 +403,41 @@ export class Session {
 
   shownSides(): SideName[] {
     return this.address.b ? ['a', 'b'] : ['a'];
+  }
+
+  /// Measured data of the machine.
+  get measuredData(): readonly MeasuredData[] {
+    return this.measured.of(this.machine.name);
+  }
+
+  /// True if measured data can be laid over what is shown.
+  get measurable(): boolean {
+    return this.moves || this.runsUp || this.atRest?.kind === 'unbalance';
+  }
+
+  /// Reads files of measured data. Shows a station that they measured and, for vectors, an amplitude.
+  async addMeasured(files: readonly NamedText[]): Promise<void> {
+    const { machine } = this;
+    const read = await this.measured.add(machine.name, { text: machine.text, name: machine.caseName }, files);
+    if (read.length === 0 || machine !== this.machine) return;
+    const seen = read.some(({ stations }) => stations.includes(this.station));
+    if (!seen) this.address.station = this.stations[read[0]!.stations[0]!]?.name ?? '';
+    const vectors = read.find(({ kind, stations }) => kind === 'vectors' && stations.includes(this.station));
+    if (vectors && this.moves && !VECTORS.has(this.address.quantity))
+      this.address.quantity = vectors.seen(this.station, 0) ? '1x' : '1y';
+  }
+
+  /// Returns vectors over the parameter along the diagram, as a probe of the station sees them.
+  seenAlong(data: MeasuredData, direction: number): Seen | undefined {
+    const { parameter } = this.address;
+    const own = data.parameter ? data.parameter === parameter : this.isSpeed(parameter);
+    return data.kind === 'vectors' && own ? data.seen(this.station, direction) : undefined;
+  }
+
+  /// Returns true if a parameter is the speed of the shaft.
+  isSpeed(name: string): boolean {
+    const uses = this.original?.parameters.find((parameter) => parameter.name === name)?.uses ?? [];
+    return uses.some(({ path, alone }) => alone && path === 'rotor.speed');
   }
 
   /// Returns the setting of a side for the engine.

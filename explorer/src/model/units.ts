@@ -105,6 +105,13 @@ export function amplitudeMeasure(units: Units, scales: Scales): Measure {
   return amplitudeOf(lengthMeasure(units, scales), units);
 }
 
+/// Returns the measures of displacements and of amplitudes that are given in m, as measured numbers are.
+export function metreMeasures(units: Units, scales: Scales): { readonly length: Measure; readonly amplitude: Measure } {
+  const { factor, unit } = lengthMeasure(units, scales);
+  const length = { factor: factor / scales.length, unit };
+  return { length, amplitude: amplitudeOf(length, units) };
+}
+
 /// Returns the measure of a field's lengths. In its meaning "0-p amplitude" marks sinusoids; "0-p" marks distances from
 /// the centre, which do not depend on the chosen amplitude unit.
 export function fieldMeasure(meaning: string, units: Units, scales: Scales): Measure {

@@ -1,13 +1,15 @@
 // The Bode diagram: amplitude and lag of the response to unbalance over a parameter, at two probes of one station.
-import { largestOf, reachOf, seenBy } from '../data/rest';
+import type { Seen } from '../data/measured';
+import { largestOf, reachOf, seenBy, type AtRest } from '../data/rest';
 import { select, setChoices } from '../dom';
 import { Chart, isInside, type Frame } from '../figure/chart';
 import { textSize, type Picture } from '../figure/figure';
 import { drawLabels } from '../figure/labels';
 import { drawMark } from '../figure/marks';
+import { drawMeasured, type Spot } from '../figure/measured';
 import type { Pen } from '../figure/pen';
 import type { Theme } from '../figure/theme';
-import { amplitudeMeasure, labelled, parameterMeasure, shownWhole, written } from '../model/units';
+import { amplitudeMeasure, labelled, metreMeasures, parameterMeasure, shownWhole, written } from '../model/units';
 import { AngleField } from './angle_field';
 import type { CampbellListener } from './campbell';
 import type { Table } from './panel';
@@ -45,6 +47,45 @@ export function responseOf(subject: RestSubject): Response {
   };
 }
 
+/// Measured vectors at the first (0) or second (1) probe.
+interface MeasuredProbe {
+  readonly which: number;
+  readonly amplitudes: readonly Spot[];
+  readonly lags: readonly Spot[];
+}
+
+/// Returns measured vectors of the station in shown units.
+function measuredOf(subject: RestSubject): readonly MeasuredProbe[] {
+  const { rest, measured, parameter, unit, units, scales, station } = subject;
+  const along = parameterMeasure(unit, units).factor;
+  const { amplitude } = metreMeasures(units, scales);
+  return measured.flatMap((data) => {
+    if (data.kind !== 'vectors' || (data.parameter && data.parameter !== parameter)) return [];
+    const valueAt = (at: number) => (data.parameter ? at : valueOfSpeed(rest, at)) * along;
+    const spots = (seen: Seen, heights: readonly number[], factor: number) =>
+      heights.map((height, i) => ({ x: valueAt(seen.at[i]!), y: height * factor }));
+    return [0, 1].flatMap((which) => {
+      const seen = data.seen(station, probeOf(subject) + 90 * which);
+      if (!seen) return [];
+      const amplitudes = spots(seen, seen.amplitudes, amplitude.factor);
+      return [{ which, amplitudes, lags: spots(seen, seen.lags ?? [], 1) }];
+    });
+  });
+}
+
+/// Returns the parameter's value at a speed, between the stored points; NaN outside of them.
+function valueOfSpeed(rest: AtRest, speed: number): number {
+  const points = rest.order.map((point) => ({ value: rest.diagram.values[point]!, speed: rest.speed(point) }));
+  for (const [i, after] of points.entries()) {
+    const before = points[i - 1] ?? after;
+    const [low, high] = [Math.min(before.speed, after.speed), Math.max(before.speed, after.speed)];
+    if (!(speed >= low && speed <= high)) continue;
+    const part = high > low ? (speed - before.speed) / (after.speed - before.speed) : 0;
+    return before.value + part * (after.value - before.value);
+  }
+  return NaN;
+}
+
 /// Returns the points whose amplitude exceeds both neighbours and a twentieth of the largest.
 function peaksOf(amplitudes: readonly number[]): number[] {
   const most = largestOf(amplitudes);
@@ -67,6 +108,7 @@ export class BodeView implements RestChart {
   private readonly station: HTMLSelectElement;
   private readonly probe: AngleField;
   private subject: RestSubject | undefined;
+  private measured: readonly MeasuredProbe[] = [];
   private response: Response = { values: [], points: [], amplitudes: [[], [], []], lags: [[], []] };
 
   constructor(listener: BodeListener) {
@@ -100,13 +142,21 @@ export class BodeView implements RestChart {
     );
     this.probe.show(probeOf(subject));
     this.response = responseOf(subject);
+    this.measured = measuredOf(subject);
     this.stack.show(subject, subject.station);
     const xLabel = labelled(subject.parameter, parameterMeasure(subject.unit, units).unit);
     this.main.setAxes(xLabel, labelled('amplitude', amplitudeMeasure(units, scales).unit));
     this.lower.setAxes(xLabel, 'lag (\u00b0)');
     const [low, high] = this.stack.range;
     const inside = this.response.values.map((value) => value >= low && value <= high);
-    const most = largestOf(this.response.amplitudes[2]!.filter((_, i) => inside[i]));
+    const most = Math.max(
+      largestOf(this.response.amplitudes[2]!.filter((_, i) => inside[i])),
+      largestOf(
+        this.measured.flatMap(({ amplitudes }) =>
+          amplitudes.filter(({ x }) => x >= low && x <= high).map(({ y }) => y),
+        ),
+      ),
+    );
     this.main.show(this.stack.range, [0, 1.08 * most || 1]);
     this.lower.show(this.stack.range, [0, 360]);
     this.stack.redraw();
@@ -120,6 +170,9 @@ export class BodeView implements RestChart {
       lineKey('\u254d', 'y', text(probe + 90), DASHES[1], colourOf(1)),
       lineKey('\u2508', 'plain', 'major axis of the orbit', DASHES[2], colourOf(2)),
       markKey('\u25cb', 'plain', 'peak', 'ring', (colours) => colours.ink),
+      ...(this.measured.length > 0
+        ? [markKey('\u25cf', 'plain', 'measured, in the colours of the probes', 'dot', (colours) => colours.ink)]
+        : []),
     ];
   }
 
@@ -160,6 +213,8 @@ export class BodeView implements RestChart {
     const { values, amplitudes } = this.response;
     for (const which of [0, 1, 2])
       strokeLine(pen, frame, values, amplitudes[which]!, colourOf(which)(colours), DASHES[which]!, Infinity);
+    for (const { which, amplitudes: spots } of this.measured)
+      drawMeasured(pen, frame, colours, spots, colourOf(which)(colours));
   }
 
   private drawPeaks(pen: Pen, frame: Frame, colours: Theme): void {
@@ -181,6 +236,8 @@ export class BodeView implements RestChart {
     const { values, lags } = this.response;
     for (const which of [0, 1])
       strokeLine(pen, frame, values, lags[which]!, colourOf(which)(colours), DASHES[which]!, 180);
+    for (const { which, lags: spots } of this.measured)
+      drawMeasured(pen, frame, colours, spots, colourOf(which)(colours));
   }
 }
 

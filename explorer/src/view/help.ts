@@ -91,6 +91,12 @@ const POINTS: readonly (readonly [string, string])[] = [
     'Say 0-p (zero to peak), p-p (peak to peak) or rms. Switch units at the top; c is one bearing clearance.',
   ],
   [
+    'Measured data',
+    'Tables (CSV) that are dropped onto the page, or chosen with Measured\u2026, lie over the model as dots: an ' +
+      'orbit over the angle or the time (angle [deg], disc x [um], disc y [um]), or 1X vectors over the speed ' +
+      '(speed [rpm], disc x [um], disc x lag [deg]). Columns are those of files for fits. Nothing leaves the computer.',
+  ],
+  [
     'Keep',
     'Every picture as PNG or SVG and its data as CSV (\u2913); the setting as a case file or a command line ' +
       'for whirl; the address of the page holds the setting too.',

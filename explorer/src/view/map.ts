@@ -2,6 +2,7 @@
 // motions.
 import type { Branches } from '../data/branches';
 import type { Diagram } from '../data/diagram';
+import type { Seen } from '../data/measured';
 import { CLASS_NAMES } from '../data/regimes';
 import { lengthsOf, quantityOf, type ShownQuantity } from '../data/quantities';
 import type { Tori } from '../data/tori';
@@ -12,9 +13,10 @@ import { bandOf, drawTori, type BandAt, type ToriBands } from '../figure/tori';
 import { Chart, drawClipped, drawZero, type Frame, type Range } from '../figure/chart';
 import { drawCloud, type Cloud } from '../figure/cloud';
 import { theme, textSize, type Picture } from '../figure/figure';
+import { drawMeasured, type Spot as MeasuredSpot } from '../figure/measured';
 import { font, type Pen } from '../figure/pen';
 import type { Theme } from '../figure/theme';
-import { labelled, parameterMeasure, type Scales } from '../model/units';
+import { labelled, metreMeasures, parameterMeasure, type Scales } from '../model/units';
 import type { Table } from './panel';
 import { OrbitMarks } from './orbit_marks';
 import { Stack, type Along, type Spot, type StackListener } from './stack';
@@ -30,6 +32,15 @@ export interface MapSubject extends Along {
   readonly stations: readonly StationInfo[];
   readonly scales: Scales;
   readonly hidden: ReadonlySet<number>;
+  /// Measured vectors of the shown quantity.
+  readonly measured: readonly MeasuredVectors[];
+}
+
+export interface MeasuredVectors {
+  readonly name: string;
+  readonly seen: Seen;
+  /// True if the diagram shows lags, false for amplitudes.
+  readonly lag: boolean;
 }
 
 export interface MapListener extends StackListener {
@@ -237,6 +248,10 @@ export class MapView {
           low = Math.min(low, height / quantity.factor);
           high = Math.max(high, height / quantity.factor);
         }
+    for (const { y } of quantity ? this.measuredSpots(subject) : []) {
+      low = Math.min(low, y / quantity!.factor);
+      high = Math.max(high, y / quantity!.factor);
+    }
     for (const band of quantity ? this.bandsInView() : []) {
       low = Math.min(low, band.low / quantity!.factor);
       high = Math.max(high, band.high / quantity!.factor);
@@ -275,7 +290,20 @@ export class MapView {
       const lines = this.branchLines();
       if (lines) drawBranches(pen, lines, frame, colours);
       this.drawRibbon(pen, frame, colours);
+      drawMeasured(pen, frame, colours, this.subject ? this.measuredSpots(this.subject) : []);
     });
+  }
+
+  /// Returns measured vectors in the shown units.
+  private measuredSpots({ measured, units, scales, unit, range }: MapSubject): MeasuredSpot[] {
+    const along = parameterMeasure(unit, units).factor;
+    const amplitude = metreMeasures(units, scales).amplitude.factor;
+    return measured.flatMap(({ seen, lag }) =>
+      seen.at.flatMap((at, i) => {
+        const y = lag ? seen.lags?.[i] : seen.amplitudes[i]! * amplitude;
+        return y !== undefined && at >= range[0] && at <= range[1] ? [{ x: at * along, y }] : [];
+      }),
+    );
   }
 
   /// Returns the shown coordinate of the section along the branches.

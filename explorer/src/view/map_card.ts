@@ -202,6 +202,8 @@ export class MapCard {
     if (diagram?.column(FIELD.REGIME_CONFIDENCE))
       entries.push(el('span', { class: 'legend-note key-confidence' }, 'confidence (faint: low)'));
     if (this.subject?.branches) entries.push(el('span', { class: 'legend-note' }, 'orbits: solid stable, dashed not'));
+    for (const { name } of this.subject?.measured ?? [])
+      entries.push(el('span', { class: 'legend-note key-measured' }, `measured: ${name}`));
     if (this.subject?.tori) entries.push(el('span', { class: 'legend-note' }, 'tori: bands, edges likewise'));
     // Rebuild only after a change, so that the focus stays.
     const text = entries.map((entry) => entry.textContent).join();

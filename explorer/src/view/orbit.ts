@@ -2,12 +2,14 @@
 // whirl, and the circles of clearance and gap.
 import { button } from '../dom';
 import type { OrbitOfBranch } from '../data/orbit';
+import { drawDots, radiusOf } from '../figure/measured';
+import { drawMark } from '../figure/marks';
 import { font, type Pen } from '../figure/pen';
 import { Round } from '../figure/round';
 import type { Theme } from '../figure/theme';
 import { linearTicks, niceStep } from '../figure/ticks';
 import { lengthMeasure, shown, type Measure } from '../model/units';
-import { Panel, type Subject, type Table } from './panel';
+import { measuredKeys, Panel, type Subject, type Table } from './panel';
 import { textSize } from '../figure/figure';
 import { FIELD } from '../data/fields';
 
@@ -29,6 +31,8 @@ export interface Trail {
 }
 
 const MAX_REVOLUTIONS = 20;
+/// Part of a revolution within which a measured instant is at the mark.
+const AT_MARK = 1e-6;
 
 export class OrbitPanel extends Panel {
   readonly figure = new Round('Orbit', (pen, width, height, colours) => this.draw(pen, width, height, colours));
@@ -73,6 +77,7 @@ export class OrbitPanel extends Panel {
         .filter(Boolean)
         .join('; ');
     }
+    this.note.append(...measuredKeys(this.subject!.measured.filter(({ x, y }) => x && y)));
     this.figure.redraw();
   }
 
@@ -107,6 +112,7 @@ export class OrbitPanel extends Panel {
     pen.clip();
     drawCircles(pen, place, subject, this.trail?.touching ?? false, colours, size);
     pen.restore();
+    if (!this.trail) drawMeasuredOrbits(pen, place, subject, colours);
     if (this.trail) drawTrail(pen, place, this.trail, subject.accent(colours), colours, [width, height], size);
     else if (subject.motion && !subject.motion.diverged) drawOrbit(pen, place, subject, colours);
     drawDirections(pen, subject, this.trail !== undefined, [width, height], colours, size);
@@ -118,18 +124,44 @@ export class OrbitPanel extends Panel {
   private view(subject: Subject): { x: number; y: number; half: number } {
     const { motion, station, info } = subject;
     const walls = Math.max(info.gap, info.clearance);
+    const measured = this.trail ? [] : orbitsOf(subject);
     const reach = this.trail
       ? largest(this.trail.x, this.trail.y)
-      : (motion?.number(FIELD.ORBIT_MAX_RADIUS, station) ?? NaN);
+      : Math.max(motion?.number(FIELD.ORBIT_MAX_RADIUS, station) || 0, ...measured.map(([x, y]) => largest(x, y)));
     if (!this.trail && !this.whole && motion && Number.isFinite(reach)) {
       const bound = (field: string, column: number) => motion.number(field, station, column);
       const [left, right] = [bound(FIELD.ORBIT_LOW, 0), bound(FIELD.ORBIT_HIGH, 0)];
       const [low, high] = [bound(FIELD.ORBIT_LOW, 1), bound(FIELD.ORBIT_HIGH, 1)];
-      const half = 0.56 * Math.max(right - left, high - low, 1e-9);
-      return { x: (left + right) / 2, y: (low + high) / 2, half };
+      const span = (axis: 0 | 1, ends: readonly (number | undefined)[]) => {
+        const all = measured.flatMap((orbit) => Array.from(orbit[axis]));
+        const [from, to] = [Math.min(ends[0]!, ...all), Math.max(ends[1]!, ...all)];
+        return { middle: (from + to) / 2, size: to - from };
+      };
+      const [x, y] = [span(0, [left, right]), span(1, [low, high])];
+      return { x: x.middle, y: y.middle, half: 0.56 * Math.max(x.size, y.size, 1e-9) };
     }
     const most = Math.max(walls, Number.isFinite(reach) ? reach : 0) || 1;
     return { x: 0, y: 0, half: 1.06 * most };
+  }
+}
+
+/// Returns the measured orbits: x and y of every instant.
+function orbitsOf({ measured }: Subject): (readonly [Float64Array, Float64Array])[] {
+  return measured.flatMap(({ x, y }) => (x && y ? [[x, y] as const] : []));
+}
+
+/// Draws measured orbits as dots, with rings around those at the mark.
+function drawMeasuredOrbits(pen: Pen, place: Place, subject: Subject, colours: Theme): void {
+  for (const { x, y, turns } of subject.measured) {
+    if (!x || !y) continue;
+    const places = Array.from(x, (value, i) => [place.x(value), place.y(y[i]!)] as const);
+    const radius = radiusOf(places.length, 900);
+    drawDots(pen, places, radius, colours.measured, radius > 2 ? colours.paper : '');
+    pen.strokeStyle = colours.measured;
+    pen.lineWidth = 1.5;
+    places.forEach(([left, top], i) => {
+      if (Math.abs(turns[i]! - Math.round(turns[i]!)) < AT_MARK) drawMark(pen, 'ring', left, top, 6.5);
+    });
   }
 }
 

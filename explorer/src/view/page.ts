@@ -4,13 +4,14 @@ import type { OrbitOfBranch } from '../data/orbit';
 import { setDark, theme } from '../figure/figure';
 import { firstQuantityOf } from '../data/map_quantities';
 import { shortName } from '../model/machine';
-import { methodText, type Change, type Session, type SideName } from '../model/session';
+import { methodText, VECTORS, type Change, type Session, type SideName } from '../model/session';
 import { assignmentTexts } from '../model/setting';
 import type { SideModel } from '../model/side';
 import { parameterMeasure, readable, shown } from '../model/units';
 import { DocumentView, type DocumentListener } from './document';
 import { Help } from './help';
 import { MapCard, type MapCardListener } from './map_card';
+import { MeasuredBar, type MeasuredListener } from './measured_bar';
 import { Pane, type PaneListener } from './pane';
 import type { Spot } from './parameter_map';
 import { ParameterMapCard, type ParameterMapCardListener } from './parameter_map_card';
@@ -28,6 +29,7 @@ export interface PageListener {
   readonly rest: RestListener;
   readonly run: RunListener;
   readonly document: DocumentListener;
+  readonly measured: MeasuredListener;
 }
 
 export class Page {
@@ -41,6 +43,7 @@ export class Page {
   private readonly document: DocumentView;
   private readonly motions: HTMLElement;
   private readonly topbar: Topbar;
+  readonly measured: MeasuredBar;
   private readonly help = new Help();
   private readonly footer = el('p');
   private readonly banner = el('p', { class: 'trouble banner', role: 'alert' });
@@ -57,6 +60,7 @@ export class Page {
     this.rest = new RestView(listener.rest);
     this.run = new RunView(listener.run);
     this.document = new DocumentView(listener.document);
+    this.measured = new MeasuredBar(listener.measured);
     this.motions = el(
       'div',
       { class: 'live' },
@@ -68,6 +72,7 @@ export class Page {
       this.topbar.root,
       this.banner,
       this.document.contents,
+      this.measured.root,
       el('main', {}, this.motions, this.rest.root, this.run.root, this.document.root),
       el('footer', {}, this.footer),
       this.help.root,
@@ -109,6 +114,7 @@ export class Page {
     this.rest.root.hidden = atRest === undefined;
     this.run.root.hidden = !runsUp;
     if (!runsUp) this.run.setPlaying(false);
+    this.measured.show(this.session);
     this.document.show(parts, part);
     this.document.mark(this.session.stations[this.session.station]?.name ?? '');
     if (!moves) {
@@ -202,6 +208,7 @@ export class Page {
   private showTop(): void {
     const { machine, machines, address, scales, moves, intro, part } = this.session;
     this.topbar.show(machine, intro, machines, address.units, scales.symbol, address.b !== undefined, !moves);
+    this.topbar.offerMeasured(this.session.engine !== undefined && this.session.measurable);
     // Stored statements and tables keep the units of the report.
     this.topbar.offerUnits(part?.view !== '');
   }
@@ -223,6 +230,11 @@ export class Page {
       quantity: session.address.quantity,
       range: sight.range,
       hidden: session.hidden,
+      measured: session.measuredData.flatMap((data) => {
+        const shown = VECTORS.get(session.address.quantity);
+        const seen = shown && session.seenAlong(data, shown.direction);
+        return seen ? [{ name: data.name, seen, lag: shown.lag }] : [];
+      }),
       parameters: session.parameterNames,
       depth: session.sights.behind,
       computes: session.engine !== undefined,
@@ -258,9 +270,11 @@ export class Page {
     // present one.
     const of = this.session.engine ? side.resultOf : side.choice;
     const orbit = of && !result?.verdict ? this.session.orbitOf(of) : undefined;
+    const { machine, measured, station } = this.session;
     this.panes[name].show({
       ...this.common(),
       result,
+      measured: result ? measured.motions(machine.name, station, result.speed, result.lengthScale) : [],
       orbit,
       value: side.choice.value,
       busy: side.busy && !result ? 'computing \u2026' : '',

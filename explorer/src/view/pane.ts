@@ -2,6 +2,7 @@
 import { Motion } from '../data/motion';
 import { button, el, isTouched, select } from '../dom';
 import type { Diagram } from '../data/diagram';
+import type { MeasuredMotion } from '../data/measured';
 import type { OrbitOfBranch } from '../data/orbit';
 import type { MotionResult, StationInfo, Verdict } from '../engine/protocol';
 import { regimeClass } from '../data/regimes';
@@ -39,6 +40,7 @@ export interface PaneSubject {
   readonly units: Units;
   readonly scales: Scales;
   readonly diagram: Diagram | undefined;
+  readonly measured: readonly MeasuredMotion[];
   /// Description of a running computation, or "".
   readonly busy: string;
   /// Error message, or "".
@@ -204,6 +206,7 @@ export class Pane {
         : subject.scales,
       accent: (colours) => colours[this.side],
       diagram: subject.diagram,
+      measured: subject.measured,
       // Name the value of the result, which may be older than the setting.
       label: `${subject.parameter} ${shown((subject.result?.value ?? subject.value) * measure.factor, 6)}`,
     };

@@ -1,5 +1,6 @@
 // A panel: one picture of a motion in a card, with a menu to save picture and data.
 import type { Diagram } from '../data/diagram';
+import type { MeasuredMotion } from '../data/measured';
 import type { Motion } from '../data/motion';
 import { button, download, el } from '../dom';
 import type { StationInfo } from '../engine/protocol';
@@ -20,6 +21,8 @@ export interface Subject {
   readonly accent: (colours: Theme) => string;
   /// Diagram of the same run, for the path of the centreline.
   readonly diagram: Diagram | undefined;
+  /// Measured motions at the station.
+  readonly measured: readonly MeasuredMotion[];
   /// Label for files and titles: "r_k = 0.45".
   readonly label: string;
 }
@@ -83,6 +86,13 @@ export function saveMenu(title: string, name: () => string, figure: () => Figure
     if (menu.open && !menu.contains(event.target as Node)) menu.open = false;
   });
   return menu;
+}
+
+/// Makes entries of a legend for measured motions.
+export function measuredKeys(measured: readonly MeasuredMotion[], more: readonly string[] = []): HTMLElement[] {
+  return measured.map(({ name }, i) =>
+    el('span', { class: 'key key-measured' }, `measured: ${name}${more[i] ? `, ${more[i]}` : ''}`),
+  );
 }
 
 /// Data that every panel needs for file names.

@@ -259,6 +259,7 @@ function subjectOf(session: Session, rest: AtRest): RestSubject {
     info: stations[station]!,
     scales: { ...scales, length: rest.diagram.lengthScales[point] ?? scales.length, speed: rest.speed(point) },
     choice: address.rest,
+    measured: session.measuredData,
     label: parameter
       ? `${parameter} ${shown((rest.diagram.values[point] ?? NaN) * measure.factor, 6)} ${measure.unit}`.trim()
       : 'rest',

@@ -1,4 +1,5 @@
 // The card of a pair of charts of a machine at rest: choice of quantities, mode of dragging, located points.
+import type { MeasuredData } from '../data/measured';
 import type { AtRest } from '../data/rest';
 import { button, el } from '../dom';
 import { naturalMeasure, parameterMeasure, shownWhole } from '../model/units';
@@ -26,7 +27,8 @@ export class RestCard {
   private readonly reset: HTMLButtonElement;
   private readonly tools: HTMLElement;
   private name = '';
-  private shown: { readonly rest: AtRest; readonly text: string } | undefined;
+  private shown:
+    { readonly rest: AtRest; readonly text: string; readonly measured: readonly MeasuredData[] } | undefined;
 
   constructor(
     private readonly chart: RestChart,
@@ -58,10 +60,10 @@ export class RestCard {
 
   /// Redraws only if the picture changes, not for the cursor, which is an element above it.
   private draw(subject: RestSubject): void {
-    const { rest, range, parameter, units, station, choice } = subject;
+    const { rest, range, parameter, units, station, choice, measured } = subject;
     const text = JSON.stringify([range, parameter, units, station, { ...choice, mode: 0 }]);
-    if (this.shown?.rest === rest && this.shown.text === text) return;
-    this.shown = { rest, text };
+    if (this.shown?.rest === rest && this.shown.text === text && this.shown.measured === measured) return;
+    this.shown = { rest, text, measured };
     this.chart.show(subject);
     this.legend.replaceChildren(...keyElements(this.chart.keys()));
     if (rest.kind === 'modes') this.showCritical(subject);

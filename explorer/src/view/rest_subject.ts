@@ -1,4 +1,5 @@
 // Data of the views of a machine at rest.
+import type { MeasuredData } from '../data/measured';
 import type { AtRest, Whirl } from '../data/rest';
 import { el } from '../dom';
 import type { StationInfo } from '../engine/protocol';
@@ -20,6 +21,7 @@ export interface RestSubject extends Along {
   readonly info: StationInfo;
   readonly scales: Scales;
   readonly choice: RestChoice;
+  readonly measured: readonly MeasuredData[];
   /// Label for files and titles: "omega 3000 rpm".
   readonly label: string;
 }

@@ -1,5 +1,6 @@
 // The page of a run-up: its parameters, the run over time and speed, and the turn at the cursor, which can play.
 import { FIELD } from '../data/fields';
+import type { MeasuredData } from '../data/measured';
 import type { RunUp } from '../data/runup';
 import { button, el, isTouched, select, setChoices } from '../dom';
 import type { Range } from '../figure/chart';
@@ -167,6 +168,7 @@ export class RunView {
       info: run.stations[station] ?? stations[station]!,
       units: address.units,
       scales: { ...scales, length: run.lengthScale, speed: run.speed[row] ?? scales.speed },
+      measured: session.measuredData,
       name: shortName(session.machine),
       label: `${shown(time, 5)} s`,
     };
@@ -396,7 +398,7 @@ class ChartCard {
   private readonly backButton: HTMLButtonElement;
   private views: Range[] = [];
   private subject: RunSubject | undefined;
-  private shown: { readonly run: RunUp; readonly of: string } | undefined;
+  private shown: { readonly run: RunUp; readonly of: string; readonly measured: readonly MeasuredData[] } | undefined;
 
   constructor(private readonly chart: RunChart) {
     const { stack } = chart;
@@ -420,8 +422,8 @@ class ChartCard {
   show(subject: RunSubject): void {
     this.subject = subject;
     const of = JSON.stringify([subject.units, subject.station]);
-    if (this.shown?.run === subject.run && this.shown.of === of) return;
-    this.shown = { run: subject.run, of };
+    if (this.shown?.run === subject.run && this.shown.of === of && this.shown.measured === subject.measured) return;
+    this.shown = { run: subject.run, of, measured: subject.measured };
     this.refresh();
   }
 

@@ -4,11 +4,12 @@ import type { RunUp } from '../data/runup';
 import { el, select, setChoices, type Choice } from '../dom';
 import { Chart, type Frame, type Range } from '../figure/chart';
 import type { Picture } from '../figure/figure';
+import { drawMeasured, type Spot } from '../figure/measured';
 import type { Pen } from '../figure/pen';
 import type { Theme } from '../figure/theme';
-import { labelled, parameterMeasure } from '../model/units';
+import { labelled, metreMeasures, parameterMeasure } from '../model/units';
 import type { Table } from './panel';
-import { lineKey, pictureOf, type Key } from './rest_subject';
+import { lineKey, markKey, pictureOf, type Key } from './rest_subject';
 import { drawRows, motionMeasures, scaled, spanOf, type RunSubject } from './run_subject';
 import { Stack, type StackListener } from './stack';
 
@@ -159,6 +160,11 @@ export interface RunChart {
   table(): Table;
 }
 
+interface MeasuredSpots {
+  readonly axis: number;
+  readonly spots: readonly Spot[];
+}
+
 abstract class RunPair implements RunChart {
   readonly stack: Stack;
   protected readonly main: Chart;
@@ -183,14 +189,19 @@ abstract class RunPair implements RunChart {
       title: upper,
       bareX: true,
       under: (pen, frame, colours) => this.drawUnder(pen, frame, colours),
-      over: (pen, frame, colours) => this.draw(pen, frame, colours, this.upperCurves, Infinity),
+      over: (pen, frame, colours) => {
+        this.draw(pen, frame, colours, this.upperCurves, Infinity);
+        this.drawMeasured(pen, frame, colours, false);
+      },
     });
     this.lower = new Chart({
       title: lower,
       ...(parameter === 'speed' ? { yTicks: [0, 90, 180, 270, 360] } : {}),
       under: (pen, frame, colours) => this.drawUnder(pen, frame, colours),
-      over: (pen, frame, colours) =>
-        this.draw(pen, frame, colours, this.lowerCurves, parameter === 'speed' ? 180 : Infinity),
+      over: (pen, frame, colours) => {
+        this.draw(pen, frame, colours, this.lowerCurves, parameter === 'speed' ? 180 : Infinity);
+        this.drawMeasured(pen, frame, colours, true);
+      },
     });
     this.main.overlay.append(this.dot);
     this.stack = new Stack(this.main, this.lower, listener, (value, steps) =>
@@ -200,6 +211,16 @@ abstract class RunPair implements RunChart {
 
   /// Returns the values on the axis in shown units, by rows.
   protected abstract along(subject: RunSubject): Float64Array;
+  /// Returns measured amplitudes, or lags, of x (axis 0) and y (axis 1) in shown units.
+  protected measuredOf(_subject: RunSubject, _lag: boolean): readonly MeasuredSpots[] {
+    return [];
+  }
+
+  private drawMeasured(pen: Pen, frame: Frame, colours: Theme, lag: boolean): void {
+    for (const { axis, spots } of this.subject ? this.measuredOf(this.subject, lag) : [])
+      drawMeasured(pen, frame, colours, spots, COLOURS[axis]!(colours));
+  }
+
   /// Draws what is below the lines.
   protected drawUnder(_pen: Pen, _frame: Frame, _colours: Theme): void {}
   abstract whole(run: RunUp): Range;
@@ -223,7 +244,8 @@ abstract class RunPair implements RunChart {
     this.lower.setAxes(xLabel, lower);
     const shownRows = (curves: readonly Curve[]) =>
       curves.map((own) => rowsOf(own, subject.run).map((row) => own.values[row]!));
-    this.main.show(this.stack.range, spanOf(shownRows(this.upperCurves)));
+    const spots = this.measuredOf(subject, false).map((each) => each.spots.map(({ y }) => y));
+    this.main.show(this.stack.range, spanOf([...shownRows(this.upperCurves), ...spots]));
     this.lower.show(this.stack.range, lag ? [0, 360] : spanOf(shownRows(this.lowerCurves)));
     this.stack.redraw();
   }
@@ -248,7 +270,9 @@ abstract class RunPair implements RunChart {
 
   keys(): readonly Key[] {
     const lower = this.lowerCurves.length > 1 && this.parameter === 'time' ? this.lowerCurves : [];
-    return [...this.upperCurves.map(keyOf), ...lower.map(keyOf)];
+    const measured = this.subject && this.measuredOf(this.subject, false).length > 0;
+    const dots = markKey('\u25cf', 'plain', 'measured 1X, in the colours of x and y', 'dot', (colours) => colours.ink);
+    return [...this.upperCurves.map(keyOf), ...lower.map(keyOf), ...(measured ? [dots] : [])];
   }
 
   picture(): Picture {
@@ -381,6 +405,18 @@ export class RunOverSpeed extends RunPair {
       ? [curve('lag of the twist (\u00b0)', lag(0), 0)]
       : [curve('lag of x (\u00b0)', lag(0), 0), curve('lag of y (\u00b0)', lag(1), 1)];
     this.showPair(subject, range, motionLabel(subject), 'lag at 1X (\u00b0)', true);
+  }
+
+  protected override measuredOf({ measured, station, units, scales }: RunSubject, lag: boolean) {
+    const speed = parameterMeasure('rad/s', units);
+    const { amplitude } = metreMeasures(units, scales);
+    return measured.flatMap((data) =>
+      [0, 1].flatMap((axis) => {
+        const seen = data.kind === 'vectors' && !data.parameter ? data.seen(station, 90 * axis) : undefined;
+        const heights = lag ? seen?.lags : seen?.amplitudes.map((each) => each * amplitude.factor);
+        return seen && heights ? [{ axis, spots: heights.map((y, i) => ({ x: seen.at[i]! * speed.factor, y })) }] : [];
+      }),
+    );
   }
 
   whole(run: RunUp): Range {

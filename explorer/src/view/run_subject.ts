@@ -1,4 +1,5 @@
 // Data of the views of a run-up.
+import type { MeasuredData } from '../data/measured';
 import type { RunUp } from '../data/runup';
 import type { StationInfo } from '../engine/protocol';
 import type { Frame } from '../figure/chart';
@@ -25,6 +26,7 @@ export interface RunSubject {
   readonly info: StationInfo;
   readonly units: Units;
   readonly scales: Scales;
+  readonly measured: readonly MeasuredData[];
   /// Name of the machine.
   readonly name: string;
   /// Label for files and titles: "12.4 s".

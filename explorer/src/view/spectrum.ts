@@ -3,13 +3,15 @@
 import { button, el } from '../dom';
 import { Chart, type Frame, type Line, type Range } from '../figure/chart';
 import { textSize } from '../figure/figure';
+import { drawMeasured } from '../figure/measured';
 import { placeLabels, skyline, type Peak } from '../figure/labels';
 import { font, textWidth, type Pen } from '../figure/pen';
 import type { Theme } from '../figure/theme';
 import { tickText } from '../figure/ticks';
 import { amplitudeMeasure, frequencyMeasure, shown } from '../model/units';
 import type { Spectrum } from '../data/motion';
-import { Panel, type Table } from './panel';
+import { largestOf } from '../data/rest';
+import { measuredKeys, Panel, type Table } from './panel';
 import { key } from './waveform';
 
 /// Decades of a logarithmic axis below the largest amplitude.
@@ -20,15 +22,32 @@ interface Curve {
   readonly amplitudes: readonly Float64Array[];
 }
 
+interface MeasuredCurve extends Curve {
+  /// True if the spectrum has a window, as those of computed motions; else it has the orders of whole revolutions.
+  readonly windowed: boolean;
+}
+
+/// Revolutions from which measured spectra have a window (whirl_signals_spectrum).
+const WINDOWED = 3.5;
+/// Part of the largest amplitude from which a dot is drawn.
+const LEAST = 3e-3;
+
 const EMPTY: Curve = { frequency: new Float64Array(0), amplitudes: [] };
 
 abstract class SpectralPanel extends Panel {
   readonly figure: Chart;
   protected curve: Curve = EMPTY;
   private peaks: readonly Peak[] = [];
+  /// Curves of measured motions.
+  private measured: readonly MeasuredCurve[] = [];
   private logarithmic = false;
 
-  constructor(name: string, title: string, lines: readonly Line[], xText?: (value: number, step: number) => string) {
+  constructor(
+    name: string,
+    title: string,
+    private readonly lines: readonly Line[],
+    xText?: (value: number, step: number) => string,
+  ) {
     super(name, title);
     this.figure = new Chart({
       title,
@@ -62,7 +81,14 @@ abstract class SpectralPanel extends Panel {
     this.curve = spectrum?.order.length ? this.curveOf(spectrum, frequency.factor, amplitude.factor) : EMPTY;
     this.peaks =
       motion && spectrum?.order.length ? this.peaksOf(motion.lines(station), frequency.factor, amplitude.factor) : [];
+    this.measured = this.subject!.measured.flatMap(({ spectrum: own }) =>
+      own
+        ? [{ ...this.curveOf(own, frequency.factor, amplitude.factor), windowed: 1 / own.order[1]! >= WINDOWED }]
+        : [],
+    );
     let most = 0;
+    for (const { amplitudes } of this.measured)
+      for (const values of amplitudes) for (const value of values) if (value > most) most = value;
     for (const values of this.curve.amplitudes) for (const value of values) if (value > most) most = value;
     for (const peak of this.peaks) most = Math.max(most, peak.amplitude);
     if (!(most > 0)) most = 1;
@@ -76,8 +102,46 @@ abstract class SpectralPanel extends Panel {
 
   protected abstract describe(): void;
 
+  /// Draws measured spectra: a line with a window, else a dot for every order.
+  private drawMeasured(pen: Pen, frame: Frame, colours: Theme): void {
+    for (const { frequency, amplitudes, windowed } of this.measured) {
+      const most = largestOf(amplitudes.flatMap((values) => Array.from(values)));
+      amplitudes.forEach((values, which) => {
+        const colour = this.lines[which]!.colour(colours);
+        if (!windowed) {
+          const spots = Array.from(frequency, (x, i) => ({ x, y: values[i]! })).filter(({ y }) => y > LEAST * most);
+          drawMeasured(pen, frame, colours, spots, colour);
+          return;
+        }
+        pen.strokeStyle = colour;
+        pen.lineWidth = 1.2 * frame.ratio;
+        pen.setLineDash([2 * frame.ratio, 2 * frame.ratio]);
+        pen.beginPath();
+        let down = false;
+        for (const [i, value] of values.entries()) {
+          const there = Number.isFinite(value) && (!this.logarithmic || value > 0);
+          if (there) (down ? pen.lineTo : pen.moveTo).call(pen, frame.x(frequency[i]!), frame.y(value));
+          down = there;
+        }
+        pen.stroke();
+        pen.setLineDash([]);
+      });
+    }
+  }
+
+  /// Entries of the legend for measured spectra.
+  protected measuredKeys(): HTMLElement[] {
+    const { measured } = this.subject!;
+    const seen = measured.filter(({ spectrum }) => spectrum);
+    return measuredKeys(
+      seen,
+      this.measured.map(({ windowed }) => (windowed ? 'dashed' : 'dots')),
+    );
+  }
+
   private drawPeaks(pen: Pen, frame: Frame, colours: Theme): void {
     if (!this.subject) return;
+    this.drawMeasured(pen, frame, colours);
     const size = textSize() * frame.ratio;
     const face = font(size);
     pen.font = face;
@@ -136,7 +200,7 @@ export class SpectrumPanel extends SpectralPanel {
   }
 
   protected describe(): void {
-    this.note.replaceChildren(key('x', 'key-x'), key('y', 'key-y'));
+    this.note.replaceChildren(key('x', 'key-x'), key('y', 'key-y'), ...this.measuredKeys());
   }
 
   protected table(): Table {
@@ -203,6 +267,7 @@ export class FullSpectrumPanel extends SpectralPanel {
       key('forward', 'key-forward'),
       key('backward', 'key-backward'),
       el('span', {}, 'relative to the rotation'),
+      ...this.measuredKeys(),
     );
   }
 

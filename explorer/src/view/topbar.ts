@@ -14,6 +14,7 @@ export interface TopbarListener {
   machine(name: string): void;
   units(units: Units): void;
   compare(): void;
+  measured(): void;
   theme(): void;
   help(): void;
 }
@@ -28,6 +29,7 @@ export class Topbar {
   private readonly frequency: Segments;
   private readonly amplitude: Segments;
   private readonly compare: HTMLButtonElement;
+  private readonly measured: HTMLButtonElement;
   private units: Units = { length: 'um', speed: 'rpm', frequency: 'order', amplitude: '0-p' };
 
   constructor(private readonly listener: TopbarListener) {
@@ -67,6 +69,11 @@ export class Topbar {
     this.compare = button('A | B', 'Compare two settings side by side', () => listener.compare(), {
       'aria-pressed': 'false',
     });
+    this.measured = button(
+      'Measured\u2026',
+      'Measured data: lay an orbit or a Bode plot (CSV) over the model; files can also be dropped onto the page',
+      () => listener.measured(),
+    );
     this.root = el(
       'header',
       { class: 'topbar' },
@@ -80,6 +87,7 @@ export class Topbar {
         this.frequency.root,
         this.amplitude.root,
         this.compare,
+        this.measured,
         button('\u25d0', 'Light or dark', () => listener.theme(), { class: 'icon' }),
         button('?', 'Help', () => listener.help(), { class: 'icon' }),
       ),
@@ -123,6 +131,11 @@ export class Topbar {
     this.compare.hidden = atRest;
     // Give frequencies of machines at rest the unit of the speed in the place of orders.
     this.frequency.rename('order', atRest ? units.speed : 'X');
+  }
+
+  /// Shows the button for measured data, or hides it.
+  offerMeasured(offered: boolean): void {
+    this.measured.hidden = !offered;
   }
 
   /// Shows the choice of units, or hides it.

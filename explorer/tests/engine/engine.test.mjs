@@ -375,3 +375,88 @@ test('a first look keeps the verdict of a motion that has ended by itself', asyn
   assert.equal(whole.verdict.regime, 'periodic');
   assert.deepEqual([looked.verdict.name, looked.verdict.provisional], [whole.verdict.name, false]);
 });
+
+// ---- measured numbers, against closed forms
+
+const WHEEL = `whirl: 1
+title: A wheel
+parameters: {n: 1500 rpm}
+rotor:
+  speed: = n
+  length_scale: 1 mm
+  stations:
+    disc: {mass: 1 kg}
+  elements:
+    - shaft: {between: [disc, ground], k1: 1 MN/m, k2: 1 MN/m}
+study: {response: {}}
+`;
+const within = (found, expected, tolerance, what) =>
+  assert.ok(Math.abs(found - expected) <= tolerance, `${what} is ${found}, expected ${expected}`);
+
+test('vectors of two probes are what any probe between them sees', async () => {
+  const { MeasuredData } = await load('../data/measured');
+  // x = 3 cos(t - 20), y = 2 cos(t - 110 deg) by probes at 30 and 100 degrees.
+  const seen = (probe) => {
+    const at = (degrees) => (degrees * Math.PI) / 180;
+    const parts = ['cos', 'sin'].map(
+      (part) => 3 * Math.cos(at(probe)) * Math[part](at(20)) + 2 * Math.sin(at(probe)) * Math[part](at(110)),
+    );
+    return [Math.hypot(...parts), ((Math.atan2(parts[1], parts[0]) * 180) / Math.PI + 360) % 360];
+  };
+  const text =
+    'speed [rpm]; disc 30 [um]; disc 30 lag [deg]; disc 100 [um]; disc 100 lag [deg]\n' +
+    `600; ${seen(30).join(';')}; ${seen(100).join(';')}\n`;
+  const data = new MeasuredData('m.csv', await good(engine.measured({ text: WHEEL }, 'm.csv', text)));
+  assert.deepEqual([data.kind, data.stations], ['vectors', [0]]);
+  within(data.at[0], (600 * Math.PI) / 30, 1e-12, 'the speed');
+  for (const probe of [0, 45, 90, 30, 210]) {
+    const { amplitudes, lags } = data.seen(0, probe);
+    within(amplitudes[0], seen(probe)[0] * 1e-6, 1e-16, `the amplitude at ${probe}`);
+    within(lags[0], seen(probe)[1], 1e-8, `the lag at ${probe}`);
+  }
+  assert.equal(data.seen(0, 0, 2), undefined);
+});
+
+test('spectra of measured motions have the amplitudes of their parts', async () => {
+  // Forward 5 at 1X and backward 2 at 2X, as an orbit of 2 revolutions and as 20 turns over the time at 25 Hz.
+  const at = (turn) => {
+    const angle = 2 * Math.PI * turn;
+    return [5 * Math.cos(angle - 1) + 2 * Math.cos(2 * angle), 5 * Math.sin(angle - 1) - 2 * Math.sin(2 * angle)];
+  };
+  for (const [turns, tolerance] of [
+    [Float64Array.from({ length: 128 }, (_, i) => i / 64), 1e-12],
+    [Float64Array.from({ length: 3001 }, (_, i) => (25 * i) / 3750 + 0.013), 1e-4],
+  ]) {
+    const [x, y] = [0, 1].map((axis) => turns.map((turn) => at(turn)[axis]));
+    const rows = await good(engine.measuredSpectrum({ turns, x, y }));
+    const row = (order) => {
+      const place = Array.from({ length: rows.length / 5 }, (_, i) => i).find((i) => rows[5 * i] === order);
+      return rows.subarray(5 * place, 5 * place + 5);
+    };
+    [
+      [1, 5, 5, 5, 0],
+      [2, 2, 2, 0, 2],
+    ].forEach((expected) =>
+      expected.forEach((value, column) => within(row(expected[0])[column], value, tolerance, `column ${column}`)),
+    );
+  }
+  const short = await engine.measuredSpectrum({
+    turns: new Float64Array(3),
+    x: new Float64Array(3),
+    y: new Float64Array(3),
+  });
+  assert.match(short.message, /fewer than 8 samples/);
+});
+
+test('a measured motion of several revolutions is moved to where it differs least', async () => {
+  const { alignment } = await load('../data/measured');
+  const [per, period] = [64, 3];
+  const wave = (turn) => Math.cos(2 * Math.PI * turn) + Math.cos((2 * Math.PI * turn) / 3);
+  // Sample i of the computed motion is (i + 1)/per revolutions after a mark.
+  const x = Float64Array.from({ length: per * period }, (_, i) => wave((i + 1) / per));
+  const turns = Float64Array.from({ length: 96 }, (_, i) => i / 32);
+  const measured = { name: '', turns, x: turns.map((turn) => wave(turn + 2) + 0.1) };
+  const { moved, rms } = alignment(measured, { x, y: x }, per, period);
+  assert.equal(moved, 2);
+  within(rms, 0.1, 1e-9, 'the difference');
+});

@@ -1,0 +1,136 @@
+// Measured data over the model: an orbit and 1X vectors by the closed form of a wheel on a damped spring.
+import assert from 'node:assert/strict';
+import { after, test } from 'node:test';
+import { closeBrowser, makePage, open, saved, settled } from './browser.mjs';
+
+const [MASS, STIFFNESS, DAMPING, ECCENTRICITY] = [30, 1.2e6, 1500, 25e-6];
+const WHEEL = `whirl: 1
+title: A fan on a support
+parameters: {n: 1500 rpm, e: 25 um}
+rotor:
+  speed: = n
+  length_scale: 0.1 mm
+  stations:
+    disc: {mass: ${MASS} kg, damping: ${DAMPING} N s/m, eccentricity: = e}
+  elements:
+    - shaft: {between: [disc, ground], k1: ${STIFFNESS} N/m, k2: ${STIFFNESS} N/m}
+study:
+  sweep: {parameter: n, from: 1000 rpm, to: 3000 rpm, points: 21, start: state}
+  integrate: {method: rk4, steps_per_revolution: 256, transient: 200, record: 20}
+  analyze: [poincare, regime, orbit, spectrum]
+`;
+
+/// Amplitude in um, and lag in degrees, of x at a speed in rpm; y lags by a right angle more.
+function response(rpm) {
+  const w = (rpm * Math.PI) / 30;
+  const [real, late] = [STIFFNESS - MASS * w * w, DAMPING * w];
+  const size = (MASS * ECCENTRICITY * w * w) / Math.hypot(real, late);
+  return { size: size * 1e6, lag: (Math.atan2(late, real) * 180) / Math.PI };
+}
+
+const INSTANTS = 64;
+function orbitTable(rpm, factor = 1) {
+  const { size, lag } = response(rpm);
+  const rows = Array.from({ length: INSTANTS }, (_, i) => {
+    const angle = (360 * i) / INSTANTS;
+    const at = ((angle - lag) * Math.PI) / 180;
+    return [angle, factor * size * Math.cos(at), factor * size * Math.sin(at)].join(',');
+  });
+  return ['angle [deg], disc x [um], disc y [um]', ...rows].join('\n');
+}
+
+const SPEEDS = [1200, 1500, 1700, 1850, 1950, 2100, 2500];
+function bodeTable() {
+  const rows = SPEEDS.map((rpm) => {
+    const { size, lag } = response(rpm);
+    return [rpm, size, lag, size, (lag + 90) % 360].join(',');
+  });
+  return ['speed [rpm], disc x [um], disc x lag [deg], disc y [um], disc y lag [deg]', ...rows].join('\n');
+}
+
+after(closeBrowser);
+
+/// Drops files with these names and texts onto the page.
+const drop = (page, files) =>
+  page.evaluate((all) => {
+    const data = new DataTransfer();
+    for (const [name, text] of all) data.items.add(new File([text], name, { type: 'text/csv' }));
+    document.body.dispatchEvent(new DragEvent('dragover', { dataTransfer: data, bubbles: true, cancelable: true }));
+    document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+  }, files);
+const list = (page) => page.$$eval('.measured li > .key', (all) => all.map((each) => each.textContent));
+
+test('a measured orbit and measured vectors lie over the model, and go again', async () => {
+  const { page, complaints, close } = await open(makePage('wheel', WHEEL));
+  await page.waitForSelector('.parameter'); // the engine has read the case
+  await page.fill('#value-a', '1500');
+  await page.press('#value-a', 'Enter');
+  await settled(page);
+
+  // The orbit of the closed form is the model's; one that is half as large again differs by half its rms.
+  const { size } = response(1500);
+  await drop(page, [
+    ['orbit.csv', orbitTable(1500)],
+    ['other.csv', orbitTable(1500, 1.5)],
+  ]);
+  await page.waitForSelector('.measured li:nth-child(2)');
+  assert.deepEqual(await list(page), [
+    'orbit.csv: orbit of disc, 64 instants',
+    'other.csv: orbit of disc, 64 instants',
+  ]);
+  const differences = await page.$$eval('.panel-waveform .key-measured', (all) =>
+    all.map((each) => Number(/differs by (\S+) \u00b5m rms/.exec(each.textContent)[1].replace('\u2212', '-'))),
+  );
+  assert.ok(differences[0] < 1e-3 * size, `${differences[0]} of ${size}`);
+  assert.ok(Math.abs(differences[1] / (size / 2 / Math.SQRT2) - 1) < 5e-3, `${differences[1]} of ${size}`);
+  await page.waitForSelector('.panel-spectrum .key-measured:nth-child(3)');
+
+  // Removed by its button.
+  await page.click('.measured button[title="Remove other.csv"]');
+  await page.waitForFunction(() => document.querySelectorAll('.measured li').length === 1);
+
+  // Vectors take the diagram to the amplitude at the running speed; their dots are where the closed form is.
+  await drop(page, [['bode.csv', bodeTable()]]);
+  await page.waitForSelector('.legend .key-measured');
+  assert.equal(await page.inputValue('.map-card select[title="What the diagram shows"]'), '1x');
+  assert.deepEqual(await list(page), ['orbit.csv: orbit of disc, 64 instants', 'bode.csv: 1X of disc at 7 speeds']);
+  assert.deepEqual(await page.$$eval('.unseen-data:not(:empty)', (all) => all.length), 0);
+  await page.selectOption('.map-card select[title="What the diagram shows"]', 'radius');
+  await page.waitForSelector('.unseen-data:not(:empty)');
+  assert.match(await page.textContent('.measured li:nth-child(2) .unseen-data'), /choose 1X amplitude/);
+  await page.selectOption('.map-card select[title="What the diagram shows"]', '1xlag');
+  await page.waitForSelector('.legend .key-measured');
+
+  // A file that cannot be read is refused with the place, what was found and what is expected.
+  await drop(page, [['bad.csv', 'angle [deg], disk x [um]\n0, 1\n']]);
+  await page.waitForSelector('.measured .trouble:not(:empty)');
+  assert.equal(await page.textContent('.measured .trouble'), "bad.csv:1:14: 'disk' is no station, did you mean disc?");
+  await page.click('.measured .troubles button');
+  await page.waitForSelector('.measured .troubles', { state: 'hidden' });
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('measured vectors lie over a stored Bode diagram', async () => {
+  const study = 'study:\n  unbalance: {parameter: n, from: 1000 rpm, to: 3000 rpm, points: 21}\n';
+  const { page, complaints, close } = await open(makePage('rest', WHEEL.slice(0, WHEEL.indexOf('study:')) + study));
+  await page.waitForSelector('.rest .numbers tbody td');
+  const legend = () => page.textContent('.rest .legend:visible');
+  assert.doesNotMatch(await legend(), /measured/);
+  await page.setInputFiles('.measured input', {
+    name: 'bode.csv',
+    mimeType: 'text/csv',
+    buffer: Buffer.from(bodeTable()),
+  });
+  await page.waitForSelector('.measured li');
+  assert.match(await legend(), /measured, in the colours of the probes/);
+  // The dots are in the picture: two of each of the seven speeds, in amplitudes and in lags, each with a rim.
+  const { bytes } = await saved(page, '.rest .map-card:visible', 'svg');
+  const rims = bytes
+    .toString('utf8')
+    .match(/<path[^>]*>/g)
+    .filter((path) => (path.match(/A/g) ?? []).length >= 14);
+  assert.equal(rims.length, 8, bytes.toString('utf8').slice(0, 2000));
+  assert.deepEqual(complaints, []);
+  await close();
+});
