@@ -215,7 +215,8 @@ export class App {
     session.refineMap(undefined);
     session.sides.a.choice = session.address.a;
     if (session.address.b) session.sides.b.choice = session.address.b;
-    const { machine } = session;
+    const { machine, text, caseKey } = session;
+    session.openFits();
     // Show stored data at once; the engine takes a moment to start.
     const stored = session.run?.tables[0]?.parameter;
     const early =
@@ -229,12 +230,12 @@ export class App {
     if (!session.moves) session.address.b = undefined;
     if (session.engine && !session.original && session.computes) {
       const outcome = await session.engine.describe(
-        { text: machine.text, name: machine.caseName },
+        { text, name: machine.caseName },
         { lane: 'original', priority: 0 },
       );
-      if (outcome.ok) session.originals.set(machine.name, outcome.value);
+      if (outcome.ok) session.originals.set(caseKey, outcome.value);
       else if (outcome.why !== 'stale' && session.engine) session.sides.a.trouble = outcome.message;
-      if (machine !== session.machine) return;
+      if (machine !== session.machine || caseKey !== session.caseKey) return;
     }
     if (session.unitsAwaited && session.original) session.suitUnits(session.original.lengthScale);
     if (!early) session.openParameter();

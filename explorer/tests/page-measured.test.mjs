@@ -1,7 +1,9 @@
 // Measured data over the model: an orbit and 1X vectors by the closed form of a wheel on a damped spring.
 import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { after, test } from 'node:test';
-import { closeBrowser, makePage, open, saved, settled } from './browser.mjs';
+import { closeBrowser, folder, makePage, open, saved, settled } from './browser.mjs';
 
 const [MASS, STIFFNESS, DAMPING, ECCENTRICITY] = [30, 1.2e6, 1500, 25e-6];
 const WHEEL = `whirl: 1
@@ -131,6 +133,59 @@ test('measured vectors lie over a stored Bode diagram', async () => {
     .match(/<path[^>]*>/g)
     .filter((path) => (path.match(/A/g) ?? []).length >= 14);
   assert.equal(rims.length, 8, bytes.toString('utf8').slice(0, 2000));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('fitted parameters are sliders with errors, measured numbers lie over the fitted machine', async () => {
+  // Every second number is 1 um too large, the others too small: residuals that no parameter follows.
+  const rows = bodeTable()
+    .split('\n')
+    .map((row, i) => (i === 0 ? row : row.replace(/,([^,]*)/, (_, size) => `,${Number(size) + (i % 2 ? 1 : -1)}`)));
+  writeFileSync(join(folder, 'bode.csv'), rows.join('\n'));
+  const fit = `study:
+  initial: {disc: {x: 0.01}}
+  fit:
+    unknown: {k: {from: 0.8 MN/m, to: 2 MN/m}, e: {from: 5 um, to: 60 um}}
+    data: {file: bode.csv, noise: 1 um}
+`;
+  const text = WHEEL.slice(0, WHEEL.indexOf('study:'))
+    .replace('e: 25 um', 'k: 1 MN/m, e: 20 um')
+    .replace(/k1: .* N\/m, k2: .* N\/m/, 'k1: = k, k2: = k');
+  const { page, complaints, close } = await open(makePage('fit', text + fit));
+  await settled(page);
+  assert.equal(await page.textContent('.contents [aria-current]'), 'Fit to measured motions');
+  // The sliders begin at the fitted values, which are the true ones within their 95 % intervals, in the case's units.
+  for (const [name, truth, unit] of [
+    ['k', STIFFNESS / 1e6, 'MN/m'],
+    ['e', ECCENTRICITY * 1e6, 'um'],
+  ]) {
+    const told = await page.textContent(`#parameter-${name}-fit`);
+    const [, value, error, low, high] = new RegExp(`fitted (\\S+) \u00b1 (\\S+) ${unit}; 95 %: (\\S+) to (\\S+)$`)
+      .exec(told)
+      .map(Number);
+    assert.ok(low <= truth && truth <= high && high - low < 5 * error, told);
+    assert.ok(Math.abs(Number(await page.inputValue(`#parameter-${name}`)) - value) < error, told);
+    // The bar is as wide, as part of the slider, as twice the error is of its range: 20 half-widths of the interval.
+    const [bar, slider] = await page.$eval(`.parameter:has(#parameter-${name}) .slider`, (all) =>
+      ['.fit-error', 'input'].map((part) => all.querySelector(part).getBoundingClientRect().width),
+    );
+    const expected = (2 * error) / (10 * (high - low));
+    assert.ok(Math.abs(bar / (slider - 16) - expected) < 0.1 * expected, `${bar} of ${slider}, expected ${expected}`);
+  }
+  assert.deepEqual(await list(page), ['file 1: 1X of disc at 7 speeds']);
+  await page.waitForSelector('.legend .key-measured');
+  // A moved parameter goes back to the fitted value, and the saved case has it.
+  await page.fill('#parameter-k', '1.3');
+  await page.press('#parameter-k', 'Enter');
+  await page.waitForSelector('.parameter.changed');
+  await page.click('button[title="Reset k to the case"]');
+  await page.waitForSelector('.parameter.changed', { state: 'detached' });
+  const [file] = await Promise.all([page.waitForEvent('download'), page.click('[data-save="case"]')]);
+  const kept = readFileSync(await file.path(), 'utf8');
+  assert.match(kept, /k: 1\.[12]\d+ MN\/m/);
+  assert.match(kept, /sweep: \{parameter: n/);
+  assert.match(kept, /initial: \{disc: \{x: 0\.01\}\}/);
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -1,6 +1,7 @@
 // Writes the findings of a result for the explorer's page: statements, sheets and figures of every table.
 #include "explorer_contents.h"
 #include "document.h"
+#include "explorer_fit.h"
 #include "findings_render.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/findings.h"
@@ -66,11 +67,12 @@ static bool put_value(FILE *stream, const char *key, bool well, json_t *value) {
 
 /// Returns the name of the live view in which the page shows a table; "" if it has none. Live views compute motions of
 /// the case's machine.
-static const char *view_of(const whirl_table *table) {
+static const char *view_of(const contents *of, const whirl_table *table) {
     const shown_kind *kind = shown_kind_of(table);
     const whirl_kind *points = whirl_analysis_kind(table->analyses);
     if (points->moves || points->found) return motions_beside(table) ? "" : "motions";
     if (kind == &shown_runup) return "runup";
+    if (kind == &shown_fit) return explorer_fit_is_live(of->view, of->machine, table) ? "fit" : "";
     return kind == &shown_modes ? "modes" : kind == &shown_unbalance ? "unbalance" : "";
 }
 
@@ -83,7 +85,7 @@ static bool put_tables(const contents *of) {
         json_t *one = json_object();
         document_put(&well, one, "table", document_text(table->name));
         document_put(&well, one, "title", document_text(kind->name));
-        document_put(&well, one, "view", document_text(view_of(table)));
+        document_put(&well, one, "view", document_text(view_of(of, table)));
         document_append(&well, tables, one);
     }
     return put_value(of->stream, "parts", well, tables);
@@ -254,6 +256,7 @@ bool explorer_write_contents(FILE *stream, const whirl_result *result, const whi
     well = well && figures_list(&drawn, &of.figures).code == WHIRL_OK && put_tables(&of) && put_findings(&of) &&
            put_figures(&of) && put_warnings(&of);
     if (well) put_lines(&of);
+    if (well) explorer_write_fits(stream, of.view, machine);
     free(of.figures.items);
     whirl_findings_free(of.findings);
     whirl_result_view_free(of.view);

@@ -1,5 +1,6 @@
 // Contents of a result: the drawing of the machine, then every table with its findings (statements, sheets and figures)
 // and the tables of its live view (src/report/explorer_contents.c writes them).
+import type { MeasuredTable } from '../engine/protocol';
 import type { Described } from '../figure/described';
 import type { Run, StoredTable } from './run';
 
@@ -50,8 +51,29 @@ export interface StoredContents {
   /// Titles of figures that are too large for the page.
   readonly left_out?: readonly string[];
   readonly warnings?: readonly string[];
+  readonly fits?: readonly StoredFit[];
   /// Shaft lines between stations, of modes and responses of few points.
   readonly lines?: readonly StoredLines[];
+}
+
+/// A fitted parameter; numbers are in SI, null if they are not known.
+export interface FittedParameter {
+  readonly name: string;
+  readonly value: number | null;
+  /// Standard error, and half the width of the 95 % interval.
+  readonly error: number | null;
+  readonly half: number | null;
+  /// "yes", "at its bound", "hardly", "no"
+  readonly determined: string;
+}
+
+/// A fit whose machine the page computes (src/report/explorer_fit.c).
+export interface StoredFit {
+  readonly table: string;
+  /// The case with the fitted values, and with motions.
+  readonly case_text: string;
+  readonly unknowns: readonly FittedParameter[];
+  readonly measured: readonly { readonly name: string; readonly table: MeasuredTable }[];
 }
 
 /// Places along shafts, and how they move at every point in every mode (one "mode" for a response), as finite elements
@@ -68,7 +90,7 @@ export interface StoredLines {
   readonly moved: string;
 }
 
-export type LiveView = 'modes' | 'unbalance' | 'motions' | 'runup' | '';
+export type LiveView = 'modes' | 'unbalance' | 'motions' | 'fit' | 'runup' | '';
 
 export interface Part {
   /// Name in addresses: MACHINE, or the name of the part's first table.
@@ -77,6 +99,8 @@ export interface Part {
   readonly view: LiveView;
   /// The run with only the tables of the live view.
   readonly run: Run;
+  /// The fit whose machine is live; undefined for other views.
+  readonly fit: StoredFit | undefined;
   /// Warnings of the run; empty but for the machine.
   readonly notes: readonly string[];
   readonly statements: readonly Statement[];
@@ -101,10 +125,13 @@ function readParts(run: Run, parts: NonNullable<StoredContents['parts']>): reado
   const made = (id: string, title: string, view: LiveView, names: readonly string[]): Part => {
     const of = <T extends { readonly table: string }>(list: readonly T[]) =>
       list.filter(({ table }) => names.includes(table));
-    const tables: StoredTable[] = view ? run.tables.filter(({ name }) => names.includes(name)) : [];
+    const fit = view === 'fit' ? run.fits?.find(({ table }) => table === id) : undefined;
+    // A fit's machine is another one: no stored table or motion is of it.
+    const { opening, ...rest } = run;
+    const tables: StoredTable[] = view && !fit ? run.tables.filter(({ name }) => names.includes(name)) : [];
     return {
-      ...{ id, title, view },
-      run: { ...run, tables },
+      ...{ id, title, view, fit },
+      run: { ...rest, tables, ...(opening && !fit && { opening }) },
       notes: [],
       statements: of(statements),
       sheets: of(sheets),

@@ -1,5 +1,5 @@
-// Measured numbers of one file, by channels: an orbit over the angle of the shaft or over the time, or vectors (parts of
-// the motion at an order) over the speed or a parameter. The core has read them (explorer/core/measured.c).
+// Measured numbers of one file, by channels: an orbit over the angle of the shaft or over the time, or vectors (parts
+// of the motion at an order) over the speed or a parameter. The core has read them (explorer/core/measured.c).
 import { MEASURED, type MeasuredTable } from '../engine/protocol';
 import type { Pairs, Spectrum } from './motion';
 

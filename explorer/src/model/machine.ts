@@ -66,6 +66,10 @@ const RUN =
   'Play the run, or drag across it: the orbit, the spectrum and the numbers are those of the turn at the cursor. ' +
   'Move a rate, an unbalance, a torque or a friction with its slider, and the run is computed anew in this page.';
 
+const FITTED =
+  'The machine with the fitted parameters, computed in this page, and the measured numbers as dots. Move a fitted ' +
+  'parameter with its slider: its bar is the standard error. Recompute shows the diagram of the changed machine.';
+
 const MAP =
   'Click on a cell of the map: the orbit, its spectrum and its Poincar\u00e9 map are computed on the spot for both ' +
   'of its parameters. The diagram below is the row of the cursor, or with the key C its column; brush a range of it ' +
@@ -84,6 +88,7 @@ export function introOfPart({ id, view }: Part): string {
   if (id === MACHINE)
     return 'The machine, and what was found of it. The contents lead to all parts of the result and its live views.';
   if (view === 'motions') return OWN;
+  if (view === 'fit') return FITTED;
   if (view === 'runup') return RUN;
   return view
     ? AT_REST[view]

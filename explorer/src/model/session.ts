@@ -1,9 +1,9 @@
 // State of the page: the open machine, the user's settings, the visible part, and everything derived from these.
 import { Branches } from '../data/branches';
 import { Tori } from '../data/tori';
-import { partOf, partsOf, type Part } from '../data/contents';
+import { partOf, partsOf, type Part, type StoredFit } from '../data/contents';
 import { Diagram } from '../data/diagram';
-import type { MeasuredData, Seen } from '../data/measured';
+import { MeasuredData, type Seen } from '../data/measured';
 import { storedMotion } from '../data/opening';
 import type { OrbitOfBranch } from '../data/orbit';
 import { MapPlanes, type ParameterMap } from '../data/parameter_map';
@@ -67,7 +67,7 @@ export class Session {
   private refined: MapRefinement | undefined;
   /// Key of the map's cut in the first diagram (`sights.first`).
   private cutKey = '';
-  /// Cases by the names of their machines.
+  /// Cases by their keys (caseKey).
   readonly originals = new Map<string, CaseInfo>();
   readonly sights: Sights;
   /// The run of a run-up at the setting of side A.
@@ -124,9 +124,24 @@ export class Session {
     return this.sides[this.active];
   }
 
+  /// Text of the case that the engine computes: that of the machine, or with the values of the visible fit.
+  get text(): string {
+    return this.fit?.case_text ?? this.machine.text;
+  }
+
+  /// The visible fit.
+  get fit(): StoredFit | undefined {
+    return this.part?.fit;
+  }
+
+  /// Key of that case in `originals`.
+  get caseKey(): string {
+    return `${this.machine.name} ${this.fit?.table ?? ''}`;
+  }
+
   /// The case without changes, once the engine has read it.
   get original(): CaseInfo | undefined {
-    return this.originals.get(this.machine.name);
+    return this.originals.get(this.caseKey);
   }
 
   /// Stored results of a machine at rest; undefined for motions.
@@ -153,7 +168,7 @@ export class Session {
 
   /// True if the page shows motions, which the engine computes.
   get moves(): boolean {
-    return !this.atRest && !this.runsUp && (this.part?.view ?? 'motions') === 'motions';
+    return !this.atRest && !this.runsUp && ['motions', 'fit'].includes(this.part?.view ?? 'motions');
   }
 
   /// True if a run-up is shown.
@@ -233,7 +248,8 @@ export class Session {
     const { map, engine, mapTable: table } = this;
     this.refined?.stop();
     if (!map || !table || !engine || !part || !canRefine(part)) return;
-    const { text, caseName } = this.machine;
+    const { text } = this;
+    const { caseName } = this.machine;
     const { computation } = this.address;
     const { transient = table.transient, record = table.record } = computation;
     const { plane } = map;
@@ -342,7 +358,8 @@ export class Session {
   /// Makes the request for an orbit: with the method that found it, without the user's options.
   orbitRequest(orbit: OrbitOfBranch): OrbitRequest {
     const { value, revolutions, period, nodes } = orbit;
-    const { text, caseName, run } = this.machine;
+    const { text } = this;
+    const { caseName, run } = this.machine;
     const method = run?.tables.find(({ name }) => name === 'branch')?.method;
     return {
       setting: { text, name: caseName, ...(method ? { options: { method } } : {}) },
@@ -396,6 +413,9 @@ export class Session {
 
   /// Initial value of the cursor.
   get firstValue(): number {
+    // A fit of orbits begins at the speed of the first one.
+    const orbit = this.fit && this.measuredData.find(({ kind }) => kind !== 'vectors');
+    if (orbit && Number.isFinite(orbit.speed) && this.isSpeed(this.address.parameter)) return orbit.speed;
     const opening = this.run?.opening;
     if (opening?.parameter && opening.parameter === this.address.parameter && !this.map) return opening.value!;
     return firstValue(this.original, this.address.parameter, this.whole);
@@ -418,11 +438,27 @@ export class Session {
   /// Reads files of measured data. Shows a station that they measured and, for vectors, an amplitude.
   async addMeasured(files: readonly NamedText[]): Promise<void> {
     const { machine } = this;
-    const read = await this.measured.add(machine.name, { text: machine.text, name: machine.caseName }, files);
+    const read = await this.measured.add(machine.name, { text: this.text, name: machine.caseName }, files);
     if (read.length === 0 || machine !== this.machine) return;
-    const seen = read.some(({ stations }) => stations.includes(this.station));
-    if (!seen) this.address.station = this.stations[read[0]!.stations[0]!]?.name ?? '';
-    const vectors = read.find(({ kind, stations }) => kind === 'vectors' && stations.includes(this.station));
+    this.showMeasured(read);
+  }
+
+  /// Lays the measured numbers of fits over the machine, and shows them where the visible fit is: at a station that was
+  /// measured, and for vectors their amplitudes.
+  openFits(): void {
+    const { machine } = this;
+    const files = machine.run?.fits?.flatMap(({ measured }) => measured) ?? [];
+    this.measured.store(
+      machine.name,
+      files.map(({ name, table }) => new MeasuredData(name, table)),
+    );
+    if (this.fit && !this.address.station) this.showMeasured(this.measuredData);
+  }
+
+  private showMeasured(data: readonly MeasuredData[]): void {
+    const seen = data.some(({ stations }) => stations.includes(this.station));
+    if (!seen) this.address.station = this.stations[data[0]?.stations[0] ?? 0]?.name ?? '';
+    const vectors = data.find(({ kind, stations }) => kind === 'vectors' && stations.includes(this.station));
     if (vectors && this.moves && !VECTORS.has(this.address.quantity))
       this.address.quantity = vectors.seen(this.station, 0) ? '1x' : '1y';
   }
@@ -443,7 +479,7 @@ export class Session {
   /// Returns the setting of a side for the engine.
   settingOf(side: SideModel): Setting {
     return {
-      text: this.machine.text,
+      text: this.text,
       name: this.machine.caseName,
       assignments: assignmentTexts(side.choice.assignments),
       options: computationOptions(this.address.computation),

@@ -330,6 +330,7 @@ export class Page {
       side: side.name,
       comparing: session.address.b !== undefined,
       computation: session.address.computation,
+      fitted: session.fit?.unknowns ?? [],
       trouble: session.inWords(side.trouble),
     });
   }

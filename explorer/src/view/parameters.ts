@@ -1,5 +1,6 @@
 // The parameters of a case: a slider and a number for each, with unit, range and meaning from the engine's descriptors.
 import { button, el, isTouched } from '../dom';
+import type { FittedParameter } from '../data/contents';
 import type { CaseInfo, ParameterInfo } from '../engine/protocol';
 import { markField, typedQuantity } from '../model/typed';
 import { chosenUnit, labelled, parameterMeasure, shown, written, type Units } from '../model/units';
@@ -14,6 +15,8 @@ export interface ParametersSubject {
   /// The parameter along the diagram, whose value the cursor shows.
   readonly swept: string;
   readonly units: Units;
+  /// Parameters that a fit has found.
+  readonly fitted: readonly FittedParameter[];
   /// Problem of the setting, or "".
   readonly trouble: string;
 }
@@ -50,13 +53,19 @@ interface Bounds {
   readonly high: number;
 }
 
-/// Returns the range of the slider in SI: the sweep's range, else from 0 to twice the value, within the range of the
-/// keys that use the parameter.
-function sliderBounds(parameter: ParameterInfo, info: CaseInfo): Bounds {
+/// Widths of the slider of a fitted parameter on both sides of its value, in half-widths of its 95 % interval: at the
+/// ends of the slider the machine no longer does what was measured.
+const FITTED_WIDTHS = 10;
+
+/// Returns the range of the slider in SI: the sweep's range, or that around a fitted value, else from 0 to twice the
+/// value, within the range of the keys that use the parameter.
+function sliderBounds(parameter: ParameterInfo, info: CaseInfo, fitted: FittedParameter | undefined): Bounds {
   const swept = info.batches.find((batch) => batch.parameter === parameter.name && batch.values.length > 1);
   let [low, high] =
     parameter.value === 0 ? [-1, 1] : [Math.min(0, 2 * parameter.value), Math.max(0, 2 * parameter.value)];
   if (swept) [low, high] = [Math.min(...swept.values), Math.max(...swept.values)];
+  const wide = FITTED_WIDTHS * (fitted?.half ?? 0);
+  if (wide > 0 && wide < high - low && !swept) [low, high] = [parameter.value - wide, parameter.value + wide];
   for (const use of parameter.uses) {
     if (!use.alone) continue;
     const margin = Math.abs(parameter.value) * 1e-3 || 1e-3;
@@ -95,6 +104,9 @@ class Row {
   private readonly unit = el('span', { class: 'unit' });
   private readonly expression = el('code', { class: 'expression' });
   private readonly meaning = el('p', { class: 'meaning' });
+  private readonly fit = el('p', { class: 'meaning fit-text', hidden: true });
+  /// The standard error and the 95 % interval over the slider.
+  private readonly bars = ['fit-interval', 'fit-error'].map((kind) => el('span', { class: kind, hidden: true }));
   private readonly reset: HTMLButtonElement;
   private readonly unlock: HTMLButtonElement;
   private notation: Notation = { unit: '', factor: 1 };
@@ -107,14 +119,16 @@ class Row {
     private readonly name: string,
     private readonly bounds: Bounds,
     private readonly original: ParameterInfo,
+    private readonly fitted: FittedParameter | undefined,
     private readonly listener: ParametersListener,
   ) {
     const id = `parameter-${name}`;
     this.field.id = id;
     this.meaning.id = `${id}-meaning`;
     this.expression.id = `${id}-expression`;
+    this.fit.id = `${id}-fit`;
     this.slider.setAttribute('aria-label', `${name}, slider`);
-    this.field.setAttribute('aria-describedby', `${id}-expression ${id}-meaning`);
+    this.field.setAttribute('aria-describedby', `${id}-expression ${id}-fit ${id}-meaning`);
     this.reset = button(
       '\u21ba',
       `Reset ${name} to the case`,
@@ -144,7 +158,8 @@ class Row {
       this.unit,
       this.reset,
       this.unlock,
-      this.slider,
+      el('div', { class: 'slider' }, this.slider, ...this.bars),
+      this.fit,
       this.expression,
       this.meaning,
     );
@@ -165,9 +180,35 @@ class Row {
     if (!isTouched(this.field) && !this.refused) this.field.value = written(now.value * this.notation.factor, 7);
     this.field.setAttribute('aria-label', labelled(this.name, this.notation.unit));
     this.slider.setAttribute('aria-valuetext', `${shown(now.value * this.notation.factor)} ${this.notation.unit}`);
+    this.showFit();
     this.reset.disabled = !changed && !this.refused;
     this.root.classList.toggle('changed', changed);
     this.root.classList.toggle('swept', swept);
+  }
+
+  /// Shows the fitted value with its standard error and its 95 % interval.
+  private showFit(): void {
+    const { value, error, half, determined } = this.fitted ?? {};
+    this.fit.hidden = typeof value !== 'number';
+    if (typeof value !== 'number') return;
+    const { factor, unit } = this.notation;
+    const of = (number: number, digits: number) => shown(number * factor, digits);
+    // As many digits as the error has.
+    const digits = error ? Math.max(3, Math.min(9, 2 + Math.ceil(Math.log10(Math.abs(value / error) + 1)))) : 5;
+    const known = typeof error === 'number' && typeof half === 'number';
+    this.fit.textContent = known
+      ? `fitted ${of(value, digits)} \u00b1 ${of(error, 2)} ${unit}; ` +
+        `95 %: ${of(value - half, digits)} to ${of(value + half, digits)}`
+      : `fitted ${of(value, digits)} ${unit}`;
+    if (determined !== 'yes') this.fit.append(determined === 'at its bound' ? ' (at its bound)' : ' (not determined)');
+    const { low, high } = this.bounds;
+    for (const [i, size] of [half, error].entries()) {
+      const bar = this.bars[i]!;
+      bar.hidden = !known || this.slider.hidden;
+      const place = (at: number) => Math.min(1, Math.max(0, (at - low) / (high - low)));
+      bar.style.setProperty('--from', String(place(value - (size ?? 0))));
+      bar.style.setProperty('--to', String(place(value + (size ?? 0))));
+    }
   }
 
   /// Locks the value; `expression`: its formula; "" unlocks it.
@@ -208,20 +249,27 @@ export class ParametersView {
 
   constructor(private readonly listener: ParametersListener) {}
 
-  show({ original, current, assignments, swept, units, trouble }: ParametersSubject): void {
-    if (original !== this.original) this.build(original);
+  show({ original, current, assignments, swept, units, fitted, trouble }: ParametersSubject): void {
+    if (original !== this.original) this.build(original, fitted);
     for (const parameter of current.parameters)
       this.rows
         .get(parameter.name)
         ?.show(parameter, assignments.has(parameter.name), units, parameter.name === swept, trouble);
   }
 
-  private build(original: CaseInfo): void {
+  private build(original: CaseInfo, fitted: readonly FittedParameter[]): void {
+    const found = (name: string) => fitted.find((each) => each.name === name);
     this.original = original;
     this.rows = new Map(
       original.parameters.map((parameter) => [
         parameter.name,
-        new Row(parameter.name, sliderBounds(parameter, original), parameter, this.listener),
+        new Row(
+          parameter.name,
+          sliderBounds(parameter, original, found(parameter.name)),
+          parameter,
+          found(parameter.name),
+          this.listener,
+        ),
       ]),
     );
     this.root.replaceChildren(...Array.from(this.rows.values(), (row) => row.root));

@@ -260,6 +260,7 @@ export class RunView {
       side: side.name,
       comparing: false,
       computation: {},
+      fitted: [],
       trouble: session.inWords(side.trouble),
     });
   }

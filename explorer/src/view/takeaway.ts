@@ -26,7 +26,7 @@ export class Takeaway {
     if (!engine || !original) return undefined;
     const edits = caseEdits(original, session.address, side.choice, session.sight.range, session.whole);
     const setting = {
-      text: session.machine.text,
+      text: session.text,
       name: session.machine.caseName,
       assignments: assignmentTexts(side.choice.assignments),
     };

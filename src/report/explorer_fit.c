@@ -1,0 +1,285 @@
+#include "explorer_fit.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "figure_build.h"
+#include "shown_kinds.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/fit.h"
+#include "whirl/engine/study.h"
+
+/// Columns of the fields fit/unknown, fit/number and fit/motion (src/analyze/analyses/fit.c).
+enum { FIT_PARAMETER, FIT_START, FIT_VALUE, FIT_ERROR, FIT_HALF, FIT_LOW, FIT_HIGH, FIT_KNOWN, FIT_COLUMNS };
+enum { FIT_SET, FIT_MOTION, FIT_STATION, FIT_ANGLE, FIT_QUANTITY, FIT_AT, FIT_MEASURED, FIT_NUMBERS = 9 };
+enum { FIT_SPEED, FIT_MOTIONS = 2 };
+
+/// Margin of the live diagram on both sides of the measured speeds, as part of their range; of a single speed.
+static const double margin = 0.04, single_margin = 0.4;
+
+/// A fit in a result, at its best point.
+typedef struct stored_fit {
+    const whirl_result *result;
+    const whirl_case *machine;
+    const whirl_table *table;
+    size_t unknowns, numbers, motions;
+    const double *unknown, *number, *motion;
+} stored_fit;
+
+/// Loads the best point of a table. Returns false for tables that are no fits, and without such a point.
+static bool fit_load(const whirl_result *result, const whirl_case *machine, const whirl_table *table, stored_fit *out) {
+    const whirl_layout *layout = &table->layout;
+    const whirl_field *unknown = whirl_layout_field(layout, WHIRL_FIELD_FIT_UNKNOWN);
+    const whirl_field *number = whirl_layout_field(layout, WHIRL_FIELD_FIT_NUMBER);
+    const whirl_field *motion = whirl_layout_field(layout, WHIRL_FIELD_FIT_MOTION);
+    const size_t point = unknown && number && motion ? fit_best(table) : table->count;
+    if (point == table->count) return false;
+    *out = (stored_fit){.result = result,
+                        .machine = machine,
+                        .table = table,
+                        .unknowns = unknown->rows,
+                        .numbers = number->rows,
+                        .motions = motion->rows,
+                        .unknown = whirl_table_field(table, point, WHIRL_FIELD_FIT_UNKNOWN, 0),
+                        .number = whirl_table_field(table, point, WHIRL_FIELD_FIT_NUMBER, 0),
+                        .motion = whirl_table_field(table, point, WHIRL_FIELD_FIT_MOTION, 0)};
+    return out->unknown && out->number && out->motion;
+}
+
+// ---------------------------------------------------------------- the live case
+
+/// Receives uses of parameters, and keeps the one that is the speed of the rotor.
+static void fit_see_use(void *context, const whirl_use *use) {
+    const char **speed = context;
+    if (use->alone && strcmp(use->path, "rotor.speed") == 0) *speed = use->parameter;
+}
+
+/// Edits a text in place of the old one, which is freed. Returns false after a failure.
+static bool fit_edit(char **text, const char *path, const char *value) {
+    char *edited = NULL;
+    if (whirl_case_edit(*text, strlen(*text), path, value, &edited).code != WHIRL_OK) return false;
+    free(*text);
+    *text = edited;
+    return true;
+}
+
+/// Writes the fitted values into a text, each in the unit in which the case has the parameter.
+static bool fit_set_values(const stored_fit *fit, char **text) {
+    bool well = true;
+    for (size_t u = 0; u < fit->unknowns && well; u++) {
+        const double *row = fit->unknown + (size_t)FIT_COLUMNS * u;
+        if (!(row[FIT_PARAMETER] >= 0.0 && row[FIT_PARAMETER] < (double)fit->result->parameter_count)) return false;
+        const whirl_parameter *own = &fit->result->parameters[(size_t)row[FIT_PARAMETER]];
+        char path[WHIRL_NAME_SIZE + 16], one[128], number[160], *end;
+        double size = 1.0;
+        // The unit follows the number; an expression has none, and its value is in SI.
+        strtod(own->text, &end);
+        const char *unit = own->text[0] == '=' ? "" : end + strspn(end, " ");
+        snprintf(one, sizeof one, "1 %.100s", unit);
+        if (!*unit || whirl_quantity_value(one, own->unit, &size).code != WHIRL_OK || !(size > 0.0)) {
+            size = 1.0;
+            unit = strcmp(own->unit, "1") == 0 ? "" : own->unit;
+        }
+        snprintf(path, sizeof path, "parameters.%s", own->name);
+        snprintf(number, sizeof number, "%.10g%s%.100s", row[FIT_VALUE] / size, *unit ? " " : "", unit);
+        well = fit_edit(text, path, number);
+    }
+    return well;
+}
+
+/// Returns true if a text is a case with motions over a parameter, or with one motion.
+static bool fit_moves(const char *text) {
+    whirl_case *object;
+    whirl_study study;
+    if (whirl_case_parse(text, strlen(text), "live.yaml", NULL, &object).code != WHIRL_OK) return false;
+    whirl_case_study(object, &study);
+    const bool moves = study.batch_count > 0 && whirl_analysis_kind(study.batches[0].analyses)->moves;
+    whirl_case_free(object);
+    return moves;
+}
+
+/// Writes the range of the measured speeds, rad/s, with a margin.
+static void fit_range(const stored_fit *fit, double range[2]) {
+    range[0] = INFINITY;
+    range[1] = -INFINITY;
+    for (size_t i = 0; i < fit->motions; i++) {
+        range[0] = fmin(range[0], fit->motion[FIT_MOTIONS * i + FIT_SPEED]);
+        range[1] = fmax(range[1], fit->motion[FIT_MOTIONS * i + FIT_SPEED]);
+    }
+    const double size = range[1] - range[0];
+    const double more = size > 0.0 ? fmin(margin * size, 0.5 * range[0]) : single_margin * range[0];
+    range[0] -= more;
+    range[1] += more;
+}
+
+/// Returns the number of blanks at the beginning of a line; SIZE_MAX for an empty one and for a comment.
+static size_t fit_indent(const char *line) {
+    const size_t blanks = strspn(line, " ");
+    const char first = line[blanks];
+    return first == '\0' || first == '\n' || first == '\r' || first == '#' ? SIZE_MAX : blanks;
+}
+
+static const char *fit_next_line(const char *line) {
+    const char *end = strchr(line, '\n');
+    return end ? end + 1 : line + strlen(line);
+}
+
+/// Returns the first line from `line` on that begins with `key` after `indent` blanks, and the end of its block: the
+/// next line that is not indented more. NULL if there is none before `end`.
+static const char *fit_find_block(const char *line, const char *end, size_t indent, const char *key,
+                                  const char **block_end) {
+    while (line < end && !(fit_indent(line) == indent && strncmp(line + indent, key, strlen(key)) == 0))
+        line = fit_next_line(line);
+    if (line >= end) return NULL;
+    *block_end = fit_next_line(line);
+    while (*block_end < end && fit_indent(*block_end) > indent) *block_end = fit_next_line(*block_end);
+    return line;
+}
+
+/// Writes a study of the motions of the fit: a sweep over the measured speeds, or one motion if no parameter is the
+/// speed. They settle and are integrated as those of the fit.
+static void fit_write_study(FILE *stream, const stored_fit *fit) {
+    const char *speed = NULL, *unit = "";
+    const whirl_fit_options *options = &fit->table->record.fit;
+    double range[2];
+    whirl_case_uses(fit->machine, fit_see_use, (void *)&speed);
+    for (size_t i = 0; speed && i < fit->result->parameter_count; i++)
+        if (strcmp(fit->result->parameters[i].name, speed) == 0) unit = fit->result->parameters[i].unit;
+    fit_range(fit, range);
+    fputs("study:\n", stream);
+    if (speed)
+        fprintf(stream, "  sweep: {parameter: %s, from: %.6g %s, to: %.6g %s, points: 64, start: state}\n", speed,
+                range[0], strcmp(unit, "1") == 0 ? "" : unit, range[1], strcmp(unit, "1") == 0 ? "" : unit);
+    else
+        fputs("  response: {}\n", stream);
+    fprintf(stream, "  integrate: {method: %s, transient: %d, record: 40}\n", options->method, options->transient);
+    fprintf(stream, "  analyze: [poincare, regime, lyapunov, spectrum, orbit%s]\n",
+            fit->result->contact_count > 0 ? ", rub" : "");
+}
+
+/// Replaces the study of a text; its initial state stays. Returns false after a failure.
+static bool fit_make_study(const stored_fit *fit, char **text) {
+    const char *begin, *end, *initial, *initial_end, *whole = *text + strlen(*text);
+    char *made = NULL;
+    size_t size = 0;
+    begin = fit_find_block(*text, whole, 0, "study:", &end);
+    FILE *stream = begin ? open_memstream(&made, &size) : NULL;
+    if (!stream) return false;
+    fwrite(*text, 1, (size_t)(begin - *text), stream);
+    fit_write_study(stream, fit);
+    // Keys of the study are indented as its first one.
+    const char *first = fit_next_line(begin);
+    while (first < end && fit_indent(first) == SIZE_MAX) first = fit_next_line(first);
+    const size_t indent = first < end ? fit_indent(first) : SIZE_MAX;
+    initial = indent < SIZE_MAX ? fit_find_block(first, end, indent, "initial:", &initial_end) : NULL;
+    if (initial && indent == 2) fwrite(initial, 1, (size_t)(initial_end - initial), stream);
+    fputs(end, stream);
+    if (fclose(stream) != 0) {
+        free(made);
+        return false;
+    }
+    free(*text);
+    *text = made;
+    return true;
+}
+
+/// Returns the text of the case with the fitted values, and with motions over the measured speeds in place of its
+/// study. NULL if there is no such case. The caller frees it.
+static char *fit_live_text(const stored_fit *fit) {
+    if (!fit->machine || !fit->result->case_text || !*fit->result->case_text) return NULL;
+    char *text = strdup(fit->result->case_text);
+    if (text && fit_set_values(fit, &text) && fit_make_study(fit, &text) && fit_moves(text)) return text;
+    free(text);
+    return NULL;
+}
+
+bool explorer_fit_is_live(const whirl_result *result, const whirl_case *machine, const whirl_table *table) {
+    stored_fit fit;
+    char *text = fit_load(result, machine, table, &fit) ? fit_live_text(&fit) : NULL;
+    free(text);
+    return text != NULL;
+}
+
+// ---------------------------------------------------------------- writing
+
+static void fit_write_unknowns(FILE *stream, const stored_fit *fit) {
+    static const char *const known[] = {"yes", "at its bound", "hardly", "no"};
+    script_key(stream, ',', "unknowns");
+    fputc('[', stream);
+    for (size_t u = 0; u < fit->unknowns; u++) {
+        const double *row = fit->unknown + (size_t)FIT_COLUMNS * u;
+        const bool named = row[FIT_PARAMETER] >= 0.0 && row[FIT_PARAMETER] < (double)fit->result->parameter_count;
+        if (u > 0) fputc(',', stream);
+        script_text_member(stream, '{', "name", named ? fit->result->parameters[(size_t)row[FIT_PARAMETER]].name : "");
+        script_number_member(stream, ',', "value", row[FIT_VALUE]);
+        script_number_member(stream, ',', "error", row[FIT_ERROR]);
+        script_number_member(stream, ',', "half", row[FIT_HALF]);
+        script_text_member(stream, ',', "determined", known[(int)row[FIT_KNOWN]]);
+        fputc('}', stream);
+    }
+    fputc(']', stream);
+}
+
+/// Writes the numbers of a file [count] in the form of MeasuredTable of the page (protocol.ts).
+static void fit_write_file(FILE *stream, const stored_fit *fit, const double *numbers, size_t count) {
+    const size_t first = (size_t)numbers[FIT_MOTION];
+    const size_t last = (size_t)numbers[FIT_NUMBERS * (count - 1) + FIT_MOTION];
+    char name[32];
+    snprintf(name, sizeof name, "file %.0f", numbers[FIT_SET] + 1.0);
+    script_text_member(stream, '{', "name", name);
+    script_key(stream, ',', "table");
+    script_text_member(stream, '{', "title", "");
+    script_text_member(stream, ',', "parameter", "");
+    script_key(stream, ',', "motions");
+    for (size_t i = first; i <= last; i++) {
+        fputc(i > first ? ',' : '[', stream);
+        script_number(stream, fit->motion[FIT_MOTIONS * i + FIT_SPEED]);
+    }
+    fputc(']', stream);
+    script_key(stream, ',', "numbers");
+    for (size_t i = 0; i < count; i++) {
+        const double *row = numbers + (size_t)FIT_NUMBERS * i;
+        fprintf(stream, "%s[%.0f,%.0f,", i > 0 ? "," : "[", row[FIT_MOTION] - (double)first, row[FIT_STATION]);
+        script_number(stream, row[FIT_ANGLE]);
+        fprintf(stream, ",%.0f,", row[FIT_QUANTITY]);
+        script_number(stream, row[FIT_AT]);
+        fputc(',', stream);
+        script_number(stream, row[FIT_MEASURED]);
+        fputc(']', stream);
+    }
+    fputs("]}}", stream);
+}
+
+static void fit_write_files(FILE *stream, const stored_fit *fit) {
+    script_key(stream, ',', "measured");
+    fputc('[', stream);
+    for (size_t i = 0, count; i < fit->numbers; i += count) {
+        const double *numbers = fit->number + (size_t)FIT_NUMBERS * i;
+        for (count = 1; i + count < fit->numbers && numbers[FIT_NUMBERS * count + FIT_SET] == numbers[FIT_SET];)
+            count++;
+        if (i > 0) fputc(',', stream);
+        fit_write_file(stream, fit, numbers, count);
+    }
+    fputc(']', stream);
+}
+
+void explorer_write_fits(FILE *stream, const whirl_result *result, const whirl_case *machine) {
+    bool first = true;
+    script_key(stream, ',', "fits");
+    fputc('[', stream);
+    for (const whirl_table *table = result->tables; table < result->tables + result->table_count; table++) {
+        stored_fit fit;
+        char *text = fit_load(result, machine, table, &fit) ? fit_live_text(&fit) : NULL;
+        if (!text) continue;
+        if (!first) fputc(',', stream);
+        first = false;
+        script_text_member(stream, '{', "table", table->name);
+        script_text_member(stream, ',', "case_text", text);
+        fit_write_unknowns(stream, &fit);
+        fit_write_files(stream, &fit);
+        fputc('}', stream);
+        free(text);
+    }
+    fputc(']', stream);
+}
