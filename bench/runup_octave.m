@@ -1,5 +1,5 @@
-% The peer Octave at the run-up of runup.yaml: ode45 over the equations of runup_peers.c. Prints the seconds of processor
-% time, x and y at the end, m, and the speed there, rad/s.
+% The peer Octave at the run-up of runup.yaml: ode45 over the equations of runup_peers.c. Prints the seconds of
+% processor time, x and y at the end, m, and the speed there, rad/s.
 1; % a script, not a file of functions
 function dz = slope(t, z)
     mass = 10; damping = 40; stiffness = 1e5; e = 0.5e-3; inertia = 0.5; torque = 3; no_load = 100 * pi;

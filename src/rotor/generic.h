@@ -194,6 +194,7 @@ VECTOR_INLINE void seed(const element *own, const kernel_inputs *in, dual *d, du
         d[a] = dual_input(in->d[a], a);
         w[a] = dual_input(in->w[a], KERNEL_AXES + a);
     }
+    s[0] = dual_set(0.0);
     for (int i = 0; i < STATES_OF(own); i++) s[i] = dual_input(in->s[i], 2 * KERNEL_AXES + i);
 }
 
@@ -203,7 +204,7 @@ static void add_dual(const element *own, const block *b, size_t k) {
     inputs_of(own, b, 0, k, false, &in);
     dual d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1], force[KERNEL_AXES], slope[KERNEL_STATES + 1];
     vec values[KERNEL_AXES], slopes[KERNEL_STATES + 1];
-    for (int i = STATES_OF(own); i < KERNEL_STATES; i++) slopes[i] = v_set(0.0);
+    for (int i = 0; i <= KERNEL_STATES; i++) slopes[i] = v_set(0.0);
     seed(own, &in, d, w, s);
     force_dual(own, &view, d, w, s, force, slope);
     for (int a = 0; a < KERNEL_AXES; a++) values[a] = force[a].value;

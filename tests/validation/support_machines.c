@@ -146,6 +146,11 @@ const element_machine element_machines[] = {
               "direction: @40, stiffness: 3 MN/m, damping: 200 N.s/m, teeth: 2, error: 20 um, "
               "error_angle: 50 deg}",
      MACHINE_TWISTS},
+    {"gear",
+     TILTING TWISTING "gear: {between: [rotor, stator], base_radii: [80 mm, 200 mm], pressure_angle: ~20 deg, "
+                      "direction: @40, helix: ~25 deg, stiffness: 3 MN/m, damping: 200 N.s/m, teeth: 2, error: 20 um, "
+                      "error_angle: 50 deg}",
+     MACHINE_TWISTS},
     {"gear", TWISTING "gear: {between: [rotor, stator], base_radii: [80 mm, 200 mm]}", MACHINE_TWISTS},
     {"coupling", TWISTING "coupling: {between: [rotor, stator], twist: 900 N.m/rad, twist_damping: 2 N.m.s/rad}",
      MACHINE_TWISTS},

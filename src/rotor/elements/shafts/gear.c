@@ -1,53 +1,11 @@
 // Two gears: a rigid ratio of twists, or a mesh with stiffness, damping, play and error.
-#define KERNEL_FILE "elements/shafts/gear_kernel.h"
-#define KERNEL_AXES 3
-#define KERNEL_STATES 1
-#define KERNEL_FEWER_STATES
-#define KERNEL_NUMBERS GEAR_NUMBERS
-#define KERNEL_SWITCHES 3
-#define KERNEL_SWITCHES_BY_STATES
-#define KERNEL_SWITCHES_OF(own) GEAR_SWITCHES(own)
-#define KERNEL_CURVED
-#define KERNEL_TILTS
+#define KERNEL_AXES 3 // x, y and twist
 
-/// Bits of the law: with play; with a changing number of pairs in contact, and so a changing stiffness; with an error;
-/// with a profile of the stiffness. The rest of the law is the number of harmonics of the profile.
-enum { GEAR_PLAY = 1, GEAR_PAIRS = 2, GEAR_ERROR = 4, GEAR_PROFILE = 8, GEAR_LAWS = 16 };
-
-/// Phases over which linear analyses take means; and most harmonics of a profile, the mean of which these phases give
-/// exactly.
-enum { GEAR_PHASES = 16, GEAR_HARMONICS = GEAR_PHASES - 1 };
-
-#define GEAR_SWITCHES(own) (((own)->law & GEAR_PLAY ? 2 : 0) + ((own)->law & GEAR_PAIRS ? 1 : 0))
-
-/// Numbers, in newtons and length scales: the line of action along x and y; half the share of more pairs, rad of psi;
-/// the error by cos psi and by -sin psi; psi'; levers of the force about the axes of both gears, m; a length scale in
-/// m.
-enum {
-    GEAR_ALONG_X,
-    GEAR_ALONG_Y,
-    GEAR_STIFFNESS,
-    GEAR_STIFFNESS_LESS,
-    GEAR_DAMPING,
-    GEAR_GAP,
-    GEAR_SHARE,
-    GEAR_ERROR_COS,
-    GEAR_ERROR_SIN,
-    GEAR_RATE,
-    GEAR_LEVER,
-    GEAR_LEVER_SECOND,
-    GEAR_LENGTH,
-    GEAR_PARTS, ///< stiffness by cos n psi, then by sin n psi, of every harmonic
-    GEAR_NUMBERS = GEAR_PARTS + 2 * GEAR_HARMONICS
-};
-
-#include "generic.h"
-#include "registry.h"
+#include "gear_parts.h"
 
 const element_kernels ISA(gear_kernels) = GENERIC_KERNELS;
 
 #if VECTOR_ISA == VECTOR_SCALAR
-#include <math.h>
 #include <stdio.h>
 
 enum {
@@ -68,8 +26,6 @@ enum {
     KEY_COUNT
 };
 
-static const double pi = 3.14159265358979323846;
-
 static const whirl_key keys[KEY_COUNT] = {
     [BETWEEN] = STATIONS_KEY("between", REQUIRED,
                              "the two gears, which turn against each other; with a stiffness one may be ground, a rack "
@@ -85,7 +41,7 @@ static const whirl_key keys[KEY_COUNT] = {
                    "0: the other flank carries; absent: 20 degrees"),
     [DIRECTION] = ANGLE_KEY("direction", "gamma", NULL, "direction of the line of centres, from the x axis towards y"),
     [HELIX] = NUMBER_KEY("helix", "beta_b", "rad", DEFAULT("0"), WHIRL_FROM_TO(-1.5, 1.5),
-                         "helix angle on the base circle; 0: spur gears"),
+                         "helix angle on the base circle, above 0 if the first gear is left-handed; 0: spur gears"),
     [STIFFNESS] =
         CITED_NUMBER_KEY("stiffness", "k_m", "N/m", OPTIONAL, WHIRL_POSITIVE,
                          "mean stiffness of the mesh along the line of action; absent: rigid, the twists have "
@@ -162,16 +118,6 @@ static whirl_status gear_inertia(const key_value *values, assembly *to) {
     return assembly_gear(to, station[1], station[0], -values[RADII].list[0] / values[RADII].list[1]);
 }
 
-/// Returns the stiffness of a mesh at its phase psi, as its kernel computes it.
-static double gear_stiffness_at(const element *own, double psi) {
-    const double *n = own->number;
-    double sum = n[GEAR_STIFFNESS];
-    if (own->law & GEAR_PAIRS) return cos(psi - n[GEAR_SHARE]) > cos(n[GEAR_SHARE]) ? sum : n[GEAR_STIFFNESS_LESS];
-    for (int k = 0; k < own->law / GEAR_LAWS; k++)
-        sum += n[GEAR_PARTS + k] * cos((k + 1) * psi) + n[GEAR_PARTS + GEAR_HARMONICS + k] * sin((k + 1) * psi);
-    return sum;
-}
-
 /// Sets the harmonics of a profile of factors of `stiffness`. WHIRL_BAD_INPUT if the polynomial through its values is
 /// not above 0 everywhere.
 static whirl_status gear_set_profile(const key_value *profile, double stiffness, element *out) {
@@ -202,19 +148,53 @@ static whirl_status gear_set_profile(const key_value *profile, double stiffness,
     return whirl_ok();
 }
 
+enum { TILTING_AXES = KERNEL_AXES + 2 };
+
+/// Returns true if a tilt of either gear closes the teeth.
+static bool gear_tilts(const key_value *values, const assembly *to) {
+    bool tilts = false;
+    for (size_t i = 0; i < 2; i++) {
+        const size_t station = values[BETWEEN].station[i];
+        tilts = tilts || (station != GROUND && to->stations[station].coordinate[AXIS_TILT_X] != NO_COORDINATE);
+    }
+    return tilts && values[HELIX].number != 0.0;
+}
+
+/// Sets the ports of tilts. A point of the pitch circle at (X, Y) from the gear's centre moves by -(phi_x X + phi_y Y)
+/// along the shaft.
+static void gear_set_tilts(const key_value *values, const assembly *to, element *out) {
+    const double gamma = values[DIRECTION].number;
+    for (size_t i = 0; i < 2; i++) {
+        const size_t station = values[BETWEEN].station[i], first = i * TILTING_AXES;
+        const double radius = values[RADII].list[i] / cos(values[PRESSURE_ANGLE].number);
+        // The pitch points lie in opposite directions from the centres, and what counts is the first less the second.
+        const double lever = (i == 0 ? -1.0 : 1.0) * sin(values[HELIX].number) * radius;
+        if (station == GROUND) continue;
+        out->port[first + GEAR_TILT_X] = to->stations[station].coordinate[AXIS_TILT_X];
+        out->port[first + GEAR_TILT_Y] = to->stations[station].coordinate[AXIS_TILT_Y];
+        out->share[first + GEAR_TILT_X] = lever * cos(gamma);
+        out->share[first + GEAR_TILT_Y] = lever * sin(gamma);
+    }
+}
+
 /// Sets the numbers of a mesh, whose forces are in newtons and whose closing is in length scales.
-static void gear_set_numbers(const key_value *values, const assembly *to, element *out) {
+static void gear_set_numbers(const key_value *values, const assembly *to, bool tilts, element *out) {
     const double flat = cos(values[HELIX].number), alpha = values[PRESSURE_ANGLE].number;
     const double gamma = values[DIRECTION].number;
     const double stiffness = values[STIFFNESS].number * to->length, more = values[VARIATION].number;
     double *number = out->number;
     for (size_t i = 0; i < 2; i++) {
-        const size_t port = i == 0 ? 2 : 5;
+        const size_t port = i * (size_t)(tilts ? TILTING_AXES : KERNEL_AXES) + GEAR_TWIST;
         out->share[port] *= (i == 0 ? 1.0 : -1.0) * flat * values[RADII].list[i];
         number[GEAR_LEVER + i] = out->port[port] == NO_COORDINATE ? 0.0 : -flat * values[RADII].list[i];
     }
     number[GEAR_LENGTH] = to->length;
-    generic_tilts(out, to);
+    if (tilts) {
+        gear_set_tilts(values, to, out);
+        gear_tilting_scale(out, to);
+    } else {
+        generic_tilts(out, to);
+    }
     number[GEAR_ALONG_X] = flat * sin(alpha - gamma);
     number[GEAR_ALONG_Y] = flat * cos(alpha - gamma);
     number[GEAR_STIFFNESS] = stiffness * (1.0 + more);
@@ -231,21 +211,23 @@ static void gear_set_numbers(const key_value *values, const assembly *to, elemen
 extern const element_type gear_turning;
 
 static whirl_status gear_build(const key_value *values, assembly *to, element *out) {
-    static const axis axes[KERNEL_AXES] = {AXIS_X, AXIS_Y, AXIS_TWIST};
+    static const axis axes[TILTING_AXES] = {AXIS_X, AXIS_Y, AXIS_TWIST, AXES, AXES}; // gear_set_tilts: the last
     // Rigid gears need no kernel: they reduce the coordinates.
     whirl_status status = gear_check(values);
     out->lumped = gear_is_rigid(values);
     if (status.code != WHIRL_OK || out->lumped) return status;
-    status = element_between(&values[BETWEEN], to, axes, KERNEL_AXES, out);
+    const bool tilts = gear_tilts(values, to);
+    status = element_between(&values[BETWEEN], to, axes, tilts ? TILTING_AXES : KERNEL_AXES, out);
     if (status.code != WHIRL_OK) return status;
     // Compute the numbers of the mesh.
     const size_t first = values[BETWEEN].station[0];
     const double ratio = first == GROUND ? 1.0 : to->stations[first].ratio;
     out->law = (values[BACKLASH].given ? GEAR_PLAY : 0) | (values[VARIATION].number > 0.0 ? GEAR_PAIRS : 0) |
                (values[ERROR].number > 0.0 ? GEAR_ERROR : 0);
-    gear_set_numbers(values, to, out);
+    gear_set_numbers(values, to, tilts, out);
     out->number[GEAR_RATE] = values[TEETH].number * fabs(ratio * to->turn);
     out->states = 0;
+    if (tilts) out->type = &gear_tilting;
     if (values[PROFILE].given) {
         status = gear_set_profile(&values[PROFILE], values[STIFFNESS].number * to->length, out);
         if (status.code != WHIRL_OK) return status;
@@ -253,91 +235,25 @@ static whirl_status gear_build(const key_value *values, assembly *to, element *o
     // A mesh that varies has its phase as a state.
     if (!(out->law & (GEAR_PAIRS | GEAR_ERROR | GEAR_PROFILE))) return whirl_ok();
     out->states = 1;
-    out->type = &gear_turning;
+    out->type = tilts ? &gear_tilting_turning : &gear_turning;
     return whirl_ok();
-}
-
-static double gear_rounds(const element *own, size_t state) {
-    (void)state;
-    return own->number[GEAR_RATE];
-}
-
-/// Finds the force of the mesh, as its kernel computes it.
-static void gear_carry(const element *own, const element_place *at, element_carried *out) {
-    const double *n = own->number, along[KERNEL_AXES] = {n[GEAR_ALONG_X], n[GEAR_ALONG_Y], 1.0};
-    const double cosine = cos(at->s[0]), sine = sin(at->s[0]);
-    const bool errs = own->law & GEAR_ERROR;
-    *out = (element_carried){.unit = n[GEAR_LENGTH], .damping = n[GEAR_DAMPING]};
-    double closing = 0.0, rate = 0.0;
-    for (size_t port = 0; port < (size_t)KERNEL_PORTS; port++) {
-        const size_t a = port % KERNEL_AXES;
-        out->closing[port] = (port < KERNEL_AXES ? 1.0 : -1.0) * along[a] * unit_of(own, (int)port);
-        closing += out->closing[port] * at->q[port];
-        rate += out->closing[port] * at->v[port];
-    }
-    for (size_t i = 0; i < 2; i++) out->lever[i] = n[GEAR_LEVER + i];
-    if (errs) {
-        out->error_order = n[GEAR_RATE];
-        out->error[0] = n[GEAR_ERROR_COS];
-        out->error[1] = n[GEAR_ERROR_SIN];
-        closing -= n[GEAR_ERROR_COS] * cosine - n[GEAR_ERROR_SIN] * sine;
-        rate += n[GEAR_RATE] * (n[GEAR_ERROR_COS] * sine + n[GEAR_ERROR_SIN] * cosine);
-    }
-    // The stiffness is the mean that linear analyses use: over the phases from that of the state on.
-    for (int k = 0; k < GEAR_PHASES; k++)
-        out->stiffness += gear_stiffness_at(own, at->s[0] + 2.0 * pi * k / GEAR_PHASES) / GEAR_PHASES;
-    const double gap = own->law & GEAR_PLAY ? n[GEAR_GAP] : 0.0;
-    out->open = (own->law & GEAR_PLAY) && fabs(closing) <= gap;
-    out->play = gap;
-    if (!out->open)
-        out->force = gear_stiffness_at(own, at->s[0]) * (closing - copysign(gap, closing)) + n[GEAR_DAMPING] * rate;
-}
-
-/// Returns true if the force may jump: the stiffness jumps, or a damper acts where teeth meet.
-static bool gear_jumps(const element *own) {
-    return (own->law & GEAR_PAIRS) || ((own->law & GEAR_PLAY) && own->number[GEAR_DAMPING] > 0.0);
-}
-
-static bool gear_touches(const element *own, size_t index) {
-    return (own->law & GEAR_PLAY) && index == 0;
-}
-
-/// Computes the second derivatives, which are by psi alone: those of the error, and of the share of more pairs.
-static void gear_curvature(const element *own, const element_place *at, size_t index, const element_place *along,
-                           element_place *by) {
-    const double c = cos(at->s[0]), s = sin(at->s[0]);
-    *by = (element_place){.q = {0.0}};
-    if ((own->law & GEAR_PLAY) && index < 2) {
-        if (own->law & GEAR_ERROR)
-            by->s[0] = along->s[0] * (own->number[GEAR_ERROR_COS] * c - own->number[GEAR_ERROR_SIN] * s);
-    } else {
-        by->s[0] = -along->s[0] * cos(at->s[0] - own->number[GEAR_SHARE]);
-    }
-}
-
-static bool gear_named_order(const element *own, size_t index, double *order, const char **name) {
-    *order = own->number[GEAR_RATE];
-    *name = "mesh";
-    return index == 0 && own->states > 0;
 }
 
 KERNELS_OF_EVERY_ISA(gear_kernels);
 
-#define GEAR_TYPE                                                                                                      \
-    .group = {"gear",                                                                                                  \
-              "two gears whose twists a rigid ratio or a mesh joins: stiffness, play, error",                          \
-              "Kahraman, Singh 1990",                                                                                  \
-              keys,                                                                                                    \
-              KEY_COUNT,                                                                                               \
-              NULL,                                                                                                    \
-              NULL},                                                                                                   \
-    .number_count = KERNEL_NUMBERS + 2 * KERNEL_PORTS, .kernels = kernels, .inertia = gear_inertia,                    \
-    .build = gear_build, GENERIC_SWITCHES, .switch_curvature = gear_curvature, .touches = gear_touches,                \
-    .jumps = gear_jumps, .carry = gear_carry, .carries_as = WHIRL_TORQUE_MESH
+#define GEAR_ELEMENT                                                                                                   \
+    GEAR_TYPE,                                                                                                         \
+        .group = {"gear",                                                                                              \
+                  "two gears whose twists a rigid ratio or a mesh joins: stiffness, play, error",                      \
+                  "Kahraman, Singh 1990",                                                                              \
+                  keys,                                                                                                \
+                  KEY_COUNT,                                                                                           \
+                  NULL,                                                                                                \
+                  NULL},                                                                                               \
+        .inertia = gear_inertia, .build = gear_build, .variant = &gear_tilting
 
-const element_type gear_element = {GEAR_TYPE};
+const element_type gear_element = {GEAR_ELEMENT};
 
-/// The gear with a mesh that varies, whose phase is a state.
-const element_type gear_turning = {GEAR_TYPE, .state_count = KERNEL_STATES, .turning = 1, .rounds = gear_rounds,
-                                   .named_order = gear_named_order};
+/// The gear with a mesh that varies.
+const element_type gear_turning = {GEAR_ELEMENT, GEAR_TURNING};
 #endif

@@ -1,20 +1,27 @@
 // The mesh of two gears: a spring and damper along the line of action, with play, whose stiffness and error may change
 // with the mesh, a state psi that turns by 2 pi from tooth to tooth.
 //
-//     delta = n_x (x1 - x2) + n_y (y1 - y2) + r1 theta1 + r2 theta2 - e cos(psi + phi)
+//     delta = n_x (x1 - x2) + n_y (y1 - y2) + r1 theta1 + r2 theta2 + n_z (z1 - z2) - e cos(psi + phi)
 //     F = k(psi) (delta - b) + c delta'    where delta > b,
 //     F = k(psi) (delta + b) + c delta'    where delta < -b,    else 0
 //     k(psi) = k (1 + eps) where |psi - pi d| < pi d, else k (1 - eps), or a sum of cosines and sines of n psi;
 //
 // The switches are delta - b and delta + b if there is play; then, if the stiffness changes, cos(psi - pi d) - cos(pi
 // d). The latter is computed as a product, which rounding does not disturb at its zeros, since one of them is at the
-// beginning of a revolution. d[2] is the sum of both twists times their radii, of which the second is negative.
+// beginning of a revolution. d[GEAR_TWIST] is the sum of both twists times their radii, of which the second is
+// negative. z1 and z2 are the shifts of both pitch points along the shafts by the gears' tilts; d[GEAR_TILT_X] +
+// d[GEAR_TILT_Y] is n_z (z1 - z2).
 
 /// Returns delta by the displacements, without the error.
 static inline num KERNEL(along_action)(const kernel_view *view, const num *d) {
     const vec *number = view->number;
-    return n_add(d[2], n_add(n_scale(number[GEAR_ALONG_X * view->stride], d[0]),
-                             n_scale(number[GEAR_ALONG_Y * view->stride], d[1])));
+#ifdef GEAR_TILTS
+    const num turned = n_add(d[GEAR_TWIST], n_add(d[GEAR_TILT_X], d[GEAR_TILT_Y]));
+#else
+    const num turned = d[GEAR_TWIST];
+#endif
+    return n_add(turned, n_add(n_scale(number[GEAR_ALONG_X * view->stride], d[0]),
+                               n_scale(number[GEAR_ALONG_Y * view->stride], d[1])));
 }
 
 /// Computes the closing of the mesh and its rate, with the error.
@@ -89,6 +96,6 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     pressed = n_sub(n_set(0.0), pressed);
     force[0] = n_scale(number[GEAR_ALONG_X * stride], pressed);
     force[1] = n_scale(number[GEAR_ALONG_Y * stride], pressed);
-    force[2] = pressed;
+    for (size_t a = GEAR_TWIST; a < KERNEL_AXES; a++) force[a] = pressed;
     slope[0] = n_of(number[GEAR_RATE * stride]); // used only if the phase of the mesh is a state
 }
