@@ -189,3 +189,44 @@ test('fitted parameters are sliders with errors, measured numbers lie over the f
   assert.deepEqual(complaints, []);
   await close();
 });
+
+test('bands of tolerances are shaded in the diagram and in the Bode diagram', async () => {
+  const head = WHEEL.slice(0, WHEEL.indexOf('study:'));
+  const tolerances = '  tolerances: {parameters: {e: {from: 10 um, to: 40 um}}, samples: 128}\n';
+  const { page, complaints, close } = await open(
+    makePage('sweep', WHEEL.replace('points: 21', 'points: 5') + tolerances),
+  );
+  await page.waitForSelector('.parameter');
+  // The amplitude is proportional to the eccentricity, whose quantiles between 10 and 40 um are known.
+  const [{ bands }] = JSON.parse(await page.textContent('#whirl-runs'));
+  const band = bands.find(({ field, column }) => field === 'spectrum/synchronous' && column === 0);
+  assert.equal(band.places.length, 5);
+  for (const [value, ...quantiles] of band.places)
+    [0.05, 0.25, 0.5, 0.75, 0.95].forEach((share, i) => {
+      const rpm = (value * 30) / Math.PI;
+      const expected = (response(rpm).size * (10 + 30 * share)) / 25;
+      // Quantiles of 128 samples, which lie between 128 equal parts of the range: a part on each side.
+      const tolerance = (response(rpm).size * 30 * (2 / 128)) / 25;
+      assert.ok(Math.abs(quantiles[i] * 1e6 - expected) < tolerance, `${quantiles[i] * 1e6}, expected ${expected}`);
+    });
+  const choose = (id) => page.selectOption('.map-card select[title="What the diagram shows"]', id);
+  await choose('1x');
+  await page.waitForSelector('.legend .key-band');
+  assert.match(await page.textContent('.legend .key-band'), /median of 128 samples/);
+  await choose('1xlag');
+  await page.waitForSelector('.legend .key-band', { state: 'detached' });
+  assert.deepEqual(complaints, []);
+  await close();
+
+  const study = 'study:\n  unbalance: {parameter: n, from: 1000 rpm, to: 3000 rpm, points: 21}\n';
+  const rest = await open(makePage('rest-bands', head + study + tolerances) + '#part=unbalance');
+  await rest.page.waitForSelector('.rest .numbers tbody td');
+  assert.match(await rest.page.textContent('.rest .legend:visible'), /tolerances, in the colours of the lines/);
+  // Probes at other angles have no stored quantiles: the band is that of the major axis.
+  await rest.page.fill('.rest input.angle', '30');
+  await rest.page.press('.rest input.angle', 'Enter');
+  await rest.page.waitForFunction(() => location.hash.includes('probe=30'));
+  assert.match(await rest.page.textContent('.rest .legend:visible'), /tolerances/);
+  assert.deepEqual(rest.complaints, []);
+  await rest.close();
+});

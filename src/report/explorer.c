@@ -1,4 +1,5 @@
 #include "explorer.h"
+#include "explorer_bands.h"
 #include "explorer_contents.h"
 #include "explorer_tables.h"
 #include "machine_at.h"
@@ -251,6 +252,7 @@ static bool write_run(FILE *stream, const whirl_result *result, const whirl_case
     }
     fputc(']', stream);
     write_opening(stream, result, machine);
+    well = explorer_write_bands(stream, result) && well;
     well = explorer_write_contents(stream, result, machine, units) && well;
     fputc('}', stream);
     return well;

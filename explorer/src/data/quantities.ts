@@ -68,6 +68,8 @@ export interface ShownQuantity {
   readonly column: Column;
   readonly factor: number;
   readonly label: string;
+  /// True for lengths.
+  readonly length?: boolean;
 }
 
 /// Converts lengths of a diagram to the shown unit, each from the length scale of the point's machine.
@@ -126,7 +128,7 @@ export function quantityOf(
     const counted = fieldMeasure(meaning, { ...units, length: 'scale' }, { length: 1, speed: 1, symbol }).factor;
     const { unit } = fieldMeasure(meaning, units, { length: 1, speed: 1, symbol });
     const { column: shownColumn, factor } = shownLengths(diagram, found, units);
-    return { column: shownColumn, factor: factor * counted, label: `${what} of ${name} (${unit})` };
+    return { column: shownColumn, factor: factor * counted, label: `${what} of ${name} (${unit})`, length: true };
   };
   const quantityOfField = (): ShownQuantity | undefined => {
     const [field = '', number = '0'] = id.split(':');

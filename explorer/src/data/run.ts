@@ -1,4 +1,5 @@
 // Runs stored in the page by `whirl report` (src/report/explorer.c writes them).
+import type { StoredBand } from './bands';
 import type { StoredContents } from './contents';
 import type { Field, StationInfo, Verdict } from '../engine/protocol';
 import type { ShownUnits } from '../model/units';
@@ -123,6 +124,8 @@ export interface Run extends StoredContents {
   readonly facts: readonly { readonly name: string; readonly value: string }[];
   /// Units that the report or the case chose.
   readonly shown: ShownUnits;
+  /// Bands of tolerances; absent without any.
+  readonly bands?: readonly StoredBand[];
   /// Absent if no point can be shown first.
   readonly opening?: StoredOpening;
   readonly tables: readonly StoredTable[];

@@ -21,6 +21,8 @@ export interface Theme {
   readonly touch: string;
   readonly keyphasor: string;
   readonly measured: string;
+  /// Bands of tolerances.
+  readonly band: string;
   readonly contactShade: string;
   /// Colours by regime class.
   readonly classes: readonly string[];
@@ -44,6 +46,7 @@ export const LIGHT: Theme = {
   touch: '#d55e00',
   keyphasor: '#d55e00',
   measured: '#14803c',
+  band: '#5c6773',
   contactShade: 'rgba(230,159,0,0.16)',
   classes: ['#366efb', '#1fbadd', '#1d7257', '#664406', '#cc0892', '#000000', '#9a9f95', '#fb8d41'],
 };
@@ -66,6 +69,7 @@ export const DARK: Theme = {
   touch: '#ff7a2f',
   keyphasor: '#ff9a5a',
   measured: '#58d68d',
+  band: '#9aa7b4',
   contactShade: 'rgba(230,159,0,0.13)',
   classes: ['#106af4', '#44aff2', '#137524', '#fdbc0b', '#be018c', '#ffffff', '#99929b', '#f66f6d'],
 };

@@ -1,4 +1,5 @@
 // State of the page: the open machine, the user's settings, the visible part, and everything derived from these.
+import { bandOfQuantity, type StoredBand } from '../data/bands';
 import { Branches } from '../data/branches';
 import { Tori } from '../data/tori';
 import { partOf, partsOf, type Part, type StoredFit } from '../data/contents';
@@ -468,6 +469,13 @@ export class Session {
     const { parameter } = this.address;
     const own = data.parameter ? data.parameter === parameter : this.isSpeed(parameter);
     return data.kind === 'vectors' && own ? data.seen(this.station, direction) : undefined;
+  }
+
+  /// The band of tolerances of the shown quantity, for the machine of the case.
+  get band(): StoredBand | undefined {
+    const { address, station, run } = this;
+    if (this.fit || this.sights.shown?.of !== '') return undefined;
+    return bandOfQuantity(run?.bands, address.parameter, address.quantity, station);
   }
 
   /// Returns true if a parameter is the speed of the shaft.

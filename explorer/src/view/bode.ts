@@ -1,4 +1,6 @@
 // The Bode diagram: amplitude and lag of the response to unbalance over a parameter, at two probes of one station.
+import { bandAt, type StoredBand } from '../data/bands';
+import { FIELD } from '../data/fields';
 import type { Seen } from '../data/measured';
 import { largestOf, reachOf, seenBy, type AtRest } from '../data/rest';
 import { select, setChoices } from '../dom';
@@ -8,6 +10,7 @@ import { drawLabels } from '../figure/labels';
 import { drawMark } from '../figure/marks';
 import { drawMeasured, type Spot } from '../figure/measured';
 import type { Pen } from '../figure/pen';
+import { drawQuantiles, reachOfBand } from '../figure/quantiles';
 import type { Theme } from '../figure/theme';
 import { amplitudeMeasure, labelled, metreMeasures, parameterMeasure, shownWhole, written } from '../model/units';
 import { AngleField } from './angle_field';
@@ -45,6 +48,23 @@ export function responseOf(subject: RestSubject): Response {
     amplitudes: [0, 1, 2].map((which) => seen.map(({ amplitudes }) => amplitudes[which]!)),
     lags: [0, 1].map((which) => seen.map(({ probes }) => probes[which]!.lag)),
   };
+}
+
+/// Band of a line of amplitudes.
+interface LineBand {
+  readonly which: number;
+  readonly band: StoredBand;
+}
+
+/// Returns the bands of the station's lines: of both probes if they have their stored angles, else of the major axis.
+function bandsOf({ bands, parameter, station, choice, rest }: RestSubject): readonly LineBand[] {
+  const stored = choice.probe === undefined || choice.probe === rest.probe;
+  const found = (which: number, field: string, column: number) => {
+    const band = bandAt(bands, parameter, field, station, column);
+    return band ? [{ which, band }] : [];
+  };
+  const probes = stored ? [0, 1].flatMap((which) => found(which, FIELD.UNBALANCE_PROBE, which)) : [];
+  return probes.length > 0 ? probes : found(2, FIELD.UNBALANCE_AXES, 0);
 }
 
 /// Measured vectors at the first (0) or second (1) probe.
@@ -109,12 +129,14 @@ export class BodeView implements RestChart {
   private readonly probe: AngleField;
   private subject: RestSubject | undefined;
   private measured: readonly MeasuredProbe[] = [];
+  private bands: readonly LineBand[] = [];
   private response: Response = { values: [], points: [], amplitudes: [[], [], []], lags: [[], []] };
 
   constructor(listener: BodeListener) {
     this.main = new Chart({
       title: 'Amplitude',
       bareX: true,
+      under: (pen, frame, colours) => this.drawBands(pen, frame, colours),
       over: (pen, frame, colours) => this.drawAmplitudes(pen, frame, colours),
       marks: (pen, frame, colours) => this.drawPeaks(pen, frame, colours),
     });
@@ -143,13 +165,17 @@ export class BodeView implements RestChart {
     this.probe.show(probeOf(subject));
     this.response = responseOf(subject);
     this.measured = measuredOf(subject);
+    this.bands = bandsOf(subject);
     this.stack.show(subject, subject.station);
     const xLabel = labelled(subject.parameter, parameterMeasure(subject.unit, units).unit);
     this.main.setAxes(xLabel, labelled('amplitude', amplitudeMeasure(units, scales).unit));
     this.lower.setAxes(xLabel, 'lag (\u00b0)');
     const [low, high] = this.stack.range;
     const inside = this.response.values.map((value) => value >= low && value <= high);
+    const along = parameterMeasure(subject.unit, units).factor;
+    const height = metreMeasures(units, scales).amplitude.factor;
     const most = Math.max(
+      ...this.bands.map(({ band }) => height * largestOf(reachOfBand(band, [low / along, high / along]))),
       largestOf(this.response.amplitudes[2]!.filter((_, i) => inside[i])),
       largestOf(
         this.measured.flatMap(({ amplitudes }) =>
@@ -170,6 +196,18 @@ export class BodeView implements RestChart {
       lineKey('\u254d', 'y', text(probe + 90), DASHES[1], colourOf(1)),
       lineKey('\u2508', 'plain', 'major axis of the orbit', DASHES[2], colourOf(2)),
       markKey('\u25cb', 'plain', 'peak', 'ring', (colours) => colours.ink),
+      ...(this.bands.length > 0
+        ? [
+            markKey(
+              '\u25a8',
+              'plain',
+              'tolerances, in the colours of the lines: 5 to 95 %, 25 to 75 % and median of ' +
+                `${this.bands[0]!.band.samples} samples`,
+              'square',
+              (colours) => colours.band,
+            ),
+          ]
+        : []),
       ...(this.measured.length > 0
         ? [markKey('\u25cf', 'plain', 'measured, in the colours of the probes', 'dot', (colours) => colours.ink)]
         : []),
@@ -207,6 +245,15 @@ export class BodeView implements RestChart {
         amplitudes[2]![i]!,
       ]),
     };
+  }
+
+  /// Draws quantiles of tolerances under the lines: of the major axis, and of the probes at their stored angles.
+  private drawBands(pen: Pen, frame: Frame, colours: Theme): void {
+    const { subject } = this;
+    if (!subject) return;
+    const { units, unit, scales } = subject;
+    const factors = [parameterMeasure(unit, units).factor, metreMeasures(units, scales).amplitude.factor] as const;
+    for (const { which, band } of this.bands) drawQuantiles(pen, frame, band, factors, colourOf(which)(colours));
   }
 
   private drawAmplitudes(pen: Pen, frame: Frame, colours: Theme): void {

@@ -1,10 +1,11 @@
 // The diagram: a quantity over the parameter, the exponent below on the same axis, and the cursors that request
 // motions.
+import type { StoredBand } from '../data/bands';
 import type { Branches } from '../data/branches';
 import type { Diagram } from '../data/diagram';
 import type { Seen } from '../data/measured';
 import { CLASS_NAMES } from '../data/regimes';
-import { lengthsOf, quantityOf, type ShownQuantity } from '../data/quantities';
+import { lengthsOf, needsSpectra, quantityOf, type ShownQuantity } from '../data/quantities';
 import type { Tori } from '../data/tori';
 import { el } from '../dom';
 import type { StationInfo } from '../engine/protocol';
@@ -15,6 +16,7 @@ import { drawCloud, type Cloud } from '../figure/cloud';
 import { theme, textSize, type Picture } from '../figure/figure';
 import { drawMeasured, type Spot as MeasuredSpot } from '../figure/measured';
 import { font, type Pen } from '../figure/pen';
+import { drawQuantiles, reachOfBand } from '../figure/quantiles';
 import type { Theme } from '../figure/theme';
 import { labelled, metreMeasures, parameterMeasure, type Scales } from '../model/units';
 import type { Table } from './panel';
@@ -32,6 +34,8 @@ export interface MapSubject extends Along {
   readonly stations: readonly StationInfo[];
   readonly scales: Scales;
   readonly hidden: ReadonlySet<number>;
+  /// Band of tolerances of the shown quantity.
+  readonly band: StoredBand | undefined;
   /// Measured vectors of the shown quantity.
   readonly measured: readonly MeasuredVectors[];
 }
@@ -71,7 +75,10 @@ export class MapView {
     this.main = new Chart({
       title: 'Diagram',
       bareX: true,
-      under: (pen, frame, colours) => this.drawContact(pen, frame, colours),
+      under: (pen, frame, colours) => {
+        this.drawContact(pen, frame, colours);
+        this.drawBand(pen, frame, colours);
+      },
       marks: (pen, frame, colours) => this.drawMain(pen, frame, colours),
     });
     this.exponent = new Chart({
@@ -248,6 +255,11 @@ export class MapView {
           low = Math.min(low, height / quantity.factor);
           high = Math.max(high, height / quantity.factor);
         }
+    const along = quantity && subject.band && bandFactors(subject, quantity);
+    for (const value of along ? reachOfBand(subject.band!, subject.range) : []) {
+      low = Math.min(low, (value * along![1]) / quantity!.factor);
+      high = Math.max(high, (value * along![1]) / quantity!.factor);
+    }
     for (const { y } of quantity ? this.measuredSpots(subject) : []) {
       low = Math.min(low, y / quantity!.factor);
       high = Math.max(high, y / quantity!.factor);
@@ -292,6 +304,13 @@ export class MapView {
       this.drawRibbon(pen, frame, colours);
       drawMeasured(pen, frame, colours, this.subject ? this.measuredSpots(this.subject) : []);
     });
+  }
+
+  /// Draws the quantiles of tolerances.
+  private drawBand(pen: Pen, frame: Frame, colours: Theme): void {
+    const { subject } = this;
+    const factors = subject?.band && this.quantity && bandFactors(subject, this.quantity);
+    if (factors) drawQuantiles(pen, frame, subject.band!, factors, colours.band);
   }
 
   /// Returns measured vectors in the shown units.
@@ -488,6 +507,13 @@ export class MapView {
     const there = new Set(Array.from(diagram.classes).filter((_, point) => diagram.done[point]));
     return CLASS_ENTRIES.filter(({ kind }) => there.has(kind));
   }
+}
+
+/// Returns the factors from SI to the shown units of both axes.
+function bandFactors({ units, unit, scales, quantity: id }: MapSubject, quantity: ShownQuantity): [number, number] {
+  const { length, amplitude } = metreMeasures(units, scales);
+  const height = quantity.length ? (needsSpectra(id) ? amplitude : length).factor : 1;
+  return [parameterMeasure(unit, units).factor, height];
 }
 
 const CLASS_ENTRIES = CLASS_NAMES.map((name, kind) => ({ name, kind }));

@@ -202,6 +202,15 @@ export class MapCard {
     if (diagram?.column(FIELD.REGIME_CONFIDENCE))
       entries.push(el('span', { class: 'legend-note key-confidence' }, 'confidence (faint: low)'));
     if (this.subject?.branches) entries.push(el('span', { class: 'legend-note' }, 'orbits: solid stable, dashed not'));
+    const { band } = this.subject ?? {};
+    if (band)
+      entries.push(
+        el(
+          'span',
+          { class: 'legend-note key-band' },
+          `tolerances: 5 to 95 %, 25 to 75 % and median of ${band.samples} samples`,
+        ),
+      );
     for (const { name } of this.subject?.measured ?? [])
       entries.push(el('span', { class: 'legend-note key-measured' }, `measured: ${name}`));
     if (this.subject?.tori) entries.push(el('span', { class: 'legend-note' }, 'tori: bands, edges likewise'));

@@ -230,6 +230,7 @@ export class Page {
       quantity: session.address.quantity,
       range: sight.range,
       hidden: session.hidden,
+      band: session.band,
       measured: session.measuredData.flatMap((data) => {
         const shown = VECTORS.get(session.address.quantity);
         const seen = shown && session.seenAlong(data, shown.direction);

@@ -260,6 +260,7 @@ function subjectOf(session: Session, rest: AtRest): RestSubject {
     scales: { ...scales, length: rest.diagram.lengthScales[point] ?? scales.length, speed: rest.speed(point) },
     choice: address.rest,
     measured: session.measuredData,
+    bands: session.run?.bands,
     label: parameter
       ? `${parameter} ${shown((rest.diagram.values[point] ?? NaN) * measure.factor, 6)} ${measure.unit}`.trim()
       : 'rest',

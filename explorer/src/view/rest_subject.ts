@@ -1,4 +1,5 @@
 // Data of the views of a machine at rest.
+import type { StoredBand } from '../data/bands';
 import type { MeasuredData } from '../data/measured';
 import type { AtRest, Whirl } from '../data/rest';
 import { el } from '../dom';
@@ -22,6 +23,7 @@ export interface RestSubject extends Along {
   readonly scales: Scales;
   readonly choice: RestChoice;
   readonly measured: readonly MeasuredData[];
+  readonly bands: readonly StoredBand[] | undefined;
   /// Label for files and titles: "omega 3000 rpm".
   readonly label: string;
 }
