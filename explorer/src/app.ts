@@ -534,9 +534,10 @@ export class App {
 
   /// Takes files that are dropped onto the page.
   private receiveFiles(): void {
-    const { root, session } = { root: this.page.root, session: this.session };
-    const wanted = (event: DragEvent) =>
-      session.engine !== undefined && session.measurable && event.dataTransfer?.types.includes('Files');
+    const { root } = this.page;
+    const { session } = this;
+    // Without the engine a dropped file does what it does on any page.
+    const wanted = (event: DragEvent) => session.engine !== undefined && event.dataTransfer?.types.includes('Files');
     document.addEventListener('dragover', (event) => {
       if (!wanted(event)) return;
       event.preventDefault();
@@ -549,7 +550,11 @@ export class App {
       root.classList.remove('dropping');
       if (!wanted(event)) return;
       event.preventDefault();
-      void this.measure([...event.dataTransfer!.files]);
+      if (session.measurable) void this.measure([...event.dataTransfer!.files]);
+      else
+        session.measured.refuse(
+          'Measured data lie over motions, run-ups and responses to unbalance: open such a part of the result first.',
+        );
     });
   }
 

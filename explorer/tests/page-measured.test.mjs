@@ -132,7 +132,13 @@ test('measured vectors lie over a stored Bode diagram', async () => {
     .toString('utf8')
     .match(/<path[^>]*>/g)
     .filter((path) => (path.match(/A/g) ?? []).length >= 14);
-  assert.equal(rims.length, 8, bytes.toString('utf8').slice(0, 2000));
+  assert.equal(rims.length, 8);
+  // The drawing of the machine shows no motion over which data could lie.
+  await page.click('.contents button[title="Go to The machine"]');
+  await page.waitForSelector('.rest', { state: 'hidden' });
+  await drop(page, [['bode.csv', bodeTable()]]);
+  await page.waitForSelector('.measured .trouble:not(:empty)');
+  assert.match(await page.textContent('.measured .trouble'), /open such a part of the result first/);
   assert.deepEqual(complaints, []);
   await close();
 });

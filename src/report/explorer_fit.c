@@ -137,13 +137,13 @@ static const char *fit_find_block(const char *line, const char *end, size_t inde
     return line;
 }
 
-/// Writes a study of the motions of the fit: a sweep over the measured speeds, or one motion if no parameter is the
-/// speed. They settle and are integrated as those of the fit.
-static void fit_write_study(FILE *stream, const stored_fit *fit) {
+/// Writes a study of the motions of the fit: a sweep over the measured speeds (`swept`), or one motion if no parameter
+/// is the speed. They settle and are integrated as those of the fit.
+static void fit_write_study(FILE *stream, const stored_fit *fit, bool swept) {
     const char *speed = NULL, *unit = "";
     const whirl_fit_options *options = &fit->table->record.fit;
     double range[2];
-    whirl_case_uses(fit->machine, fit_see_use, (void *)&speed);
+    if (swept) whirl_case_uses(fit->machine, fit_see_use, (void *)&speed);
     for (size_t i = 0; speed && i < fit->result->parameter_count; i++)
         if (strcmp(fit->result->parameters[i].name, speed) == 0) unit = fit->result->parameters[i].unit;
     fit_range(fit, range);
@@ -159,7 +159,7 @@ static void fit_write_study(FILE *stream, const stored_fit *fit) {
 }
 
 /// Replaces the study of a text; its initial state stays. Returns false after a failure.
-static bool fit_make_study(const stored_fit *fit, char **text) {
+static bool fit_make_study(const stored_fit *fit, bool swept, char **text) {
     const char *begin, *end, *initial, *initial_end, *whole = *text + strlen(*text);
     char *made = NULL;
     size_t size = 0;
@@ -167,7 +167,7 @@ static bool fit_make_study(const stored_fit *fit, char **text) {
     FILE *stream = begin ? open_memstream(&made, &size) : NULL;
     if (!stream) return false;
     fwrite(*text, 1, (size_t)(begin - *text), stream);
-    fit_write_study(stream, fit);
+    fit_write_study(stream, fit, swept);
     // Keys of the study are indented as its first one.
     const char *first = fit_next_line(begin);
     while (first < end && fit_indent(first) == SIZE_MAX) first = fit_next_line(first);
@@ -188,9 +188,13 @@ static bool fit_make_study(const stored_fit *fit, char **text) {
 /// study. NULL if there is no such case. The caller frees it.
 static char *fit_live_text(const stored_fit *fit) {
     if (!fit->machine || !fit->result->case_text || !*fit->result->case_text) return NULL;
-    char *text = strdup(fit->result->case_text);
-    if (text && fit_set_values(fit, &text) && fit_make_study(fit, &text) && fit_moves(text)) return text;
-    free(text);
+    // Machines that cannot be made over the whole range have one motion.
+    for (int swept = 1; swept >= 0; swept--) {
+        char *text = strdup(fit->result->case_text);
+        if (text && fit_set_values(fit, &text) && fit_make_study(fit, swept != 0, &text) && fit_moves(text))
+            return text;
+        free(text);
+    }
     return NULL;
 }
 

@@ -84,7 +84,7 @@ function introOf(run: Run): string {
 }
 
 /// Returns the introduction of a part of a result.
-export function introOfPart({ id, view }: Part): string {
+export function introOfPart({ id, view }: Pick<Part, 'id' | 'view'>): string {
   if (id === MACHINE)
     return 'The machine, and what was found of it. The contents lead to all parts of the result and its live views.';
   if (view === 'motions') return OWN;

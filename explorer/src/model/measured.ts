@@ -83,6 +83,11 @@ export class Measured {
     this.listener.changed();
   }
 
+  refuse(sentence: string): void {
+    this.troubles = [sentence];
+    this.listener.changed();
+  }
+
   /// Removes the sentences on refused files.
   forgive(): void {
     this.troubles = [];

@@ -2,7 +2,7 @@
 import { bandOfQuantity, type StoredBand } from '../data/bands';
 import { Branches } from '../data/branches';
 import { Tori } from '../data/tori';
-import { partOf, partsOf, type Part, type StoredFit } from '../data/contents';
+import { partOf, partsOf, type LiveView, type Part, type StoredFit } from '../data/contents';
 import { Diagram } from '../data/diagram';
 import { MeasuredData, type Seen } from '../data/measured';
 import { storedMotion } from '../data/opening';
@@ -167,9 +167,15 @@ export class Session {
     return this.part?.run ?? this.machine.run;
   }
 
+  /// The live view of the visible part; "" for a fit without an engine, as nothing of its motions is stored.
+  get view(): LiveView {
+    const view = this.part?.view ?? 'motions';
+    return view === 'fit' && !this.engine ? '' : view;
+  }
+
   /// True if the page shows motions, which the engine computes.
   get moves(): boolean {
-    return !this.atRest && !this.runsUp && ['motions', 'fit'].includes(this.part?.view ?? 'motions');
+    return !this.atRest && !this.runsUp && ['motions', 'fit'].includes(this.view);
   }
 
   /// True if a run-up is shown.
@@ -217,7 +223,7 @@ export class Session {
   /// Introduction: what to try first.
   get intro(): string {
     const { part, machine } = this;
-    return part ? introOfPart(part) : machine.intro;
+    return part ? introOfPart({ id: part.id, view: this.view }) : machine.intro;
   }
 
   /// Planes of the machine's stored map; undefined without one.
@@ -513,7 +519,7 @@ export class Session {
   /// Moves the first cursor to its initial value, unless it has one.
   chooseValue(): void {
     const { a } = this.sides;
-    if (Number.isFinite(a.choice.value) || this.part?.view === '') return;
+    if (Number.isFinite(a.choice.value) || this.view === '') return;
     if (this.runsUp) {
       a.choice = { ...a.choice, value: this.atRuns?.values[0] ?? NaN };
       return;

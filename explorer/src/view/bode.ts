@@ -68,14 +68,14 @@ function bandsOf({ bands, parameter, station, choice, rest }: RestSubject): read
 }
 
 /// Measured vectors at the first (0) or second (1) probe.
-interface MeasuredProbe {
+export interface MeasuredProbe {
   readonly which: number;
   readonly amplitudes: readonly Spot[];
   readonly lags: readonly Spot[];
 }
 
 /// Returns measured vectors of the station in shown units.
-function measuredOf(subject: RestSubject): readonly MeasuredProbe[] {
+export function measuredOf(subject: RestSubject): readonly MeasuredProbe[] {
   const { rest, measured, parameter, unit, units, scales, station } = subject;
   const along = parameterMeasure(unit, units).factor;
   const { amplitude } = metreMeasures(units, scales);

@@ -206,11 +206,11 @@ export class Page {
   }
 
   private showTop(): void {
-    const { machine, machines, address, scales, moves, intro, part } = this.session;
+    const { machine, machines, address, scales, moves, intro, view } = this.session;
     this.topbar.show(machine, intro, machines, address.units, scales.symbol, address.b !== undefined, !moves);
     this.topbar.offerMeasured(this.session.engine !== undefined && this.session.measurable);
     // Stored statements and tables keep the units of the report.
-    this.topbar.offerUnits(part?.view !== '');
+    this.topbar.offerUnits(view !== '');
   }
 
   private showAll(): void {

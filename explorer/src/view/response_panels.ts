@@ -1,13 +1,14 @@
 // Pictures of the response of one station to unbalance: polar diagram, orbit at the cursor, and rest positions.
 import { largestOf, senseOf, swayAt, whirlOf, WHIRL_TEXT, reachOf, seenBy } from '../data/rest';
 import { drawMark } from '../figure/marks';
+import { drawDots, radiusOf } from '../figure/measured';
 import type { Pen } from '../figure/pen';
 import { drawPlane, extent, type Plane } from '../figure/plane';
 import { Round } from '../figure/round';
 import type { Theme } from '../figure/theme';
 import { amplitudeMeasure, labelled, lengthMeasure, parameterMeasure, shown, written } from '../model/units';
 import type { SwaySubject } from './along_shaft';
-import { responseOf } from './bode';
+import { measuredOf, responseOf } from './bode';
 import { Panel, type Table } from './panel';
 import { probeOf, whirlColour, type RestSubject } from './rest_subject';
 import { key } from './waveform';
@@ -76,7 +77,14 @@ export class PolarPanel extends Panel<SwaySubject> {
       return [size * Math.cos(lag), -size * Math.sin(lag)] as const;
     };
     const paths = [0, 1].map((which) => points.map((_, i) => vector(which, i)));
-    const all = [...paths.flat(), [0, 0] as const];
+    const measured = measuredOf(subject).map(({ which, amplitudes, lags: late }) => ({
+      which,
+      path: late.map(({ y: lag }, i) => {
+        const size = amplitudes[i]!.y;
+        return [size * Math.cos(lag * RADIAN), -size * Math.sin(lag * RADIAN)] as const;
+      }),
+    }));
+    const all = [...paths.flat(), ...measured.flatMap(({ path }) => path), [0, 0] as const];
     const least = largestOf(amplitudes[2]!, 1e-300) / 10;
     const { unit } = amplitudeMeasure(subject.units, subject.scales);
     const plane = drawPlane(
@@ -99,6 +107,14 @@ export class PolarPanel extends Panel<SwaySubject> {
     clipped(pen, plane, () => {
       stroke(pen, plane, paths[1]!, colours.y, [7, 4]);
       stroke(pen, plane, paths[0]!, colours.x);
+      for (const { which, path } of measured)
+        drawDots(
+          pen,
+          path.map(([x, y]) => [plane.x(x), plane.y(y)] as const),
+          radiusOf(path.length, 200),
+          which === 0 ? colours.x : colours.y,
+          colours.paper,
+        );
       const at = points.indexOf(subject.point);
       if (at < 0) return;
       for (const which of [1, 0]) {

@@ -151,7 +151,9 @@ abstract class SpectralPanel extends Panel {
     const hertz = this.subject.units.frequency !== 'order';
     const textOf = ({ frequency }: Peak) =>
       hertz ? shown(Math.abs(frequency), 4) : `${shown(Math.abs(frequency), 3)}X`;
-    const top = skyline(frame, this.curve.frequency, this.curve.amplitudes);
+    // Labels are above the curves and above measured ones.
+    const tops = [this.curve, ...this.measured].map((each) => skyline(frame, each.frequency, each.amplitudes));
+    const top = tops[0]!.map((_, column) => Math.min(...tops.map((each) => each[column]!)));
     for (const label of placeLabels(this.peaks, textOf, frame, top, size, (text) => textWidth(text, face)))
       pen.fillText(label.text, label.centre, label.bottom);
   }
