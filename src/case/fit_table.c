@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fit_list.h"
+#include "fit_speed.h"
 #include "input.h"
 #include "problem.h"
 #include "tree.h"
@@ -138,46 +140,26 @@ static double fit_cell(const fit_maker *m, size_t column, size_t row) {
     return m->columns[column].size * csv_numbers(&m->table, column)[row];
 }
 
-/// Makes room for one more motion or number; NULL without memory.
-static void *fit_grow(fit_maker *m, void *list, size_t count, size_t *capacity, size_t size) {
-    if (count < *capacity) return list;
-    const size_t more = *capacity > 0 ? 2 * *capacity : 64;
-    void *out = arena_take(m->reader->arena, more * size);
-    if (out && count > 0) memcpy(out, list, count * size);
-    if (out) *capacity = more;
-    m->reader->no_memory = m->reader->no_memory || !out;
-    return out;
-}
-
 static whirl_status fit_add_motion(fit_maker *m, size_t given_count, const whirl_given *given, double speed,
                                    size_t instants) {
-    if (m->fit.motion_count == WHIRL_MAX_FIT_MOTIONS)
-        return whirl_fail(WHIRL_BAD_INPUT, "%.150s: there are more than %d motions", m->table.path,
-                          WHIRL_MAX_FIT_MOTIONS);
-    m->motions = fit_grow(m, m->motions, m->fit.motion_count, &m->motion_capacity, sizeof *m->motions);
-    if (!m->motions) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a fit");
-    m->motions[m->fit.motion_count++] =
-        (whirl_fit_motion){.given_count = given_count, .given = given, .speed = speed, .instants = instants};
-    return whirl_ok();
+    const whirl_fit_motion motion = {.given_count = given_count, .given = given, .speed = speed, .instants = instants};
+    const whirl_status status = fit_list_motion(m, &motion);
+    return status.code == WHIRL_BAD_INPUT ? whirl_fail(status.code, "%.150s: %.100s", m->table.path, status.message)
+                                          : status;
 }
 
 static whirl_status fit_add_number(fit_maker *m, const fit_column *column, whirl_fit_quantity what, double at,
                                    double value) {
-    if (m->fit.number_count == WHIRL_MAX_FIT_NUMBERS)
-        return whirl_fail(WHIRL_BAD_INPUT, "%.150s: there are more than %d numbers", m->table.path,
-                          WHIRL_MAX_FIT_NUMBERS);
-    m->numbers = fit_grow(m, m->numbers, m->fit.number_count, &m->number_capacity, sizeof *m->numbers);
-    if (!m->numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a fit");
-    m->numbers[m->fit.number_count++] = (whirl_fit_number){.set = m->set,
-                                                           .motion = m->fit.motion_count - 1,
-                                                           .station = column->station,
-                                                           .angle = column->direction,
-                                                           .quantity = what,
-                                                           .at = at,
-                                                           .value = value,
-                                                           .noise = column->noise};
-    m->checksum = fmod(1.618033988749895 * m->checksum + value * 1e6 + at + (double)what + column->noise * 1e3, 4096.0);
-    return whirl_ok();
+    const whirl_fit_number number = {.set = m->set,
+                                     .station = column->station,
+                                     .angle = column->direction,
+                                     .quantity = what,
+                                     .at = at,
+                                     .value = value,
+                                     .noise = column->noise};
+    const whirl_status status = fit_list_number(m, &number);
+    return status.code == WHIRL_BAD_INPUT ? whirl_fail(status.code, "%.150s: %.100s", m->table.path, status.message)
+                                          : status;
 }
 
 /// Adds the displacements over the angle of one motion.
@@ -253,7 +235,7 @@ static whirl_status fit_take_vectors(fit_maker *m, size_t along) {
         whirl_given *given = arena_take(m->reader->arena, (m->at_count + 1) * sizeof *given);
         if (!given) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a fit");
         for (size_t k = 0; k < m->at_count; k++) given[k] = m->at[k];
-        const bool varies = axis->kind == FIT_PARAMETER;
+        const bool varies = axis->parameter != NULL;
         if (varies) given[m->at_count] = (whirl_given){axis->parameter->name, value};
         status = fit_add_motion(m, m->at_count + varies, given, varies ? 0.0 : value, instants);
         if (status.code == WHIRL_OK) status = fit_take_row(m, i);
@@ -333,6 +315,8 @@ static whirl_status fit_take_table(fit_maker *m, const fit_set *set) {
     if (status.code != WHIRL_OK) return status;
     // Take the numbers.
     if (waveform) return fit_take_waveform(m, along);
+    if (m->columns[along].kind == FIT_SPEED && m->revolutions > 0)
+        m->columns[along].parameter = fit_speed_parameter(m->reader, m->parts, set);
     return vectors ? fit_take_vectors(m, along) : fit_take_samples(m, along);
 }
 

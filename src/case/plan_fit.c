@@ -4,7 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "fit_speed.h"
 #include "fit_table.h"
+#include "fit_value.h"
 #include "plan_batches.h"
 #include "plan_fit.h"
 #include "plan_names.h"
@@ -45,13 +47,11 @@ static void fit_read_unknowns(case_reader *reader, fit_parts *fit) {
         fit_read_unknown(reader, one, &fit->unknowns[fit->unknown_count++]);
 }
 
-static const whirl_key fit_noise_key = {.name = "noise", .unit = "m", .range = WHIRL_POSITIVE};
-
-/// Reads the noise of a file: one number, or one for each probe.
+/// Reads the noise of a set: one number, or one for each probe.
 static void fit_read_noise(case_reader *reader, const setting *given, fit_set *out) {
     const file_node *where = given->place;
     if (where->kind != NODE_MAPPING) {
-        formula_read(reader, where, &fit_noise_key, &out->noise);
+        formula_read(reader, where, &out->noise_key, &out->noise);
         return;
     }
     if (where->count == 0 || where->count > FIT_MAX_CHANNELS) {
@@ -61,14 +61,15 @@ static void fit_read_noise(case_reader *reader, const setting *given, fit_set *o
     for (const file_node *one = where->first; one; one = one->next) {
         fit_channel *channel = &out->channels[out->channel_count++];
         channel->place = one;
-        formula_read(reader, one, &fit_noise_key, &channel->noise);
+        formula_read(reader, one, &out->noise_key, &channel->noise);
     }
 }
 
-/// Reads a file of measured numbers: its name, or a mapping with more.
+/// Reads a set of measured numbers: the name of a file, or a mapping with more.
 static void fit_read_set(case_reader *reader, const file_node *where, fit_set *out) {
     out->place = where;
     out->keys = (setting_list){.name = "data", .group = &schema_fit_data, .place = where};
+    out->noise_key = (whirl_key){.name = "noise", .unit = "m", .range = WHIRL_POSITIVE};
     if (where->kind == NODE_TEXT && !node_is_null(where)) {
         out->file = where;
         return;
@@ -77,7 +78,9 @@ static void fit_read_set(case_reader *reader, const file_node *where, fit_set *o
     const setting *file = settings_find(&out->keys, "file"), *at = settings_find(&out->keys, "at");
     const setting *noise = settings_find(&out->keys, "noise");
     if (file) out->file = file->place;
+    fit_value_read(reader, out);
     if (noise) fit_read_noise(reader, noise, out);
+    fit_value_check_keys(reader, out);
     if (!at) return;
     if (at->place->kind != NODE_MAPPING || at->place->count == 0 || at->place->count > FIT_MAX_AT) {
         char shown[SHOWN_SIZE];
@@ -102,6 +105,26 @@ static void fit_read_sets(case_reader *reader, fit_parts *fit) {
         fit_read_set(reader, one, &fit->sets[fit->set_count++]);
 }
 
+/// Reports parameters that are given or looked for, and vary.
+static void fit_check_set(case_reader *reader, const fit_parts *fit, const fit_set *set) {
+    static const char looked_for[] = "is one of the unknowns, expected another parameter";
+    const bool varies = fit_value_varies(set);
+    const parameter *along = !varies ? NULL : set->along ? set->along : fit_shaft_parameter(reader, fit);
+    const setting *key = settings_find(&set->keys, "along");
+    for (size_t u = 0; u < fit->unknown_count; u++) {
+        if (along && fit->unknowns[u].parameter == along)
+            problem_at(reader->problems, key ? key->place : set->place, "varies along %s, which %s", along->name,
+                       looked_for);
+        for (size_t i = 0; i < set->at.count; i++)
+            if (fit->unknowns[u].parameter == set->at.parameters[i])
+                problem_at_key(reader->problems, set->at.places[i], "%s", looked_for);
+    }
+    for (size_t i = 0; i < set->at.count; i++)
+        if (along && set->at.parameters[i] == along)
+            problem_at_key(reader->problems, set->at.places[i],
+                           "is the parameter along which the number is measured, expected another one");
+}
+
 const fit_parts *fit_read(case_reader *reader, const machine_parts *machine, const setting_list *keys) {
     fit_parts *fit = arena_take(reader->arena, sizeof *fit);
     reader->no_memory = reader->no_memory || !fit;
@@ -109,13 +132,8 @@ const fit_parts *fit_read(case_reader *reader, const machine_parts *machine, con
     *fit = (fit_parts){.keys = *keys, .machine = machine};
     fit_read_unknowns(reader, fit);
     fit_read_sets(reader, fit);
-    // A parameter is either looked for or given.
-    for (size_t s = 0; s < fit->set_count; s++)
-        for (size_t i = 0; i < fit->sets[s].at.count; i++)
-            for (size_t u = 0; u < fit->unknown_count; u++)
-                if (fit->unknowns[u].parameter == fit->sets[s].at.parameters[i])
-                    problem_at_key(reader->problems, fit->sets[s].at.places[i],
-                                   "is one of the unknowns, expected another parameter");
+    // A parameter is either looked for, or given, or varies.
+    for (size_t s = 0; s < fit->set_count; s++) fit_check_set(reader, fit, &fit->sets[s]);
     return fit;
 }
 
@@ -159,9 +177,10 @@ static bool fit_make_unknowns(fit_maker *m) {
 }
 
 /// Evaluates a standard deviation. Returns false after a problem.
-static bool fit_make_noise(fit_maker *m, const file_node *where, const number_formula *formula, double *noise) {
+static bool fit_make_noise(fit_maker *m, const whirl_key *key, const file_node *where, const number_formula *formula,
+                           double *noise) {
     if (!plan_formula_value(m->reader, m->v, where, formula, noise)) return false;
-    const whirl_status status = formula_check(m->reader->parameters, &fit_noise_key, formula, *noise);
+    const whirl_status status = formula_check(m->reader->parameters, key, formula, *noise);
     if (status.code != WHIRL_OK) problem_at(m->reader->problems, where, "%s", status.message);
     return status.code == WHIRL_OK;
 }
@@ -172,9 +191,11 @@ static bool fit_make_set(fit_maker *m, const fit_set *set, whirl_given *given) {
     m->at = given;
     m->at_count = set->at.count;
     m->noise = set->channel_count > 0 ? 0.0 : 1.0;
-    if (noise && set->channel_count == 0 && !fit_make_noise(m, noise->place, &set->noise, &m->noise)) return false;
+    if (noise && set->channel_count == 0 && !fit_make_noise(m, &set->noise_key, noise->place, &set->noise, &m->noise))
+        return false;
     for (size_t i = 0; i < set->channel_count; i++)
-        if (!fit_make_noise(m, set->channels[i].place, &set->channels[i].noise, &m->channel_noise[i])) return false;
+        if (!fit_make_noise(m, &set->noise_key, set->channels[i].place, &set->channels[i].noise, &m->channel_noise[i]))
+            return false;
     for (size_t i = 0; i < set->at.count; i++) {
         given[i].name = set->at.parameters[i]->name;
         if (!plan_formula_value(m->reader, m->v, set->at.places[i], &set->at.values[i], &given[i].value)) return false;
@@ -182,13 +203,13 @@ static bool fit_make_set(fit_maker *m, const fit_set *set, whirl_given *given) {
     return true;
 }
 
-/// Reports noise that only some of the files have, and options that need noise or bounds.
+/// Reports noise that only some of the sets have, and options that need noise or bounds.
 static void fit_check(case_reader *reader, const fit_parts *parts, const whirl_fit *fit, size_t noisy) {
     const setting *loss = settings_find(&parts->keys, "loss"), *starts = settings_find(&parts->keys, "starts");
     for (size_t s = 0; s < parts->set_count; s++)
         if (noisy > 0 && !settings_find(&parts->sets[s].keys, "noise"))
             problem_at(reader->problems, parts->sets[s].place,
-                       "has no noise, and another file has, expected the standard deviation of all or of none");
+                       "has no noise, and other numbers have, expected the standard deviation of all or of none");
     if (loss && strcmp(settings_word(&parts->keys, "loss"), "huber") == 0 && noisy == 0)
         problem_at(reader->problems, loss->place, "is huber, which needs the noise of the measured numbers");
     for (size_t u = 0; u < fit->unknown_count && starts; u++)
@@ -216,6 +237,10 @@ void fit_make(case_reader *reader, valuation *v, const fit_parts *parts, whirl_b
         reader->no_memory = reader->no_memory || !given;
         good = given && fit_make_set(m, &parts->sets[s], given);
         m->set = s;
+        if (good && !parts->sets[s].file) {
+            good = fit_value_make(m, &parts->sets[s]);
+            continue;
+        }
         const whirl_status status = good ? fit_table_read(m, &parts->sets[s]) : whirl_ok();
         if (status.code == WHIRL_OK) continue;
         reader->no_memory = reader->no_memory || status.code == WHIRL_NO_MEMORY;

@@ -27,11 +27,15 @@ typedef struct fit_channel {
     number_formula noise;
 } fit_channel;
 
+/// A table of measured numbers, or a single number.
 typedef struct fit_set {
-    const file_node *place, *file; ///< place of the table in the case, and of its path; NULL after a problem
+    const file_node *place, *file; ///< place of the set in the case, and of a table's path; NULL after a problem
     setting_list keys;
-    condition_parts at;   ///< parameters with their values in its motions
-    number_formula noise; ///< if it has one, and not one for each of the channels
+    condition_parts at;             ///< parameters with their values in its motions
+    whirl_key noise_key;            ///< unit and range of its noise
+    number_formula noise;           ///< if it has one, and not one for each of the channels
+    const parameter *along;         ///< parameter that a threshold is a value of; NULL: the speed
+    number_formula value, from, to; ///< a threshold, and values between which it is sought
     size_t channel_count;
     fit_channel channels[FIT_MAX_CHANNELS];
 } fit_set;

@@ -151,7 +151,7 @@ static const whirl_key fit_keys[] = {
                "names of the parameters that are looked for, each with start, from and to, or nothing"),
     CHOICE_KEY("data", REQUIRED, "",
                "a table of measured numbers (CSV), or a list of them: paths from the folder of the case, or with `at` "
-               "and `noise`"),
+               "and `noise`; or numbers such as onset: see fit_data"),
     WHOLE_KEY("starts", "", DEFAULT("1"), WHIRL_FROM_TO(1, 10000),
               "number of starts: the first at the values of start, the others spread evenly between the bounds, by the "
               "sequence of Halton"),
@@ -164,14 +164,36 @@ static const whirl_key fit_unknown_keys[] = {
 };
 
 static const whirl_key fit_data_keys[] = {
-    CHOICE_KEY("file", REQUIRED, "",
+    CHOICE_KEY("file", OPTIONAL, "",
                "path of the table: displacements of probes over `angle`, `turns` or `time`, or amplitudes and lags of "
                "orders over `speed` or a parameter"),
+    NUMBER_KEY("onset", "", "", OPTIONAL, WHIRL_ANY,
+               "in place of file: speed at which the machine loses stability, or value of the parameter `along`"),
+    NUMBER_KEY("critical", "", "", OPTIONAL, WHIRL_ANY,
+               "in place of file: critical speed, or value of the parameter `along` at which a mode whirls once a "
+               "revolution; the one that is nearest to it at the start"),
+    NUMBER_KEY("frequency", "", "Hz", OPTIONAL, WHIRL_POSITIVE,
+               "in place of file: damped frequency of a mode; the one that is nearest to it at the start, or `mode`"),
+    NUMBER_KEY("damping", "", "1", OPTIONAL, WHIRL_FROM_TO(-1, 1),
+               "in place of file: damping ratio of the mode `mode`"),
+    CHOICE_KEY("of", DEFAULT("rest"), "rest|orbit",
+               "onset: rest: the equilibrium becomes unstable; orbit: the periodic motion of `revolutions` does, or "
+               "ends"),
+    CHOICE_KEY("along", OPTIONAL, "", "onset and critical: parameter that varies; absent: the speed"),
+    NUMBER_KEY("from", "", "", OPTIONAL, WHIRL_ANY,
+               "onset and critical: value from which it is sought at the start; absent: half the number"),
+    NUMBER_KEY("to", "", "", OPTIONAL, WHIRL_ANY,
+               "onset and critical: value up to which it is sought at the start; absent: twice the number"),
+    WHOLE_KEY("mode", "", OPTIONAL, WHIRL_FROM_TO(1, 1000),
+              "frequency and damping: number of the mode at the start, by rising frequency, of those that are not "
+              "overdamped; absent: the nearest frequency"),
+    CHOICE_KEY("whirl", OPTIONAL, "forward|backward",
+               "critical, frequency and damping: direction of the mode; absent: any"),
     CHOICE_KEY("at", OPTIONAL, "", "parameters with the values that they had in this measurement"),
     CHOICE_KEY(
         "noise", OPTIONAL, "",
-        "standard deviation of these numbers, by which they are weighed, as a length, or {disc x: 2 um, disc y: 3 "
-        "um}: one for each probe; absent: all weigh the same"),
+        "standard deviation of these numbers, by which they are weighed, in their unit, or {disc x: 2 um, disc y: 3 "
+        "um}: one for each probe; absent, for tables only: all weigh the same"),
 };
 
 static const whirl_key motions_keys[] = {
@@ -367,7 +389,7 @@ const whirl_group schema_initial = PART("initial", "the state that a station sta
 const whirl_group schema_event = GROUP("event", "an event of a run-up", event_keys, NULL);
 const whirl_group schema_fit_unknown =
     GROUP("fit_unknown", "where an unknown parameter is looked for", fit_unknown_keys, NULL);
-const whirl_group schema_fit_data = GROUP("fit_data", "a table of measured numbers", fit_data_keys, NULL);
+const whirl_group schema_fit_data = GROUP("fit_data", "a table of measured numbers, or a number", fit_data_keys, NULL);
 const whirl_group schema_starts = GROUP("starts", "several starts of every point", starts_keys, NULL);
 const whirl_group schema_tolerances =
     GROUP("tolerances", "parameters with distributions, and what is asked of them", tolerances_keys, of_tolerances);

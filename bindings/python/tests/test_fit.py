@@ -181,3 +181,71 @@ def test_a_table_that_is_gone_is_named_where_it_stands(tmp_path):
     line = text.count("\n")
     with pytest.raises(whirl.BadInput, match=rf"a.yaml:{line}:31: study.fit.data: cannot read .*gone.csv: No such"):
         whirl.run(str(tmp_path / "a.yaml"))
+
+
+WHIRLING = {
+    "parameters": {"n": "100 rad/s", "m": "3 kg", "k": "30 kN/m", "c": "30 N s/m", "q": "20 N s/m", "e": "50 um"},
+    "rotor": {
+        "speed": "= n",
+        "length_scale": "1 mm",
+        "stations": {"disc": {"mass": "= m", "eccentricity": "= e"}},
+        "elements": [{"bearing": {"at": "disc", "kxx": "= k", "cxx": "= c", "kxy": "= q*n", "kyx": "= -q*n"}}],
+    },
+    "study": {"response": {}},
+}
+
+
+def test_thresholds_and_modes_are_those_of_least_squares():
+    """Inexact numbers, next to SciPy's least squares over the roots of m l^2 + c l + k -+ i q n."""
+    optimize = pytest.importorskip("scipy.optimize")
+    unit, sigma = np.array([30e3, 20.0, 30.0]), np.array([1.0, 0.1, 2 * np.pi * 0.01, 0.001])
+    measured = np.array([160.0, 105.0, 2 * np.pi * 16.5, 0.1])
+
+    def root(p, n, direction):
+        k, q, c = p
+        roots = np.roots([3.0, c, k - 1j * q * n])
+        return roots[np.argmax(direction * roots.imag)]
+
+    def model(p):
+        critical = optimize.brentq(lambda n: root(p, n, 1).imag - n, 50, 200, xtol=1e-13)
+        mode = root(p, 50.0, -1)
+        return np.array([p[2] * np.sqrt(p[0] / 3) / p[1], critical, root(p, 100.0, 1).imag, -mode.real / abs(mode)])
+
+    best = optimize.least_squares(
+        lambda p: (model(p * unit) - measured) / sigma, [1, 1, 1], "3-point", xtol=1e-15, ftol=1e-15, gtol=1e-15
+    )
+    errors = unit * np.sqrt(np.diag(np.linalg.inv(best.jac.T @ best.jac)))
+    data = [
+        {"onset": "160 rad/s", "noise": "1 rad/s"},
+        {"critical": "105 rad/s", "noise": "0.1 rad/s", "whirl": "forward"},
+        {"frequency": "16.5 Hz", "noise": "0.01 Hz", "whirl": "forward"},
+        {"damping": 0.1, "noise": 0.001, "mode": 1, "whirl": "backward", "at": {"n": "50 rad/s"}},
+    ]
+    found = whirl.fit(WHIRLING, data, ["k", "q", "c"], tolerance=1e-11)
+    for name, value, error in zip(("k", "q", "c"), best.x * unit, errors):
+        assert found[name].value == pytest.approx(value, rel=1e-7)
+        assert found[name].error == pytest.approx(error, rel=1e-5)
+    assert found.sum == pytest.approx(2 * best.cost, rel=1e-9)
+    assert found.numbers[:, 7] == pytest.approx(model(best.x * unit), rel=1e-7)
+    sheet = found.result.sheet("fit/values")
+    assert list(sheet["what"])[:2] == ["onset of instability at rest", "critical speed"]
+    assert not [name for name in found.result.figures() if name.startswith("fit")]  # nothing to draw
+
+
+def test_numbers_and_tables_together():
+    """An onset tells the damping that amplitudes away from resonance do not."""
+    n = np.arange(20.0, 60.0, 4.0)
+    response = 50e-6 * n**2 / (11e3 - n**2 + 1j * n * (37.0 - 26.0) / 3)
+    table = {"speed [rad/s]": n, "disc x [m]": abs(response)}
+    onset = {"onset": 37.0 * np.sqrt(11e3) / 26.0, "noise": "0.5 rad/s", "at": {"q": "26 N s/m"}}
+    alone = whirl.fit(WHIRLING, table, ["k", "c"], at={"q": "26 N s/m"}, noise="0.1 um")
+    both = whirl.fit(WHIRLING, [table, onset], ["k", "c"], at=[{"q": "26 N s/m"}, None], noise="0.1 um")
+    assert both["c"].value == pytest.approx(37.0, rel=1e-4) and both["c"].error < 0.1 * alone["c"].error
+
+
+def test_a_machine_without_an_onset_is_said():
+    data = {"onset": "30 rad/s", "noise": "1 rad/s"}
+    found = whirl.fit(WHIRLING, data, ["k"])
+    assert found.end == "no motion"
+    said = " ".join(str(own.found) for own in found.result.statements())
+    assert "no onset of instability at rest for number 1 of the data" in said

@@ -33,6 +33,7 @@ __all__ = ["Estimate", "Fit", "fit"]
 
 _KNOWN = ("determined", "at a bound", "weak", "unknown")
 _ENDS = ("found", "steps", "stuck", "no motion")
+_NUMBERS = ("onset", "critical", "frequency", "damping")  # entries of the data that are numbers, not tables
 
 
 @dataclass(frozen=True)
@@ -155,16 +156,15 @@ def fit(
     case : Case, file or dict
         The machine; its study is replaced.
     data : file, DataFrame, dict of columns, or a list of them
-        Measured numbers. Headings say what a column is: "angle [deg]" or "time [s]" with "disc x [um]" for an orbit,
-        "speed [rpm]" with "disc x [um]" and "disc x lag [deg]" for orders (guide, chapter 18). Files are
-        comma-separated values, or what :func:`whirl.read_measured` reads.
-    unknown : dict or list of names
-        Parameters to find, each with None, (from, to), (start, from, to), or {"start": ..., "from": ..., "to": ...};
-        texts have units, numbers are in SI.
+        Measured numbers. {"onset": "5200 rpm", "noise": "50 rpm"} and the like are onsets of instability, critical
+        speeds, frequencies and damping ratios of modes, with the keys of a case. All others are tables, whose headings
+        say what a column is: "angle [deg]" or "time [s]" with "disc x [um]" for an orbit, "speed [rpm]" with
+        "disc x [um]" and "disc x lag [deg]" for orders (guide, chapter 18). Files are comma-separated values, or what
+        :func:`whirl.read_measured` reads.
     at : dict, or a list of one for each table, optional
         Values that parameters had in the measurement.
     noise : text, float or dict, optional
-        Standard deviation of the measured numbers: "2 um", or a number in m; or one for each probe, {"disc x": "2 um",
+        Standard deviation of the numbers of tables: "2 um", or a number in m; or one for each probe, {"disc x": "2 um",
         "disc y": "3 um"}.
     threads : int
         Number of threads; 0: all cores.
@@ -188,10 +188,11 @@ def fit(
     with tempfile.TemporaryDirectory(prefix="whirl-fit-") as folder:
         items = []
         for number, (table, place) in enumerate(zip(tables, places), 1):
-            item = {"file": _table_of(table, folder, number)}
-            if place:
+            number_alone = isinstance(table, Mapping) and any(key in table for key in _NUMBERS)
+            item = dict(table) if number_alone else {"file": _table_of(table, folder, number)}
+            if place and "at" not in item:
                 item["at"] = dict(place)
-            if noise is not None:
+            if noise is not None and not number_alone:
                 item["noise"] = (
                     {k: _length(v) for k, v in noise.items()} if isinstance(noise, Mapping) else _length(noise)
                 )

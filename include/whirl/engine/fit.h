@@ -1,8 +1,10 @@
 /// Fits: values of parameters of a machine at which its motions are the measured ones (study `fit`).
 ///
 /// Each measured motion is a periodic orbit of the machine at parameters of its own. Its displacements, and the orders
-/// of them, are compared with the measured numbers. Levenberg and Marquardt's method minimizes the sum of squares of
-/// their differences over their noise, with the exact derivatives of the orbits (whirl/engine/sensitivity.h).
+/// of them, are compared with the measured numbers. Further numbers are values at which the machine loses its
+/// stability, critical speeds, and frequencies and damping ratios of modes. Levenberg and Marquardt's method minimizes
+/// the sum of squares of the differences over their noise, with the exact derivatives of the orbits, and those of
+/// thresholds and modes (whirl/engine/sensitivity.h).
 #ifndef WHIRL_FIT_H
 #define WHIRL_FIT_H
 
@@ -46,14 +48,24 @@ typedef struct whirl_fit_options {
 /// Returns the members of these options for cases (part "fit") and results; static, ended by a member without a part.
 const whirl_member *whirl_fit_members(void);
 
-/// A measured quantity of a motion x(theta), theta the angle of the shaft.
+/// A measured quantity of a motion x(theta), theta the angle of the shaft, or of the machine.
 typedef enum whirl_fit_quantity {
-    WHIRL_FIT_SAMPLE,    ///< displacement at an instant
-    WHIRL_FIT_COS,       ///< a of a cos(n theta) + b sin(n theta), the part of order n
-    WHIRL_FIT_SIN,       ///< b of the same part
-    WHIRL_FIT_AMPLITUDE, ///< sqrt(a^2 + b^2)
-    WHIRL_FIT_WAVEFORM   ///< displacement after a time, with the mark on the x axis at time 0
+    WHIRL_FIT_SAMPLE,      ///< displacement at an instant
+    WHIRL_FIT_COS,         ///< a of a cos(n theta) + b sin(n theta), the part of order n
+    WHIRL_FIT_SIN,         ///< b of the same part
+    WHIRL_FIT_AMPLITUDE,   ///< sqrt(a^2 + b^2)
+    WHIRL_FIT_WAVEFORM,    ///< displacement after a time, with the mark on the x axis at time 0
+    WHIRL_FIT_ONSET,       ///< value of a parameter, or speed, above which the equilibrium is unstable
+    WHIRL_FIT_ORBIT_ONSET, ///< value of a parameter, or speed, above which the periodic orbit is unstable, or ends
+    WHIRL_FIT_CRITICAL,    ///< critical speed, or value of a parameter at which a mode whirls once a revolution
+    WHIRL_FIT_FREQUENCY,   ///< damped frequency of a mode, rad/s
+    WHIRL_FIT_DAMPING      ///< damping ratio of a mode
 } whirl_fit_quantity;
+
+/// Returns true for quantities that are displacements or parts of them, in m.
+static inline bool whirl_fit_is_motion(whirl_fit_quantity what) {
+    return what <= WHIRL_FIT_WAVEFORM;
+}
 
 /// A measured number.
 typedef struct whirl_fit_number {
@@ -62,17 +74,23 @@ typedef struct whirl_fit_number {
     size_t station;              ///< index of its probe
     double angle;                ///< rad, direction of the probe from the x axis towards y
     whirl_fit_quantity quantity; ///< the measured quantity
-    double at;    ///< revolutions since the motion's beginning; seconds, for a waveform; for a part, its order n
-    double value; ///< m
-    double noise; ///< m, standard deviation; 1 if it is not given
+    /// Revolutions since the motion's beginning; seconds, for a waveform; for a part, its order n; for onsets and
+    /// critical speeds, the index of the parameter among those of the case, -1 for the speed.
+    double at;
+    double value; ///< SI
+    double noise; ///< SI, standard deviation; 1 if it is not given
 } whirl_fit_number;
 
-/// A motion.
+/// A motion, or what is computed for one number: an onset, a critical speed, or a mode.
 typedef struct whirl_fit_motion {
     size_t given_count;              ///< number of parameters with values of their own
     const struct whirl_given *given; ///< [given_count] parameters with values of their own; borrowed
     double speed;                    ///< rad/s; 0: the machine's own
     size_t instants;                 ///< instants of a revolution at which displacements are needed
+    const char *along; ///< for onsets and critical speeds: parameter that varies; NULL: the speed; borrowed
+    double from, to;   ///< for these: values between which they are sought first, SI
+    int whirl;         ///< for critical speeds and modes: 1 forward, -1 backward, 0 any
+    size_t mode; ///< for modes: number at the start, from 1, by rising frequency; 0: the one nearest to the number
 } whirl_fit_motion;
 
 /// An unknown parameter.
@@ -96,7 +114,8 @@ typedef enum whirl_fit_end {
     WHIRL_FIT_FOUND,    ///< at a minimum of the sum of squares
     WHIRL_FIT_STEPS,    ///< after most_steps
     WHIRL_FIT_STUCK,    ///< no shorter step made the sum smaller
-    WHIRL_FIT_NO_MOTION ///< at the start a motion did not settle on an orbit of so many revolutions
+    WHIRL_FIT_NO_MOTION ///< at the start a motion did not settle on an orbit of so many revolutions, or there is no
+                        ///< such onset, critical speed or mode
 } whirl_fit_end;
 
 /// Confidence in a fitted parameter.
@@ -124,8 +143,8 @@ typedef struct whirl_fit_solution {
     whirl_fit_known known[WHIRL_MAX_UNKNOWNS];                  ///< confidence in each
     double correlation[WHIRL_MAX_UNKNOWNS][WHIRL_MAX_UNKNOWNS]; ///< correlations of the unknowns
     double profile[WHIRL_MAX_UNKNOWNS][2]; ///< ends of 95 % profile intervals, SI; NaN if unknown or not asked for
-    double *model;                         ///< [number_count] m, the displacements of the machine
-    double *largest; ///< [motion_count] largest modulus of the orbit's multipliers: stable below 1
+    double *model;                         ///< [number_count] SI, the numbers of the machine
+    double *largest; ///< [motion_count] largest modulus of the orbit's multipliers: stable below 1; NaN for others
     double *speeds;  ///< [motion_count] rad/s
 } whirl_fit_solution;
 

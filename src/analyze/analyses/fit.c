@@ -35,12 +35,15 @@ static const field_plan fields[FIELD_COUNT] = {
     [CORRELATION] = {WHIRL_FIELD_FIT_CORRELATION, "1", "coefficients of correlation of the unknowns' errors",
                      WHIRL_PER_POINT, WHIRL_MAX_UNKNOWNS, fit_unknowns},
     [MOTION] = {WHIRL_FIELD_FIT_MOTION, "1",
-                "speed, multiplier (rad/s; largest modulus of the orbit's multipliers: stable below 1)",
+                "speed, multiplier (rad/s; largest modulus of the orbit's multipliers: stable below 1; NaN for what is "
+                "no motion)",
                 WHIRL_PER_POINT, 2, fit_motions},
     [NUMBER] = {WHIRL_FIELD_FIT_NUMBER, "1",
-                "set, motion, station, angle, quantity, at, measured, model, noise (file and motion from 0; rad; 0 "
-                "displacement, 1 and 2 cosine and sine part of an order, 3 its amplitude, 4 displacement after a time; "
-                "revolutions, the order, or seconds; m)",
+                "set, motion, station, angle, quantity, at, measured, model, noise (entry of the data and motion from "
+                "0; rad; 0 displacement, 1 and 2 cosine and sine part of an order, 3 its amplitude, 4 displacement "
+                "after a time, 5 onset at rest, 6 onset of an orbit, 7 critical speed, 8 frequency and 9 damping ratio "
+                "of a mode; revolutions, the order, seconds, the index of the parameter (-1: the speed), or the number "
+                "of the mode; SI)",
                 WHIRL_PER_POINT, 9, fit_numbers},
     [PROFILE] = {WHIRL_FIELD_FIT_PROFILE, "1",
                  "from, to (ends of the 95 % profile interval of each unknown, SI; NaN beyond its bounds)",

@@ -145,6 +145,10 @@ static parameter *sole_name(const parameter_table *parameters, const char *expre
     return index < parameters->count ? &parameters->items[index] : NULL;
 }
 
+const parameter *formula_parameter(const parameter_table *parameters, const number_formula *formula) {
+    return formula->expression ? sole_name(parameters, formula->expression) : NULL;
+}
+
 /// Returns the unit of omega for "= omega", and "" (unknown) for longer expressions.
 const char *expression_unit(const parameter_table *parameters, const char *expression) {
     const parameter *item = sole_name(parameters, expression);
@@ -213,7 +217,7 @@ static whirl_status check_as_written(const whirl_key *key, double value, const c
 
 whirl_status formula_check(const parameter_table *parameters, const whirl_key *key, const number_formula *formula,
                            double value) {
-    const parameter *item = formula->expression ? sole_name(parameters, formula->expression) : NULL;
+    const parameter *item = formula_parameter(parameters, formula);
     return check_as_written(key, value, item ? item->text : "");
 }
 

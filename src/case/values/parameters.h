@@ -84,6 +84,9 @@ size_t parameters_find(const parameter_table *parameters, const char *name);
 /// Reads a number of `key` at a place of the file: with a unit, plain, or an expression. Returns false after a problem.
 bool formula_read(case_reader *reader, const file_node *where, const whirl_key *key, number_formula *result);
 
+/// Returns the parameter that is the whole of a formula, or NULL.
+const parameter *formula_parameter(const parameter_table *parameters, const number_formula *formula);
+
 /// Checks the value of a formula as whirl_key_check_number does. The message for a single parameter has its written
 /// unit: "is -100 rpm, expected a number above 0 rpm".
 whirl_status formula_check(const parameter_table *parameters, const whirl_key *key, const number_formula *formula,

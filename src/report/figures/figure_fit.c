@@ -23,7 +23,7 @@ static void fit_list(figure_list *to, const drawing *of, const whirl_table *tabl
     double last = -1.0;
     for (size_t i = 0; i < field->rows; i++) {
         const double set = rows[FIT_NUMBERS * i + FIT_SET];
-        if (set == last) continue;
+        if (set == last || !whirl_fit_is_motion((whirl_fit_quantity)rows[FIT_NUMBERS * i + FIT_QUANTITY])) continue;
         last = set;
         const figure_place place = {.kind = &fit_figure, .table = table, .point = (long)point, .which = (size_t)set};
         char name[WHIRL_NAME_SIZE];

@@ -63,6 +63,46 @@ static whirl_unit fit_unit(const shown_fit_of *f, size_t u) {
     return unit;
 }
 
+/// Returns the name of a number that is none of a motion.
+static const char *fit_value_name(double quantity) {
+    switch ((whirl_fit_quantity)quantity) {
+    case WHIRL_FIT_ONSET:
+        return "onset of instability at rest";
+    case WHIRL_FIT_ORBIT_ONSET:
+        return "onset of instability of the orbit";
+    case WHIRL_FIT_CRITICAL:
+        return "critical speed";
+    case WHIRL_FIT_FREQUENCY:
+        return "frequency of the mode";
+    default:
+        return "damping ratio of the mode";
+    }
+}
+
+static bool fit_is_value(const double *row) {
+    return !whirl_fit_is_motion((whirl_fit_quantity)row[FIT_QUANTITY]);
+}
+
+/// States which motion or number was not found at the start.
+static void fit_phrase_lost(const finder *of, whirl_statement *own, size_t point, double lost) {
+    const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_FIT_NUMBER);
+    const double *rows = whirl_table_field(of->table, point, WHIRL_FIELD_FIT_NUMBER, 0);
+    const int revolutions = of->table->record.fit.revolutions;
+    for (size_t i = 0; field && rows && i < field->rows; i++, rows += FIT_NUMBERS) {
+        if (rows[FIT_MOTION] != lost || !fit_is_value(rows)) continue;
+        phrase_text(of, &own->found,
+                    "the machine has no %s for number %.0f of the data at the start, or one without derivatives: other "
+                    "start values%s",
+                    fit_value_name(rows[FIT_QUANTITY]), rows[FIT_SET] + 1.0,
+                    rows[FIT_QUANTITY] <= WHIRL_FIT_CRITICAL ? ", from or to" : "");
+        return;
+    }
+    phrase_text(of, &own->found,
+                "motion %.0f of the measured ones has no orbit of %d revolution%s at the start: other start values, "
+                "revolutions or a longer transient",
+                lost + 1.0, revolutions, revolutions == 1 ? "" : "s");
+}
+
 /// States why fits have failed.
 static void fit_find_failures(const finder *of) {
     static const char *const why[] = {"", "it stopped after the most steps (steps: more)",
@@ -74,11 +114,7 @@ static void fit_find_failures(const finder *of) {
         phrase_text(of, &own->asked, "a minimum of the sum of squares");
         if (of->table->count > 1) phrase_text(of, &own->at, "start %zu", point + 1);
         if (outcome[FIT_END] == (double)WHIRL_FIT_NO_MOTION)
-            phrase_text(of, &own->found,
-                        "motion %.0f of the measured ones has no orbit of %d revolution%s at the start: other start "
-                        "values, revolutions or a longer transient",
-                        outcome[FIT_LOST] + 1.0, of->table->record.fit.revolutions,
-                        of->table->record.fit.revolutions == 1 ? "" : "s");
+            fit_phrase_lost(of, own, point, outcome[FIT_LOST]);
         else
             phrase_text(of, &own->found, "%s", why[(int)outcome[FIT_END]]);
     }
@@ -125,7 +161,7 @@ static void fit_find_unknown(const shown_fit_of *f, size_t u) {
     // State why it is not determined.
     if (known == WHIRL_FIT_DETERMINED) return;
     phrase_text(of, &own->asked, "determined by what was measured");
-    phrase_text(of, &own->judged, "%s", not_known[known]);
+    phrase_text(of, &own->judged, ": %s", not_known[known]);
 }
 
 static void fit_find_sheet(const shown_fit_of *f) {
@@ -228,6 +264,7 @@ static void fit_find_channels(const shown_fit_of *f) {
     for (size_t i = 0; i < f->numbers; i++) {
         const double *row = f->number + FIT_NUMBERS * i;
         size_t c = 0;
+        if (fit_is_value(row)) continue;
         while (c < count && !fit_same_channel(channels[c].first, row)) c++;
         if (c == MAX_CHANNELS) continue;
         if (c == count) channels[count++] = (fit_channel){.first = row};
@@ -237,6 +274,7 @@ static void fit_find_channels(const shown_fit_of *f) {
         channels[c].measured += row[FIT_MEASURED] * row[FIT_MEASURED];
         channels[c].largest = fmax(channels[c].largest, fabs(off));
     }
+    if (count == 0) return;
     // Show each channel with its root mean squares.
     whirl_sheet *sheet = find_sheet(of, "residuals", "Measured numbers and the fitted machine");
     sheet_column(of, sheet, "file", "file", WHIRL_QUANTITY_NUMBER, 4);
@@ -260,11 +298,55 @@ static void fit_find_channels(const shown_fit_of *f) {
     find_sheet_end(of);
 }
 
-/// States how well the fit agrees, and judges whether its motions are stable.
+/// Returns the unit of a number that is none of a motion.
+static whirl_unit fit_value_unit(const shown_fit_of *f, const double *row) {
+    const whirl_result *result = f->of->result;
+    if (row[FIT_QUANTITY] == WHIRL_FIT_DAMPING) return (whirl_unit){"", 1.0};
+    if (row[FIT_QUANTITY] == WHIRL_FIT_FREQUENCY) return f->of->units->of[WHIRL_QUANTITY_FREQUENCY];
+    if (!(row[FIT_AT] >= 0.0 && row[FIT_AT] < (double)result->parameter_count))
+        return f->of->units->of[WHIRL_QUANTITY_SPEED];
+    return whirl_shown_parameter(f->of->units, result->parameters[(size_t)row[FIT_AT]].name);
+}
+
+/// Shows onsets, critical speeds and numbers of modes.
+static void fit_find_values(const shown_fit_of *f) {
+    const finder *of = f->of;
+    size_t count = 0;
+    for (size_t i = 0; i < f->numbers; i++) count += fit_is_value(f->number + FIT_NUMBERS * i);
+    if (count == 0) return;
+    whirl_sheet *sheet = find_sheet(of, "values", "Measured onsets, critical speeds and modes, and the fitted machine");
+    sheet_column(of, sheet, "data", "data", WHIRL_QUANTITY_NUMBER, 4);
+    sheet_texts(of, sheet, "what", "number");
+    sheet_column(of, sheet, "measured", "measured", WHIRL_QUANTITY_NUMBER, 6);
+    sheet_column(of, sheet, "fitted", "fitted", WHIRL_QUANTITY_NUMBER, 6);
+    sheet_column(of, sheet, "noise", "noise", WHIRL_QUANTITY_NUMBER, 3);
+    sheet_texts(of, sheet, "unit", "unit");
+    for (size_t i = 0; i < f->numbers; i++) {
+        const double *row = f->number + FIT_NUMBERS * i;
+        if (!fit_is_value(row)) continue;
+        const whirl_unit unit = fit_value_unit(f, row);
+        sheet_row(of, sheet);
+        cell_number(of, sheet, row[FIT_SET] + 1.0);
+        cell_text(of, sheet, fit_value_name(row[FIT_QUANTITY]));
+        cell_number(of, sheet, row[FIT_MEASURED] / unit.size);
+        cell_number(of, sheet, row[FIT_MODEL] / unit.size);
+        cell_number(of, sheet, row[FIT_NOISE] / unit.size);
+        cell_text(of, sheet, find_text(of->findings, "%s", unit.name));
+    }
+    find_sheet_end(of);
+}
+
+/// States how well the fit agrees.
 static void fit_find_agreement(const shown_fit_of *f) {
     const finder *of = f->of;
     const double *outcome = f->outcome;
     const bool noise = of->table->record.fit.noise > 0.0, poor = noise && outcome[FIT_DEVIATION] > much_more_noise;
+    if (!(outcome[FIT_DEGREES] > 0.0)) {
+        whirl_statement *none = find_statement(of, "agreement");
+        phrase_text(of, &none->found, "there are as many parameters as numbers, so that nothing tests it (%.0f steps)",
+                    outcome[FIT_STEPS]);
+        return;
+    }
     // Judge the residuals if the noise is given; otherwise only state them.
     whirl_statement *own =
         noise ? find_judgement(of, "agreement", "", poor ? WHIRL_FAILS : WHIRL_HOLDS) : find_statement(of, "agreement");
@@ -275,20 +357,24 @@ static void fit_find_agreement(const shown_fit_of *f) {
     else
         phrase_number(of, &own->found, WHIRL_QUANTITY_LENGTH, 4, outcome[FIT_DEVIATION]);
     phrase_text(of, &own->found, " (%.0f degrees of freedom, %.0f steps)", outcome[FIT_DEGREES], outcome[FIT_STEPS]);
-    if (poor) phrase_text(of, &own->judged, "the machine does not do what was measured, or there was more noise");
-    // Judge whether the motions are stable: an unstable motion cannot have been measured.
+    if (poor) phrase_text(of, &own->judged, ": the machine does not do what was measured, or there was more noise");
+}
+
+/// Judges whether the motions are stable: an unstable motion cannot have been measured.
+static void fit_find_stability(const shown_fit_of *f) {
+    const finder *of = f->of;
     const whirl_field *motions = whirl_layout_field(&of->table->layout, WHIRL_FIELD_FIT_MOTION);
     const double *motion = whirl_table_field(of->table, f->point, WHIRL_FIELD_FIT_MOTION, 0);
     size_t unstable = 0, first = 0;
     for (size_t i = motions ? motions->rows : 0; i-- > 0;)
         if (motion[2 * i + 1] > 1.0) unstable++, first = i;
     if (unstable == 0) return;
-    own = find_judgement(of, "stable motions", "", WHIRL_FAILS);
+    whirl_statement *own = find_judgement(of, "stable motions", "", WHIRL_FAILS);
     phrase_text(of, &own->asked, "all fitted motions are stable");
     phrase_text(of, &own->found, "%zu of %zu fitted motions are unstable, first number %zu at ", unstable,
                 motions->rows, first + 1);
     phrase_number(of, &own->found, WHIRL_QUANTITY_SPEED, 5, motion[2 * first]);
-    phrase_text(of, &own->judged, "no machine shows them");
+    phrase_text(of, &own->judged, ": no machine shows them");
 }
 
 /// States how many starts led to the same minimum.
@@ -322,10 +408,12 @@ static void fit_find(const finder *of) {
     f.profile = whirl_table_field(of->table, f.point, WHIRL_FIELD_FIT_PROFILE, 0);
     for (size_t u = 0; u < f.unknowns; u++) fit_find_unknown(&f, u);
     fit_find_agreement(&f);
+    fit_find_stability(&f);
     fit_find_starts(&f);
     fit_find_sheet(&f);
     fit_find_correlations(&f);
     fit_find_channels(&f);
+    fit_find_values(&f);
 }
 
 const shown_kind shown_fit = {

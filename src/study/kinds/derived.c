@@ -23,6 +23,7 @@ typedef struct derived {
     size_t count;                               ///< number of numbers
     whirl_spread_at numbers[WHIRL_MAX_DERIVED]; ///< their places in blocks
     double *parameters, *found, *slopes;        ///< the fields in the block
+    const double *reaches; ///< [parameters] largest distances from the values, those of parameters that are 0; or NULL
 } derived;
 
 /// Begins the derivatives of a point, all missing; false if the layout has no fields for them.
@@ -57,7 +58,8 @@ static bool derived_begin(derived *d, const whirl_study *study, const whirl_batc
 /// Notes a derivative. A change of the number by less than 1e-9 of it for the whole parameter is rounding: it is noted
 /// as 0.
 static void derived_note(derived *d, size_t number, size_t parameter, double slope, double error) {
-    const double noise = 1e-9 * fabs(d->found[number] / d->parameters[parameter]);
+    const double noise =
+        d->parameters[parameter] == 0.0 ? 0.0 : 1e-9 * fabs(d->found[number] / d->parameters[parameter]);
     double *row = d->slopes + 2 * (number * d->by->parameter_count + parameter);
     row[0] = fabs(slope) <= noise ? 0.0 : slope;
     row[1] = fabs(slope) <= noise && error > 0.0 ? fmax(error, noise) : error;
@@ -74,6 +76,12 @@ static const char *derived_name(const derived *d, size_t parameter) {
 /// Returns the value of a parameter at the point.
 static double derived_value(const derived *d, size_t parameter) {
     return parameter == ALONG ? d->value : d->parameters[parameter];
+}
+
+/// Returns the first distance from the value of a parameter: a part of it, or a given one if that is larger.
+static double derived_reach(const derived *d, size_t parameter, double part) {
+    const double own = part * fabs(derived_value(d, parameter));
+    return d->reaches && parameter != ALONG ? fmax(own, d->reaches[parameter]) : own;
 }
 
 /// Returns true for a failure of one machine, which leaves its derivative missing.
@@ -273,7 +281,7 @@ static whirl_status derived_critical(derived *d, size_t number, const double *ro
         status = implicit_by(&g, ALONG, 0.125 * fabs(row[1]), &g.by, &g.off);
         for (size_t p = 0; p < d->by->parameter_count && status.code == WHIRL_OK; p++) {
             double slope, error;
-            status = implicit_slope(&g, p, 0.125 * fabs(d->parameters[p]), &slope, &error);
+            status = implicit_slope(&g, p, derived_reach(d, p, 0.125), &slope, &error);
             if (status.code == WHIRL_OK) derived_note(d, number, p, slope, error);
         }
     }
@@ -490,6 +498,7 @@ static whirl_status derived_orbit(const derived *d, bool along, const whirl_orbi
     for (size_t p = 0; p < count + along; p++) {
         const size_t parameter = p < count ? p : ALONG;
         all[p] = (varied_parameter){derived_name(d, parameter), derived_value(d, parameter), 0.0};
+        if (all[p].value == 0.0) all[p].reach = derived_reach(d, parameter, 0.0);
     }
     return varied_orbit(d->study, d->batch, d->value, count + along, all, orbit, options, instants, lengths, out);
 }
@@ -609,7 +618,7 @@ static whirl_status derived_by_crossing(derived *d, const whirl_branch_point *po
     whirl_status status = implicit_by(&g, ALONG, fabs(d->value) / 1024.0, &g.by, &g.off);
     for (size_t p = 0; p < d->by->parameter_count && status.code == WHIRL_OK; p++) {
         double slope, error;
-        status = implicit_slope(&g, p, fabs(d->parameters[p]) / 1024.0, &slope, &error);
+        status = implicit_slope(&g, p, derived_reach(d, p, 1.0 / 1024.0), &slope, &error);
         if (status.code == WHIRL_OK) derived_note(d, 0, p, slope, error);
     }
     return status;
@@ -651,5 +660,96 @@ whirl_status derived_of_special(const whirl_study *study, const whirl_batch *bat
     if (point->special == WHIRL_FOLD && forced) status = derived_fold(&d, point, &options);
     if (crosses && orbit->multiplier_count > 0 && (forced || orbit->period == 0.0))
         status = derived_by_crossing(&d, point, &options);
+    return derived_is_missing(&status) ? whirl_ok() : status;
+}
+
+// ---------------------------------------------------------------- single numbers
+
+/// A number that is derived by itself, with the memory that `derived` needs.
+typedef struct derived_one {
+    derived of;
+    whirl_derivatives by;
+    whirl_given given[WHIRL_MAX_SENSITIVITIES];
+    double parameters[WHIRL_MAX_SENSITIVITIES], reaches[WHIRL_MAX_SENSITIVITIES];
+    double found, slopes[2 * WHIRL_MAX_SENSITIVITIES];
+} derived_one;
+
+/// Begins the derivatives of a number by parameters.
+static void one_begin(derived_one *one, const whirl_study *study, const whirl_batch *batch, double value, size_t count,
+                      const varied_parameter *parameters) {
+    for (size_t p = 0; p < count; p++) {
+        one->given[p] = (whirl_given){parameters[p].name, parameters[p].value};
+        one->parameters[p] = parameters[p].value;
+        one->reaches[p] = parameters[p].reach;
+    }
+    one->by = (whirl_derivatives){.parameter_count = count, .parameters = one->given};
+    one->of = (derived){.study = study,
+                        .batch = batch,
+                        .by = &one->by,
+                        .value = value,
+                        .count = 1,
+                        .parameters = one->parameters,
+                        .found = &one->found,
+                        .slopes = one->slopes,
+                        .reaches = one->reaches};
+    for (size_t i = 0; i < 2 * count; i++) one->slopes[i] = NAN;
+}
+
+whirl_status derived_threshold(const whirl_study *study, const whirl_batch *batch, const whirl_critical *at,
+                               size_t count, const varied_parameter *parameters, double *slopes) {
+    derived_one one;
+    const double row[] = {(double)at->kind, at->value};
+    one_begin(&one, study, batch, at->value, count, parameters);
+    one.found = at->value;
+    const whirl_status status = derived_critical(&one.of, 0, row);
+    for (size_t p = 0; p < count; p++) slopes[p] = one.slopes[2 * p];
+    return derived_is_missing(&status) ? whirl_ok() : status;
+}
+
+/// A mode whose eigenvalue is derived.
+typedef struct derived_eigenvalue {
+    derived_rest rest;
+    size_t mode;
+} derived_eigenvalue;
+
+static whirl_status derived_eigenvalue_numbers(const void *of, double h, double *numbers) {
+    const derived_eigenvalue *e = of;
+    derived_other other;
+    const whirl_status status = derived_machine(&e->rest, h, &other);
+    const resting_machine *own = &other.machine;
+    numbers[0] = numbers[1] = NAN;
+    for (size_t i = 0; status.code == WHIRL_OK && own->before && i < own->modes->count; i++) {
+        if (own->before[i] != e->mode + 1) continue;
+        numbers[0] = own->machine.clock * own->modes->modes[i].real;
+        numbers[1] = own->machine.clock * own->modes->modes[i].imaginary;
+    }
+    resting_free(&other.machine);
+    return status;
+}
+
+whirl_status derived_mode(const whirl_study *study, const whirl_batch *batch, const resting_machine *own, size_t mode,
+                          size_t count, const varied_parameter *parameters, double *slopes) {
+    derived_one one;
+    one_begin(&one, study, batch, own->value, count, parameters);
+    derived_eigenvalue e = {.rest = {.of = &one.of, .own = own}, .mode = mode};
+    whirl_status status = whirl_ok();
+    for (size_t p = 0; p < count && status.code == WHIRL_OK; p++) {
+        double errors[2];
+        e.rest.parameter = p;
+        status = derived_extrapolate(derived_reach(&one.of, p, 0.125), 2, derived_eigenvalue_numbers, &e,
+                                     slopes + 2 * p, errors);
+    }
+    return status;
+}
+
+whirl_status derived_special_point(const whirl_study *study, const whirl_batch *batch, const whirl_branch_point *point,
+                                   const whirl_orbit_options *options, size_t count, const varied_parameter *parameters,
+                                   double *slopes) {
+    derived_one one;
+    one_begin(&one, study, batch, point->value, count, parameters);
+    one.found = point->value;
+    const whirl_status status = point->special == WHIRL_FOLD ? derived_fold(&one.of, point, options)
+                                                             : derived_by_crossing(&one.of, point, options);
+    for (size_t p = 0; p < count; p++) slopes[p] = one.slopes[2 * p];
     return derived_is_missing(&status) ? whirl_ok() : status;
 }

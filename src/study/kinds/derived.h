@@ -3,6 +3,7 @@
 #define STUDY_DERIVED_H
 
 #include "kinds.h"
+#include "varied.h"
 #include "whirl/engine/sensitivity.h"
 #include "whirl/engine/study.h"
 
@@ -22,5 +23,21 @@ whirl_status derived_of_motion(const whirl_study *study, const whirl_batch *batc
 /// forced orbits or places of rest lies is its number. `system` is any machine of the batch.
 whirl_status derived_of_special(const whirl_study *study, const whirl_batch *batch, const whirl_system *system,
                                 const whirl_branch_point *point, const whirl_layout *layout, double *block);
+
+/// Derives the value of a critical speed or threshold, which critical_locate has found, by parameters [count, at most
+/// WHIRL_MAX_SENSITIVITIES]: slopes [count], NaN where they cannot be found. WHIRL_NO_MEMORY, WHIRL_STOPPED.
+whirl_status derived_threshold(const whirl_study *study, const whirl_batch *batch, const whirl_critical *at,
+                               size_t count, const varied_parameter *parameters, double *slopes);
+
+/// Derives the eigenvalue of a mode of a machine at rest, real and imaginary part in rad/s: slopes [count][2]. Errors
+/// likewise.
+whirl_status derived_mode(const whirl_study *study, const whirl_batch *batch, const resting_machine *own, size_t mode,
+                          size_t count, const varied_parameter *parameters, double *slopes);
+
+/// Derives the value of a fold, doubling or Neimark-Sacker point of forced orbits, whose machine is the batch's where
+/// its own parameter has that value: slopes [count]. Errors likewise.
+whirl_status derived_special_point(const whirl_study *study, const whirl_batch *batch, const whirl_branch_point *point,
+                                   const whirl_orbit_options *options, size_t count, const varied_parameter *parameters,
+                                   double *slopes);
 
 #endif

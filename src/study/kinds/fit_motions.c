@@ -1,4 +1,7 @@
 #include "fit_motions.h"
+#include "fit_place.h"
+#include "fit_rest.h"
+#include "fit_special.h"
 #include "orbit_options.h"
 #include "turns.h"
 #include "two_pi.h"
@@ -60,84 +63,6 @@ void fit_motions_keep(void *motions) {
 
 // ---------------------------------------------------------------- one motion
 
-/// A motion at values of the unknowns.
-typedef struct fit_place {
-    const fit_motions *of;
-    const whirl_fit_motion *motion;
-    const double *values; ///< [unknowns]
-    whirl_batch batch;    ///< requests its machine
-    whirl_given given[WHIRL_MAX_GIVEN];
-    whirl_orbit_options options;
-} fit_place;
-
-/// Sets the parameters of a motion: its own, then the unknowns.
-static void place_make(fit_place *p, const fit_motions *of, size_t index, const double *values) {
-    const whirl_fit_options *fit = &of->batch->record.fit;
-    *p = (fit_place){.of = of, .motion = &of->fit->motions[index], .values = values, .batch = *of->batch};
-    size_t count = 0;
-    for (size_t i = 0; i < p->motion->given_count; i++) p->given[count++] = p->motion->given[i];
-    for (size_t i = 0; i < of->fit->unknown_count; i++)
-        p->given[count++] = (whirl_given){of->fit->unknowns[i].name, values[i]};
-    p->batch.given = p->given;
-    p->batch.given_count = count;
-    p->batch.speed = p->motion->speed;
-    p->options = orbit_options_by(fit->method, fit->rtol);
-}
-
-static whirl_status place_machine(const fit_place *p, whirl_machine *machine) {
-    return p->of->study->machine(p->of->study->family, &p->batch, NAN, machine);
-}
-
-/// Returns true if the states after two revolutions are nearly equal, as a part of the largest coordinate.
-static bool place_repeats(const whirl_system *system, const double *before, const double *x) {
-    double change = 0.0, size = 0.0;
-    for (size_t i = 0; i < system->dimension; i++) {
-        change = fmax(change, fabs(part_apart(system->turns, system->angles, i, x, before)));
-        if (!turns_on(system->turns, i)) size = fmax(size, fabs(x[i]));
-    }
-    return change <= 1e-6 * size;
-}
-
-/// Moves x towards its orbit over *left revolutions. `early`: it may end where x repeats after the orbit's period.
-static whirl_status place_settle(const fit_place *p, const whirl_system *system, bool early, int *left, double *x) {
-    const int period = p->of->batch->record.fit.revolutions;
-    const size_t n = system->dimension;
-    whirl_integrate_options options = p->options.integrate;
-    whirl_integrator *integrator = NULL;
-    options.rtol = fmax(options.rtol, 1e-8);
-    options.atol = fmax(options.atol, 1e-10);
-    double *before = malloc((n + 1) * sizeof *before);
-    whirl_status status = before ? whirl_integrator_new(system, &options, &integrator)
-                                 : whirl_fail(WHIRL_NO_MEMORY, "no memory for a motion of a fit");
-    for (bool near = false; *left > 0 && status.code == WHIRL_OK && !near; --*left) {
-        const int turn = (p->of->batch->record.fit.transient - *left) % period;
-        if (turn == 0) memcpy(before, x, n * sizeof *x);
-        if (whirl_integrator_revolve(integrator, x, NULL, NULL) != WHIRL_BOUNDED)
-            status = whirl_fail(WHIRL_BAD_INPUT, "its motion leaves its bounds after %d revolutions",
-                                p->of->batch->record.fit.transient - *left);
-        near = early && turn == period - 1 && place_repeats(system, before, x);
-    }
-    whirl_integrator_free(integrator);
-    free(before);
-    return status;
-}
-
-/// Finds the orbit on which the machine settles: where its motion nearly repeats or, unless there is a stable orbit
-/// there, after the whole transient. x is the start.
-static whirl_status place_begin(const fit_place *p, const whirl_system *system, double *x, whirl_orbit **orbit) {
-    const size_t revolutions = (size_t)p->of->batch->record.fit.revolutions;
-    int left = p->of->batch->record.fit.transient;
-    whirl_status status = place_settle(p, system, true, &left, x);
-    if (status.code != WHIRL_OK) return status;
-    status = whirl_orbit_find(system, x, revolutions, &p->options, orbit);
-    if (left == 0 || status.code == WHIRL_NO_MEMORY || (status.code == WHIRL_OK && whirl_orbit_largest(*orbit) < 1.0))
-        return status;
-    whirl_orbit_free(*orbit);
-    *orbit = NULL;
-    status = place_settle(p, system, false, &left, x);
-    return status.code == WHIRL_OK ? whirl_orbit_find(system, x, revolutions, &p->options, orbit) : status;
-}
-
 /// Refuses measured waveforms of a machine whose speed depends on an unknown: the angle of the shaft at a time would
 /// too.
 static whirl_status place_check_speed(const fit_place *p, const whirl_machine *machine, const fit_orbit *kept) {
@@ -162,7 +87,7 @@ static whirl_status place_find(const fit_place *p, const whirl_machine *machine,
     for (size_t u = 0; u < p->of->fit->unknown_count && known; u++)
         for (size_t i = 0; i < n; i++) x[i] += (p->values[u] - kept->at[u]) * kept->slopes[u * n + i];
     const whirl_status status =
-        known ? whirl_orbit_find(system, x, revolutions, &p->options, orbit) : place_begin(p, system, x, orbit);
+        known ? whirl_orbit_find(system, x, revolutions, &p->options, orbit) : fit_place_begin(p, system, x, orbit);
     free(x);
     return status;
 }
@@ -171,15 +96,9 @@ static whirl_status place_find(const fit_place *p, const whirl_machine *machine,
 static whirl_status place_derive(const fit_place *p, const whirl_orbit *orbit, whirl_orbit_sensitivity **out,
                                  double lengths[1 + WHIRL_MAX_UNKNOWNS]) {
     varied_parameter unknowns[WHIRL_MAX_UNKNOWNS];
-    const size_t count = p->of->fit->unknown_count;
-    for (size_t u = 0; u < count; u++) {
-        const whirl_fit_unknown *own = &p->of->fit->unknowns[u];
-        const double reach = 1e-3 * (own->high - own->low);
-        unknowns[u] = (varied_parameter){.name = own->name, .value = p->values[u]};
-        if (p->values[u] == 0.0) unknowns[u].reach = isfinite(reach) ? reach : 1e-3;
-    }
-    return varied_orbit(p->of->study, &p->batch, NAN, count, unknowns, orbit, &p->options, p->motion->instants, lengths,
-                        out);
+    fit_place_unknowns(p, unknowns);
+    return varied_orbit(p->of->study, &p->batch, NAN, p->of->fit->unknown_count, unknowns, orbit, &p->options,
+                        p->motion->instants, lengths, out);
 }
 
 // ---------------------------------------------------------------- measured numbers
@@ -270,7 +189,7 @@ static void view_number(const probe_view *v, const whirl_orbit_sensitivity *orbi
     case WHIRL_FIT_SIN:
         view_order(v, orbit, number->at, number->quantity == WHIRL_FIT_SIN, value, slopes);
         break;
-    case WHIRL_FIT_AMPLITUDE:
+    default: // WHIRL_FIT_AMPLITUDE
         view_order(v, orbit, number->at, false, value, slopes);
         view_order(v, orbit, number->at, true, &sine, by_sine);
         const double size = hypot(*value, sine);
@@ -316,15 +235,30 @@ static whirl_status place_note(const fit_place *p, const whirl_machine *machine,
     return whirl_ok();
 }
 
-/// Computes one motion: its orbit, and its part of the model and of the derivatives.
+/// Returns the index of a motion's first number.
+static size_t place_first(const fit_motions *m, size_t index) {
+    size_t i = 0;
+    while (i + 1 < m->fit->number_count && m->fit->numbers[i].motion != index) i++;
+    return i;
+}
+
+/// Computes one motion: its orbit, or its threshold or mode, and its part of the model and of the derivatives.
 static whirl_status place_compute(const fit_motions *m, size_t index, const double *values, double *slopes) {
     fit_place p;
     whirl_machine machine = {.system = NULL};
     whirl_orbit *orbit = NULL;
     whirl_orbit_sensitivity *derived = NULL;
     double lengths[1 + WHIRL_MAX_UNKNOWNS] = {1.0};
-    place_make(&p, m, index, values);
-    whirl_status status = place_machine(&p, &machine);
+    fit_place_make(&p, m, index, values);
+    // A motion that is none has a single number.
+    const size_t first = place_first(m, index);
+    const whirl_fit_number *number = &m->fit->numbers[first];
+    double *own = slopes + first * m->fit->unknown_count;
+    if (number->quantity == WHIRL_FIT_ORBIT_ONSET)
+        return fit_orbit_onset(&p, &m->kept[index], &m->tried[index], &m->model[first], own);
+    if (!whirl_fit_is_motion(number->quantity))
+        return fit_at_rest(&p, number, &m->kept[index], &m->tried[index], &m->model[first], own);
+    whirl_status status = fit_place_machine(&p, &machine);
     if (status.code == WHIRL_OK) status = place_check_speed(&p, &machine, &m->kept[index]);
     if (status.code == WHIRL_OK) status = place_find(&p, &machine, &m->kept[index], &orbit);
     if (status.code == WHIRL_OK) status = place_derive(&p, orbit, &derived, lengths);

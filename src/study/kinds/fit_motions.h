@@ -5,13 +5,17 @@
 #include "whirl/engine/fit.h"
 #include "whirl/engine/study.h"
 
-/// The orbit of a motion, for the values of the unknowns at which the fit is.
+/// The orbit of a motion, for the values of the unknowns at which the fit is. Of a threshold at rest: its value, as a
+/// state of one coordinate; of a mode: its eigenvalue in rad/s, real and imaginary part.
 typedef struct fit_orbit {
     double at[WHIRL_MAX_UNKNOWNS]; ///< values of the unknowns
     size_t dimension;              ///< dimension of the state; 0: no orbit is known yet
     double *node;                  ///< [dimension] state at the beginning of the orbit
     double *slopes;                ///< [unknowns][dimension] derivatives of that state
     double largest, speed;         ///< largest modulus of its multipliers, and speed of the shaft, rad/s
+    double value;                  ///< of the onset of an orbit: its value
+    double by[WHIRL_MAX_UNKNOWNS]; ///< and the derivatives of that value
+    whirl_special special;         ///< and the kind of point that it is
 } fit_orbit;
 
 /// All motions of a fit. `tried` are the orbits of the last evaluation, `kept` those at which the fit is.

@@ -1,0 +1,13 @@
+/// The lists of motions and numbers of a fit.
+#ifndef CASE_FIT_LIST_H
+#define CASE_FIT_LIST_H
+
+#include "fit_table.h"
+
+/// Adds a motion. WHIRL_BAD_INPUT if there are too many; WHIRL_NO_MEMORY.
+whirl_status fit_list_motion(fit_maker *m, const whirl_fit_motion *motion);
+
+/// Adds a number of the last motion. Errors likewise.
+whirl_status fit_list_number(fit_maker *m, const whirl_fit_number *number);
+
+#endif

@@ -1,0 +1,32 @@
+/// A motion of a fit at values of the unknowns: its machine, and the orbit on which it settles.
+#ifndef STUDY_FIT_PLACE_H
+#define STUDY_FIT_PLACE_H
+
+#include "fit_motions.h"
+#include "varied.h"
+#include "whirl/engine/orbit.h"
+
+/// A motion at values of the unknowns.
+typedef struct fit_place {
+    const fit_motions *of;
+    const whirl_fit_motion *motion;
+    const double *values; ///< [unknowns]
+    whirl_batch batch;    ///< requests its machine
+    whirl_given given[WHIRL_MAX_GIVEN];
+    whirl_orbit_options options;
+} fit_place;
+
+/// Sets the parameters of a motion: its own, then the unknowns.
+void fit_place_make(fit_place *p, const fit_motions *of, size_t index, const double *values);
+
+/// Makes the machine of a place, which the caller releases.
+whirl_status fit_place_machine(const fit_place *p, whirl_machine *machine);
+
+/// Finds the orbit on which the machine settles: where its motion nearly repeats or, unless there is a stable orbit
+/// there, after the whole transient. x [dimension] is the start, and workspace.
+whirl_status fit_place_begin(const fit_place *p, const whirl_system *system, double *x, whirl_orbit **orbit);
+
+/// Writes the unknowns at their values, by which numbers are derived: out [unknowns].
+void fit_place_unknowns(const fit_place *p, varied_parameter out[WHIRL_MAX_UNKNOWNS]);
+
+#endif

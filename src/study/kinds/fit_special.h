@@ -1,0 +1,13 @@
+/// Onsets of periodic orbits in a fit: where a branch of forced orbits folds, doubles its period, or begins a torus.
+#ifndef STUDY_FIT_SPECIAL_H
+#define STUDY_FIT_SPECIAL_H
+
+#include "fit_place.h"
+
+/// Computes the onset: model [1] and its derivatives slopes [unknowns]. At first it is the first fold, doubling or
+/// Neimark-Sacker point of the branch that begins at motion->from, upwards. WHIRL_BAD_INPUT if there is none;
+/// WHIRL_NO_MEMORY.
+whirl_status fit_orbit_onset(const fit_place *p, const fit_orbit *kept, fit_orbit *tried, double *model,
+                             double *slopes);
+
+#endif
