@@ -11,9 +11,13 @@
 #include <cmocka.h>
 
 #include "support_check.h"
+#include "support_study.h"
+#include "whirl/engine/fields.h"
 #include "whirl/engine/linear.h"
 #include "whirl/engine/orbit.h"
+#include "whirl/engine/result.h"
 #include "whirl/engine/rotor.h"
+#include "whirl/engine/study.h"
 
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 #define ADD(design, kind, ...)                                                                                         \
@@ -334,6 +338,54 @@ static void helical_gears(void **state) {
         }
 }
 
+/// Modes of two shafts of finite elements with helical gears, as they stand or turned end for end.
+static whirl_result *helical_shafts(double helix, bool turned) {
+    char text[4096];
+    const double gears = turned ? 0.3 : 0.2;
+    snprintf(text, sizeof text,
+             "whirl: 1\nrotor:\n  speed: 100 rad/s\n  length_scale: 0.1 mm\n"
+             "  shafts: {one: {twist: yes}, two: {twist: yes, ratio: -0.4}}\n"
+             "  stations:\n"
+             "    a: {shaft: one, position: 0 m}\n"
+             "    g1: {shaft: one, position: %g m}\n"
+             "    b: {shaft: one, position: 0.5 m}\n"
+             "    c: {shaft: two, position: 0 m}\n"
+             "    g2: {shaft: two, position: %g m}\n"
+             "    d: {shaft: two, position: 0.5 m}\n"
+             "  elements:\n"
+             "    - segment: {shaft: one, length: 0.5 m, outer: 50 mm, elements: 10}\n"
+             "    - segment: {shaft: two, length: 0.5 m, outer: 60 mm, elements: 10}\n"
+             "    - disc: {at: g1, outer: 160 mm, inner: 50 mm, width: 60 mm, density: 7800 kg/m3}\n"
+             "    - disc: {at: g2, outer: 400 mm, inner: 60 mm, width: 60 mm, density: 7800 kg/m3}\n"
+             "    - spring: {between: [a, ground], stiffness: 1e8 N/m}\n"
+             "    - spring: {between: [b, ground], stiffness: 1e8 N/m}\n"
+             "    - spring: {between: [c, ground], stiffness: 1e8 N/m}\n"
+             "    - spring: {between: [d, ground], stiffness: 1e8 N/m}\n"
+             "    - spring: {between: [%s, ground], along: twist, stiffness: 1e5}\n"
+             "    - gear: {between: [g1, g2], base_radii: [75 mm, 187.5 mm], stiffness: 4e8 N/m, helix: %g deg}\n"
+             "study:\n  modes: {count: 12}\n",
+             gears, gears, turned ? "b" : "a", helix);
+    return result_of_text(text);
+}
+
+/// Shafts turned end for end with gears of the other hand are mirror images: they have the same frequencies. Turned end
+/// for end with the same hand they have others.
+static void helical_gears_in_a_mirror(void **state) {
+    (void)state;
+    whirl_result *all[] = {helical_shafts(15.0, false), helical_shafts(-15.0, true), helical_shafts(15.0, true)};
+    const double *as[3];
+    double apart = 0.0;
+    for (size_t i = 0; i < 3; i++)
+        as[i] = whirl_table_field(whirl_result_table(all[i], "modes"), 0, WHIRL_FIELD_MODES_FREQUENCY, 0);
+    for (size_t i = 0; i < 12; i++) {
+        check_within("Gear pair", words("helical, mode %zu in a mirror, rad/s", i + 1), as[0][i], as[1][i],
+                     1e-9 * as[0][i]);
+        apart = fmax(apart, fabs(as[2][i] / as[0][i] - 1.0));
+    }
+    check_holds("Gear pair", words("of the other hand they differ, by %.2g", apart), apart > 1e-3);
+    for (size_t i = 0; i < 3; i++) whirl_result_free(all[i]);
+}
+
 /// A mesh that becomes stiffer has the torsional modes of a rigid ratio: the difference goes with one over the
 /// stiffness of the mesh, beside supports that are as stiff.
 static void stiff_mesh_becomes_rigid(void **state) {
@@ -373,6 +425,7 @@ int main(void) {
                                        cmocka_unit_test(stiffness_over_the_mesh),
                                        cmocka_unit_test(pair_of_gears),
                                        cmocka_unit_test(helical_gears),
+                                       cmocka_unit_test(helical_gears_in_a_mirror),
                                        cmocka_unit_test(stiff_mesh_becomes_rigid)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
