@@ -32,28 +32,65 @@ static char *fit_last_word(char *text) {
     return word;
 }
 
-/// Understands the heading of a probe: "disc x", "disc 45", "disc x 2X", "disc x lag", "disc x 2X lag".
+/// Reads the order of a column, "2X", at the end of a heading, if there is one; `word` becomes the word before it.
+static whirl_status fit_read_order(fit_maker *m, size_t column, char *text, char **word) {
+    fit_column *own = &m->columns[column];
+    char *end;
+    if (!*word || !**word || (*word)[strlen(*word) - 1] != 'X') return whirl_ok();
+    own->order = strtod(*word, &end);
+    if (end == *word || strcmp(end, "X") != 0 || !(own->order > 0.0 && own->order <= FIT_MAX_ORDER))
+        return FIT_FAIL(m, column, "'%.20s' is no order, expected 1X, 2X, 0.5X", *word);
+    if (!m->statistics && m->revolutions > 0 &&
+        fabs(own->order * m->revolutions - round(own->order * m->revolutions)) > 1e-9)
+        return FIT_FAIL(m, column, "order %.20s does not occur in a motion of %d revolution%s", *word, m->revolutions,
+                        m->revolutions == 1 ? "" : "s");
+    *word = fit_last_word(text);
+    return whirl_ok();
+}
+
+/// Reads the end of a heading that is neither station nor direction: "lag", "2X", "2X lag", "max", "min".
+static whirl_status fit_read_kind(fit_maker *m, size_t column, char *text, char **word) {
+    fit_column *own = &m->columns[column];
+    const bool highest = *word && strcmp(*word, "max") == 0, lowest = *word && strcmp(*word, "min") == 0;
+    own->quantity = m->statistics ? WHIRL_FIT_LINE : WHIRL_FIT_AMPLITUDE;
+    if (highest || lowest) {
+        if (!m->statistics)
+            return FIT_FAIL(m, column, "'%.40s' is a statistic, expected compare: statistics at this table",
+                            m->table.columns[column].name);
+        own->quantity = highest ? WHIRL_FIT_HIGHEST : WHIRL_FIT_LOWEST;
+        *word = fit_last_word(text);
+        return whirl_ok();
+    }
+    if (*word && strcmp(*word, "lag") == 0) {
+        if (m->statistics)
+            return FIT_FAIL(m, column, "'%.40s' is a lag, which statistics have not, expected sizes of lines alone",
+                            m->table.columns[column].name);
+        own->kind = FIT_LAG;
+        *word = fit_last_word(text);
+    }
+    return fit_read_order(m, column, text, word);
+}
+
+/// Understands the heading of a probe: "disc x", "disc 45", "disc x 2X", "disc x lag", "disc x 2X lag", "disc x max".
 static whirl_status fit_probe_heading(fit_maker *m, size_t column, bool vectors) {
     char text[CSV_TEXT], advice[WHY_SIZE], *end;
     fit_column *own = &m->columns[column];
     const named_list *stations = &m->parts->machine->stations;
     memcpy(text, m->table.columns[column].name, sizeof text);
     *own = (fit_column){.kind = FIT_DISPLACEMENT, .order = 1.0, .lag = column, .noise = m->noise};
+    // The share of the time in contact.
+    if (strcmp(text, "contact") == 0) {
+        own->quantity = WHIRL_FIT_SHARE;
+        own->size = 1.0;
+        if (m->statistics && m->noise > 0.0)
+            return FIT_FAIL(m, column, "'contact' has no noise in the case, expected noise: {contact: 1 %%, ...}");
+        if (m->statistics && *m->table.columns[column].unit) return csv_unit(&m->table, column, "1", "%", &own->size);
+        if (m->statistics) return whirl_ok();
+        return FIT_FAIL(m, column, "'contact' is a statistic, expected compare: statistics at this table");
+    }
     char *word = fit_last_word(text);
-    // Split off the word lag and the order.
-    if (word && strcmp(word, "lag") == 0) {
-        own->kind = FIT_LAG;
-        word = fit_last_word(text);
-    }
-    if (word && *word && word[strlen(word) - 1] == 'X') {
-        own->order = strtod(word, &end);
-        if (end == word || strcmp(end, "X") != 0 || !(own->order > 0.0 && own->order <= FIT_MAX_ORDER))
-            return FIT_FAIL(m, column, "'%.20s' is no order, expected 1X, 2X, 0.5X", word);
-        if (m->revolutions > 0 && fabs(own->order * m->revolutions - round(own->order * m->revolutions)) > 1e-9)
-            return FIT_FAIL(m, column, "order %.20s does not occur in a motion of %d revolution%s", word,
-                            m->revolutions, m->revolutions == 1 ? "" : "s");
-        word = fit_last_word(text);
-    }
+    const whirl_status status = fit_read_kind(m, column, text, &word);
+    if (status.code != WHIRL_OK) return status;
     if (!vectors && (own->kind == FIT_LAG || strcmp(m->table.columns[column].name + strlen(text), "") == 0))
         return FIT_FAIL(
             m, column, "'%.40s' is no column of displacements over the angle or the time, expected 'disc x', 'disc 45'",
@@ -205,11 +242,15 @@ static whirl_status fit_take_row(fit_maker *m, size_t row) {
         const fit_column *own = &m->columns[c];
         if (own->kind != FIT_DISPLACEMENT) continue;
         const double amplitude = fit_cell(m, c, row);
-        if (amplitude < 0.0)
+        const bool size = own->quantity == WHIRL_FIT_AMPLITUDE || own->quantity == WHIRL_FIT_LINE;
+        if (own->quantity == WHIRL_FIT_SHARE && !(amplitude >= 0.0 && amplitude <= 1.0))
+            return csv_fail(&m->table, m->table.lines[row], m->table.columns[c].place,
+                            "the share of the time in contact is %g, expected 0 to 1", amplitude);
+        if (size && amplitude < 0.0)
             return csv_fail(&m->table, m->table.lines[row], m->table.columns[c].place,
                             "the amplitude is %g, expected 0 or more", csv_numbers(&m->table, c)[row]);
         if (own->lag == c) {
-            status = fit_add_number(m, own, WHIRL_FIT_AMPLITUDE, own->order, amplitude);
+            status = fit_add_number(m, own, own->quantity, own->order, amplitude);
             continue;
         }
         const double lag = fit_cell(m, own->lag, row);
@@ -225,7 +266,7 @@ static whirl_status fit_take_vectors(fit_maker *m, size_t along) {
     double highest = 1.0;
     for (size_t c = 0; c < m->table.column_count; c++)
         if (m->columns[c].kind == FIT_DISPLACEMENT) highest = fmax(highest, m->columns[c].order);
-    const size_t instants = FIT_INSTANTS * (size_t)ceil(highest / 4.0);
+    const size_t instants = (m->statistics ? 2u : 1u) * (size_t)FIT_INSTANTS * (size_t)ceil(highest / 4.0);
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < m->table.count && status.code == WHIRL_OK; i++) {
         const double value = fit_cell(m, along, i);
@@ -238,6 +279,7 @@ static whirl_status fit_take_vectors(fit_maker *m, size_t along) {
         const bool varies = axis->parameter != NULL;
         if (varies) given[m->at_count] = (whirl_given){axis->parameter->name, value};
         status = fit_add_motion(m, m->at_count + varies, given, varies ? 0.0 : value, instants);
+        if (status.code == WHIRL_OK) m->motions[m->fit.motion_count - 1].statistics = m->statistics;
         if (status.code == WHIRL_OK) status = fit_take_row(m, i);
     }
     return status;
@@ -303,6 +345,11 @@ static whirl_status fit_take_table(fit_maker *m, const fit_set *set) {
     const bool waveform = strcmp(axis, "time") == 0;
     const bool vectors = !waveform && strcmp(axis, "angle") != 0 && strcmp(axis, "turns") != 0;
     whirl_status status = whirl_ok();
+    m->statistics = set->place && strcmp(settings_word(&set->keys, "compare"), "statistics") == 0;
+    if (m->statistics && !vectors)
+        return FIT_FAIL(m, along,
+                        "is a column of instants, which statistics have not, expected largest and smallest "
+                        "displacements, lines and contact over the speed or a parameter");
     // Understand all headings.
     for (size_t c = 0; c < table->column_count && status.code == WHIRL_OK; c++) {
         status = fit_heading(m, c, vectors);

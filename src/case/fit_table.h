@@ -10,6 +10,7 @@ enum { FIT_MAX_COLUMNS = 2 + 4 * WHIRL_MAX_PROBES };
 /// Contents of a column.
 typedef struct fit_column {
     enum { FIT_ANGLE, FIT_TIME, FIT_SPEED, FIT_PARAMETER, FIT_DISPLACEMENT, FIT_LAG } kind;
+    whirl_fit_quantity quantity; ///< of a number that has no lag: an amplitude, or a statistic
     size_t station;
     double direction, order; ///< rad; order of vectors
     double size;             ///< SI per unit
@@ -28,6 +29,7 @@ typedef struct fit_maker {
     whirl_fit_number *numbers;
     size_t motion_capacity, number_capacity;
     int revolutions; ///< of the fit's orbits; 0: there is no fit, samples and orders are as the table has them
+    bool statistics; ///< the present table is compared by statistics
     double checksum;
     // The present table.
     size_t set;

@@ -100,6 +100,7 @@ void fit_value_check_keys(case_reader *reader, const fit_set *set) {
         problem_at(reader->problems, set->place,
                    "has no file, onset, critical, frequency or damping, expected one of them");
     // Their own keys.
+    fit_refuse_key(reader, set, "compare", kind == FIT_KINDS, "file");
     const bool threshold = fit_is_threshold(kind), mode = kind < FIT_KINDS && !threshold;
     const bool onset = threshold && fit_kinds[kind].quantity == WHIRL_FIT_ONSET;
     fit_refuse_key(reader, set, "of", onset, "onset");
@@ -108,8 +109,11 @@ void fit_value_check_keys(case_reader *reader, const fit_set *set) {
     fit_refuse_key(reader, set, "to", threshold, "onset or critical");
     fit_refuse_key(reader, set, "mode", mode, "frequency or damping");
     fit_refuse_key(reader, set, "whirl", mode || (threshold && !onset), "critical, frequency or damping");
-    if (kind == FIT_KINDS) return;
     const setting *noise = settings_find(&set->keys, "noise");
+    const bool statistics = strcmp(settings_word(&set->keys, "compare"), "statistics") == 0;
+    if (kind == FIT_KINDS && statistics && !noise)
+        problem_at(reader->problems, set->place, "has no noise, expected the standard deviation of its statistics");
+    if (kind == FIT_KINDS) return;
     if (!noise && !settings_misspelt(&set->keys, "noise"))
         problem_at(reader->problems, set->place, "has no noise, expected the standard deviation of %s", first);
     else if (noise && set->channel_count > 0)

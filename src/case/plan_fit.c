@@ -47,6 +47,13 @@ static void fit_read_unknowns(case_reader *reader, fit_parts *fit) {
         fit_read_unknown(reader, one, &fit->unknowns[fit->unknown_count++]);
 }
 
+/// Returns the key of the noise of a column: the share of the time in contact is no length.
+static whirl_key fit_channel_key(const fit_set *set, const fit_channel *channel) {
+    whirl_key key = set->noise_key;
+    if (strcmp(channel->place->key, "contact") == 0) key.unit = "1";
+    return key;
+}
+
 /// Reads the noise of a set: one number, or one for each probe.
 static void fit_read_noise(case_reader *reader, const setting *given, fit_set *out) {
     const file_node *where = given->place;
@@ -61,7 +68,8 @@ static void fit_read_noise(case_reader *reader, const setting *given, fit_set *o
     for (const file_node *one = where->first; one; one = one->next) {
         fit_channel *channel = &out->channels[out->channel_count++];
         channel->place = one;
-        formula_read(reader, one, &out->noise_key, &channel->noise);
+        const whirl_key key = fit_channel_key(out, channel);
+        formula_read(reader, one, &key, &channel->noise);
     }
 }
 
@@ -193,9 +201,11 @@ static bool fit_make_set(fit_maker *m, const fit_set *set, whirl_given *given) {
     m->noise = set->channel_count > 0 ? 0.0 : 1.0;
     if (noise && set->channel_count == 0 && !fit_make_noise(m, &set->noise_key, noise->place, &set->noise, &m->noise))
         return false;
-    for (size_t i = 0; i < set->channel_count; i++)
-        if (!fit_make_noise(m, &set->noise_key, set->channels[i].place, &set->channels[i].noise, &m->channel_noise[i]))
+    for (size_t i = 0; i < set->channel_count; i++) {
+        const whirl_key key = fit_channel_key(set, &set->channels[i]);
+        if (!fit_make_noise(m, &key, set->channels[i].place, &set->channels[i].noise, &m->channel_noise[i]))
             return false;
+    }
     for (size_t i = 0; i < set->at.count; i++) {
         given[i].name = set->at.parameters[i]->name;
         if (!plan_formula_value(m->reader, m->v, set->at.places[i], &set->at.values[i], &given[i].value)) return false;

@@ -167,6 +167,11 @@ static const whirl_key fit_data_keys[] = {
     CHOICE_KEY("file", OPTIONAL, "",
                "path of the table: displacements of probes over `angle`, `turns` or `time`, or amplitudes and lags of "
                "orders over `speed` or a parameter"),
+    CHOICE_KEY(
+        "compare", DEFAULT("orbit"), "orbit|statistics",
+        "file: orbit: its motions are periodic; statistics: they may be any, and columns over `speed` or a "
+        "parameter are largest and smallest displacements (disc x max, disc x min), lines (disc x 0.4X), and the "
+        "share of the time in contact"),
     NUMBER_KEY("onset", "", "", OPTIONAL, WHIRL_ANY,
                "in place of file: speed at which the machine loses stability, or value of the parameter `along`"),
     NUMBER_KEY("critical", "", "", OPTIONAL, WHIRL_ANY,

@@ -243,6 +243,122 @@ def test_numbers_and_tables_together():
     assert both["c"].value == pytest.approx(37.0, rel=1e-4) and both["c"].error < 0.1 * alone["c"].error
 
 
+def statistics_case(elements, **parameters):
+    return {
+        "parameters": {"n": "100 rad/s", "e": "50 um", "c": "40 N s/m", "m": "3 kg", **parameters},
+        "rotor": {
+            "speed": "= n",
+            "length_scale": "1 mm",
+            "stations": {"disc": {"mass": "= m", "damping": "= c", "eccentricity": "= e"}},
+            "elements": elements,
+        },
+        "study": {"response": {}},
+    }
+
+
+def test_quasi_periodic_motions_are_compared_by_statistics():
+    """A disc on a spring with a force at 0.618 of its speed: two lines, whose sum is the largest displacement."""
+    k, c, e, f, ratio = 33e3, 52.0, 38e-6, 4.0, (np.sqrt(5) - 1) / 2
+    elements = [
+        {"shaft": {"between": ["disc", "ground"], "k1": "= k"}},
+        {"force": {"at": "disc", "amplitude": "= f", "ratio": ratio}},
+    ]
+    case = statistics_case(elements, k="30 kN/m", f="3 N")
+    n = np.array([80.0, 90.0, 100.0, 125.0])
+    whirling = abs(e * n**2 / (k / 3 - n**2 + 1j * c * n / 3))
+    forced = abs(f / (k - 3 * (ratio * n) ** 2 + 1j * c * ratio * n))
+    data = {
+        "speed [rad/s]": n,
+        "disc x 1X [m]": whirling,
+        "disc x 0.62X [m]": forced,
+        "disc x max [m]": whirling + forced,
+        "disc x min [m]": -whirling - forced,
+        "disc y max [m]": whirling,
+    }
+    found = whirl.fit(case, data, ["k", "c", "e", "f"], noise="0.5 um", compare="statistics", record=96)
+    assert found.end == "found"
+    for name, value in {"k": k, "c": c, "e": e, "f": f}.items():
+        assert found[name].value == pytest.approx(value, rel=2e-4)
+    said = [own for own in found.result.statements() if own.what == "statistics"]
+    assert "4 of 4 motions are compared by statistics of 96 revolutions, not as orbits" in str(said[0].found)
+    assert "fit-1" in found.result.figures()
+    # As orbits they cannot be fitted, which is said.
+    columns = {name: data[name] for name in ("speed [rad/s]", "disc x 1X [m]")}
+    alone = whirl.fit(case, columns, ["k"], noise="0.5 um")
+    assert alone.end == "no motion"
+    assert any("compare: statistics" in str(own.found) for own in alone.result.statements())
+
+
+def chaotic_share(n, e, count=32, before=60, after=100, steps=96):
+    """Share of the time in contact of a rotor that rubs, by RK4 over an ensemble of starts, at several speeds."""
+    w = np.repeat(n, count)
+    state = np.zeros((4, len(w)))
+    state[:2] = np.random.default_rng(1).uniform(-0.2, 0.2, (2, len(w)))
+
+    def slope(t, s):
+        x, y, vx, vy = s
+        r = np.hypot(x, y)
+        force = 10.0 * np.maximum(r - 1, 0) / np.maximum(r, 1e-12)
+        drive = e * w**2
+        return np.array(
+            [
+                vx,
+                vy,
+                -0.2 * vx - x - force * (x - 0.05 * y) + drive * np.cos(t),
+                -0.2 * vy - y - force * (0.05 * x + y) + drive * np.sin(t) - 0.5,
+            ]
+        )
+
+    h, touched = 2 * np.pi / steps, np.zeros(len(w))
+    for i in range((before + after) * steps):
+        t = i * h
+        a = slope(t, state)
+        b = slope(t + h / 2, state + h / 2 / w * a)
+        c = slope(t + h / 2, state + h / 2 / w * b)
+        d = slope(t + h, state + h / w * c)
+        state = state + h / 6 / w * (a + 2 * b + 2 * c + d)
+        if i >= before * steps:
+            touched += np.hypot(state[0], state[1]) > 1
+    shares = (touched / (after * steps)).reshape(len(n), count)
+    return shares.mean(1), shares.std(1) / np.sqrt(count)
+
+
+def test_the_share_of_contact_of_chaos_tells_the_unbalance():
+    n = np.array([3.3, 3.35, 3.4])
+    share, error = chaotic_share(n, 0.9)
+    assert np.all(error < 0.006)
+    elements = [
+        {"shaft": {"between": ["disc", "ground"], "k1": "1 N/m"}},
+        {"rub": {"at": "disc", "gap": "1 m", "stiffness": 10, "friction": 0.05, "law": "paper"}},
+        {"gravity": 0.5},
+    ]
+    case = statistics_case(elements, n="3.3 rad/s", e=0.9, c="0.2 N s/m", m="1 kg")
+    case["rotor"]["length_scale"] = "1 m"
+    data = {"speed [rad/s]": n, "contact [%]": 100 * share}
+    options = {"record": 320, "transient": 60, "difference": 0.03, "compare": "statistics"}
+    found = whirl.fit(case, data, {"e": (0.87, 0.7, 1.1)}, noise={"contact": "1 %"}, **options)
+    assert abs(found["e"].value - 0.9) < 3 * found["e"].error and found["e"].error < 0.02
+    assert any(own.what == "statistics" for own in found.result.statements())
+    sheet = found.result.sheet("fit/values")
+    assert set(sheet["what"]) == {"share of the time in contact"} and len(sheet["speed"]) == 3
+
+
+def test_statistics_are_asked_for():
+    case = statistics_case([{"shaft": {"between": ["disc", "ground"], "k1": "= k"}}], k="30 kN/m")
+    columns = {"speed [rad/s]": [80.0, 90.0]}
+    for heading, words in (("disc x max [m]", "is a statistic, expected compare"), ("contact", "is a statistic")):
+        with pytest.raises(whirl.BadInput, match=words):
+            whirl.fit(case, {**columns, heading: [0.1, 0.1]}, ["k"], noise=1e-6)
+    for heading, words in (("disc x lag [deg]", "is a lag, which statistics have not"), ("contact", "has no noise")):
+        with pytest.raises(whirl.BadInput, match=words):
+            whirl.fit(case, {**columns, heading: [0.1, 0.1]}, ["k"], noise=1e-6, compare="statistics")
+    with pytest.raises(whirl.BadInput, match="has no noise, expected the standard deviation of its statistics"):
+        whirl.fit(case, {**columns, "disc x [m]": [0.1, 0.1]}, ["k"], compare="statistics")
+    with pytest.raises(whirl.BadInput, match="column of instants, which statistics have not"):
+        data = {"angle [deg]": [0.0, 90.0], "disc x [m]": [0.1, 0.1]}
+        whirl.fit(case, data, ["k"], noise=1e-6, compare="statistics")
+
+
 def test_a_machine_without_an_onset_is_said():
     data = {"onset": "30 rad/s", "noise": "1 rad/s"}
     found = whirl.fit(WHIRLING, data, ["k"])

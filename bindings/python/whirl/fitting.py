@@ -146,6 +146,7 @@ def fit(
     *,
     at: Mapping[str, Any] | Sequence[Mapping[str, Any]] | None = None,
     noise: str | float | Mapping[str, str | float] | None = None,
+    compare: str = "orbit",
     threads: int = 0,
     **options: Any,
 ) -> Fit:
@@ -166,11 +167,14 @@ def fit(
     noise : text, float or dict, optional
         Standard deviation of the numbers of tables: "2 um", or a number in m; or one for each probe, {"disc x": "2 um",
         "disc y": "3 um"}.
+    compare : str
+        "orbit" or, for tables of motions that need not be periodic, "statistics": columns "disc x max [um]",
+        "disc x min [um]", "disc x 0.4X [um]" and "contact [%]".
     threads : int
         Number of threads; 0: all cores.
     **options
         Other keys of ``study: {fit: ...}``: starts, revolutions, transient, loss, huber, steps, tolerance, rtol,
-        method, profile.
+        method, profile, record, difference.
 
     Raises
     ------
@@ -194,8 +198,12 @@ def fit(
                 item["at"] = dict(place)
             if noise is not None and not number_alone:
                 item["noise"] = (
-                    {k: _length(v) for k, v in noise.items()} if isinstance(noise, Mapping) else _length(noise)
+                    {k: v if k == "contact" else _length(v) for k, v in noise.items()}
+                    if isinstance(noise, Mapping)
+                    else _length(noise)
                 )
+            if compare != "orbit" and not number_alone:
+                item["compare"] = compare
             items.append(item)
         study = {"unknown": {name: _where(bounds) for name, bounds in names.items()}, "data": items, **options}
         text = machine + _block({"study": {"fit": study}}) + "\n"

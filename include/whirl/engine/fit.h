@@ -38,6 +38,8 @@ typedef struct whirl_fit_options {
     double rtol;                  ///< relative tolerance of the orbits' integration
     char method[WHIRL_NAME_SIZE]; ///< dop853 or rodas5p
     bool profile;                 ///< find profile intervals, too
+    int record;                   ///< revolutions of the records of which statistics are taken
+    double difference;            ///< part of the unknowns over which statistics are differenced
     int unknowns;                 ///< number of unknown parameters
     int motions;                  ///< number of motions
     int numbers;                  ///< number of measured numbers
@@ -59,12 +61,16 @@ typedef enum whirl_fit_quantity {
     WHIRL_FIT_ORBIT_ONSET, ///< value of a parameter, or speed, above which the periodic orbit is unstable, or ends
     WHIRL_FIT_CRITICAL,    ///< critical speed, or value of a parameter at which a mode whirls once a revolution
     WHIRL_FIT_FREQUENCY,   ///< damped frequency of a mode, rad/s
-    WHIRL_FIT_DAMPING      ///< damping ratio of a mode
+    WHIRL_FIT_DAMPING,     ///< damping ratio of a mode
+    WHIRL_FIT_HIGHEST,     ///< largest displacement of a record
+    WHIRL_FIT_LOWEST,      ///< smallest displacement of a record
+    WHIRL_FIT_LINE,        ///< size of a spectral line of a record: of a whole order, else the largest near the order
+    WHIRL_FIT_SHARE        ///< share of the time in which some contact is closed
 } whirl_fit_quantity;
 
 /// Returns true for quantities that are displacements or parts of them, in m.
 static inline bool whirl_fit_is_motion(whirl_fit_quantity what) {
-    return what <= WHIRL_FIT_WAVEFORM;
+    return what <= WHIRL_FIT_WAVEFORM || (what >= WHIRL_FIT_HIGHEST && what <= WHIRL_FIT_LINE);
 }
 
 /// A measured number.
@@ -88,6 +94,7 @@ typedef struct whirl_fit_motion {
     double speed;                    ///< rad/s; 0: the machine's own
     size_t instants;                 ///< instants of a revolution at which displacements are needed
     const char *along; ///< for onsets and critical speeds: parameter that varies; NULL: the speed; borrowed
+    bool statistics;   ///< its numbers are statistics of a record in time, not of a periodic orbit
     double from, to;   ///< for these: values between which they are sought first, SI
     int whirl;         ///< for critical speeds and modes: 1 forward, -1 backward, 0 any
     size_t mode; ///< for modes: number at the start, from 1, by rising frequency; 0: the one nearest to the number
@@ -146,6 +153,7 @@ typedef struct whirl_fit_solution {
     double *model;                         ///< [number_count] SI, the numbers of the machine
     double *largest; ///< [motion_count] largest modulus of the orbit's multipliers: stable below 1; NaN for others
     double *speeds;  ///< [motion_count] rad/s
+    double *scatter; ///< [motion_count] of statistics: largest scatter of a number over its noise; NaN for others
 } whirl_fit_solution;
 
 #ifdef __cplusplus

@@ -35,14 +35,16 @@ static const field_plan fields[FIELD_COUNT] = {
     [CORRELATION] = {WHIRL_FIELD_FIT_CORRELATION, "1", "coefficients of correlation of the unknowns' errors",
                      WHIRL_PER_POINT, WHIRL_MAX_UNKNOWNS, fit_unknowns},
     [MOTION] = {WHIRL_FIELD_FIT_MOTION, "1",
-                "speed, multiplier (rad/s; largest modulus of the orbit's multipliers: stable below 1; NaN for what is "
-                "no motion)",
-                WHIRL_PER_POINT, 2, fit_motions},
+                "speed, multiplier, scatter (rad/s; largest modulus of the orbit's multipliers: stable below 1; NaN "
+                "for what is "
+                "no orbit; of statistics: the largest scatter over its noise)",
+                WHIRL_PER_POINT, 3, fit_motions},
     [NUMBER] = {WHIRL_FIELD_FIT_NUMBER, "1",
                 "set, motion, station, angle, quantity, at, measured, model, noise (entry of the data and motion from "
                 "0; rad; 0 displacement, 1 and 2 cosine and sine part of an order, 3 its amplitude, 4 displacement "
                 "after a time, 5 onset at rest, 6 onset of an orbit, 7 critical speed, 8 frequency and 9 damping ratio "
-                "of a mode; revolutions, the order, seconds, the index of the parameter (-1: the speed), or the number "
+                "of a mode, 10 largest and 11 smallest displacement, 12 size of a line, 13 share of contact; "
+                "revolutions, the order, seconds, the index of the parameter (-1: the speed), or the number "
                 "of the mode; SI)",
                 WHIRL_PER_POINT, 9, fit_numbers},
     [PROFILE] = {WHIRL_FIELD_FIT_PROFILE, "1",
@@ -88,9 +90,10 @@ static whirl_status fit_compute(const whirl_resting *point, const whirl_record_o
     }
     // Fill in the motions, and the measured numbers next to those of the model.
     for (size_t i = 0; i < fit->motion_count; i++) {
-        double *out = view_numbers(view, MOTION, 0) + 2 * i;
+        double *out = view_numbers(view, MOTION, 0) + 3 * i;
         out[0] = s->speeds[i];
         out[1] = s->largest[i];
+        out[2] = s->scatter[i];
     }
     for (size_t i = 0; i < fit->number_count; i++) {
         const whirl_fit_number *own = &fit->numbers[i];

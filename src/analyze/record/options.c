@@ -172,6 +172,10 @@ const whirl_member *whirl_fit_members(void) {
             "relative tolerance of the orbits' integration"),
         FIT(WORD, method, "method", "", WHIRL_KEY_CHOICE, "dop853", WHIRL_ANY, "dop853|rodas5p",
             "method of integration; rodas5p for stiff machines"),
+        FIT(WHOLE, record, "record", "1", WHIRL_KEY_WHOLE, "256", WHIRL_FROM_TO(32, 100000), NULL,
+            "revolutions after the transient of which statistics are taken (compare: statistics)"),
+        FIT(NUMBER, difference, "difference", "1", WHIRL_KEY_NUMBER, "0.01", WHIRL_ABOVE_TO(1e-6, 0.5), NULL,
+            "part of the unknowns by which they are changed to derive statistics"),
         FIT(FLAG, profile, "profile", "", WHIRL_KEY_CHOICE, "no", WHIRL_ANY, "yes|no|true|false",
             "find profile intervals, too, for which all other unknowns are fitted again: for parameters on which "
             "motions depend in a curved way"),

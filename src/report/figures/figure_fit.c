@@ -35,8 +35,9 @@ static void fit_list(figure_list *to, const drawing *of, const whirl_table *tabl
 /// Returns true if two rows belong to one line of a panel: same probe and, except for samples, same order.
 static bool fit_is_line(const double *a, const double *b) {
     const bool both = a[FIT_STATION] == b[FIT_STATION] && a[FIT_ANGLE] == b[FIT_ANGLE];
-    return both &&
-           (a[FIT_QUANTITY] == WHIRL_FIT_SAMPLE || a[FIT_QUANTITY] == WHIRL_FIT_WAVEFORM || a[FIT_AT] == b[FIT_AT]);
+    const bool statistics = a[FIT_QUANTITY] >= WHIRL_FIT_HIGHEST;
+    if (!both || (statistics && a[FIT_QUANTITY] != b[FIT_QUANTITY])) return false;
+    return a[FIT_QUANTITY] == WHIRL_FIT_SAMPLE || a[FIT_QUANTITY] == WHIRL_FIT_WAVEFORM || a[FIT_AT] == b[FIT_AT];
 }
 
 /// Writes what a panel shows of a row, measured and of the model, in SI. A row with a cosine part is followed by that
@@ -44,6 +45,7 @@ static bool fit_is_line(const double *a, const double *b) {
 static bool fit_seen(const double *row, int panel, double seen[2]) {
     const bool parts = row[FIT_QUANTITY] == WHIRL_FIT_COS;
     const double *sine = row + FIT_NUMBERS;
+    if (!whirl_fit_is_motion((whirl_fit_quantity)row[FIT_QUANTITY])) return false;
     if (row[FIT_QUANTITY] == WHIRL_FIT_SIN || (panel == FIT_LAG && !parts)) return false;
     for (int i = 0; i < 2; i++) {
         const double own = row[FIT_MEASURED + i], other = parts ? sine[FIT_MEASURED + i] : 0.0;
@@ -78,7 +80,7 @@ static double fit_along(const fit_panel *p, const double *row) {
     if (p->samples) return 360.0 * row[FIT_AT];
     if (p->waveform) return row[FIT_AT];
     const double *motions = whirl_table_field(p->table, p->point, WHIRL_FIELD_FIT_MOTION, 0);
-    return motions[2 * (size_t)row[FIT_MOTION]] / p->x_unit;
+    return motions[3 * (size_t)row[FIT_MOTION]] / p->x_unit;
 }
 
 static void fit_draw(const fit_panel *p, int kind, double y_unit, whirl_figure *figure, whirl_panel *panel) {

@@ -12,7 +12,7 @@
 enum { FIT_END, FIT_LOST, FIT_STEPS, FIT_SUM, FIT_DEVIATION, FIT_DEGREES, FIT_RANK, FIT_CONDITION };
 enum { FIT_PARAMETER, FIT_START, FIT_VALUE, FIT_ERROR, FIT_HALF, FIT_LOW, FIT_HIGH, FIT_KNOWN };
 enum { FIT_SET, FIT_MOTION, FIT_STATION, FIT_ANGLE, FIT_QUANTITY, FIT_AT, FIT_MEASURED, FIT_MODEL, FIT_NOISE };
-enum { FIT_COLUMNS = 8, FIT_NUMBERS = 9 };
+enum { FIT_COLUMNS = 8, FIT_NUMBERS = 9, FIT_OF_MOTION = 3 };
 
 /// Least size of a correlation that is stated.
 static const double much_correlated = 0.95;
@@ -72,6 +72,8 @@ static const char *fit_value_name(double quantity) {
         return "onset of instability of the orbit";
     case WHIRL_FIT_CRITICAL:
         return "critical speed";
+    case WHIRL_FIT_SHARE:
+        return "share of the time in contact";
     case WHIRL_FIT_FREQUENCY:
         return "frequency of the mode";
     default:
@@ -89,7 +91,13 @@ static void fit_phrase_lost(const finder *of, whirl_statement *own, size_t point
     const double *rows = whirl_table_field(of->table, point, WHIRL_FIELD_FIT_NUMBER, 0);
     const int revolutions = of->table->record.fit.revolutions;
     for (size_t i = 0; field && rows && i < field->rows; i++, rows += FIT_NUMBERS) {
-        if (rows[FIT_MOTION] != lost || !fit_is_value(rows)) continue;
+        if (rows[FIT_MOTION] != lost || rows[FIT_QUANTITY] < WHIRL_FIT_ONSET) continue;
+        if (rows[FIT_QUANTITY] >= WHIRL_FIT_HIGHEST) {
+            phrase_text(of, &own->found,
+                        "motion %.0f of the measured ones leaves its bounds at the start: other start values",
+                        lost + 1.0);
+            return;
+        }
         phrase_text(of, &own->found,
                     "the machine has no %s for number %.0f of the data at the start, or one without derivatives: other "
                     "start values%s",
@@ -99,8 +107,17 @@ static void fit_phrase_lost(const finder *of, whirl_statement *own, size_t point
     }
     phrase_text(of, &own->found,
                 "motion %.0f of the measured ones has no orbit of %d revolution%s at the start: other start values, "
-                "revolutions or a longer transient",
+                "revolutions, a longer transient, or compare: statistics",
                 lost + 1.0, revolutions, revolutions == 1 ? "" : "s");
+}
+
+/// Returns true for a fit some of whose motions are compared by statistics.
+static bool fit_has_statistics(const whirl_table *table, size_t point) {
+    const whirl_field *motions = whirl_layout_field(&table->layout, WHIRL_FIELD_FIT_MOTION);
+    const double *motion = whirl_table_field(table, point, WHIRL_FIELD_FIT_MOTION, 0);
+    for (size_t i = 0; motions && i < motions->rows; i++)
+        if (isfinite(motion[FIT_OF_MOTION * i + 2])) return true;
+    return false;
 }
 
 /// States why fits have failed.
@@ -110,13 +127,15 @@ static void fit_find_failures(const finder *of) {
     for (size_t point = 0; point < of->table->count; point++) {
         const double *outcome = whirl_table_field(of->table, point, WHIRL_FIELD_FIT_OUTCOME, 0);
         if (!whirl_table_done(of->table, point) || !outcome || !(outcome[FIT_END] > 0.0)) continue;
-        whirl_statement *own = find_judgement(of, "fit", "", WHIRL_FAILS);
+        const bool scatters = outcome[FIT_END] == (double)WHIRL_FIT_STUCK && fit_has_statistics(of->table, point);
+        whirl_statement *own = find_judgement(of, "fit", "", scatters ? WHIRL_NOT_KNOWN : WHIRL_FAILS);
         phrase_text(of, &own->asked, "a minimum of the sum of squares");
         if (of->table->count > 1) phrase_text(of, &own->at, "start %zu", point + 1);
         if (outcome[FIT_END] == (double)WHIRL_FIT_NO_MOTION)
             fit_phrase_lost(of, own, point, outcome[FIT_LOST]);
         else
-            phrase_text(of, &own->found, "%s", why[(int)outcome[FIT_END]]);
+            phrase_text(of, &own->found, "%s%s", why[(int)outcome[FIT_END]],
+                        scatters ? ", which scatters with the statistics of motions" : "");
     }
 }
 
@@ -235,9 +254,15 @@ static bool fit_is_displacement(const double *row) {
     return row[FIT_QUANTITY] == WHIRL_FIT_SAMPLE || row[FIT_QUANTITY] == WHIRL_FIT_WAVEFORM;
 }
 
+static bool fit_is_statistic(const double *row) {
+    return row[FIT_QUANTITY] >= WHIRL_FIT_HIGHEST;
+}
+
 static bool fit_same_channel(const double *a, const double *b) {
-    return a[FIT_SET] == b[FIT_SET] && a[FIT_STATION] == b[FIT_STATION] && a[FIT_ANGLE] == b[FIT_ANGLE] &&
-           fit_is_displacement(a) == fit_is_displacement(b) && (fit_is_displacement(a) || a[FIT_AT] == b[FIT_AT]);
+    return a[FIT_SET] == b[FIT_SET] && fit_is_statistic(a) == fit_is_statistic(b) &&
+           (!fit_is_statistic(a) || a[FIT_QUANTITY] == b[FIT_QUANTITY]) && a[FIT_STATION] == b[FIT_STATION] &&
+           a[FIT_ANGLE] == b[FIT_ANGLE] && fit_is_displacement(a) == fit_is_displacement(b) &&
+           (fit_is_displacement(a) || a[FIT_AT] == b[FIT_AT]);
 }
 
 void fit_name_probe(const whirl_result *result, const double *row, char *name, size_t size) {
@@ -251,6 +276,8 @@ void fit_name_probe(const whirl_result *result, const double *row, char *name, s
         snprintf(direction, sizeof direction, "%.4g deg", degrees);
     if (fit_is_displacement(row))
         snprintf(name, size, "%s %s", station, direction);
+    else if (row[FIT_QUANTITY] == WHIRL_FIT_HIGHEST || row[FIT_QUANTITY] == WHIRL_FIT_LOWEST)
+        snprintf(name, size, "%s %s %s", station, direction, row[FIT_QUANTITY] == WHIRL_FIT_HIGHEST ? "max" : "min");
     else
         snprintf(name, size, "%s %s %gX", station, direction, row[FIT_AT]);
 }
@@ -301,6 +328,7 @@ static void fit_find_channels(const shown_fit_of *f) {
 /// Returns the unit of a number that is none of a motion.
 static whirl_unit fit_value_unit(const shown_fit_of *f, const double *row) {
     const whirl_result *result = f->of->result;
+    if (row[FIT_QUANTITY] == WHIRL_FIT_SHARE) return f->of->units->of[WHIRL_QUANTITY_PERCENT];
     if (row[FIT_QUANTITY] == WHIRL_FIT_DAMPING) return (whirl_unit){"", 1.0};
     if (row[FIT_QUANTITY] == WHIRL_FIT_FREQUENCY) return f->of->units->of[WHIRL_QUANTITY_FREQUENCY];
     if (!(row[FIT_AT] >= 0.0 && row[FIT_AT] < (double)result->parameter_count))
@@ -308,15 +336,18 @@ static whirl_unit fit_value_unit(const shown_fit_of *f, const double *row) {
     return whirl_shown_parameter(f->of->units, result->parameters[(size_t)row[FIT_AT]].name);
 }
 
-/// Shows onsets, critical speeds and numbers of modes.
+/// Shows onsets, critical speeds, numbers of modes, and shares of the time in contact.
 static void fit_find_values(const shown_fit_of *f) {
     const finder *of = f->of;
     size_t count = 0;
     for (size_t i = 0; i < f->numbers; i++) count += fit_is_value(f->number + FIT_NUMBERS * i);
     if (count == 0) return;
-    whirl_sheet *sheet = find_sheet(of, "values", "Measured onsets, critical speeds and modes, and the fitted machine");
+    const double *motion = whirl_table_field(of->table, f->point, WHIRL_FIELD_FIT_MOTION, 0);
+    whirl_sheet *sheet =
+        find_sheet(of, "values", "Measured onsets, critical speeds, modes and shares, and the fitted machine");
     sheet_column(of, sheet, "data", "data", WHIRL_QUANTITY_NUMBER, 4);
     sheet_texts(of, sheet, "what", "number");
+    sheet_column(of, sheet, "speed", "speed", WHIRL_QUANTITY_SPEED, 6);
     sheet_column(of, sheet, "measured", "measured", WHIRL_QUANTITY_NUMBER, 6);
     sheet_column(of, sheet, "fitted", "fitted", WHIRL_QUANTITY_NUMBER, 6);
     sheet_column(of, sheet, "noise", "noise", WHIRL_QUANTITY_NUMBER, 3);
@@ -328,6 +359,7 @@ static void fit_find_values(const shown_fit_of *f) {
         sheet_row(of, sheet);
         cell_number(of, sheet, row[FIT_SET] + 1.0);
         cell_text(of, sheet, fit_value_name(row[FIT_QUANTITY]));
+        cell_number(of, sheet, motion ? motion[FIT_OF_MOTION * (size_t)row[FIT_MOTION]] : (double)NAN);
         cell_number(of, sheet, row[FIT_MEASURED] / unit.size);
         cell_number(of, sheet, row[FIT_MODEL] / unit.size);
         cell_number(of, sheet, row[FIT_NOISE] / unit.size);
@@ -367,14 +399,38 @@ static void fit_find_stability(const shown_fit_of *f) {
     const double *motion = whirl_table_field(of->table, f->point, WHIRL_FIELD_FIT_MOTION, 0);
     size_t unstable = 0, first = 0;
     for (size_t i = motions ? motions->rows : 0; i-- > 0;)
-        if (motion[2 * i + 1] > 1.0) unstable++, first = i;
+        if (motion[FIT_OF_MOTION * i + 1] > 1.0) unstable++, first = i;
     if (unstable == 0) return;
     whirl_statement *own = find_judgement(of, "stable motions", "", WHIRL_FAILS);
     phrase_text(of, &own->asked, "all fitted motions are stable");
     phrase_text(of, &own->found, "%zu of %zu fitted motions are unstable, first number %zu at ", unstable,
                 motions->rows, first + 1);
-    phrase_number(of, &own->found, WHIRL_QUANTITY_SPEED, 5, motion[2 * first]);
+    phrase_number(of, &own->found, WHIRL_QUANTITY_SPEED, 5, motion[FIT_OF_MOTION * first]);
     phrase_text(of, &own->judged, ": no machine shows them");
+}
+
+/// States which motions are compared by statistics, and judges whether these scatter less than the noise.
+static void fit_find_statistics(const shown_fit_of *f) {
+    const finder *of = f->of;
+    const whirl_fit_options *options = &of->table->record.fit;
+    const whirl_field *motions = whirl_layout_field(&of->table->layout, WHIRL_FIELD_FIT_MOTION);
+    const double *motion = whirl_table_field(of->table, f->point, WHIRL_FIELD_FIT_MOTION, 0);
+    size_t count = 0;
+    double largest = 0.0;
+    for (size_t i = 0; motions && i < motions->rows; i++) {
+        const double scatter = motion[FIT_OF_MOTION * i + 2];
+        count += isfinite(scatter);
+        largest = fmax(largest, isfinite(scatter) ? scatter : 0.0);
+    }
+    if (count == 0) return;
+    whirl_statement *own = find_judgement(of, "statistics", "", largest > 1.0 ? WHIRL_NOT_KNOWN : WHIRL_HOLDS);
+    phrase_text(of, &own->asked, "statistics that scatter less than their noise");
+    phrase_text(
+        of, &own->found,
+        "%zu of %zu motions are compared by statistics of %d revolutions, not as orbits; their derivatives are "
+        "differences over %g %% of the parameters; they scatter by up to %.2g of the noise, which the errors contain",
+        count, motions->rows, options->record, 100.0 * options->difference, largest);
+    if (largest > 1.0) phrase_text(of, &own->judged, ": a longer record is needed, or the noise is larger");
 }
 
 /// States how many starts led to the same minimum.
@@ -409,6 +465,7 @@ static void fit_find(const finder *of) {
     for (size_t u = 0; u < f.unknowns; u++) fit_find_unknown(&f, u);
     fit_find_agreement(&f);
     fit_find_stability(&f);
+    fit_find_statistics(&f);
     fit_find_starts(&f);
     fit_find_sheet(&f);
     fit_find_correlations(&f);

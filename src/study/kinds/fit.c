@@ -69,7 +69,11 @@ static whirl_status fit_describe(fit_work *w) {
     s->deviation = s->degrees > 0 ? sqrt(s->sum / (double)s->degrees) : NAN;
     // With given noise errors are absolute; without it the deviation of the residuals scales them.
     const bool noise = w->batch->record.fit.noise > 0.0;
-    const double unit = noise ? 1.0 : s->deviation;
+    // The scatter of statistics adds to their noise.
+    double scatter = 0.0;
+    for (size_t i = 0; i < fit->motion_count; i++)
+        if (fit->motions[i].statistics) scatter = fmax(scatter, w->motions.kept[i].scatter);
+    const double unit = noise ? hypot(1.0, scatter) : s->deviation;
     const double wide = noise ? least_squares_student(SIZE_MAX) : least_squares_student(s->degrees);
     for (size_t u = 0; u < WHIRL_MAX_UNKNOWNS; u++) {
         s->error[u] = s->half[u] = s->profile[u][0] = s->profile[u][1] = NAN;
@@ -86,6 +90,13 @@ static whirl_status fit_describe(fit_work *w) {
         s->half[u] = wide * error;
     }
     return whirl_ok();
+}
+
+/// Returns the shortest step that matters. Differences do not resolve more than a hundredth of their distance.
+static double fit_tolerance(const whirl_fit *fit, const whirl_fit_options *options) {
+    bool statistics = false;
+    for (size_t i = 0; i < fit->motion_count; i++) statistics = statistics || fit->motions[i].statistics;
+    return statistics ? fmax(options->tolerance, 0.01 * options->difference) : options->tolerance;
 }
 
 /// Fits from one start.
@@ -113,7 +124,7 @@ static whirl_status fit_solve(fit_work *w, size_t slot) {
                                    .low = low,
                                    .high = high,
                                    .scale = scale,
-                                   .tolerance = options->tolerance,
+                                   .tolerance = fit_tolerance(fit, options),
                                    .most_steps = options->most_steps};
     const least_squares_result found = least_squares_solve(&problem, s->value, w->residuals, w->derivatives);
     const whirl_status *status = &w->motions.status;
@@ -140,16 +151,18 @@ static whirl_status fit_solve(fit_work *w, size_t slot) {
 /// Hands the solution to the analysis, which fills the block.
 static whirl_status fit_write(const fit_work *w, double *block) {
     const whirl_fit *fit = w->motions.fit;
-    double *motions = calloc(2 * fit->motion_count + 1, sizeof *motions);
+    double *motions = calloc(3 * fit->motion_count + 1, sizeof *motions);
     if (!motions) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the motions of a fit");
     whirl_fit_solution solution = w->solution;
     solution.model = w->motions.model;
     solution.largest = motions;
     solution.speeds = motions + fit->motion_count;
+    solution.scatter = motions + 2 * fit->motion_count;
     for (size_t i = 0; i < fit->motion_count; i++) {
         const fit_orbit *orbit = &w->motions.kept[i];
-        solution.largest[i] = orbit->dimension > 0 ? orbit->largest : NAN;
-        solution.speeds[i] = orbit->dimension > 0 ? orbit->speed : NAN;
+        solution.largest[i] = orbit->node ? orbit->largest : NAN;
+        solution.speeds[i] = orbit->node ? orbit->speed : NAN;
+        solution.scatter[i] = orbit->node && fit->motions[i].statistics ? orbit->scatter : NAN;
     }
     const whirl_resting point = {.fit = fit, .solution = &solution};
     whirl_analysis_set own = 0;

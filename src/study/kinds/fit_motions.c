@@ -2,6 +2,7 @@
 #include "fit_place.h"
 #include "fit_rest.h"
 #include "fit_special.h"
+#include "fit_statistics.h"
 #include "orbit_options.h"
 #include "turns.h"
 #include "two_pi.h"
@@ -254,6 +255,7 @@ static whirl_status place_compute(const fit_motions *m, size_t index, const doub
     const size_t first = place_first(m, index);
     const whirl_fit_number *number = &m->fit->numbers[first];
     double *own = slopes + first * m->fit->unknown_count;
+    if (p.motion->statistics) return fit_statistics(&p, &m->tried[index], m->model, slopes);
     if (number->quantity == WHIRL_FIT_ORBIT_ONSET)
         return fit_orbit_onset(&p, &m->kept[index], &m->tried[index], &m->model[first], own);
     if (!whirl_fit_is_motion(number->quantity))

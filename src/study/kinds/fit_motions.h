@@ -16,6 +16,7 @@ typedef struct fit_orbit {
     double value;                  ///< of the onset of an orbit: its value
     double by[WHIRL_MAX_UNKNOWNS]; ///< and the derivatives of that value
     whirl_special special;         ///< and the kind of point that it is
+    double scatter;                ///< of statistics: the largest scatter of a number, over its noise
 } fit_orbit;
 
 /// All motions of a fit. `tried` are the orbits of the last evaluation, `kept` those at which the fit is.

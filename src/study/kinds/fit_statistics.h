@@ -1,0 +1,12 @@
+/// Statistics of a motion in a fit, for motions that are not periodic: extremes, lines, and the share of contact.
+#ifndef STUDY_FIT_STATISTICS_H
+#define STUDY_FIT_STATISTICS_H
+
+#include "fit_place.h"
+
+/// Computes the numbers of a place's motion over fit.record revolutions after the transient, from the machine's start:
+/// model [numbers], and their derivatives slopes [numbers][unknowns] by differences over a part fit.difference of the
+/// unknowns. WHIRL_BAD_INPUT if a motion leaves its bounds; WHIRL_NO_MEMORY.
+whirl_status fit_statistics(const fit_place *p, fit_orbit *tried, double *model, double *slopes);
+
+#endif
