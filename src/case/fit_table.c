@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "fit_list.h"
 #include "fit_speed.h"
@@ -367,9 +368,34 @@ static whirl_status fit_take_table(fit_maker *m, const fit_set *set) {
     return vectors ? fit_take_vectors(m, along) : fit_take_samples(m, along);
 }
 
+/// Returns the kind of a file that only other languages read, by the end of its name; NULL for all others.
+static const char *fit_foreign_kind(const char *name) {
+    static const struct {
+        const char *end, *kind;
+    } kinds[] = {{".h5", "HDF5"},
+                 {".hdf5", "HDF5"},
+                 {".mat", "MATLAB's format"},
+                 {".uff", "the universal format"},
+                 {".unv", "the universal format"}};
+    const size_t length = strlen(name);
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        const size_t size = strlen(kinds[i].end);
+        if (length > size && strcasecmp(name + length - size, kinds[i].end) == 0) return kinds[i].kind;
+    }
+    return NULL;
+}
+
 whirl_status fit_table_read(fit_maker *m, const fit_set *set) {
     char sentence[WHIRL_MESSAGE_SIZE];
     const char *name = set->file && set->file->kind == NODE_TEXT ? set->file->text : "";
+    const char *foreign = fit_foreign_kind(name);
+    if (foreign) {
+        snprintf(sentence, sizeof sentence,
+                 "%.100s is a file in %s, expected comma-separated values; in Python whirl.fit takes it, and "
+                 "whirl.read_measured reads it",
+                 name, foreign);
+        return fit_fail_at(m, set->file, sentence);
+    }
     char *path = arena_take(m->reader->arena, FIT_PATH);
     if (!path) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a fit");
     if (!input_beside(m->reader->problems->file, name, path, FIT_PATH)) {
