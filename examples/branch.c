@@ -1,6 +1,6 @@
 // Where and why a rotor's motion changes: the orbit of the paper's case is followed over the stiffness ratio r_k of its
-// shaft, stable or not, and its special points are told: folds, doublings, tori, first touches. A torus that begins is
-// followed in turn, with the second frequency of the disc, to where it ends.
+// shaft, stable or not, and its special points are printed: folds, doublings, tori, first touches. A torus that begins
+// is followed in turn, with the second frequency of the disc, to where it ends.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

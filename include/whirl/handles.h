@@ -185,7 +185,7 @@ const char *whirl_table_field_unit(const whirl_table *table, size_t field);    /
 const char *whirl_table_field_meaning(const whirl_table *table, size_t field); ///< One line.
 const char *whirl_table_field_extent(const whirl_table *table, size_t field);  ///< "point", "station" or "contact"
 
-/// Returns the numbers of a row in single precision, two in the place of each column (signals of data sets); 0 for
+/// Returns the numbers of a row in single precision, two in place of each column (signals of data sets); 0 for
 /// fields in double precision.
 size_t whirl_table_field_singles(const whirl_table *table, size_t field);
 

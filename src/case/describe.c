@@ -192,7 +192,7 @@ static whirl_status describe_tolerances(const case_content *content, whirl_resul
     return status;
 }
 
-/// Adds the parameters by which numbers are derived, "sensitivity 1", and the numbers that are asked for, "derived 1".
+/// Adds the parameters by which numbers are differentiated, "sensitivity 1", and the numbers, "derived 1".
 static whirl_status describe_derivatives(const case_content *content, whirl_result *result) {
     const whirl_derivatives *own = content->plan.derivatives;
     char name[WHIRL_NAME_SIZE], text[WHIRL_SPREAD_TEXT];

@@ -38,7 +38,7 @@ typedef struct fit_maker {
     const whirl_given *at; ///< parameters that the table gives
     size_t at_count;
     double noise;                           ///< standard deviation of its numbers, m; 1 if it is not given
-    double channel_noise[FIT_MAX_CHANNELS]; ///< those of fit_set.channels, m
+    double channel_noise[FIT_MAX_CHANNELS]; ///< standard deviations of fit_set.channels, m
 } fit_maker;
 
 /// Reads the table of a file, and adds its motions and numbers. WHIRL_BAD_INPUT with the place of the error, in the

@@ -11,7 +11,7 @@
 void asked_read(case_reader *reader, const setting *of, const whirl_group *group, asked_parts *out);
 
 /// Notes which of the numbers the points of a batch have. Reports one whose station, row or column they lack, whose
-/// limit has another unit, or which cannot be derived (`derived`).
+/// limit has another unit, or which cannot be differentiated (`derived`).
 void asked_check(case_reader *reader, asked_parts *asked, const whirl_batch *batch, const whirl_layout *layout,
                  const machine_parts *machine, const whirl_rotor *rotor, bool derived);
 

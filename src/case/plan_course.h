@@ -8,7 +8,7 @@
 
 #include <stddef.h>
 
-/// An event as the case has it.
+/// An event as it is written in the case.
 typedef struct course_event {
     const file_node *place;
     setting_list keys; ///< its keys, or those of the run

@@ -49,7 +49,7 @@ struct resting_parts {
 
 enum { PLAN_MAX_RESTING = 16, PLAN_MAX_CONDITIONS = 8, PLAN_MAX_SPREADS = 16 };
 
-/// The distribution of a parameter as the case has it.
+/// The distribution of a parameter as it is written in the case.
 typedef struct distribution_parts {
     const parameter *parameter;
     const file_node *place;
@@ -70,9 +70,9 @@ typedef struct asked_parts {
     bool found[PLAN_MAX_SPREADS];        ///< some table of the study has the number
 } asked_parts;
 
-/// Parameters by which numbers are derived.
+/// Parameters by which numbers are differentiated.
 typedef struct sensitivity_parts {
-    setting_list keys; ///< without a place: nothing is derived
+    setting_list keys; ///< without a place: nothing is differentiated
     size_t count;
     const parameter *parameters[WHIRL_MAX_SENSITIVITIES];
     const file_node *places[WHIRL_MAX_SENSITIVITIES];
@@ -101,7 +101,7 @@ typedef struct graded_parts {
     number_formula from, to;
 } graded_parts;
 
-/// A label of a data set as the case has it.
+/// A label of a data set as it is written in the case.
 typedef struct label_parts {
     const file_node *place;
     setting_list keys;
@@ -113,7 +113,7 @@ typedef struct label_parts {
 /// Numbers of a channel whose unit depends on the sensor.
 enum { CHANNEL_SENSITIVITY, CHANNEL_FROM, CHANNEL_TO, CHANNEL_NOISE, CHANNEL_FULL_SCALE, CHANNEL_NUMBERS };
 
-/// A channel of a data set as the case has it.
+/// A channel of a data set as it is written in the case.
 typedef struct channel_parts {
     const file_node *place;
     setting_list keys;
@@ -124,7 +124,7 @@ typedef struct channel_parts {
     number_formula numbers[CHANNEL_NUMBERS];
 } channel_parts;
 
-/// A data set as the case has it.
+/// A data set as it is written in the case.
 typedef struct dataset_parts {
     setting_list keys; ///< without a place: there is no data set
     const machine_parts *machine;

@@ -10,7 +10,7 @@
 #include "tree.h"
 
 void sensitivity_read(case_reader *reader, plan_parts *parts) {
-    // Find the part; without it nothing is derived.
+    // Find the part; without it nothing is differentiated.
     char shown[SHOWN_SIZE], advice[WHY_SIZE];
     sensitivity_parts *own = &parts->sensitivity;
     const setting *given = settings_find(&parts->study, "sensitivity");
@@ -88,7 +88,8 @@ void sensitivity_make(case_reader *reader, const valuation *v, const plan_parts 
         any = true;
     }
     if (!any)
-        problem_at_key(reader->problems, own->keys.place,
-                       "needs a response, a sweep, a branch or a study of machines at rest, whose numbers it derives");
+        problem_at_key(
+            reader->problems, own->keys.place,
+            "needs a response, a sweep, a branch or a study of machines at rest, whose numbers it differentiates");
     result->derivatives = derivatives;
 }

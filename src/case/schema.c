@@ -404,7 +404,7 @@ const whirl_group schema_limit =
     GROUP("limit", "a number of every point of a study of tolerances, and its limits", limit_keys, NULL);
 const whirl_group schema_sensitivity =
     GROUP("sensitivity", "derivatives of the numbers of every point by parameters", sensitivity_keys, NULL);
-const whirl_group schema_number = GROUP("number", "a number of every point that is derived", number_keys, NULL);
+const whirl_group schema_number = GROUP("number", "a number of every point that is differentiated", number_keys, NULL);
 const whirl_group schema_dataset =
     GROUP("dataset", "labelled records of machines with faults, as sensors see them", dataset_keys, of_dataset);
 const whirl_group schema_label =

@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-/// Writes a number with so many significant digits; up to ten million without a power of ten: "140280".
+/// Writes a number with `digits` significant digits; up to ten million without a power of ten: "140280".
 void number_shown(double number, int digits, char *text, size_t size);
 
 #endif

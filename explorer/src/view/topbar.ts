@@ -129,7 +129,7 @@ export class Topbar {
     this.amplitude.value = units.amplitude;
     this.compare.setAttribute('aria-pressed', String(comparing));
     this.compare.hidden = atRest;
-    // Give frequencies of machines at rest the unit of the speed in the place of orders.
+    // Give frequencies of machines at rest the unit of the speed in place of orders.
     this.frequency.rename('order', atRest ? units.speed : 'X');
   }
 

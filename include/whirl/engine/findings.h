@@ -64,7 +64,7 @@ typedef struct whirl_column {
     double zero;         ///< offset of temperatures (whirl_shown_units.zero); else 0
     int digits;          ///< significant digits; 0: a column of texts
     const char *between; ///< separator of several numbers in a cell: ", " or " to "; NULL: one number per cell
-    const char *meaning; ///< what its numbers are, in a sentence; NULL if the heading says it
+    const char *meaning; ///< meaning of the numbers, in a sentence; NULL if the heading says it
 } whirl_column;
 
 /// A cell: a text, numbers, or nothing.

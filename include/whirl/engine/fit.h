@@ -121,8 +121,8 @@ typedef enum whirl_fit_end {
     WHIRL_FIT_FOUND,    ///< at a minimum of the sum of squares
     WHIRL_FIT_STEPS,    ///< after most_steps
     WHIRL_FIT_STUCK,    ///< no shorter step made the sum smaller
-    WHIRL_FIT_NO_MOTION ///< at the start a motion did not settle on an orbit of so many revolutions, or there is no
-                        ///< such onset, critical speed or mode
+    WHIRL_FIT_NO_MOTION ///< at the start a motion did not settle on an orbit of the given number of revolutions, or
+                        ///< there is no such onset, critical speed or mode
 } whirl_fit_end;
 
 /// Confidence in a fitted parameter.

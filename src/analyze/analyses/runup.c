@@ -1,4 +1,4 @@
-// Run-ups: what is seen of a machine over time while its speed changes, as rows at equal times.
+// Run-ups: motion, speed and torques of a machine while its speed changes, as rows at equal times.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -187,8 +187,8 @@ static const field_plan fields[FIELD_COUNT] = {
                        "of the station at the end of the row, in the sense of its rotation", WHIRL_PER_STATION, 1,
                        runup_every_row_with_torques},
     [SPECTRUM_TIME] = {WHIRL_FIELD_RUNUP_SPECTRUM_TIME, "s",
-                       "of the spectrum: the middle of its turns (missing where there were not so many yet)",
-                       WHIRL_PER_POINT, 1, runup_every_spectrum},
+                       "of the spectrum: the middle of its turns (missing before that many turns)", WHIRL_PER_POINT, 1,
+                       runup_every_spectrum},
     [SPECTRUM_SPEED] = {WHIRL_FIELD_RUNUP_SPECTRUM_SPEED, "rad/s", "of the shaft, over these turns", WHIRL_PER_POINT, 1,
                         runup_every_spectrum},
     [SPECTRUM_ORDER] = {WHIRL_FIELD_RUNUP_SPECTRUM_ORDER, "order", "of the bins of every spectrum", WHIRL_PER_POINT, 1,

@@ -1,5 +1,5 @@
-/// A run of a machine whose speed changes: it is carried turn by turn, with events landed on exactly, and what is seen
-/// of each turn goes to rows over the time.
+/// A run of a machine whose speed changes. It is carried turn by turn and stops at the instants of events; each turn's
+/// amplitudes, means and contacts go to rows over the time.
 #ifndef ANALYZE_RUNUP_H
 #define ANALYZE_RUNUP_H
 

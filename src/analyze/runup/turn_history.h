@@ -43,7 +43,7 @@ turn_history turn_history_new(size_t capacity, const turn_samples *of);
 /// Adds a turn that ended at a time.
 void turn_history_add(turn_history *to, const double *numbers, double end);
 
-/// Returns the last turns [turns][samples][width]; NULL if there are not so many.
+/// Returns the last turns [turns][samples][width]; NULL if there are fewer.
 const double *turn_history_last(const turn_history *of, size_t turns);
 
 #endif

@@ -13,7 +13,7 @@
 
 enum { MAX_DIRECTIONS = 10, MAX_DIMENSION = 128, MIN_A_DIRECTION = 6 };
 
-/// Directions smaller than this part of the largest one, or than so many roundings, are noise.
+/// Directions smaller than this part of the largest one, or than this number of roundings, are noise.
 static const double least_direction = 1e-5, least_roundings = 1e3;
 
 /// Fit of the map to some points.

@@ -15,7 +15,7 @@ typedef struct conditions {
 static whirl_status add_modes(const whirl_balance *of, const whirl_balance_model *model, conditions *out) {
     for (size_t n = 0; n < of->mode_count; n++) {
         if (!of->modes[n].shaped && !model)
-            return whirl_fail(WHIRL_BAD_INPUT, "mode %zu has no shape, and there is no model that tells it", n + 1);
+            return whirl_fail(WHIRL_BAD_INPUT, "mode %zu has no shape, and there is no model to compute it", n + 1);
         for (size_t p = 0; p < of->plane_count; p++)
             out->row[n][p] = of->modes[n].shaped ? of->modes[n].shape[p] : balance_number(model->shape[n][p]);
     }

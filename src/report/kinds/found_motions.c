@@ -1,4 +1,4 @@
-// What the findings on motions share: kinds of tables, rows of points, weights of points.
+// Shared by the findings on motions: kinds of tables, rows of points, weights of points.
 #include "found_motions.h"
 
 #include <math.h>

@@ -237,7 +237,7 @@ static void fit_find_correlations(const shown_fit_of *f) {
             const double correlation = f->correlation[WHIRL_MAX_UNKNOWNS * u + k];
             if (!(fabs(correlation) >= much_correlated)) continue;
             whirl_statement *own = find_statement(of, "correlation");
-            phrase_text(of, &own->found, "%s and %s: %.4f: what was measured tells little of each alone",
+            phrase_text(of, &own->found, "%s and %s: %.4f: the measurement determines neither of them well by itself",
                         fit_name(f, u), fit_name(f, k), correlation);
         }
 }

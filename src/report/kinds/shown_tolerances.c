@@ -302,8 +302,9 @@ static void find_convergence(const finder *of, const whirl_spread_of *numbers, s
     char name[NUMBER_NAME_SIZE];
     // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "convergence", "The same estimates from fewer samples");
-    sheet->about = "From the first quarter and half of the samples, which are those of a study with so many. Means and "
-                   "deviations are divided by those from all samples.";
+    sheet->about =
+        "From the first quarter and half of the samples, which are the samples of a study of that size. Means and "
+        "deviations are divided by those from all samples.";
     sheet_texts(of, sheet, "what", "of");
     sheet_column(of, sheet, "samples", "samples", WHIRL_QUANTITY_NUMBER, 8);
     sheet_column(of, sheet, "mean", "mean", WHIRL_QUANTITY_NUMBER, 6);

@@ -11,7 +11,7 @@ static const double degree = 3.14159265358979323846 / 180.0;
 
 /// Adds the sheet of unbalances by rule, which replace the machine's own.
 static void find_placed(const finder *of) {
-    whirl_sheet *sheet = find_sheet(of, "placed", "Unbalances by rule, in the place of the machine's own");
+    whirl_sheet *sheet = find_sheet(of, "placed", "Unbalances by rule, in place of the machine's own");
     sheet_texts(of, sheet, "station", "station");
     sheet_column(of, sheet, "unbalance", "unbalance", WHIRL_QUANTITY_UNBALANCE, 5);
     sheet_column(of, sheet, "angle", "angle", WHIRL_QUANTITY_DEGREES, 4);

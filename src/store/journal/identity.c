@@ -73,7 +73,7 @@ static void put_dataset(FILE *out, const whirl_result *outline) {
             fprintf(out, " (%s: %s)", outline->facts[i].name, outline->facts[i].value);
 }
 
-/// Writes the parameters with respect to which numbers are derived, and the numbers that are derived.
+/// Writes the parameters by which numbers are differentiated, and the numbers.
 static void put_derivatives(FILE *out, const whirl_result *outline) {
     fputs(", with derivatives", out);
     for (size_t i = 0; i < outline->fact_count; ++i)

@@ -13,7 +13,7 @@
 #include "two_pi.h"
 #include "varied.h"
 
-/// A point, the numbers that are derived there, and where the derivatives go.
+/// A point, the numbers that are differentiated there, and the place of their derivatives.
 typedef struct derived {
     const whirl_study *study;
     const whirl_batch *batch;
@@ -169,7 +169,7 @@ static whirl_status implicit_slope(const derived_implicit *g, size_t parameter, 
 
 // ---------------------------------------------------------------- machines at rest
 
-/// A machine at rest whose numbers are derived by one parameter.
+/// A machine at rest whose numbers are differentiated by one parameter.
 typedef struct derived_rest {
     derived *of;
     const resting_machine *own; ///< the machine at the parameter's value, whose modes are followed
@@ -322,7 +322,7 @@ whirl_status derived_at_rest(const whirl_study *study, const whirl_batch *batch,
 
 // ---------------------------------------------------------------- periodic motions
 
-/// A periodic motion whose numbers are derived.
+/// A periodic motion whose numbers are differentiated.
 typedef struct derived_motion {
     derived *of;
     whirl_orbit_options options;
@@ -503,7 +503,7 @@ static whirl_status derived_orbit(const derived *d, bool along, const whirl_orbi
     return varied_orbit(d->study, d->batch, d->value, count + along, all, orbit, options, instants, lengths, out);
 }
 
-/// Finds the orbit of the motion, and derives its states by all parameters.
+/// Finds the orbit of the motion, and differentiates its states by all parameters.
 static whirl_status motion_derive(derived_motion *m, const whirl_system *system, const double *end, size_t period) {
     enum { MAX_INSTANTS = 512, MIN_INSTANTS = 128, ROOM = 1 << 25 };
     // Large machines have fewer instants, so that their perturbations fit in memory.

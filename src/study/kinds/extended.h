@@ -1,4 +1,4 @@
-/// What extended machines tell the files of this folder beside whirl/engine/sensitivity.h.
+/// Functions of extended machines that are private to this folder, in addition to whirl/engine/sensitivity.h.
 #ifndef STUDY_EXTENDED_H
 #define STUDY_EXTENDED_H
 

@@ -6,10 +6,10 @@
 
 /// A fit with one unknown held.
 typedef struct profile {
-    fit_motions motions; ///< its own, next to those at the solution
+    fit_motions motions; ///< motions of the profile; those at the solution stay
     least_squares problem;
-    size_t unknowns, held;                ///< all unknowns, and which one is held
-    double values[WHIRL_MAX_UNKNOWNS];    ///< of all unknowns
+    size_t unknowns, held;                ///< number of unknowns; index of the one that is held
+    double values[WHIRL_MAX_UNKNOWNS];    ///< values of all unknowns
     double *residuals, *derivatives;      ///< [numbers], [numbers][unknowns]
     double *others;                       ///< [numbers][unknowns - 1]
     double bounds[3][WHIRL_MAX_UNKNOWNS]; ///< low, high and scale of the others

@@ -24,7 +24,7 @@ enum { RESTING_PIECE = 8 };
 typedef struct long_point {
     study_run *run;
     size_t batch, slot, thread;
-    double revolutions;       ///< of the study, that the point stands for
+    double revolutions;       ///< revolutions of the study that the point counts as
     double share;             ///< share of them that was reported
     bool continued;           ///< a saved state was read, and nothing was reported since
     double reported, save_at; ///< s, when progress was reported, and when the state is to be saved (clock_seconds)
@@ -230,7 +230,7 @@ static whirl_status work_at(worker *w, size_t first, size_t end) {
     return status;
 }
 
-/// Works at pieces of so many points until none is left.
+/// Computes pieces of points until none is left.
 static whirl_status work_at_pieces(worker *w, deal *pieces, size_t size) {
     whirl_status status = whirl_ok();
     while (status.code == WHIRL_OK && !atomic_load(&w->run->tracker.halt)) {

@@ -20,9 +20,9 @@ enum { FIRST_LEVELS = 2, FIRST_MACHINES = 2 * FIRST_LEVELS };
 struct whirl_sensitivity {
     const whirl_study *study;
     whirl_batch batch;
-    varied_given given; ///< those of the batch
+    varied_given given; ///< values of the batch's parameters
     double value, reach;
-    size_t levels;                    ///< whose machines can be made, as far as it is known
+    size_t levels;                    ///< number of levels whose machines can be made, as far as it is known
     bool exhausted;                   ///< memory ran out when one was made
     whirl_machine machines[MACHINES]; ///< at the value, then above and below it, from the largest h on
     double *rows;                     ///< [MACHINES][larger of dimension and switch_count] workspace

@@ -1,4 +1,5 @@
-/// Machines of a batch at which one parameter of the case has another value, and orbits derived by several parameters.
+/// Machines of a batch at which one parameter of the case has another value, and derivatives of orbits by several
+/// parameters.
 #ifndef STUDY_VARIED_H
 #define STUDY_VARIED_H
 
@@ -9,7 +10,7 @@
 /// Room for the parameters that a batch gives, and one more.
 typedef whirl_given varied_given[WHIRL_MAX_GIVEN + 1];
 
-/// A parameter by which orbits are derived.
+/// A parameter by which orbits are differentiated.
 typedef struct varied_parameter {
     const char *name;
     double value;

@@ -1,4 +1,4 @@
-// Fields of the numbers that are derived by parameters.
+// Fields of the numbers that are differentiated by parameters.
 #include "derived_fields.h"
 
 #include "added_field.h"
@@ -41,7 +41,8 @@ whirl_status derived_add_fields(const whirl_batch *batch, const whirl_system *sy
         return whirl_fail(WHIRL_BAD_INPUT, "the chosen analyses have more than %d fields", WHIRL_MAX_FIELDS - 3);
     study_add_field(layout, WHIRL_FIELD_SENSITIVITY_PARAMETERS, "1", "values of the parameters, in their order, in SI");
     layout->fields[layout->field_count - 1].rows = parameters;
-    study_add_field(layout, WHIRL_FIELD_SENSITIVITY_NUMBERS, "1", "numbers that are derived, in their order, in SI");
+    study_add_field(layout, WHIRL_FIELD_SENSITIVITY_NUMBERS, "1",
+                    "numbers that are differentiated, in their order, in SI");
     layout->fields[layout->field_count - 1].rows = count;
     study_add_field(layout, WHIRL_FIELD_SENSITIVITY_SLOPES, "1",
                     "slope, error (of each number by each parameter in turn, in SI)");

@@ -1,4 +1,4 @@
-/// Fields of the numbers that are derived by parameters (whirl_derivatives), in blocks of points.
+/// Fields of the numbers that are differentiated by parameters (whirl_derivatives), in blocks of points.
 #ifndef STUDY_DERIVED_FIELDS_H
 #define STUDY_DERIVED_FIELDS_H
 
@@ -13,8 +13,8 @@
 size_t derived_list(const whirl_derivatives *derivatives, const whirl_system *system, const whirl_layout *layout,
                     whirl_spread_at numbers[WHIRL_MAX_DERIVED]);
 
-/// Adds the fields "sensitivity/..." to the layout of a batch, if any of its numbers are derived. WHIRL_BAD_INPUT if it
-/// has too many fields.
+/// Adds the fields "sensitivity/..." to the layout of a batch, if any of its numbers are differentiated.
+/// WHIRL_BAD_INPUT if it has too many fields.
 whirl_status derived_add_fields(const whirl_batch *batch, const whirl_system *system, whirl_layout *layout);
 
 #endif
