@@ -71,7 +71,7 @@ static void must(whirl_status status) {
     if (status.code != WHIRL_OK) fail_msg("%s", status.message);
 }
 
-/// States of all lanes by one instruction set; false where the processor has it not.
+/// Computes the states of all lanes by one instruction set; returns false if the processor lacks it.
 static bool carry(const char *isa, const char *method, const char *element, double *x) {
     char text[2048];
     whirl_integrate_options options = whirl_integrate_default();

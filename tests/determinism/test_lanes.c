@@ -121,7 +121,7 @@ static void test_threads(void **state) {
     }
 }
 
-/// The instruction sets that agree to the bit, as far as this processor has them.
+/// Checks that the instruction sets agree to the bit, as far as the processor has them.
 static void expect_same_widths(const char *method, const char *const *names, int count) {
     double values[POINTS];
     whirl_rotor *rotor = paper_rotor(0.5);
@@ -213,8 +213,8 @@ static void test_fused_and_unfused_agree(void **state) {
 
 // ---------------------------------------------------------------- against the integrator that runs alone
 
-/// A chain of `count` stations on shafts, every third one in a film, every other of these of finite
-/// length, every fourth with a rub that follows the slip.
+/// Makes a chain of `count` stations on shafts: every third one in a film, every other of these films of finite length,
+/// every fourth with a rub that follows the slip.
 static whirl_rotor *long_rotor(size_t count) {
     char name[32], pair[64];
     whirl_design *design;
@@ -244,7 +244,7 @@ static whirl_rotor *long_rotor(size_t count) {
     return rotor;
 }
 
-/// Five revolutions in lanes and alone, from the same state.
+/// Compares five revolutions in lanes and alone, from the same state.
 static void expect_agreement(size_t stations, const char *method, double tolerance) {
     whirl_rotor *rotor = long_rotor(stations);
     const whirl_system *system = whirl_rotor_system(rotor);
@@ -293,7 +293,7 @@ static void expect_close(double a, double b, double tolerance) {
     if (!(fabs(a - b) <= tolerance)) fail_msg("%.17g and %.17g are further apart than %g", a, b, tolerance);
 }
 
-/// What is recorded of a rubbing motion in lanes, and of the same motion alone.
+/// The record of a rubbing motion in lanes is that of the same motion alone.
 static void test_records_in_lanes_and_alone(void **state) {
     (void)state;
     whirl_rotor *rotor = paper_rotor(0.3);
@@ -336,8 +336,8 @@ static void test_records_in_lanes_and_alone(void **state) {
     whirl_rotor_free(rotor);
 }
 
-/// A disc whose friction follows the slip sharply: it slides over its stator, and rolls on it at times. What is
-/// recorded in lanes beside others, and alone.
+/// Makes a disc whose friction follows the slip sharply: it slides over its stator, and rolls on it at times. Its
+/// records in lanes and alone are compared.
 static whirl_rotor *rolling_rotor(double friction) {
     whirl_design *design;
     whirl_rotor *rotor;
@@ -398,8 +398,8 @@ static void test_sliding_in_lanes_and_alone(void **state) {
     for (int l = 0; l < ROLLING; l++) whirl_rotor_free((whirl_rotor *)(uintptr_t)rotors[l]);
 }
 
-/// The paper's structure has loops of its own, in whatever order its stations are listed; as a list of elements it must
-/// give the same bits.
+/// Compares structures: that of the paper has its own loops, in every order of its stations; as a list of elements it
+/// must give the same bits.
 static void compare_structures(whirl_rotor *(*other)(double r_k), size_t swap) {
     enum { LANES = 21 };
     whirl_rotor *own[LANES], *listed[LANES];
@@ -466,7 +466,7 @@ static void test_other_structures_are_refused(void **state) {
 
 enum { CHANGED_MASS = 1, CHANGED_SHAFT = 2, CHANGED_FILM = 4, CHANGED_ALL = 7 };
 
-/// Three equal stations, shafts and films, but for what is changed of the last.
+/// Makes three equal stations, shafts and films, except for the number `changed` of the last.
 static whirl_rotor *rotor_of_equals(int changed) {
     static const char *const names[] = {"a", "b", "c"}, *const pairs[] = {"a, ground", "a, b", "b, c"};
     whirl_design *design;
@@ -488,8 +488,8 @@ static whirl_rotor *rotor_of_equals(int changed) {
     return rotor;
 }
 
-/// Machines whose equal parts share their numbers, until one comes that has others, and the same machines in lanes
-/// where nothing was ever shared.
+/// Equal parts of machines share their numbers until a machine with other numbers comes. The bits are those of the same
+/// machines in lanes where nothing was shared.
 static void test_parts_that_share_numbers(void **state) {
     static const int changes[] = {CHANGED_MASS, CHANGED_SHAFT, CHANGED_FILM, CHANGED_ALL};
     const whirl_integrate_options options = whirl_integrate_default();
@@ -523,7 +523,7 @@ static void test_parts_that_share_numbers(void **state) {
     whirl_rotor_free(different);
 }
 
-/// A disc that meets its stator once a revolution, or on and on.
+/// Makes a disc that touches its stator once a revolution, or all the time.
 static whirl_rotor *rub_rotor(double speed, double damping) {
     whirl_design *design;
     whirl_rotor *rotor;
@@ -591,7 +591,7 @@ static whirl_record *record_growths(const whirl_system *system, const double *st
     return record;
 }
 
-/// All perturbations in lanes against those by the integrator's interface, a revolution at a time.
+/// All perturbations in lanes agree with those of the integrator's interface, a revolution at a time.
 static void test_perturbations_in_lanes_and_alone(void **state) {
     const double start[8] = {0, -0.1, 0, -0.1};
     (void)state;

@@ -206,7 +206,7 @@ static void runs_in_pieces(void **state) {
     }
 }
 
-/// A state that is cut or too long, or that of another run, begins again.
+/// With a state that is cut or too long, or that of another run, the point begins again.
 static void states_that_do_not_fit(void **state) {
     stopping how = {.at = -1}, other = {.at = 10};
     size_t size, own;

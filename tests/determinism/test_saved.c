@@ -134,7 +134,8 @@ static whirl_record_options options_of(whirl_growth growth, bool settle) {
     return options;
 }
 
-/// Saved after `wanted` + 1 revolutions (of the first motion, where they run one after the other), and taken up.
+/// Saves after `wanted` + 1 revolutions (of the first motion, where they run one after the other), loads the states,
+/// and checks that the end is the same.
 static void expect_same_after(const motions *whole, size_t all, const char *method, const whirl_record_options *options,
                               int wanted) {
     motions first, second;
@@ -171,8 +172,7 @@ static void every_moment(const char *method, const int *moments, size_t count) {
     }
 }
 
-/// In the transient, before and after the perturbation begins to be followed (10), before and after the record begins
-/// (20).
+/// Saved in the transient, before and after the perturbation begins (10), before and after the record begins (20).
 static void side_by_side(void **state) {
     const int moments[] = {0, 4, 8, 9, 10, 15, 18, 19, 20, 21, 27, 28};
     (void)state;
@@ -187,7 +187,7 @@ static whirl_record_options options_of_orbits(void) {
     return options;
 }
 
-/// The same motions and orbits where all is saved at this moment and taken up.
+/// Checks that the same motions and orbits follow if all is saved at this moment and loaded.
 static void expect_same_orbits_after(const motions *whole, const char *method, const whirl_record_options *options,
                                      int wanted) {
     motions first, second;
@@ -211,7 +211,7 @@ static void expect_same_orbits_after(const motions *whole, const char *method, c
     forget(&second);
 }
 
-/// On the way to orbits: before one is looked for, once it is found and on it.
+/// Saved before an orbit is searched, after it is found, and on it.
 static void looking_for_orbits(void **state) {
     const whirl_record_options options = options_of_orbits();
     motions whole;
@@ -225,7 +225,7 @@ static void looking_for_orbits(void **state) {
     forget(&whole);
 }
 
-/// At moments at which motions wait for what Newton's method finds: by dop853 they do while many others go on.
+/// Saved while motions wait for the result of Newton's method: with dop853 many others go on meanwhile.
 static void waiting_for_orbits(void **state) {
     enum { EVERY = 48 };
     whirl_record_options options = options_of_orbits();
@@ -241,9 +241,9 @@ static void waiting_for_orbits(void **state) {
     forget(&whole);
 }
 
-/// Motions settle and are set upon their orbits after different numbers of revolutions, so that in few lanes perturbed
-/// copies take lanes and give them back while other motions are recorded. Every record is that of the motion alone:
-/// sections, waveforms, bounds and all watched sums.
+/// Motions settle and move to their orbits after different numbers of revolutions. With few lanes perturbed copies take
+/// lanes and return them while other motions are recorded. Every record is that of the motion alone: sections,
+/// waveforms, bounds and all watched sums.
 static void waiting_for_lanes(void **state) {
     whirl_record_options options = options_of_orbits();
     motions alone, crowd;
@@ -268,7 +268,7 @@ static void one_after_the_other(void **state) {
     every_moment("cvode-adams", moments, sizeof moments / sizeof *moments);
 }
 
-/// States of other options, and what is left of a state, are not used.
+/// States with other options, and incomplete states, are not used.
 static void states_that_do_not_fit(void **state) {
     const whirl_record_options options = options_of(WHIRL_GROWTH_LARGEST, false);
     whirl_record_options other = options;

@@ -13,8 +13,8 @@
 
 typedef whirl_rotor *rotor_at(double speed);
 
-/// A shaft that has every kind of term: internal and proportional damping, flats, a disc that tilts, weight; not
-/// reduced, so that its masses couple all along.
+/// Makes a shaft with every kind of term: internal and proportional damping, flats, a disc that tilts, weight; not
+/// reduced, so that all its masses are coupled.
 static whirl_rotor *flat_rotor(double speed) {
     whirl_design *design;
     whirl_rotor *rotor;
@@ -59,7 +59,8 @@ static double speed_of(size_t point) {
     return 628.0 + 20.0 * (double)point;
 }
 
-/// The states of `count` machines after some revolutions, side by side in one ensemble, from the first machine on.
+/// Computes the states of `count` machines after some revolutions, side by side in one ensemble, from the first machine
+/// on.
 static void carry(int kind, size_t first, size_t count, double *ends) {
     whirl_integrate_options options = whirl_integrate_default();
     whirl_rotor *rotors[POINTS] = {NULL};
@@ -92,7 +93,8 @@ static bool present(const char *isa) {
     return there;
 }
 
-/// All machines side by side by each of the instruction sets that agree, and each machine alone by the first.
+/// Checks that all instruction sets that agree give the same bits for all machines side by side, and the first one for
+/// each machine alone.
 static void expect_same(int kind, const char *const *names, size_t count) {
     static double reference[POINTS * MAX_DIMENSION], ends[POINTS * MAX_DIMENSION];
     bool any = false;

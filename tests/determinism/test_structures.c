@@ -56,7 +56,7 @@ static void carry(const char *method, const char *more, double *x) {
     whirl_case_free(object);
 }
 
-/// The largest difference of the states that both loops carry.
+/// Returns the largest difference of the states by both loops.
 static double apart(const char *method) {
     double own[LANES * DIMENSION], general[LANES * DIMENSION], most = 0.0;
     carry(method, "", own);
@@ -70,7 +70,8 @@ static void rk4_has_the_same_bits(void **state) {
     assert_true(apart("rk4") == 0.0);
 }
 
-/// Its own loop advances the forcing from stage to stage by sums of angles, which rounds differently.
+/// The paper's structure has its own loop, which advances the forcing from stage to stage by sums of angles and so
+/// rounds differently.
 static void dop853_is_the_same_within_its_tolerance(void **state) {
     (void)state;
     const double difference = apart("dop853");

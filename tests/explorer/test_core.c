@@ -126,7 +126,7 @@ static void a_motion_goes_on_where_it_was(void **state) {
     explorer_case_free(object);
 }
 
-/// The case with a map in place of its sweep.
+/// Opens the case with a map in place of its sweep.
 static whirl_case *open_map(void) {
     static const char map[] = "  map: {x: {parameter: r, from: 0.1, to: 0.5, points: 3},\n"
                               "        y: {parameter: sigma, values: [0.2, 0.4]}}\n";

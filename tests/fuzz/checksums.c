@@ -14,7 +14,8 @@ static uint32_t word_at(const uint8_t *bytes) {
     return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
 }
 
-/// The hash "lookup3" of Jenkins (2006, public domain) with the initial value 0, which HDF5 uses for its metadata.
+/// Computes the hash "lookup3" of Jenkins (2006, public domain) with the initial value 0, which HDF5 uses for its
+/// metadata.
 static uint32_t lookup3(const uint8_t *bytes, size_t length) {
     uint32_t a = 0xdeadbeefu + (uint32_t)length, b = a, c = a;
     uint8_t last[12] = {0};
@@ -40,7 +41,8 @@ static uint32_t lookup3(const uint8_t *bytes, size_t length) {
     return c;
 }
 
-/// HDF5 File Format Specification 3.0: structures of metadata that begin with a signature and end with a checksum.
+/// Returns true at a structure of metadata (HDF5 File Format Specification 3.0) that begins with a signature and ends
+/// with a checksum.
 static bool begins_structure(const uint8_t *bytes) {
     static const char signatures[][SIGNATURE + 1] = {"\x89HDF", "OHDR", "OCHK", "FRHP", "FHDB", "FHIB", "BTHD",
                                                      "BTLF",    "BTIN", "EAHD", "EAIB", "EASB", "EADB", "FAHD",
@@ -59,7 +61,7 @@ static void add(checksum_list *sums, size_t start, size_t length) {
     sums->items[sums->count++] = (checksum){start, length};
 }
 
-/// How long a structure is shows where the four bytes behind it are its checksum.
+/// Finds the checksums. A structure has the length after which the next four bytes are its checksum.
 static void find(checksum_list *sums, const uint8_t *bytes, size_t size) {
     for (size_t start = 0; start + SIGNATURE < size; start++) {
         if (!begins_structure(bytes + start)) continue;

@@ -31,7 +31,7 @@ static void solve(const whirl_balance *balance, const whirl_balance_model *model
     whirl_correction_free(found);
 }
 
-/// Some model of the right sizes, without the case that the file names.
+/// Makes a model of the right sizes, without the case that the file names.
 static void make_up(const whirl_balance *balance, whirl_balance_model *out) {
     *out = (whirl_balance_model){.row_count = balance->vibration_count};
     out->rows = calloc(balance->vibration_count + 1, sizeof *out->rows);

@@ -13,7 +13,7 @@ static void require(int condition) {
     if (!condition) abort();
 }
 
-/// The right-hand side at the start of a machine, for whatever numbers the case gave.
+/// Evaluates the right-hand side at the start of a machine, for any numbers of the case.
 static void evaluate(const whirl_machine *machine) {
     const whirl_system *system = machine->system;
     double forcing[WHIRL_MAX_FORCING] = {0.0};

@@ -14,7 +14,7 @@ static void require(int condition) {
     if (!condition) abort();
 }
 
-/// The case is one, unless the machine asks for what no machine can be (shafts of nothing, masses below 0).
+/// Checks that the imported case is valid, unless the machine is impossible (shafts without length, masses below 0).
 static void check_case(const whirl_imported *imported) {
     whirl_problems problems = {0};
     whirl_case *object = NULL;

@@ -39,7 +39,7 @@ static void found(void *context, const frame_head *head, uint64_t offset) {
     in->frames++;
 }
 
-/// The bytes as two identities, one after the other.
+/// Compares the bytes as two identities, one after the other.
 static void compare_texts(const uint8_t *data, size_t size) {
     char difference[200];
     char *text = malloc(size + 2);

@@ -13,7 +13,7 @@ static int write_one(const whirl_result *result, const char *folder, const char 
     return status.code != WHIRL_OK;
 }
 
-/// Branches of orbits, or of tori, in the place of both tables.
+/// Writes branches of orbits, or of tori, in place of both tables.
 static int write_traced(const char *folder, const char *name, const char *analysis) {
     whirl_result *result = synthetic_result();
     whirl_table traced = {.count = 0};

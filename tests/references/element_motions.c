@@ -62,8 +62,8 @@ static void make_nodes(void) {
     }
 }
 
-/// The pull of a short film on a journal at r, in clearances: the integral of (g . n)/(1 - r . n)^3 n over the half
-/// circle on which g . n > 0, with a minus; times mu R L^3/c^2.
+/// Returns the force of a short film on a journal at r, in clearances: minus the integral of (g . n)/(1 - r . n)^3 n
+/// over the half circle on which g . n > 0, times mu R L^3/c^2.
 static double complex film_force(double complex r, double complex g) {
     const double size = cabs(g), x = creal(r), y = cimag(r);
     const double u = size > 0.0 ? creal(g) / size : 1.0, v = size > 0.0 ? cimag(g) / size : 0.0;
@@ -76,7 +76,7 @@ static double complex film_force(double complex r, double complex g) {
     return pull[0] + I * pull[1];
 }
 
-/// A stator of that gap with friction always against the rotation.
+/// Returns the force of a stator with this gap, with friction always against the rotation.
 static double complex rub_force(double complex r, double gap, double stiffness, double friction) {
     const double depth = above(cabs(r) - gap);
     return depth > 0.0 ? -stiffness * depth * (1.0 + I * friction) * r / cabs(r) : 0.0;
@@ -320,7 +320,7 @@ static int closes_after(const machine *m) {
     return 0;
 }
 
-/// The nearest that a later section comes to the first.
+/// Returns the smallest distance of a later section from the first.
 static double nearest_return(const machine *m) {
     double nearest = INFINITY;
     for (int i = 1; i < SECTIONS; i++) nearest = fmin(nearest, distance(m, sections[0], sections[i]));

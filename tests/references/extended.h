@@ -38,8 +38,8 @@ static real solve(real matrix[N + 1][N + 1], real *right, int n) {
     return determinant;
 }
 
-/// The characteristic polynomial z^N + c[N - 1] z^(N - 1) + ... + c[0] of a matrix, whose last column is left out, by
-/// the traces of its powers (Newton's identities).
+/// Computes the characteristic polynomial z^N + c[N - 1] z^(N - 1) + ... + c[0] of a matrix, whose last column is left
+/// out, from the traces of its powers (Newton's identities).
 static void characteristic(const real matrix[N][N + 1], real c[N]) {
     real power[N][N], next[N][N], trace[N + 1];
     for (int i = 0; i < N; i++)
@@ -61,7 +61,7 @@ static void characteristic(const real matrix[N][N + 1], real c[N]) {
     }
 }
 
-/// The zeros of that polynomial (Durand, Kerner).
+/// Computes the zeros of that polynomial (Durand, Kerner).
 static void find_zeros(const real c[N], long double complex z[N]) {
     for (int i = 0; i < N; i++) z[i] = cpowl(0.4L + 0.9L * I, i);
     for (int n = 0; n < 1000; n++)

@@ -120,7 +120,7 @@ typedef struct expansion {
     series force[4];
 } expansion;
 
-/// Coefficient k of the shaft's forces: along = r_k + 1 + (r_k - 1) cos 2 tau, across = (r_k - 1) sin 2 tau.
+/// Computes coefficient k of the shaft's forces: along = r_k + 1 + (r_k - 1) cos 2 tau, across = (r_k - 1) sin 2 tau.
 static void shaft(expansion *e, int k) {
     const real factorial = tgammal((real)k + 1.0L), size = powl(2.0L, (real)k) / factorial;
     const real angle = 2.0L * e->tau + 0.5L * pi * k, c = size * cosl(angle), s = size * sinl(angle);
@@ -135,8 +135,8 @@ static void shaft(expansion *e, int k) {
     }
 }
 
-/// Coefficient k of Capone's force. With P = x B - y A and U = x A + y B the angle's cosine and sine, -A/C and -B/C, do
-/// not appear: G = (pi + 2 atan(P/(C sqrt q)))/sqrt q, V = (2 + P G/C)/q, S = -U C/(C^2 - U^2).
+/// Computes coefficient k of Capone's force. With P = x B - y A and U = x A + y B the angle's cosine and sine, -A/C and
+/// -B/C, do not appear: G = (pi + 2 atan(P/(C sqrt q)))/sqrt q, V = (2 + P G/C)/q, S = -U C/(C^2 - U^2).
 static void film(expansion *e, int k) {
     const series *x = &e->x[2], *y = &e->x[3];
     sum(&e->a, 1.0L, x, -2.0L, &e->x[7], k);
@@ -178,7 +178,7 @@ static void film(expansion *e, int k) {
     }
 }
 
-/// Coefficient k of r^2 - gap^2.
+/// Computes coefficient k of r^2 - gap^2.
 static void reach(expansion *e, int k) {
     times(&e->r2, &e->x[0], &e->x[0], k);
     add_times(&e->r2, 1.0L, &e->x[1], &e->x[1], k);
@@ -198,7 +198,7 @@ static void rub(expansion *e, int k) {
     }
 }
 
-/// Coefficient k of the forces over the masses: those on the disc, then those on the journal.
+/// Computes coefficient k of the forces over the masses: those on the disc, then those on the journal.
 static void forces(expansion *e, int k) {
     const real damping[2] = {4300.0L / (disc_mass * omega), 9300.0L / (2.0L * journal_mass * omega)};
     const real stiffness[2] = {-journal_mass / (2.0L * disc_mass * w * w), 1.0L / (4.0L * w * w)};
@@ -215,7 +215,7 @@ static void forces(expansion *e, int k) {
     rub(e, k);
 }
 
-/// All coefficients from those of power 0.
+/// Computes all coefficients from those of power 0.
 static void expand(expansion *e) {
     for (int k = 0; k < e->order; k++) {
         e->one.at[k] = (number){.value = k == 0 ? 1.0L : 0.0L};
@@ -334,7 +334,7 @@ static void carry(const accuracy *a, real r_k, int revolutions, const real *x, p
 
 // ---------------------------------------------------------------- orbits
 
-/// The two of largest modulus first.
+/// Computes the multipliers, the two of largest modulus first.
 static void multipliers(const period *p, long double complex m[N]) {
     real c[N];
     characteristic(p->by, c);
@@ -351,8 +351,8 @@ typedef struct orbit {
     period period;
 } orbit;
 
-/// The orbit in the plane at `length` along the tangent of `from`, with its own tangent; false where Newton's method
-/// fails.
+/// Finds the orbit in the plane at `length` along the tangent of `from`, with its own tangent; returns false if
+/// Newton's method fails.
 static bool correct(const accuracy *a, const orbit *from, real length, orbit *o) {
     real matrix[BY][BY], step[BY], before = INFINITY;
     o->revolutions = from->revolutions;
@@ -395,7 +395,7 @@ static int nearest_extremum(const period *p) {
     return nearest;
 }
 
-/// The function that is zero at special points of that kind.
+/// Returns the function that is zero at special points of that kind.
 static real test_of(const orbit *o, point_kind kind) {
     const real one = kind == SINGULAR ? -1.0L : 1.0L;
     real matrix[BY][BY], right[BY] = {0.0L};
@@ -415,7 +415,7 @@ static real test_of(const orbit *o, point_kind kind) {
     }
 }
 
-/// The zero of a test between `from` and the orbit at `length` (Illinois form of the false position).
+/// Finds the zero of a test between `from` and the orbit at `length` (Illinois form of the false position).
 static bool locate(const accuracy *a, const orbit *from, real length, point_kind kind, orbit *o) {
     real low = 0.0L, high = length, f_low = test_of(from, kind), f_high = test_of(o, kind);
     for (int n = 0; n < 60 && fabsl(high - low) > 1e-17L; n++) {

@@ -91,7 +91,7 @@ typedef struct known {
     whirl_branch *branches[PIECES];
 } known;
 
-/// The stable orbits at r_k.
+/// Finds the stable orbits at r_k.
 static void collect(const known *k, double r_k, size_t starts, size_t revolutions, whirl_collection **collection) {
     whirl_collect_options options = whirl_collect_default(low, high);
     whirl_machine machine;
@@ -107,7 +107,7 @@ static bool is_like(const whirl_orbit *orbit, settled like) {
     return orbit->revolutions == like.returns && orbit->touches[0].intervals == like.contacts;
 }
 
-/// The stable orbit at the beginning of a piece, of those that motions settle on there.
+/// Returns the stable orbit at the beginning of a piece, of those on which motions settle there.
 static const whirl_orbit *beginning(const piece *p, const whirl_collection *collection) {
     for (size_t i = 0; i < collection->count; i++)
         if (is_like(collection->orbits[i], p->orbit)) return collection->orbits[i];
@@ -152,7 +152,7 @@ static int forget_pieces(void **state) {
     return 0;
 }
 
-/// Index of the next special point of a branch from `i` on; its count where there is none.
+/// Returns the index of the next special point of a branch from `i` on; the number of points if there is none.
 static size_t next_special(const whirl_branch *branch, size_t i) {
     while (i < branch->count && branch->points[i].special == WHIRL_REGULAR) i++;
     return i;
@@ -166,7 +166,7 @@ static size_t count_changes(const piece *p) {
 
 // ---------------------------------------------------------------- tests
 
-/// On every piece what is expected, in its order.
+/// Every piece has the expected changes, in their order.
 static void changes_are_named(void **state) {
     const known *k = *state;
     for (size_t i = 0; i < PIECES; i++) {
@@ -180,7 +180,8 @@ static void changes_are_named(void **state) {
     }
 }
 
-/// The same point by orbits of another tolerance in more segments, from the regular point before it.
+/// Returns the value of the same point by orbits of another tolerance in more segments, from the regular point before
+/// it.
 static double value_at_other_tolerance(const known *k, const piece *p, const whirl_branch *branch, size_t at) {
     const whirl_branch_point *point = &branch->points[at], *before = point;
     whirl_branch_options options = options_of(p);
@@ -227,7 +228,7 @@ static void digits_are_confirmed(void **state) {
     }
 }
 
-/// The special point of the pieces nearest to r_k, of that kind; INFINITY where there is none.
+/// Returns the special point of that kind, of all pieces, that is nearest to r_k; INFINITY without one.
 static double nearest_change(const known *k, const char *kind, double r_k) {
     double nearest = INFINITY;
     for (size_t i = 0; i < PIECES; i++)
@@ -250,8 +251,8 @@ static void the_second_program_agrees(void **state) {
     }
 }
 
-/// Motions settle on the orbits that begin at every doubling and on the torus at P-1's Neimark-Sacker point: none is
-/// said to be subcritical.
+/// Motions settle on the orbits that begin at every doubling, and on the torus at P-1's Neimark-Sacker point: none is
+/// reported as subcritical.
 static void what_begins_is_stable(void **state) {
     const known *k = *state;
     size_t told = 0;
@@ -294,7 +295,7 @@ static double aside_of(settled above, settled below) {
     return above.returns == 14 && below.returns == 28 ? 5e-5 : 5e-4;
 }
 
-/// Two motions, above and below each special point of a stable orbit.
+/// Adds two motions, above and below each special point of a stable orbit.
 static void add_motions(brute_force *b, const piece *p, const whirl_branch *branch) {
     size_t at = next_special(branch, 0);
     for (size_t c = 0; c < count_changes(p); c++, at = next_special(branch, at + 1)) {
@@ -312,7 +313,7 @@ static void add_motions(brute_force *b, const piece *p, const whirl_branch *bran
     }
 }
 
-/// Lets all of them settle, side by side, from beside the orbit.
+/// Lets all motions settle, side by side, from a start next to the orbit.
 static void settle_motions(brute_force *b) {
     enum { REVOLUTIONS = 5000 };
     whirl_integrate_options options = whirl_integrate_default();
@@ -328,7 +329,7 @@ static void settle_motions(brute_force *b) {
     for (int n = 0; n < REVOLUTIONS; n++) whirl_ensemble_revolve(b->ensemble, b->count, NULL);
 }
 
-/// After how many revolutions each returns, and how many times it touches in these.
+/// Finds after how many revolutions each motion returns, and how many times it touches in these.
 static void watch_motions(brute_force *b) {
     enum { LONGEST = 40 };
     for (size_t k = 0; k < b->count; k++) {
@@ -353,7 +354,7 @@ static const char *in_words(settled s) {
     return s.returns == 0 ? "does not return" : words("P-%zu, %zu contacts", s.returns, s.contacts);
 }
 
-/// Motions beside a special point are the two that it lies between.
+/// Motions on both sides of a special point are those of the two pieces that meet there.
 static void motions_change_there(void **state) {
     static brute_force b;
     const known *k = *state;
@@ -370,8 +371,8 @@ static void motions_change_there(void **state) {
     whirl_ensemble_free(b.ensemble);
 }
 
-/// All stable orbits at one value: the orbit that rubs beside the main one and beside the locked torus, one of seven
-/// revolutions where the diagram shows none, and two between the folds of the orbit of four.
+/// All stable orbits at one value are found: the orbit that rubs next to the main one and to the locked torus, one of
+/// seven revolutions where the diagram has none, and two between the folds of the orbit of four.
 static void several_orbits_at_one_value(void **state) {
     const known *k = *state;
     const whirl_branch *last = k->branches[PIECES - 1];

@@ -57,7 +57,7 @@ static bool make_motion(size_t index, known_motion *m) {
     return true;
 }
 
-/// The program still says of a few motions what the table says.
+/// The program gives the numbers of the table for a few motions.
 static void table_is_the_programs(void **state) {
     char line[256];
     size_t found = 0;

@@ -42,7 +42,7 @@ static int forget_reference(void **state) {
     return 0;
 }
 
-/// The case at that speed over a revolution, and the derivatives of its end by its start [N][N], transposed.
+/// Carries the case at that speed over a revolution, with the derivatives of its end by its start [N][N], transposed.
 static void carry_chain(const whirl_case *chain, double W, double *x, double *matrix) {
     whirl_perturbations perturbations = {.count = N, .vectors = matrix};
     whirl_rotor *rotor;
@@ -55,13 +55,13 @@ static void carry_chain(const whirl_case *chain, double W, double *x, double *ma
     whirl_rotor_free(rotor);
 }
 
-/// Radius of the first mass while it does not touch: |q1| of (K - W^2 + i W D) q = (0, 0.1).
+/// Returns the radius of the first mass while it does not touch: |q1| of (K - W^2 + i W D) q = (0, 0.1).
 static double free_amplitude(double W) {
     const double complex spring = 1.0 + 0.03 * I * W, first = spring - W * W, second = 2.0 * spring - W * W;
     return cabs(0.1 * spring / (first * second - spring * spring));
 }
 
-/// The program's points: carried by the library's integrator over a revolution, with the exact derivative.
+/// The program's points close after a revolution of the library's integrator, with the exact derivative.
 static void orbits_are_the_same(void **state) {
     const reference *known = *state;
     for (size_t p = 0; p < known->count; p++) {
@@ -84,7 +84,7 @@ static void orbits_are_the_same(void **state) {
     }
 }
 
-/// The library follows the branch by itself, and finds the same special points in the same order.
+/// The library follows the branch independently, and finds the same special points in the same order.
 static void special_points_are_the_same(void **state) {
     const reference *known = *state;
     const case_family family = {known->chain, "W"};

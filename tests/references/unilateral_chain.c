@@ -50,7 +50,7 @@ typedef struct series {
     real x[MAX_ORDER + 1][N], by[MAX_ORDER + 1][N][N + 1];
 } series;
 
-/// x' = (A x + b)/W on one side of the contact, with b without the force.
+/// Computes x' = (A x + b)/W on one side of the contact; b is without the force.
 static void slope(bool touching, const real *x, real constant, real *out) {
     const real push = touching ? 100.0L : 0.0L;
     const real elastic[2] = {x[0] - x[1], 2.0L * x[1] - x[0]}, damped[2] = {x[2] - x[3], 2.0L * x[3] - x[2]};
@@ -79,14 +79,14 @@ static void expand(bool touching, real W, real theta, series *s) {
     }
 }
 
-/// Coordinate i at h after the instant.
+/// Returns coordinate i at h after the instant.
 static real at(const series *s, int i, real h) {
     real sum = s->x[s->order][i];
     for (int k = s->order - 1; k >= 0; k--) sum = sum * h + s->x[k][i];
     return sum;
 }
 
-/// The zero of coordinate i less `level` between a and b, where its signs differ or it is zero in a.
+/// Returns the zero of coordinate i less `level` between a and b, where its signs differ or it is zero in a.
 static real root(const series *s, int i, real level, real a, real b) {
     const bool rises = at(s, i, b) > level;
     real h = 0.5L * (a + b);
@@ -103,7 +103,8 @@ static real root(const series *s, int i, real level, real a, real b) {
     return h;
 }
 
-/// Length of the step that may be taken of h, up to where the contact begins or ends; notes extrema on the way.
+/// Returns the length of the step that may be taken of h, up to where the contact begins or ends; notes extrema on the
+/// way.
 static real step_length(const series *s, bool touching, real h, period *p) {
     real from = 0.0L;
     const bool turns = (s->x[0][2] > 0.0L) != (at(s, 2, h) > 0.0L);
@@ -150,7 +151,7 @@ static void carry(const accuracy *a, real W, const real *x, period *p) {
 
 // ---------------------------------------------------------------- the branch
 
-/// Largest modulus first.
+/// Computes the multipliers, largest modulus first.
 static void multipliers(const period *p, long double complex m[N]) {
     real c[N];
     characteristic(p->by, c);
@@ -168,7 +169,7 @@ typedef struct orbit {
     period period;
 } orbit;
 
-/// The orbit in the plane at `length` along the tangent of `from`; false where Newton's method fails.
+/// Finds the orbit in the plane at `length` along the tangent of `from`; returns false if Newton's method fails.
 static bool correct(const accuracy *a, const orbit *from, real length, orbit *o) {
     real before = INFINITY;
     for (int i = 0; i <= N; i++) o->u[i] = from->u[i] + length * from->tangent[i];
@@ -195,7 +196,7 @@ static bool correct(const accuracy *a, const orbit *from, real length, orbit *o)
     return true;
 }
 
-/// The tangent of an orbit that goes on as `before` [N + 1] does.
+/// Computes the tangent of an orbit in the direction of `before` [N + 1].
 static void find_tangent(orbit *o, const real *before) {
     real matrix[N + 1][N + 1], t[N + 1] = {0.0L}, size = 0.0L;
     for (int i = 0; i <= N; i++)
@@ -210,7 +211,7 @@ static void find_tangent(orbit *o, const real *before) {
 
 enum { FOLD, DOUBLING, PRODUCT_ONE, VALUE, GRAZE = VALUE + VALUES, TESTS = GRAZE + MAX_EXTREMA };
 
-/// The function that is zero at special points of that kind.
+/// Returns the function that is zero at special points of that kind.
 static real test_of(const orbit *o, int test) {
     real c[N];
     if (test == FOLD) return o->tangent[N];
@@ -241,7 +242,7 @@ typedef struct special {
     long double complex multipliers[N];
 } special;
 
-/// The zero of a test between `from` and the orbit at `length` (Illinois form of the false position).
+/// Finds the zero of a test between `from` and the orbit at `length` (Illinois form of the false position).
 static bool locate(const accuracy *a, const orbit *from, real length, int test, orbit *o) {
     real low = 0.0L, high = length, f_low = test_of(from, test), f_high, middle = length;
     if (!correct(a, from, high, o)) return false;
@@ -273,7 +274,7 @@ static void note(special *point, const orbit *o, const char *kind, real length) 
     multipliers(&o->period, point->multipliers);
 }
 
-/// The special points of the branch, in its order; how many.
+/// Finds the special points of the branch, in its order; returns their number.
 static int follow(const accuracy *a, special *points) {
     orbit here = {.u = {0.0L, 0.0L, 0.0L, 0.0L, 0.8L}, .tangent = {0.0L, 0.0L, 0.0L, 0.0L, 1.0L}}, next;
     real step = 0.002L, length = 0.0L;
@@ -325,14 +326,15 @@ static void print(const special *p) {
     printf("\n");
 }
 
-/// Largest difference of the start and of W.
+/// Returns the largest difference of the start and of W.
 static real orbits_apart(const special *one, const special *other) {
     real largest = 0.0L;
     for (int i = 0; i <= N; i++) largest = fmaxl(largest, fabsl(one->orbit.u[i] - other->orbit.u[i]));
     return largest;
 }
 
-/// Largest difference of multipliers, and of their product from what the damping says: exp(-0.09 2 pi/W).
+/// Returns the largest difference of multipliers, and of their product from exp(-0.09 2 pi/W), which follows from the
+/// damping.
 static real multipliers_apart(const special *one, const special *other) {
     long double complex product = 1.0L;
     real largest = 0.0L;

@@ -49,7 +49,7 @@ static void must(whirl_status status) {
     _exit(1);
 }
 
-/// What `whirl run` does, with a table that is to stay with the store.
+/// Runs as `whirl run` does, with a table whose blocks stay with the store.
 static void run(const places *at) {
     whirl_problems problems = {0};
     whirl_case *object;
@@ -75,7 +75,7 @@ static void write_case(const places *at, const char *text, size_t points) {
     fclose(stream);
 }
 
-/// The largest resident size in bytes of a process that does this.
+/// Returns the largest resident size in bytes of a process that does this work.
 static double resident(void (*work)(const places *), const places *at) {
     struct rusage used;
     int outcome = 0;
@@ -145,7 +145,7 @@ static whirl_case *load(const places *at, whirl_result **outline) {
     return object;
 }
 
-/// The journal of a shard that has all points; what they are costs nothing to compute.
+/// Writes the journal of a shard that has all points, whose numbers cost nothing to compute.
 static void fill_shard(const places *at) {
     enum { DIMENSION = 4 };
     static double block[4096];
@@ -164,7 +164,7 @@ static void fill_shard(const places *at) {
     whirl_case_free(object);
 }
 
-/// What `whirl merge` does.
+/// Merges as `whirl merge` does.
 static void merge(const places *at) {
     whirl_result *outline, *result;
     whirl_journal *journal;

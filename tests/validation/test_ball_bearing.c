@@ -115,8 +115,8 @@ static void by_time(const void *model, double t, const double *forcing, const do
     }
 }
 
-/// The cage's angle is a state of its own; where the balls pass a whole number of times in a revolution the motion is
-/// that of the equations with its angle by time.
+/// The cage's angle is a state. If the balls pass a whole number of times in a revolution, the motion is that of the
+/// equations with the angle as a function of time.
 static void cage_as_a_state(void **unused) {
     (void)unused;
     const whirl_system timed = {.dimension = 4, .period = 6.283185307179586476925, .rhs = by_time, .kinked = true};
@@ -227,7 +227,8 @@ static void other_ends_are_looked_at(void **unused) {
     }
 }
 
-/// The derivative by duals against the force's own in closed form: dF/dd = -3/2 C sqrt(delta) n n^T summed.
+/// The derivative by dual numbers agrees with that of the force in closed form: dF/dd = -3/2 C sqrt(delta) n n^T
+/// summed.
 static void the_derivative(void **unused) {
     (void)unused;
     const double pi = 3.14159265358979323846, cage = 0.37, state[5] = {6.1, -2.3, 0.4, 0.7, 1.234};
@@ -257,7 +258,7 @@ static void the_derivative(void **unused) {
     whirl_rotor_free(rotor);
 }
 
-/// Three revolutions in lanes, each with a cage of its own speed, and by the integrator.
+/// Three revolutions in lanes, each with its own cage speed, agree with the integrator.
 static void cages_in_lanes(void **unused) {
     (void)unused;
     static const char *const methods[] = {"rk4", "dop853", "rodas5p"};

@@ -101,8 +101,8 @@ static bool ends_right(double force, double x, double v) {
     return mean > 0.0;
 }
 
-/// Two motions are found, one in each well, and every start leads where brute force says; those next to a boundary,
-/// whose motion goes along the saddle for long, may differ by what the two methods' errors grow to.
+/// Two motions are found, one in each well, and every start leads to that of brute force. Starts next to a boundary,
+/// whose motions stay near the saddle for long, may differ by the errors of the methods.
 static void starts_lead_to_their_wells(void **state) {
     const double force = 0.2;
     double x[STARTS], v[STARTS];
@@ -132,8 +132,8 @@ static void starts_lead_to_their_wells(void **state) {
     whirl_result_free(result);
 }
 
-/// Orbits of two revolutions are one, whichever of these a motion comes to first: one in each well. Chaos that visits
-/// both wells is one motion, wherever it began.
+/// An orbit of two revolutions is one attractor, in either phase: one in each well. Chaos that visits both wells is one
+/// attractor for all starts.
 static void motions_are_told_apart(void **state) {
     enum { FEW = 20 };
     static const struct {

@@ -89,8 +89,8 @@ static void folds_of_nlvib(void **state) {
     whirl_orbit_free(start);
 }
 
-/// Between the folds three orbits lie over one speed: those of the branch that are stable are the two that motions from
-/// many starts lead to.
+/// Between the folds three orbits exist at one speed. The stable ones are the two to which motions from many starts
+/// lead.
 static void two_of_three_are_stable(void **state) {
     static const double low[2] = {-6.0, -6.0}, high[2] = {6.0, 6.0};
     (void)state;
@@ -127,7 +127,7 @@ static void two_of_three_are_stable(void **state) {
     whirl_orbit_free(start);
 }
 
-/// Two wells, an orbit in each: one is the other's mirror, half a revolution later.
+/// Of the orbits in two wells one is the other's mirror image, half a revolution later.
 static void both_wells_are_found(void **state) {
     static const double low[2] = {-1.5, -0.5}, high[2] = {1.5, 0.5};
     (void)state;
@@ -443,8 +443,8 @@ static bool goes_through(const whirl_orbit *orbit, double stiffness, double W) {
     return (depth > 1e-9 && orbit->touches[0].intervals == 0) || depth > speed / sqrt(stiffness);
 }
 
-/// The branch passes first touches and ends at the end of the range. Where other programs follow the free orbit on,
-/// through a stop that they do not look for, all orbits here stay outside.
+/// The branch passes first touches and ends at the end of the range. Programs that do not look for the stop follow the
+/// free orbit through it; all orbits here stay outside.
 static void no_orbit_goes_through_the_stop(void **state) {
     static const double stiffnesses[] = {20.0, 1e3, 1e4};
     (void)state;
@@ -488,8 +488,8 @@ static whirl_branch_point first_doubling(const test_family *family, whirl_branch
     return *point;
 }
 
-/// A stop at the very place that the orbit reaches at its doubling: the map has a term of the power 3/2 of the depth,
-/// and third differences have no limit. Farther away the stop changes nothing.
+/// A stop at the displacement that the orbit reaches at its doubling: the map has a term of the power 3/2 of the depth,
+/// and third differences have no limit. A stop farther away has no effect.
 static void doublings_at_a_graze(void **state) {
     static const double stiffnesses[] = {0.3, 1.0, 10.0}, apart[] = {0.0, 1e-9, -1e-9};
     (void)state;

@@ -159,7 +159,8 @@ static double share_of(const whirl_setting *contact, size_t count, double speed,
     return share / options.steps_per_revolution;
 }
 
-/// Half a period of a spring; the times of the impacts above. Whatever the tolerance, by which steps are longer.
+/// The time of contact is half a period of a spring, and that of the impacts above, at every tolerance (larger ones
+/// have longer steps).
 static void impacts_last(void **unused) {
     static const char *const by[] = {"dop853", "rodas5p"};
     static const double rtol[] = {1e-5, 1e-9};
@@ -203,7 +204,8 @@ static double struck_share(const char *stator, const char *method, double rtol, 
     return share;
 }
 
-/// Adaptive methods, which count steps, against instants of RK4: to an instant at every end of a contact.
+/// The share of contact of adaptive methods, which count steps, agrees with that of RK4, which counts instants, to an
+/// instant at every end of a contact.
 static void steps_count_as_instants(void **unused) {
     static const char *const stators[][2] = {
         {"hunt_crossley",
@@ -266,7 +268,7 @@ static void bristles(double surface, whirl_setting contact[BRISTLES]) {
     memcpy(contact, all, sizeof all);
 }
 
-/// A surface of constant speed against a mass that is held in place by its inertia.
+/// A surface that moves at constant speed meets a mass that only its inertia holds.
 static void constant_sliding(void **unused) {
     (void)unused;
     static const struct {

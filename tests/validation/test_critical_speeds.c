@@ -139,8 +139,8 @@ static void backward_too(void **unused) {
     }
 }
 
-/// Speeds at which damped frequencies meet the speed, by following modes: another way to the same numbers. The bearings
-/// have two stiffnesses, so that whirls are ellipses.
+/// Speeds at which damped frequencies equal the speed agree with those from modes that are followed. The bearings have
+/// two stiffnesses, so that orbits are ellipses.
 static void as_modes_meet_the_speed(void **unused) {
     static const char bearing[] = "kxx: 1 MN/m, kyy: 0.2 MN/m";
     double speeds[MAX_SPEEDS];
@@ -169,7 +169,7 @@ static void as_modes_meet_the_speed(void **unused) {
     whirl_case_free(search);
 }
 
-/// Masses on springs have equal speeds forward and backward, sqrt(k/m); two alike have each twice.
+/// Masses on springs have equal speeds forward and backward, sqrt(k/m); two equal ones have each speed twice.
 static void masses_on_springs(void **unused) {
     double speeds[MAX_SPEEDS];
     (void)unused;
@@ -265,7 +265,7 @@ static void a_disc_on_a_cantilever(void **unused) {
     whirl_case_free(object);
 }
 
-/// Without bearings a shaft has four rigid-body modes, which are left out and told.
+/// Without bearings a shaft has four rigid-body modes, which are left out; a statement reports them.
 static void free_shafts(void **unused) {
     double speeds[MAX_SPEEDS], held[MAX_SPEEDS];
     (void)unused;
@@ -312,8 +312,8 @@ static void slow_is_not_free(void **unused) {
     }
 }
 
-/// Springs stand in the place of bearings, whatever these are, and seals and impellers are left out: the map is that of
-/// springs. Laid over it is the stiffness of the bearings, here in proportion to the speed.
+/// Springs replace the bearings, of whatever kind, and seals and impellers are left out: the map is that of springs. It
+/// also shows the stiffness of the bearings, here in proportion to the speed.
 static void springs_stand_for_bearings(void **unused) {
     static const char table[] = "kxx: [2e5 N/m, 4e6 N/m], kyy: [1e5 N/m, 2e6 N/m], kxy: 1e5 N/m, cxx: 2 kN.s/m, "
                                 "mxx: 5 kg, speeds: [1 rad/s, 700 rad/s]}\n"

@@ -81,8 +81,9 @@ static void check_linear(const char *text, const char *method) {
     whirl_rotor_free(rotor);
 }
 
-/// Planes with dampings of their own, the lesser one along y; stations that nothing joins, the last the least damped;
-/// two discs alike beside a third, whose motion against each other is damped least; and a station of one axis.
+/// Largest exponents of planes with different dampings, the smaller one along y; of stations without joints, the last
+/// with the least damping; of two equal discs next to a third, whose relative motion is damped least; and of a station
+/// of one axis.
 static void linear_machines(void **state) {
     static const char *const machines[] = {
         "  speed: 1\n  length_scale: 1\n  stations: {a: {mass: 1}, b: {mass: 2}}\n  elements:\n"
@@ -103,8 +104,8 @@ static void linear_machines(void **state) {
         for (size_t m = 0; m < (i == 0 ? 3 : 1); m++) check_linear(machines[i], methods[m]);
 }
 
-/// trust/exponents-decoupled: the loose pedestal at 581.195 rad/s, whose planes know nothing of each other. Its largest
-/// exponent is .41 +- .02 (longer motions, and perturbations along y alone); it must be that of the twin.
+/// The loose pedestal at 581.195 rad/s, whose planes are uncoupled, has the largest exponent .41 +- .02 (longer
+/// motions, and perturbations along y alone). The perturbed copy must give the same.
 static void exponents_decoupled(void **state) {
     static const char *const text =
         "  speed: 581.195 rad/s\n  length_scale: 0.2 mm\n  stations:\n"

@@ -280,7 +280,7 @@ static void test_a_motion_that_rubs(void **state) {
     whirl_result_free(result);
 }
 
-/// A motion of chaos has no derivatives.
+/// A chaotic motion has no derivatives.
 static void test_chaos_has_none(void **state) {
     (void)state;
     char text[SIZE];

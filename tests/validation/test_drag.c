@@ -62,7 +62,7 @@ static double place_of(const whirl_result *result, size_t axis) {
 /// 2 pi mu R^3 L/c, N m s.
 static const double petroff = 6.283185307179586476925 * 0.02 * 8e-6 * 0.02 / 4e-5;
 
-/// Centred journals: Petroff's torque, by which the speed falls as exp(-t petroff/J).
+/// Centred journals have Petroff's torque, by which the speed falls as exp(-t petroff/J).
 static void centred(void **state) {
     static const struct {
         const char *bearing;
@@ -85,8 +85,8 @@ static void centred(void **state) {
     }
 }
 
-/// A journal at rest under its weight: 2 pi mu w R^3 L/(c sqrt(1 - e^2)), and half of the couple of its load (Ocvirk;
-/// Sommerfeld). The shaft is heavy, so that its speed stays.
+/// A journal at rest under its weight has the torque 2 pi mu w R^3 L/(c sqrt(1 - e^2)), and half of the moment of its
+/// load (Ocvirk; Sommerfeld). The shaft is heavy, so that its speed stays.
 static void loaded(void **state) {
     static const char *const films[] = {"film: {at: j, law: short, " OIL "}", "film: {at: j, law: finite, " OIL "}"};
     (void)state;

@@ -434,8 +434,8 @@ static void d3_mathieu(void **unused) {
 
 // ---------------------------------------------------------------- second trajectories
 
-/// A disc that comes to rest under its weight, x'' + 3 x' + x = 0: its exponents are (-3 +- sqrt 5)/2 by the radian.
-/// Neither the disc nor its twin moves then, and no error of the state shortens a step.
+/// A disc that comes to rest under its weight, x'' + 3 x' + x = 0, has the exponents (-3 +- sqrt 5)/2 per radian. Then
+/// neither the disc nor its perturbed copy moves, and no error of the state limits a step.
 static void d1_disc_at_rest(void **unused) {
     (void)unused;
     static const char *const methods[] = {"rk4", "dop853", "rodas5p", "cvode-adams", "cvode-bdf"};

@@ -306,7 +306,7 @@ static double simulated_growth(const whirl_case *object, double speed) {
     return log(after / before);
 }
 
-/// A thousandth below the threshold perturbations die out in the nonlinear equations, a thousandth above they grow.
+/// A thousandth below the threshold perturbations decay in the nonlinear equations, a thousandth above they grow.
 static void oil_whirl_sets_in(void **unused) {
     (void)unused;
     whirl_case *object = parse(in_films);

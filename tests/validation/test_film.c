@@ -234,7 +234,7 @@ static void a4_closed_forms(void **unused) {
     check_within("A4", "largest relative difference from the closed forms for e = .1 to .9", 0.0, worst, 1e-10);
 }
 
-/// K and C are the rotor's Jacobian where a load of one holds the journal.
+/// K and C are those of the rotor's Jacobian at the equilibrium under a load of one.
 static void a4_exact_jacobian(void **unused) {
     (void)unused;
     double worst = 0.0;

@@ -377,7 +377,7 @@ static void near_the_wall(void **unused) {
     check_within("film-wall", "jump of the derivative where the fit ends, e = .95", 0.0, kink, 1e-5);
 }
 
-/// Lanes of different lengths have the bits that each has beside its equals, where coefficients are read another way.
+/// Lanes of different lengths have the bits of lanes of equal lengths, whose coefficients are read in another way.
 static void lanes_of_different_lengths(void **unused) {
     (void)unused;
     enum { LANES = 8 };

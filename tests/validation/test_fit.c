@@ -228,7 +228,7 @@ static void disc_gain(double w, double k, double gain[2]) {
     gain[1] = w * w * imaginary / square;
 }
 
-/// A waveform at times that have nothing to do with the revolution.
+/// A waveform at times that are no fractions of a revolution is fitted.
 static void waveforms(void **unused) {
     (void)unused;
     static const double truth[3] = {33e3, 52.0, 38e-6}, w = 100.0;
@@ -256,7 +256,8 @@ static void waveforms(void **unused) {
     whirl_result_free(result);
 }
 
-/// Each probe has its own noise: the eccentricity is the mean of what they say, weighed by their squares.
+/// Each probe has its own noise: the eccentricity is the mean of the values of the probes, weighted by the inverse
+/// squares of their noise.
 static void noise_by_probe(void **unused) {
     (void)unused;
     static const double said[2] = {36e-6, 40e-6}, noise[2] = {1e-6, 3e-6};
@@ -343,8 +344,8 @@ static void profiles(void **unused) {
     whirl_result_free(result);
 }
 
-/// Mass, damping and stiffness have a common factor that no unbalance response tells; the friction of a stator that is
-/// not touched acts on nothing.
+/// Mass, damping and stiffness have a common factor that no unbalance response determines; the friction of a stator
+/// that is not touched has no effect.
 static void not_determined(void **unused) {
     (void)unused;
     static const int known[5] = {WHIRL_FIT_UNKNOWN, WHIRL_FIT_UNKNOWN, WHIRL_FIT_UNKNOWN, WHIRL_FIT_DETERMINED,
@@ -514,8 +515,8 @@ static double write_motion(const recovered *kind, const whirl_given *given, cons
     return 0.01 * largest;
 }
 
-/// Intervals of 95 % hold what was put in, and the friction that acts on nothing is named, of machines of four kinds.
-/// Without WHIRL_SOAK there is one machine of each, whose values are within 4 standard errors.
+/// Intervals of 95 % contain the true values, and friction without effect is named, for machines of four kinds. Without
+/// WHIRL_SOAK there is one machine of each kind, whose values are within 4 standard errors.
 static void recovery(void **unused) {
     (void)unused;
     const size_t machines = getenv("WHIRL_SOAK") ? 13 : 1;

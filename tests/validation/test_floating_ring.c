@@ -96,8 +96,8 @@ static void rest(void **unused) {
     whirl_rotor_free(rotor);
 }
 
-/// The place of rest does not depend on the mass of a ring without weight, and is found for any of it: accelerations of
-/// the ring, and their rounding, are 1e12 times those of the journal for the lightest one.
+/// The equilibrium does not depend on the mass of a ring without weight, and is found for any mass. Accelerations of
+/// the lightest ring, and their rounding errors, are 1e12 times those of the journal.
 static void light_rings(void **unused) {
     (void)unused;
     static const double light[] = {1e-6, 1e-8, 1e-9, 1e-10, 1e-12};

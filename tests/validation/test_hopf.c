@@ -210,8 +210,8 @@ static double growth_at(double e, double s) {
     return largest_real_part(4, matrix, NULL);
 }
 
-/// The threshold over the journal's place, from e = .5 down: at each point of the curve the rotor that rests there is
-/// stable at a speed less by 1e-8 of it, and unstable at one more by as much.
+/// The threshold over the journal's place, from e = .5 down: at each point of the curve the rotor is stable at a speed
+/// lower by 1e-8 of it, and unstable at one higher by as much.
 static void the_curve_of_thresholds(void **state) {
     (void)state;
     const oil_family own = {0.5, 0.0};
@@ -237,8 +237,8 @@ static void the_curve_of_thresholds(void **state) {
     whirl_branch_free(branch);
 }
 
-/// A little beyond the threshold the rigid rotor settles on an orbit: the one that the branch has there. Where no orbit
-/// begins on that side the loss is sudden, and the branch goes to lower speeds, unstable.
+/// A little beyond the threshold the rigid rotor settles on the orbit of the branch. If no orbit begins on that side,
+/// the loss of stability is sudden, and the branch leads to lower speeds, unstable.
 static void the_rotor_settles_on_the_branch(void **state) {
     static const double places[] = {0.1, 0.3, 0.5};
     (void)state;

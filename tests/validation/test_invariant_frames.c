@@ -140,7 +140,7 @@ static void the_units(void **state) {
     assert_int_equal(wrong, 0);
 }
 
-/// A segment as two halves.
+/// A segment is equivalent to two halves.
 static void the_pieces_of_a_shaft(void **state) {
     static const char whole[] = "segment: {from: rotor, to: stator, length: 400 mm, outer: 30 mm, elements: 4}",
                       halves[] = "segment: {from: rotor, length: 200 mm, outer: 30 mm, elements: 2}\n"

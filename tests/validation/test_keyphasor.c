@@ -140,7 +140,7 @@ static void draw_state(uint64_t *seed, double *x) {
     for (size_t i = 2; i < 6; i++) x[i] *= 0.8; // journal and housing
 }
 
-/// Forces are the same whatever time is counted by: accelerations and slopes a second at any state.
+/// Forces do not depend on the phase that counts time: accelerations and slopes per second at any state are the same.
 static void same_forces(void **unused) {
     (void)unused;
     const double speed = 310.0, hertz = 77.7, clock = two_pi * hertz;
@@ -202,8 +202,8 @@ static void the_jacobian(void **unused) {
     whirl_rotor_free(rotor);
 }
 
-/// Five turns of the shaft are seven of the force: the motion after them, with all elements but those whose force has a
-/// kink, which steps cross elsewhere.
+/// Five turns of the shaft are seven of the force: the motion after them is the same. Elements whose force has a kink
+/// are left out, since steps cross it at other instants.
 static void same_motion(void **unused) {
     (void)unused;
     static const char *const methods[] = {"rk4", "dop853", "rodas5p"};
@@ -310,7 +310,7 @@ static void closed_curve(void **unused) {
         }
 }
 
-/// Verdicts: what repeats with the phase is P-k of it, and what does not is a forced torus either way.
+/// A motion that repeats with the phase is P-k of it, and one that does not is a forced torus either way.
 static void verdicts(void **unused) {
     (void)unused;
     static const struct {
@@ -362,7 +362,7 @@ static whirl_rotor *make_shaken_rub(double speed, double w) {
     return finish(design);
 }
 
-/// By the shaft's sections what is not chaos is a forced torus.
+/// By the shaft's sections every motion that is not chaotic is a forced torus.
 static void regimes_under_a_shaker(void **unused) {
     (void)unused;
     static const struct {
@@ -384,7 +384,8 @@ static void regimes_under_a_shaker(void **unused) {
 
 // ---------------------------------------------------------------- lanes, and what is refused
 
-/// Machines at speeds of their own side by side: by every method all widths give the same bits, and each machine's own.
+/// Machines of different speeds in lanes: by every method all widths give the same bits, and those of each machine
+/// alone.
 static void in_lanes(void **unused) {
     (void)unused;
     enum { LANES = 11, REVOLUTIONS = 6 };

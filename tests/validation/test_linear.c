@@ -110,7 +110,7 @@ static void response_of_a_mounted_disc(void **unused) {
     check_within("Linear", "mounted disc: mean position, m", 0.0, worst_rest, 1e-15);
 }
 
-/// Without damping there is no bounded response at the critical speed, and it is said.
+/// Without damping there is no bounded response at the critical speed, and the study says so.
 static void no_bounded_response(void **unused) {
     const mounted m = {200, 8e4, 2e5, 0, 0}; // sqrt(8e4 / 2)
     double rest[4], found[8];
@@ -160,7 +160,7 @@ static double place_journal(double e, double position[2]) {
     return 1.0 / hypot(force[0], force[1]);
 }
 
-/// From the centre of the bearing, lightly and heavily loaded.
+/// The equilibrium is found from the centre of the bearing, lightly and heavily loaded.
 static void journals_at_rest(void **unused) {
     static const double ratios[] = {1e-4, 0.02, 0.3, 0.7, 0.95, 0.99};
     (void)unused;
@@ -247,7 +247,7 @@ static void turning_exponents(double w, double delta, double zeta, double comple
     for (int i = 0; i < 4; i++) values[i] /= w;
 }
 
-/// Exponents of the turning frame are those of the standing one but for whole turns.
+/// Exponents of the turning frame are those of the fixed frame, up to whole turns.
 static void unequal_shaft(void **unused) {
     const double delta = 0.3, zeta = 0.02;
     double worst_growth = 0.0, worst = 0.0;
@@ -318,7 +318,7 @@ static void unequal_shaft_s_response(void **unused) {
 
 // ---------------------------------------------------------------- what has no equilibrium, or any number
 
-/// A disc that one spring and dampers hold: a rigid-body mode along the other axis, beside its decay at c/m.
+/// A disc that one spring and dampers hold has a rigid-body mode along the other axis, and a decay at c/m.
 static void held_along_one_axis(void **unused) {
     const mounted m = {300, 8e4, 0, 40, 90};
     (void)unused;
@@ -333,7 +333,7 @@ static void held_along_one_axis(void **unused) {
     whirl_rotor_free(rotor);
 }
 
-/// A free disc rests wherever it is; under its weight nowhere.
+/// A free disc is at rest anywhere; under its weight nowhere.
 static void free_discs(void **unused) {
     double x[4] = {0.3, 0.1, 0, 0};
     (void)unused;

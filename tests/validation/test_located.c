@@ -92,8 +92,8 @@ static void end_of(const whirl_system *system, double rtol, int revolutions, dou
     whirl_integrator_free(integrator);
 }
 
-/// Errors of motions that switch fall with the tolerance, as those of smooth ones do: by 1e4 at least from 1e-6 to
-/// 1e-11.
+/// Errors of motions with switches decrease with the tolerance, as those of smooth ones do: by at least 1e4 from 1e-6
+/// to 1e-11.
 static void errors_fall_with_the_tolerance(void **state) {
     (void)state;
     for (size_t k = 0; k < MACHINES; k++) {

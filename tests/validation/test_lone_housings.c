@@ -171,7 +171,7 @@ static void they_are_held(void **state) {
         }
 }
 
-/// Clearances around the origin are told where the housing stands along both axes alone.
+/// A clearance around the origin is reported only if the housing is fixed along both axes.
 static void housings_that_stand(void **state) {
     static const char *const moving[] = {"film: {at: disc, from: ped, law: finite, clearance: 1e-4, " FILM "}",
                                          "squeeze: {at: disc, from: ped, clearance: 1e-4, " FILM "}",

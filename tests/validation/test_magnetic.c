@@ -132,7 +132,7 @@ static double complex loop_at(double complex s) {
     return sensor * pid * notch / (1.0 + s / 6e3);
 }
 
-/// Poles of all blocks together: (m s^2 - k_s + k_i G(s)) = 0 at every eigenvalue.
+/// Every eigenvalue is a root of (m s^2 - k_s + k_i G(s)) = 0, with all blocks of the controller.
 static void transfer_functions(void **unused) {
     (void)unused;
     // (s^2 + 60 s + 4e6) 1e9 over (s^2 + 900 s + 4e6)(s^2 + 7e4 s + 1.2e9)
@@ -251,7 +251,7 @@ static void derivatives(void **unused) {
 
 // ---------------------------------------------------------------- failing
 
-/// Without currents nothing acts: the mass goes on as it went.
+/// Without currents no force acts: the mass continues at its velocity.
 static void failing(void **unused) {
     (void)unused;
     whirl_setting settings[MAX_SETTINGS];

@@ -81,7 +81,7 @@ static void other_ways(void **unused) {
                 isnan(peaks[0].high) && isnan(peaks[1].low) && !isnan(peaks[0].low) && !isnan(peaks[1].high));
 }
 
-/// With 8 points in the width of half power, wherever they lie, the factor is right to 1 %.
+/// With 8 points in the half-power width, wherever they lie, the factor has an error below 1 %.
 static void few_points(void **unused) {
     static const double z = 0.01;
     double worst = 0.0, widest = 0.0, r[200], size[200], lag[200];
@@ -103,7 +103,8 @@ static void few_points(void **unused) {
     check_within("B13", "8 points in the width: points told", 8.0, widest, 0.1);
 }
 
-/// The largest between two speeds that lie between points: at its lower or upper end, or at the top of a peak.
+/// The largest amplitude between two speeds that lie between points is found at the lower or upper end, or at the top
+/// of a peak.
 static void largest_in_a_range(void **unused) {
     static const double z = 0.06;
     static const struct {

@@ -241,7 +241,7 @@ static void motor_otherwise(void **state) {
 }
 
 /// A motor whose torque begins at 0 starts against dry friction; one that is too weak does not. Lists of one number are
-/// numbers.
+/// read as numbers.
 static void loads_yield_at_standstill(void **state) {
     static const char machine[] = "  length_scale: 1 m\n"
                                   "  stations:\n"

@@ -161,7 +161,7 @@ static bool carry_in_lanes(const whirl_system *system, const char *method, const
     return true;
 }
 
-/// The same bits in every lane of every width that fuses, and the right ones.
+/// Every lane of every width with fused multiply-adds has the same bits, and the right numbers.
 static void mounts_in_lanes(void **unused) {
     (void)unused;
     static const char *const sets[] = {"scalar", "fma", "avx2", "avx512"};
@@ -303,8 +303,8 @@ static void carry_rubbing(const whirl_integrate_options *options, whirl_rotor *c
     whirl_ensemble_free(lanes);
 }
 
-/// Contacts are located and slid along with states of their own beside: among others, in a lane alone, and by the
-/// integrator, which takes its own steps.
+/// Contacts are located, and motions slide along them, with states of their elements: among other lanes, in a lane
+/// alone, and by the integrator, which chooses its own steps.
 static void rubbing_on_mounts(void **unused) {
     (void)unused;
     enum { ROTORS = 5 };

@@ -155,8 +155,8 @@ static tally compare_springs(const whirl_table *table, const whirl_coexistence *
     return t;
 }
 
-/// The upper orbit is found up to its fold, in all rows, from where few starts meet it; one round alone does not go so
-/// far.
+/// The upper orbit is found up to its fold, in all rows, from the places where few starts reach it; a single round does
+/// not get so far.
 static void the_upper_orbit_is_followed_to_its_fold(void **state) {
     static double seen[PLACES][2][2];
     whirl_coexistence found;
@@ -188,7 +188,7 @@ static void the_upper_orbit_is_followed_to_its_fold(void **state) {
     whirl_result_free(result);
 }
 
-/// Neighbours from plane to plane are what neighbours from row to row are.
+/// Neighbours from plane to plane give the same as neighbours from row to row.
 static void planes_are_neighbours(void **state) {
     whirl_coexistence one, other;
     (void)state;
@@ -281,7 +281,8 @@ static double found_rubbing(const whirl_table *table, const whirl_coexistence *f
     return (double)NAN;
 }
 
-/// The P-5 of the rub stands beside what most starts lead to at some ratios of stiffness; 6 starts miss it at some.
+/// At some ratios of stiffness the P-5 of the rub coexists with the attractor of most starts; at some of these 6 starts
+/// miss it.
 static void the_rubbing_orbit_is_followed(void **state) {
     double largest[RATIOS], away = 0.0;
     whirl_case *object = brute_paper_case(paper_study);

@@ -242,8 +242,8 @@ static void multipliers_of_full_annular_rub(void **state) {
 
 // ---------------------------------------------------------------- segments
 
-/// The rotor of the paper where it has multipliers from 1 to 1e-19: those that doubles can tell within one segment are
-/// the same by any number of segments, and by eight the sum of all logarithms is that of the divergence.
+/// The rotor of the paper has multipliers from 1 to 1e-19. Those that doubles resolve within one segment are the same
+/// with any number of segments, and with eight the sum of all logarithms is the integral of the divergence.
 static void segments_change_no_multiplier(void **state) {
     static const int segments[] = {2, 3, 8, 16};
     (void)state;

@@ -218,7 +218,7 @@ static void short_limit(void **unused) {
     check_within("pads-short", "short film, L/D 0.02: attitude, rad", 0.0, state.at[1], 1e-3);
 }
 
-/// Every usual bearing carries loads from heavy to light; tilting pads hold it on the line of the load.
+/// Every usual bearing carries loads from heavy to light; in tilting pads the journal stays on the line of the load.
 static void carried(void **unused) {
     static const char *const names[] = {"plain",     "two-groove",  "elliptical", "three-lobe",
                                         "four-lobe", "offset-half", "tilting-4",  "tilting-5"};

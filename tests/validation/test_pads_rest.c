@@ -420,8 +420,8 @@ static const struct {
                 {49, {0.79540, -0.77366}}, {51, {0.51664, -0.80434}}, {53, {0.41587, -0.57726}},
                 {55, {0.26845, -0.60580}}, {61, {0.59647, -0.56775}}, {63, {0.44697, -0.59893}}};
 
-/// Pads on springs. Every bearing has a place of rest: no force is left there. The order in which pads are listed
-/// changes no bit. A journal that is pushed off a rest that is told stable comes back.
+/// Pads on springs: every bearing has an equilibrium, at which no force is left. The order in which pads are listed
+/// changes no bit. A journal that is pushed off a stable equilibrium comes back.
 static void listed(void **unused) {
     static const double preloads[] = {0.0, 0.2}, stiffness[] = {500.0, 2000.0, 8000.0, 30000.0},
                         masses[] = {400.0, 1500.0};

@@ -72,7 +72,7 @@ static bool rests_at_zero(double theta, double x) {
     return false;
 }
 
-/// The estimate of this test finds the dimension that is published for a map.
+/// The estimate of this test finds the published dimension of a map.
 static void estimate_finds_a_known_dimension(void **state) {
     enum { STARTS = 20000 };
     share uncertain[ERRORS];

@@ -142,7 +142,7 @@ static void tilting_response(void **unused) {
                  cabs(x[2] + I * x[3] - expected) / cabs(expected), 1e-9);
 }
 
-/// A pedestal that moves along y feels the part of a force along y.
+/// A pedestal that moves along y is moved by the component of a force along y.
 static void along_one_axis(void **unused) {
     (void)unused;
     const whirl_setting pedestal[] = {{"mass", mass, NULL}, {"moves", 0, "y"}};
@@ -240,8 +240,8 @@ static const char *regime_by(double clock, bool unbalanced) {
     return name;
 }
 
-/// Sections by another phase: its rate stands for the rotor's speed, and what turns with the shaft has a speed of its
-/// own.
+/// Sections by another phase: its rate replaces the rotor's speed, and elements that turn with the shaft have a speed
+/// of their own.
 static void sections_by_another_phase(void **unused) {
     (void)unused;
     const double shaker = two_pi * 31.0;
@@ -264,8 +264,8 @@ static void sections_by_another_phase(void **unused) {
                  cabs(x[0] + I * x[1] - expected) / cabs(expected), 1e-9);
 }
 
-/// A force and an unbalance of 31 Hz on a shaft that turns ever more slowly: machines at rest are what they are without
-/// them; motions are refused, but for those by sections of the force.
+/// A force and an unbalance of 31 Hz on a shaft whose speed approaches 0: machines at rest are the same as without
+/// them; motions are refused, except with sections by the force.
 static void slow_shafts(void **unused) {
     static const double speeds[] = {0.0, 1e-9, 1e-3, 0.1, 1.0, 100.0};
     const double hertz = 31.0, nu = two_pi * hertz, half = 0.5 * damping / mass;

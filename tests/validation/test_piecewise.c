@@ -441,7 +441,7 @@ static void l5_from_rest_on_the_switch(void **unused) {
     check_holds("L5", "it moves", fabs(ends[2][0][0]) > 0.01);
 }
 
-/// A mass that nothing moves stays where it is, on the switch.
+/// A mass without forces stays where it is, on the switch.
 static void l5_nothing_moves(void **unused) {
     static const double one = 1.0;
     const part seat = {"looseness", {{"between", 0.0, "upper, ground"}, two_slopes[0], two_slopes[1]}};

@@ -27,7 +27,7 @@ static void check_relative(const char *what, double obtained, double expected, d
 
 // ---------------------------------------------------------------- friction
 
-/// A rotor that goes round in a circle of radius r, pressed to its stator all around: T = f N R, P = f N omega (R + r).
+/// A rotor moves in a circle of radius r, pressed to its stator all around: T = f N R, P = f N omega (R + r).
 static void annular_rub_takes_its_power(void **state) {
     static const char *const stators[] = {"rub: {at: disc, gap: 0.2 mm, stiffness: 2 MN/m, friction: 0.02, law: slip",
                                           "rub: {at: disc, gap: 0.2 mm, stiffness: 2 MN/m, friction: 0.02, damping: 9",
@@ -62,7 +62,7 @@ static void annular_rub_takes_its_power(void **state) {
     }
 }
 
-/// Blades longer than the gap in the middle of their casing: each is pressed in by what it is longer.
+/// Blades longer than the gap in the middle of their casing are compressed by the difference.
 static void blades_take_their_power(void **state) {
     (void)state;
     whirl_result *result = result_of_text(
@@ -78,7 +78,7 @@ static void blades_take_their_power(void **state) {
     whirl_result_free(result);
 }
 
-/// Friction whose radius is not known is missing, and 0 where there is none.
+/// The torque of friction is missing if its radius is not known, and 0 without friction.
 static void unknown_friction_is_missing(void **state) {
     (void)state;
     for (int frictions = 0; frictions < 2; frictions++) {
@@ -98,7 +98,7 @@ static void unknown_friction_is_missing(void **state) {
     }
 }
 
-/// In a sweep that begins without friction, and in lanes beside others that touch.
+/// Torques are right in a sweep that begins without friction, and in lanes next to others that touch.
 static void friction_is_told_of_every_machine(void **state) {
     static const char *const stators[] = {"rub: {at: disc, gap: 0.2 mm, stiffness: 2 MN/m, friction: = f, radius: 50",
                                           "blade_rub: {at: disc, blades: 4, gap: 0.2 mm, stiffness: 2e6, friction: = f"

@@ -99,7 +99,7 @@ static void torque_of_a_formula(void **state) {
     whirl_result_free(result);
 }
 
-/// A formula that says what the element says changes nothing.
+/// A formula with the law of the element changes nothing.
 static void formulas_are_elements(void **state) {
     static const char *const studies[] = {"    duration: 40 s\n", "    duration: 40 s\n"
                                                                   "    speed_to: 4 rad/s\n"
@@ -140,7 +140,7 @@ static void ground_that_shakes(void **state) {
     whirl_result_free(result);
 }
 
-/// The balance of torques at constant speeds does not know that the ground shakes.
+/// The balance of torques at constant speeds ignores the motion of the ground.
 static void ground_leaves_stationary_speeds(void **state) {
     static const char *const grounds[] = {"", "    ground_y: = 3*cos(2*time)\n    ground_x: = 2*sin(2*time)\n"};
     double speed[2], fold[2];
@@ -159,7 +159,8 @@ static void ground_leaves_stationary_speeds(void **state) {
     check_within("Courses", "ground that shakes: factor of the fold", fold[0], fold[1], 0.0);
 }
 
-/// A ground that rises at g is gravity: on a shaft of elements with discs, and for the torque of unbalances.
+/// A ground that accelerates upwards at g acts as gravity: on a shaft of elements with discs, and for the torque of
+/// unbalances.
 static void ground_is_gravity(void **state) {
     static const char machine[] = "whirl: 1\n"
                                   "rotor:\n"

@@ -48,7 +48,8 @@ static whirl_result *run_two(double weight, double duration, const char *more, c
     return result_of_text(text);
 }
 
-/// A Schur complement by extrapolation, and a mass matrix solved at every instant, agree on these to 1e-10.
+/// The digits are those of two programs that agree to 1e-10: a Schur complement by extrapolation, and a mass matrix
+/// solved at every instant.
 static void two_discs_on_one_shaft(void **state) {
     static const struct {
         double weight, duration;
@@ -255,7 +256,7 @@ static whirl_result *run_unbalances(const char *rotor, const char *unbalances) {
     return result_of_text(text);
 }
 
-/// The same unbalances said in other ways, and in the mirror, turn the shaft alike.
+/// The same unbalances, written in other ways, and their mirror image turn the shaft alike.
 static void unbalances_said_otherwise(void **state) {
     static const struct {
         const char *what, *rotor[2], *unbalances[2];
@@ -327,8 +328,8 @@ static double apart_by_tolerance(double duration) {
     return hypot(place[0][0] - place[1][0], place[0][1] - place[1][1]) / radius;
 }
 
-/// Where the copy says that a run has lost its digits, two tolerances differ; before half of that time they agree. A
-/// rub that lets go keeps its digits, and so does a damped linear rotor.
+/// Where the perturbed copy reports that a run has lost its digits, two tolerances differ; before half of that time
+/// they agree. A rub that releases keeps its digits, and so does a damped linear rotor.
 static void sensitive_runs(void **state) {
     static const char rub[] = "rub: {at: disc, gap: 4 m, stiffness: 1 N/m, friction: 0.05, law: paper}";
     (void)state;
@@ -456,7 +457,7 @@ static void blade_loss_and_trip(void **state) {
     whirl_result_free(result);
 }
 
-/// Two events at one instant both happen there, at a time in the middle of a turn.
+/// Two events at one instant both happen, at a time within a turn.
 static void events_at_one_instant(void **state) {
     (void)state;
     whirl_result *result = run_disc("1 m", 0.04, 0.05, "drive: {inertia: 2000 kg.m2, torque: 36 N.m}",

@@ -108,7 +108,7 @@ static void lines_of_forces(void **state) {
     }
 }
 
-/// A turn that an event parts is made whole again: a blade of no weight changes no spectrum.
+/// A turn that an event divides is completed: a blade of no weight changes no spectrum.
 static void parted_turns(void **state) {
     char study[SIZE / 4];
     (void)state;
@@ -383,7 +383,7 @@ static void forces_and_gaps(void **state) {
     whirl_result_free(result);
 }
 
-/// A machine that is run by time shows the same orbits, waveforms and spectra as one that is run by the angle.
+/// A run-up over the time shows the same orbits, waveforms and spectra as one over the angle.
 static void by_time_and_by_angle(void **state) {
     static const char drive[] = "    - drive: {inertia: 2000 kg.m2, torque: 40 N.m, no_load_speed: 2 rad/s}\n";
     static const char *const fields[] = {WHIRL_FIELD_RUNUP_SPECTRUM, WHIRL_FIELD_RUNUP_ORBIT,

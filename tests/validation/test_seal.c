@@ -160,7 +160,7 @@ static void unbalance(void **unused) {
     whirl_rotor_free(rotor);
 }
 
-/// No number at the wall and beyond, also where the law is linear.
+/// At the wall and beyond the force is NaN, also for a linear law.
 static void the_wall(void **unused) {
     (void)unused;
     bool nowhere = true, inside = true;

@@ -701,7 +701,7 @@ static void orbits(void **unused) {
     }
 }
 
-/// Three methods that have nothing in common but the equations find the same orbit and derivatives at every instant.
+/// Three independent methods find the same orbit and derivatives at every instant.
 static void by_other_methods(void **unused) {
     (void)unused;
     enum { INSTANTS = 64 };

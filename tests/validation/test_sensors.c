@@ -89,7 +89,7 @@ static void passed_orders(void **unused) {
     check_within("sensors", "displacement at a rate that turns are no multiple of, largest error", 0.0, error, 1e-4);
 }
 
-/// Orders beyond 0.58 of the rate would come back as lower ones.
+/// Orders beyond 0.58 of the sampling rate, which would be aliased, are removed.
 static void stopped_orders(void **unused) {
     (void)unused;
     double worst = 0.0;
@@ -105,7 +105,7 @@ static void stopped_orders(void **unused) {
     check_within("sensors", "what is left of orders from 0.58 of the rate on", 0.0, worst, 1.1e-4);
 }
 
-/// A mass on a spring, and a high pass.
+/// An accelerometer is a mass on a spring, and a high pass.
 static void electronics(void **unused) {
     (void)unused;
     const double hertz = clock_rate / two_pi;
@@ -131,7 +131,7 @@ static void electronics(void **unused) {
     check_within("sensors", "high pass at order 3, orders 1 to 25", 0.0, worst[1], 0.033);
 }
 
-/// Range, converter and noise.
+/// A sensor has a range, a converter and noise.
 static void converter(void **unused) {
     (void)unused;
     const whirl_record record = turning(1.0);
@@ -179,7 +179,7 @@ static void converter(void **unused) {
                  4.0 * sqrt(0.6827 * 0.3173 / TAKEN));
 }
 
-/// Pulses of a toothed wheel cover their share of a turn, where they are said to be.
+/// Pulses of a toothed wheel last for their share of a turn, at their given angles.
 static void pulses(void **unused) {
     (void)unused;
     const whirl_record record = turning(1.0);
@@ -210,7 +210,7 @@ static void pulses(void **unused) {
     check_within("sensors", "jitter of a keyphasor, rad", 1e-3, jitter, 4.0 * 1e-3 / sqrt(2.0 * 98.0));
 }
 
-/// What cannot be sampled is refused.
+/// Channels that cannot be sampled are refused.
 static void refused(void **unused) {
     (void)unused;
     const whirl_record record = turning(1.0);

@@ -219,7 +219,7 @@ static void flats_make_its_stiffness_unequal(void **state) {
     whirl_rotor_free(rotor);
 }
 
-/// A shaft of another speed whirls as it would alone at that speed.
+/// A shaft of another speed has the modes that it would have alone at that speed.
 static void a_second_shaft_turns_at_its_own_speed(void **state) {
     double complex own[MAX_MODES], other[MAX_MODES];
     (void)state;
@@ -233,7 +233,7 @@ static void a_second_shaft_turns_at_its_own_speed(void **state) {
     whirl_rotor_free(second);
 }
 
-/// A mesh to a frequency is right up to there to 1e-4.
+/// A mesh to a frequency has errors below 1e-4 up to there.
 static void a_mesh_is_as_fine_as_it_must(void **state) {
     double complex found[MAX_MODES];
     (void)state;
@@ -340,7 +340,7 @@ static void static_displacements_are_exact(void **state) {
     }
 }
 
-/// The error of the first six frequencies falls as more is kept; all modes are the full model.
+/// The error of the first six frequencies falls as more modes are kept; with all modes the model is the full one.
 static void frequencies_come_nearer_as_more_is_kept(void **state) {
     static const char *const keys[] = {"modes: 0", "modes: 2", "modes: 4", "modes: 8", "modes: 512"};
     double complex full[MAX_MODES], reduced[MAX_MODES];
@@ -523,7 +523,7 @@ static double distance_of(const double one[6], const double other[6]) {
     return sqrt(sum);
 }
 
-/// In films and rubbing, 50 revolutions.
+/// Fifty revolutions in films, with rub.
 static void the_reduced_rotor_comes_nearer_to_the_full_one(void **state) {
     static const char *const keys[] = {"modes: 0", "modes: 1", "modes: 2"};
     double full[6], reduced[6], last = INFINITY;

@@ -197,8 +197,8 @@ static double length_after(const double rate[2], double n) {
     return 0.5 * log(exp(-2.0 * rate[0] * n) + exp(-2.0 * rate[1] * n));
 }
 
-/// One copy does not tell rates apart that differ by less than 1 / revolutions: its exponent is then a mean of both, as
-/// the direction of the copy has it, and its scatter does not show that.
+/// One perturbed copy does not separate rates that differ by less than 1 / revolutions: its exponent is then a mean of
+/// both, weighted by the direction of the copy, and its scatter does not show that.
 static void rates_near_each_other(void **state) {
     static const double near[] = {0.0168, 0.0189}, far[] = {0.0168, 0.1};
     (void)state;

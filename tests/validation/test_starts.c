@@ -135,7 +135,7 @@ static void compare_wells(const whirl_table *table, const whirl_coexistence *fou
     check_holds("starts", words("D2, F = %g: shares are within their standard errors", force), largest <= 0.0);
 }
 
-/// Attractors, their kinds and their shares at every point; and one number goes on in each well.
+/// Attractors, their kinds and their shares are right at every point, and each well keeps one number.
 static void wells_are_told_apart(void **state) {
     whirl_coexistence found;
     (void)state;
@@ -161,7 +161,7 @@ static void wells_are_told_apart(void **state) {
     whirl_result_free(result);
 }
 
-/// Chaos about both wells is one attractor, beside what else there is.
+/// Chaos about both wells is one attractor, next to the others.
 static void chaos_is_about_both_wells(void **state) {
     enum { FORCES = sizeof both_wells / sizeof *both_wells };
     whirl_coexistence found;
@@ -257,8 +257,8 @@ static void compare_shares(const whirl_table *table, size_t place) {
                  shares[0], shares[1], 2.0 * sqrt(variance));
 }
 
-/// Two motions side by side, which continuation knows (the manual's changes of the paper's rotor), and what leads to
-/// them.
+/// Two coexisting motions, known from continuation (the manual's changes of the paper's rotor), and the shares of
+/// starts that lead to them.
 static void the_paper_has_its_motions(void **state) {
     whirl_case *object = brute_paper_case(paper_study);
     whirl_study study;

@@ -87,7 +87,7 @@ static whirl_result *run_pump(const char *method, int steps, int transient, int 
     return result;
 }
 
-/// By 64 steps to 4096 there is no verdict, and the reason is said.
+/// With 64 to 4096 steps there is no verdict, and the reason is given.
 static void steps_that_are_unstable_give_no_verdict(void **unused) {
     static const int steps[] = {64, 256, 1024, 4096};
     (void)unused;
@@ -109,7 +109,7 @@ static void steps_that_are_unstable_give_no_verdict(void **unused) {
     }
 }
 
-/// Method auto takes rodas5p, whose motion is that of dop853, which needs ten times the work later on.
+/// Method auto chooses rodas5p. Its motion is that of dop853, which needs ten times the work later on.
 static void auto_follows_the_machine(void **unused) {
     enum { REVOLUTIONS = 10 };
     whirl_study study;

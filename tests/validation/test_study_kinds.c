@@ -132,7 +132,7 @@ static whirl_case *case_of(size_t i) {
     return object;
 }
 
-/// The kinds that there are, in the words of the message that names them all.
+/// The kinds of studies are those of the message that lists them.
 static void every_kind_is_looked_at(void **state) {
     static const char before[] = "has none of ";
     char text[SIZE], problems[SIZE], *rest = NULL;
@@ -212,7 +212,7 @@ static void no_verdict_is_said(const whirl_result *result, const char *study) {
     free(text);
 }
 
-/// A run that goes on knows the outline of its study and the file that is there.
+/// A resumed run has the outline of its study, and the existing file.
 static void finished_files_are_recognised(void **state) {
     (void)state;
     for (size_t i = 0; i < STUDIES; i++) {
@@ -240,7 +240,7 @@ static void finished_files_are_recognised(void **state) {
     }
 }
 
-/// Motions whose analyses have no regime; what needs one (confirmed, refined, with several starts) refuses that.
+/// Motions whose analyses have no regime are run; options that need one (confirm, refine, several starts) refuse that.
 static void motions_without_a_verdict(void **state) {
     size_t looked = 0;
     (void)state;
@@ -263,8 +263,8 @@ static void motions_without_a_verdict(void **state) {
     assert_true(looked >= 3);
 }
 
-/// A run that was stopped before its first point, as one that gathers what nobody has computed, leaves a file that says
-/// so.
+/// A run that stopped before its first point, as one that gathers points that no run has computed, leaves a file that
+/// says so.
 static void stopped_before_the_first_point(void **state) {
     (void)state;
     for (size_t i = 0; i < STUDIES; i++) {

@@ -121,7 +121,7 @@ static whirl_result *run(const double *values, size_t count, int threads) {
     return result;
 }
 
-/// Henon's chaos is proven; it is high, and the reason says for how long it was seen to last.
+/// Henon's map is proven chaotic; the confidence is high, and the reason names the mean life that was proven.
 static void verdict_says_how_long(void **state) {
     (void)state;
     const double values[] = {-1.0, -2.0};
@@ -141,8 +141,8 @@ static void verdict_says_how_long(void **state) {
     whirl_result_free(same);
 }
 
-/// Chaos that lives 6,400 revolutions in the mean, half of what high confidence excludes, is not high: two
-/// tolerances alone would call most of it so that is still there after 550.
+/// Chaos with a mean life of 6,400 revolutions, half of what high confidence excludes, is not high. By two tolerances
+/// alone most of the points that are still chaotic after 550 revolutions would be.
 static void shorter_lives_are_not_high(void **state) {
     enum { SYSTEMS = 8 };
     double values[SYSTEMS];

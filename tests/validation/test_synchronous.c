@@ -48,8 +48,8 @@ static double distance(const whirl_synchronous *found, int part, double complex 
     return cabs(z - expected) / cabs(expected);
 }
 
-/// x = Re(H e^(i tau)), H = e r^2 e^(i angle)/(1 - r^2 + 2 i zeta r); y lags x by a quarter turn; the circle is
-/// forward.
+/// The synchronous part of x = Re(H e^(i tau)), H = e r^2 e^(i angle)/(1 - r^2 + 2 i zeta r): y lags x by a quarter
+/// turn; the circle is forward.
 static void jeffcott(void **state) {
     (void)state;
     static const struct {

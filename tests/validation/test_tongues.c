@@ -217,8 +217,8 @@ static void check_tally(const tally *points, int period) {
                  period > 0 ? 0.0 : 0.2 * (double)points->seen);
 }
 
-/// Every point further than a cell from all boundaries is locked as its tongue says, or is not. Beside tongues of more
-/// periods the section fills its curve slowly: there a verdict may be missing, but never wrong.
+/// Every point further than a cell from all boundaries is locked if its tongue says so, and else not. Next to tongues
+/// of more periods the section fills its curve slowly: there a verdict may be missing, but never wrong.
 static void regimes_are_those_of_the_tongues(void **state) {
     double omegas[POINTS], strengths[POINTS];
     tally tallies[LONGEST + 1] = {0};

@@ -279,7 +279,7 @@ static void widen(void *context, double t, const double *X) {
     b->calls++;
 }
 
-/// All that is seen along it lies on the torus, whose first coordinate goes to the circle's radius.
+/// All numbers along the branch lie on the torus, whose first coordinate tends to the circle's radius.
 static void what_is_seen_along_a_torus(void **state) {
     (void)state;
     const test_family family = bent_family(0.36, 0.3137, 1.0);
@@ -422,7 +422,7 @@ static void a_torus_locks(void **state) {
     whirl_torus_branch_free(tori);
 }
 
-/// Further off the torus shrinks to the orbit.
+/// At a larger detuning the torus shrinks to the orbit.
 static void a_torus_shrinks(void **state) {
     (void)state;
     test_family family = van_der_pol_family(0.3, 0.2, 1.1);

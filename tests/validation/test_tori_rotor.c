@@ -149,7 +149,7 @@ static void rotor_slope_at(const void *model, double t, const double *x, double 
     memcpy(slope, all, ROTOR_STATES * sizeof *slope);
 }
 
-/// The torus from a long motion's sections, and where the branch from the Neimark-Sacker point has it.
+/// The torus from a long motion's sections is that of the branch from the Neimark-Sacker point.
 static void a_long_motion_runs_on_it(void **state) {
     enum { STEPS = 768, SETTLING = 700, COUNT = 1200, CHECKED = 400 };
     const followed *all = *state;

@@ -150,7 +150,7 @@ static void a_circle_from_a_study(void **state) {
     whirl_result_free(result);
 }
 
-/// At a strong resonance the row says that none is found.
+/// At a strong resonance the row of the table says that no torus is found.
 static void no_torus_at_a_quarter_of_a_turn(void **state) {
     const double angular = 0.25;
     (void)state;

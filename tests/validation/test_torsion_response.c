@@ -94,7 +94,7 @@ static void two_discs(void **state) {
     }
 }
 
-/// Steady torques that do not balance are told, and those of shafts are missing; a drive takes up what is left.
+/// Steady torques without balance are reported, and those of shafts are missing; a drive balances them.
 static void steady_torques(void **state) {
     char text[SIZE];
     (void)state;

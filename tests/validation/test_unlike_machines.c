@@ -77,7 +77,8 @@ static whirl_result *run(const char *text, int threads) {
     return result;
 }
 
-/// Each point of the sweep has the bits of a study of its own, whatever machines stand beside it, on one thread or two.
+/// Each point of the sweep has the bits of a study of its own, for all other machines in the lanes, on one thread or
+/// two.
 static void they_run(void **state) {
     (void)state;
     for (size_t i = 0; i < COUNT_OF(running); i++)

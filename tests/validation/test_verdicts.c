@@ -305,8 +305,8 @@ static const known_family families[] = {
 };
 
 /// Weakly locked on P-13, psi' = .0009 + .003 sin psi: 1200 revolutions after a start near the unstable orbit the
-/// motion is still on its way to the stable one, and draws a curve. It may not be told with confidence as
-/// quasi-periodic.
+/// motion is still on its way to the stable one, and its section looks like a curve. It must not be called
+/// quasi-periodic with confidence.
 static void weaklock(void **state) {
     (void)state;
     for (int turn = 0; turn < 12; turn += 11) {

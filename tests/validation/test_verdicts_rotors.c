@@ -45,8 +45,8 @@ static bool make_a5(size_t index, known_motion *m) {
     return true;
 }
 
-/// At 1.2 of the threshold for e = .1 the journal goes so near the wall that RK4 cannot follow: its noise looks like
-/// chaos, at twice the steps as well, and must not be told with any confidence.
+/// At 1.2 of the threshold for e = .1 the journal comes so near the wall that RK4 fails: its noise looks like chaos, at
+/// twice the steps as well, and no verdict on it may have confidence.
 static void too_coarse(void **state) {
     (void)state;
     for (int steps = 128; steps <= 512; steps *= 2) {

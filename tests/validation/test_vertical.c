@@ -92,7 +92,7 @@ static double square_of(const whirl_result *result, size_t which) {
     return pow(frequency_of(result, which), 2.0) * line_mass() * pow(L, 4.0) / bending();
 }
 
-/// Frequencies of a cantilever that hangs and of one that stands, either way up along its shaft.
+/// Frequencies of a hanging and of a standing cantilever, with the shaft listed in either direction.
 static void own_weight(void **state) {
     static const double weights[] = {5.0, 40.0};
     (void)state;

@@ -221,7 +221,7 @@ static void pad(void **state) {
     whirl_rotor_free(whole);
 }
 
-/// In time the motions of an unbalance end where the linear study of the table says.
+/// Motions in time under an unbalance settle at the response of the linear study of the table.
 static void response_at_speeds(void **state) {
     static table of;
     (void)state;
@@ -262,7 +262,7 @@ static double complex pole_of(double mass) {
     return p;
 }
 
-/// Four places a revolution apart tell the two roots of what decays along x.
+/// Four displacements, a revolution apart, determine the two roots of a decay along x.
 static void free_decay(void **state) {
     static table of;
     const disc d = {250.0, 10.0, 0.0, 0.0};
@@ -289,7 +289,7 @@ static void free_decay(void **state) {
     whirl_rotor_free(fitted);
 }
 
-/// Z(0) carries the weight from where the bearing is raised to.
+/// Z(0) carries the weight, from the elevation of the bearing.
 static void at_rest(void **state) {
     static table of;
     const disc d = {250.0, 10.0, 0.0, 3e-4};
@@ -303,7 +303,7 @@ static void at_rest(void **state) {
     whirl_rotor_free(fitted);
 }
 
-/// The exact derivative of what is linear is its difference.
+/// For linear equations the exact derivative is a difference.
 static void tangent(void **state) {
     static table of;
     const disc d = {250.0, 10.0, 1e-5, 0.0};
@@ -381,7 +381,7 @@ static whirl_rotor *at_speed(double speed, bool in_time) {
     return rotor;
 }
 
-/// Machines of a sweep have the same poles, and numbers that go smoothly with the speed.
+/// Machines of a sweep have the same poles, and numbers that vary smoothly with the speed.
 static void over_speeds(void **state) {
     const double forcing[WHIRL_MAX_FORCING] = {1.0};
     double worst = 0.0, jump = 0.0, x[MAX_DIMENSION], slopes[2][MAX_DIMENSION];
@@ -411,7 +411,7 @@ static void over_speeds(void **state) {
                  0.0, jump, 1e-6);
 }
 
-/// A list of an inertia that is one number is that number.
+/// An inertia that is a list of one number is that number.
 static void inertia(void **state) {
     static table of;
     char list[TEXT] = "";
@@ -495,7 +495,7 @@ static void tilting_pads(void **state) {
 
 // ---------------------------------------------------------------- no frequency in it
 
-/// A table that is the same at all frequencies has the bits of one over the speed alone, and no states.
+/// A table without dependence on frequency has the bits of one over the speed alone, and no states.
 static void without_frequency(void **state) {
     whirl_rotor *rotor[2];
     double x[] = {0.3, -0.2, 0.7, 0.1}, slope[2][4];

@@ -16,14 +16,14 @@ KINDS = ("kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy")
 
 
 def cowper(outer, inner, poisson):
-    """Shear factor of a hollow circle (Cowper 1966)."""
+    """Returns the shear factor of a hollow circle (Cowper 1966)."""
     ratio = (inner / outer) ** 2
     both = (1 + ratio) ** 2
     return 6 * (1 + poisson) * both / ((7 + 6 * poisson) * both + (20 + 12 * poisson) * ratio)
 
 
 def element(length, outer, inner, modulus, shear_modulus, density):
-    """Stiffness, mass and polar inertia [4, 4] of displacement and slope at both ends, in a plane."""
+    """Returns stiffness, mass and polar inertia [4, 4] of displacement and slope at both ends, in a plane."""
     area, second = np.pi / 4 * (outer**2 - inner**2), np.pi / 64 * (outer**4 - inner**4)
     bending = modulus * second
     shear = cowper(outer, inner, modulus / (2 * shear_modulus) - 1) * shear_modulus * area
@@ -62,8 +62,8 @@ def element(length, outer, inner, modulus, shear_modulus, density):
 
 
 class Rotor:
-    """Nodes at `position`; pieces (left node, length, outer, inner, E, G, rho); discs (node, m, I_d, I_p); bearings
-    (node, coefficients by name, each a function of the speed)."""
+    """A rotor: nodes at `position`; pieces (left node, length, outer, inner, E, G, rho); discs (node, m, I_d, I_p);
+    bearings (node, coefficients by name, each a function of the speed)."""
 
     def __init__(self, position, pieces, discs, bearings):
         self.position, self.pieces, self.discs, self.bearings = np.asarray(position), pieces, discs, bearings
@@ -83,7 +83,7 @@ class Rotor:
 
     @classmethod
     def of_ross(cls, path, seals=True):
-        """A rotor that ROSS has saved; its tables are met by monotone cubics (Fritsch, Butland 1984)."""
+        """Makes a rotor that ROSS has saved; its tables are interpolated by monotone cubics (Fritsch, Butland 1984)."""
         with open(path, "rb") as file:
             sections = tomllib.load(file)
         of = {
@@ -105,7 +105,7 @@ class Rotor:
         return cls(position, pieces, [[d[key] for key in ("n", "m", "Id", "Ip")] for d in of["Disk"]], bearings)
 
     def mass_before(self, node):
-        """That of pieces and discs nearer to the left end, kg."""
+        """Returns the mass of pieces and discs nearer to the left end, kg."""
         shaft = sum(
             np.pi / 4 * (d**2 - i**2) * length * rho for n, length, d, i, _, _, rho in self.pieces if n < node
         )
@@ -114,7 +114,7 @@ class Rotor:
     # ---------------------------------------------------------------- small motions
 
     def system(self, speed):
-        """M, C, K of all x coordinates (displacement and slope of each node), then all of y."""
+        """Returns M, C, K of all x coordinates (displacement and slope of each node), then all of y."""
         size, (mass, stiffness) = len(self.mass), self._planes
         stiffness, damping = stiffness.copy(), speed * self._gyroscopic
         for node, of in self.bearings:
@@ -126,7 +126,8 @@ class Rotor:
         return mass, damping, stiffness
 
     def modes(self, speed):
-        """Eigenvalues that oscillate, the slowest first, and how they whirl: 1 with the rotation, -1 against it."""
+        """Returns the eigenvalues that oscillate, the slowest first, and their whirl: 1 with the rotation, -1 against
+        it."""
         mass, damping, stiffness = self.system(speed)
         size = len(mass)
         flow = np.block(
@@ -142,7 +143,7 @@ class Rotor:
         return values[keep], 2 * (x * y.conj()).imag.sum(0) / (abs(x) ** 2 + abs(y) ** 2).sum(0)
 
     def critical(self, near, forward=True):
-        """The damped critical speed whose frequency is the speed, near one, and its eigenvalue."""
+        """Returns the damped critical speed near a speed, and its eigenvalue."""
 
         def mode(speed):
             values, whirl = self.modes(speed)
@@ -154,7 +155,8 @@ class Rotor:
         return speed, mode(speed)
 
     def undamped(self, stiffness, nodes, forward=True):
-        """Critical speeds, rising, and their shapes [node, speed], on springs at nodes in the place of bearings."""
+        """Returns critical speeds, rising, and their shapes [node, speed], with springs at nodes in place of
+        bearings."""
         held = self.stiffness.copy()
         for node in nodes:
             held[2 * node, 2 * node] += stiffness
@@ -165,7 +167,7 @@ class Rotor:
         return speeds[order], vectors[::2, keep][:, order].real
 
     def response(self, speed, unbalances):
-        """x and y [node] of the motion Re(X exp(i speed t)) by unbalances (node, kg m, angle)."""
+        """Returns x and y [node] of the motion Re(X exp(i speed t)) by unbalances (node, kg m, angle)."""
         mass, damping, stiffness = self.system(speed)
         size = len(self.mass)
         force = np.zeros(2 * size, complex)
@@ -178,7 +180,7 @@ class Rotor:
     # ---------------------------------------------------------------- weight
 
     def loads(self, nodes, gravity=9.80665):
-        """What bearings at nodes carry that do not give way, and the displacements, N and m."""
+        """Returns the loads of rigid bearings at nodes, N, and the displacements, m."""
         size, held = len(self.mass), [2 * node for node in nodes]
         system = np.zeros((size + len(held), size + len(held)))
         system[:size, :size] = self.stiffness
@@ -194,7 +196,7 @@ class Rotor:
 
 
 def peak(amplitude, low, high):
-    """Where an amplitude is largest between two speeds, how large, and the amplification by half power."""
+    """Returns where an amplitude is largest between two speeds, how large, and the amplification by half power."""
     found = minimize_scalar(lambda s: -amplitude(s), bounds=(low, high), method="bounded", options={"xatol": 1e-5})
     top, half = found.x, -found.fun / np.sqrt(2)
     left, right = (brentq(lambda s: amplitude(s) - half, *ends, xtol=1e-6) for ends in ((low, top), (top, high)))
@@ -202,7 +204,7 @@ def peak(amplitude, low, high):
 
 
 def margin_asked(amplification, below):
-    """Separation margin in percent that API 617 asks for of a peak below or above the running speeds."""
+    """Returns the separation margin in percent that API 617 requires of a peak below or above the running speeds."""
     if amplification < 2.5:
         return 0.0
     return 17 * (1 - 1 / (amplification - 1.5)) + (0 if below else 10)

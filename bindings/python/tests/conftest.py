@@ -60,7 +60,7 @@ PLANE = (
 
 
 def command(*words, **more):
-    """The command, whose failure fails the test."""
+    """Runs the command; its failure fails the test."""
     return subprocess.run([COMMAND, *map(str, words)], check=True, capture_output=True, text=True, **more)
 
 
@@ -72,7 +72,7 @@ def good():
 
 @pytest.fixture(scope="session")
 def good_file(tmp_path_factory):
-    """... and by the command."""
+    """The result of the small case, computed by the command."""
     path = tmp_path_factory.mktemp("good") / "good.h5"
     command("run", GOOD, "-o", path, "-q", "--threads", 1)
     return path
@@ -105,5 +105,5 @@ def starts():
 
 @pytest.fixture(scope="session")
 def starts_map():
-    """... and of a map."""
+    """Several starts of every point of a map."""
     return compute(SEVERAL + PLANE)

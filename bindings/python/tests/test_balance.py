@@ -77,7 +77,7 @@ def test_weights_take_the_vibration_away(tmp_path, speeds):
 
 
 def test_least_squares_of_one_plane(tmp_path):
-    """What numpy finds: three readings, weights of their own, one plane."""
+    """The weights are those of numpy: three readings with weights of their own, one plane."""
     speeds = [250, 300, 420]
     file = {
         "balance": 1,
@@ -109,7 +109,8 @@ PROBES, COUNT = 4, 3
 
 
 def numbers(seed):
-    """Influence coefficients in m a kg m [probes][planes], the last two planes nearly alike, and vibrations in m."""
+    """Returns influence coefficients in m a kg m [probes][planes], the last two planes nearly alike, and vibrations
+    in m."""
     draw = np.random.default_rng(seed)
     influence = draw.normal(size=(PROBES, COUNT, 2)) @ [1, 1j] * 1e-2
     influence[:, 2] = influence[:, 1] * (1 + 0.05 * draw.normal(size=(PROBES, 2)) @ [1, 1j])
@@ -117,7 +118,7 @@ def numbers(seed):
 
 
 def known(influence, vibration, **more):
-    """A file with the coefficients, in one run without weights."""
+    """Returns the text of a file with the coefficients, in one run without weights."""
     polar = lambda v: {"amplitude": float(abs(v)), "phase": float(np.angle(v))}  # noqa: E731
     return {
         "balance": 1,
@@ -140,7 +141,7 @@ def moments(of):
 
 @pytest.mark.parametrize("seed", range(3))
 def test_planes_that_act_nearly_alike(tmp_path, seed):
-    """Condition, significance and the weights without a plane, as numpy has them."""
+    """Condition, significance and the weights without a plane are those of numpy."""
     influence, vibration = numbers(seed)
     found = balance(tmp_path / "b.yaml", known(influence, vibration))
     best = np.linalg.lstsq(influence, -vibration, rcond=None)[0]
@@ -165,7 +166,8 @@ def test_planes_that_act_nearly_alike(tmp_path, seed):
 
 @pytest.mark.parametrize("seed", range(3))
 def test_limits_of_weights(tmp_path, seed):
-    """The optimality conditions: no slope within a limit, at it one straight inwards (Karush, Kuhn, Tucker)."""
+    """The weights fulfil the optimality conditions: the slope is zero within a limit, and points inwards at it
+    (Karush, Kuhn, Tucker)."""
     influence, vibration = numbers(seed)
     best = np.linalg.lstsq(influence, -vibration, rcond=None)[0]
     limits = abs(best) * [2.0, 0.3, 0.6]

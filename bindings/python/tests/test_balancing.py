@@ -24,7 +24,7 @@ def weights_text(weights):
 
 
 def rigid(weights, omega=500.0, at=(-0.3, 0.25), mass=40.0, tilt=1.3, spin=0.5, k=8e6, c=1500.0, planes=(-0.2, 0.15)):
-    """Complex displacement at places on a rigid rotor in two bearings that are the same in all directions."""
+    """Returns the complex displacement at places on a rigid rotor in two equal, isotropic bearings."""
     z = np.array([-0.3, 0.25])
     stiff = k + 1j * omega * c
     matrix = np.array([[2 * stiff, stiff * z.sum()], [stiff * z.sum(), stiff * (z * z).sum()]])
@@ -39,7 +39,8 @@ OWN = [2e-3 * np.exp(1j * np.radians(30)), 1.2e-3 * np.exp(1j * np.radians(200))
 
 @pytest.mark.parametrize("at", ((-0.3, 0.25), (-0.3, 0.25, 0.05)))
 def test_rigid_rotor(at):
-    """Two planes from two and from three probes; the numbers at the bearings are those of an own computation."""
+    """Two planes are balanced from two and from three probes. The numbers at the bearings are those of an independent
+    computation."""
     runs = [np.array(OWN), OWN + np.array([1e-3, 0]), OWN + np.array([0, 1e-3j])]
     seen = [rigid(run, at=at) for run in runs]
     assert abs(seen[0][:2]) == pytest.approx([64.84229701e-6, 10.86143703e-6], rel=1e-9)
@@ -119,12 +120,12 @@ def place(name):
 
 
 def modal(weights, n):
-    """Of modes sin(n pi x/L)."""
+    """Returns the modal sums of modes sin(n pi x/L)."""
     return sum(u * np.sin(n * np.pi * place(name)) for name, u in weights)
 
 
 def shaft_closed(weights, speed, name):
-    """Displacement by modal sums, Bernoulli's beam."""
+    """Returns the displacement by modal sums of Bernoulli's beam."""
     shapes = (np.sin(n * np.pi * place(name)) for n in range(1, 12))
     terms = zip(NATURAL, shapes, (modal(weights, n) for n in range(1, 12)))
     return sum(
@@ -144,7 +145,7 @@ def closed_readings(weights, run):
 
 
 def by_sets(file, planes, read):
-    """The correction after a trial run with each set, whose weights are those that the file's sets tell."""
+    """Returns the correction after a trial run with each set of the file."""
     sets = whirl.balance({**file, "vibration": read([], 1)}).sets
     trials = [{"run": 2 + n, "set": n + 1, "moment": 2e-5, "angle": 1.0 + n} for n in range(len(sets))]
     rows = read([], 1)
@@ -167,7 +168,7 @@ METHODS = [(("s3", "s6"), False), (("s2", "s4", "s6", "s8"), True), (("s2", "s4"
 
 @pytest.mark.parametrize("planes, rigid_kept", METHODS)
 def test_modes_in_closed_form(planes, rigid_kept):
-    """N and N + 2 planes: shapes sin(n pi x/L) give sets that excite one mode alone, and take its unbalance away."""
+    """In N and N + 2 planes, shapes sin(n pi x/L) give sets that excite one mode alone, and remove its unbalance."""
     shapes = [[float(np.sin(n * np.pi * place(p))) for p in planes] for n in (1, 2)]
     modes = [{"speed": float(speed), "shape": shape} for speed, shape in zip(SPEEDS, shapes)]
     file = {**shaft_file(planes, rigid_kept), "modes": modes}
@@ -191,7 +192,8 @@ def test_modes_in_closed_form(planes, rigid_kept):
 
 @pytest.mark.parametrize("planes, rigid_kept", METHODS)
 def test_modes_of_a_model(tmp_path, planes, rigid_kept):
-    """Shapes of a model of finite elements: responses at both critical speeds fall to what modes 3 and above leave."""
+    """With shapes of a model of finite elements, responses at both critical speeds fall to the part of modes 3 and
+    above."""
     (tmp_path / "shaft.yaml").write_text(shaft_text([], SPEEDS))
     file = {
         **shaft_file(planes, rigid_kept),
@@ -213,7 +215,8 @@ def test_modes_of_a_model(tmp_path, planes, rigid_kept):
 
 
 def test_one_mode_after_the_other(tmp_path):
-    """Mode 1 alone, then mode 2 with the first weights on: the second set does not bring the first mode back."""
+    """Mode 1 is balanced alone, then mode 2 with the first weights on: the second set does not excite the first mode
+    again."""
     planes = ("s3", "s6")
     (tmp_path / "shaft.yaml").write_text(shaft_text([], SPEEDS))
     file = {
@@ -251,7 +254,8 @@ def model_file(tmp_path, rotation="counter-clockwise", **more):
 @pytest.mark.parametrize("rotation", ROTATIONS)
 @pytest.mark.parametrize("angles", ("with", "against"))
 def test_without_trial_runs(tmp_path, rotation, angles):
-    """The correction is the unbalance turned round, wherever the mark is seen, however angles and sizes are told."""
+    """The correction is the unbalance turned by 180 degrees, for any place of the mark, and for all ways to write
+    angles and sizes."""
     own = [("s3", 2e-4 * np.exp(0.7j)), ("s8", 1e-4 * np.exp(2.2j))]
     probes = {"a": ("s2", 0.6), "b": ("s7", -1.1)}
     rows = shaft_readings(own, [250.0, 700.0], rotation, probes, keyphasor=0.4, phases="lead")
@@ -269,7 +273,7 @@ def test_without_trial_runs(tmp_path, rotation, angles):
 
 
 def test_error_of_the_model(tmp_path):
-    """`worst` is what is left on a machine whose critical speeds are higher or lower by the error."""
+    """`worst` is the rest on a machine whose critical speeds are higher or lower by the error."""
     rows = shaft_readings(UNBALANCE, [250.0], probes={"s2": "s2", "s7": "s7"})
     found = whirl.balance(model_file(tmp_path, influence="model", model_error=0.05, vibration=rows))
     before = [row.before.size * np.exp(-1j * row.before.angle) for row in found.rows]
@@ -288,7 +292,7 @@ def test_error_of_the_model(tmp_path):
 
 
 def propose(tmp_path, unbalance, speed, second=0.5 * np.exp(1j), **probe):
-    """Proposals for two planes, with what two probes see before and after each."""
+    """Returns proposals for two planes, with the readings of two probes before and after each."""
     own = [("s3", unbalance), ("s8", second * unbalance)]
     probes = {"s3": "s3", "s7": "s7"}
     rows = shaft_readings(own, [speed], probes=probes)
@@ -302,7 +306,8 @@ def propose(tmp_path, unbalance, speed, second=0.5 * np.exp(1j), **probe):
 
 
 def test_trial_weight_by_its_force(tmp_path):
-    """A tenth of the weight on the bearing, half of the shaft's, where that changes probes by 30 to 100 %."""
+    """The trial weight makes a tenth of the load of the bearing, half of the shaft's, if that changes probes by 30 to
+    100 %."""
     found, before, after = propose(tmp_path, 1.2e-4, 250.0)
     rows = shaft_readings([("s3", 1.2e-4), ("s8", 0.6e-4 * np.exp(1j))], [250.0], probes={"s3": "s3", "s7": "s7"})
     file = model_file(tmp_path, vibration=rows, probes=[{"name": "s3"}])
@@ -325,7 +330,7 @@ def test_trial_weight_by_what_is_seen(tmp_path, unbalance, reason, share):
 
 
 def test_trial_weight_by_repeatability(tmp_path):
-    """5 times what readings differ by, of the one probe that has a repeatability; the other one reads all that is."""
+    """The trial weight changes the one probe with a repeatability by 5 times that; the other probe has none."""
     rows = shaft_readings(UNBALANCE, [250.0], probes={"s3": "s3"})
     file = model_file(tmp_path, vibration=rows, probes=[{"name": "s3", "repeatability": 0.4 * rows[0]["amplitude"]}])
     for one in whirl.balance(file).proposals:
@@ -380,8 +385,8 @@ study:
 
 
 def test_films_in_simulation(tmp_path):
-    """A rotor whose journals move over half of their films: as much as the model of small motions is wrong, each
-    correction leaves; by the third one nothing is left."""
+    """The journals of this rotor move over half of their films. Each correction leaves as much as the model of small
+    motions is wrong; after the third one nothing is left."""
     probes = {"de": ("left", np.pi / 4), "nde": ("right", np.pi / 4)}
     (tmp_path / "films.yaml").write_text(FILMS.format(weights=""))
     on = [("near", 2e-3 * np.exp(1j)), ("far", 1.4e-3 * np.exp(3.5j))]
@@ -417,7 +422,7 @@ def test_films_in_simulation(tmp_path):
 
 
 def test_example_of_the_guide(tmp_path, monkeypatch, capsys):
-    """It prints what the guide says: the unbalance of one plane, turned round."""
+    """The example prints what the guide shows: the unbalance of one plane, turned by 180 degrees."""
     guide = (ROOT / "docs/guide/14-balancing.md").read_text()
     blocks = [block.split("\n", 1) for block in guide.split("```")[1::2]]
     (case,) = [text for kind, text in blocks if text.startswith("# tested: blower.yaml")]
@@ -474,7 +479,8 @@ def test_refused(change, sentence):
 
 
 def test_readings_in_a_table_and_the_least_largest(tmp_path):
-    """Of two probes and one plane the least largest vibration leaves both alike; squares leave less in the mean."""
+    """With two probes and one plane the smallest largest vibration is equal at both probes; least squares has a
+    smaller mean."""
     rows = "run,speed,probe,real [um],imag [um]\n1,300,a,5,0\n1,300,b,1,0\n2,300,a,3,0\n2,300,b,0,1\n"
     (tmp_path / "readings.csv").write_text(rows)
     file = {

@@ -1,4 +1,4 @@
-"""Bearings by themselves: growth.md B3 and B4 in SI, and what is asked of dicts, files and figures."""
+"""Bearings by themselves: growth.md B3 and B4 in SI, and input as dicts, files and figures."""
 
 import re
 
@@ -18,7 +18,7 @@ TWO_GROOVE = {
 
 
 def load_of(sommerfeld):
-    """W of S = mu N D L (R/c)^2/W at 1000 rpm."""
+    """Returns W of S = mu N D L (R/c)^2/W at 1000 rpm."""
     return 0.02 * 1000 / 60 * 0.1 * 0.05 * 500**2 / sommerfeld
 
 
@@ -66,14 +66,15 @@ def test_tilting_pads_follow():
 
 @pytest.mark.parametrize("grade, warm, expected", [(46, 373.15, 6.765), (46, 313.15, 46.0), (32, 373.15, 5.36)])
 def test_oils_by_their_grade(grade, warm, expected):
-    """Of viscosity index 100 by ASTM D2270: 46 mm2/s lie between the rows 45.33 (6.7) and 46.44 (6.8) of its table."""
+    """An oil of viscosity index 100 by ASTM D2270: 46 mm2/s lie between the rows 45.33 (6.7) and 46.44 (6.8) of its
+    table."""
     oil = {"grade": grade, "temperature": warm, "density": 1000, "viscosity": None, "fineness": 192}
     found = whirl.bearing({**TWO_GROOVE, **oil, "load": 1000})
     assert found.viscosity * 1e3 == pytest.approx(expected, rel=3e-3)
 
 
 def walther(temperature, at_40, at_100):
-    """m2/s of viscosities in mm2/s."""
+    """Returns viscosities in m2/s, by Walther's law, from mm2/s."""
     own = lambda nu: np.log10(np.log10(nu + 0.7))
     slope = (own(at_100) - own(at_40)) / np.log10(373.15 / 313.15)
     return 1e-6 * (10**10 ** (own(at_40) + slope * np.log10(temperature / 313.15)) - 0.7)
@@ -81,7 +82,7 @@ def walther(temperature, at_40, at_100):
 
 @pytest.mark.parametrize("grade, hot", [(32, 5.25), (46, 6.60)])
 def test_oils_between_two_temperatures(grade, hot):
-    """Oils of viscosity index 95 or so: two viscosities, and Walther's law between; a table of them is the same."""
+    """Oils of viscosity index 95 or so: two viscosities, and Walther's law between; their table gives the same."""
     oil = {**TWO_GROOVE, "viscosity": None, "density": 870, "fineness": 192, "load": 1000}
     for warm in (313.15, 343.15, 373.15):
         nu = walther(warm, grade, hot)
@@ -97,8 +98,8 @@ def test_oils_between_two_temperatures(grade, hot):
 
 
 def test_film_as_warm_as_its_heat():
-    """A light load: Petroff's power of two pads of 160 degrees, the flow that grooves press into a concentric gap
-    (Laplace's equation, as a series), and the temperature at which both agree."""
+    """With a light load the film has Petroff's power of two pads of 160 degrees, the flow that grooves press into a
+    concentric gap (Laplace's equation, as a series), and the temperature at which both agree."""
     speed, radius, clearance, length, groove, pressure = 3000 * np.pi / 30, 0.05, 1e-4, 0.05, 0.75, 2e5
     file = {
         **{"kind": "two-groove", "radius": radius, "length": length, "clearance": clearance, "speed": speed, "load": 2},
@@ -194,7 +195,7 @@ def test_heavy_loads_warn_and_impossible_ones_are_told():
 
 
 def test_warnings_are_in_the_units_asked_for():
-    """The same numbers, converted by hand, in warnings, documents and statements; arrays stay in SI."""
+    """Warnings, documents and statements have the same numbers, converted by hand; arrays stay in SI."""
     file = {**TWO_GROOVE, "load": load_of(0.005), "fineness": 192}
     metric, own = whirl.bearing(file), whirl.bearing(file, units="US")
     np.testing.assert_array_equal(metric.film, own.film)

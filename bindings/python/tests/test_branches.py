@@ -1,4 +1,4 @@
-"""Branches of custom systems: beside closed forms, and shooting by SciPy."""
+"""Branches of custom systems, compared with closed forms and with shooting by SciPy."""
 
 import importlib.util
 import math
@@ -40,7 +40,7 @@ def special(table, kind):
 
 
 def revolve(state, omega):
-    """Where a revolution of Duffing's oscillator leads, and the derivative of that, by SciPy."""
+    """Returns the state of Duffing's oscillator after a revolution, and its derivative, by SciPy."""
     pytest.importorskip("scipy")
     from scipy.integrate import solve_ivp
 
@@ -56,7 +56,7 @@ def revolve(state, omega):
 
 
 def fold_near(state, omega):
-    """The fold by SciPy: an orbit with a multiplier that is 1."""
+    """Returns the fold by SciPy: an orbit with a multiplier that is 1."""
     from scipy.optimize import fsolve
 
     def residual(unknown):
@@ -72,8 +72,9 @@ def duffing(displacements):
 
 @pytest.mark.parametrize("displacements", [0, 1])
 def test_folds_of_duffing_are_those_of_scipy(displacements):
-    """Both folds of the main resonance, from guesses of two digits, and multipliers of every tenth orbit. SciPy's
-    revolutions are good to 1e-11, folds go with the root of what multipliers are off: 1e-7 is demanded."""
+    """Both folds of the main resonance, from guesses of two digits, and multipliers of every tenth orbit agree with
+    SciPy. Its revolutions are exact to 1e-11, and errors of a fold go with the root of those of multipliers: the
+    tolerance is 1e-7."""
     table = duffing(displacements).branch("omega", 0.7, 2.2, **QUICK)["branch"]
     folds = special(table, FOLD)
     assert len(folds) == 2 and np.count_nonzero(table["trace/special"]) == 2
@@ -97,8 +98,8 @@ def test_folds_of_duffing_are_those_of_scipy(displacements):
 
 
 def test_hopf_points_of_van_der_pol():
-    """x'' - (mu - x^2) x' + x = 0 begins to swing at mu = 0, at the rate 1, with the cubic coefficient -1/4 and the
-    amplitude 2 sqrt(mu) but for terms of mu^(3/2)."""
+    """x'' - (mu - x^2) x' + x = 0 begins to oscillate at mu = 0, at the rate 1, with the cubic coefficient -1/4 and
+    the amplitude 2 sqrt(mu), up to terms of mu^(3/2)."""
 
     system = System(compile_c(VAN_DER_POL), [0.1, 0], {"mu": -0.1}, period=2 * np.pi)
     table = system.branch("mu", -0.1, 0.05, rest=True, **QUICK)["branch"]
@@ -112,7 +113,7 @@ def test_hopf_points_of_van_der_pol():
 
 
 def test_hopf_points_of_the_brusselator():
-    """At B = 1 + A^2, at the rate A, whatever a revolution is: table.clock has its rate."""
+    """The Hopf point is at B = 1 + A^2, with the rate A, for every length of a revolution: table.clock has its rate."""
 
     def slopes(t, x, p):
         return p.A - (p.B + 1) * x[0] + x[0] ** 2 * x[1], p.B * x[0] - x[0] ** 2 * x[1]

@@ -1,4 +1,5 @@
-"""The compressor that ROSS ships beside a finite element program of its own (beam_rotor.py), and ROSS's own numbers."""
+"""The compressor that ROSS ships, compared with an independent finite element program (beam_rotor.py) and with ROSS's
+own numbers."""
 
 import re
 
@@ -23,7 +24,8 @@ ALL, USUAL = "reduce: no", "modes: 8"
 
 @pytest.fixture(scope="module")
 def case(tmp_path_factory):
-    """Text of the compressor as it is imported, without its study; with bearings and seals, or with bearings alone."""
+    """Returns the text of the compressor as it is imported, without its study; with bearings and seals, or with
+    bearings alone."""
     path = tmp_path_factory.mktemp("compressor") / "case.yaml"
     command("import", FILE, "-o", path)
     text = path.read_text().partition("\nstudy:")[0]
@@ -79,7 +81,8 @@ ROSS_MAP = (
 
 
 def test_map(case, rotor):
-    """Forward and backward critical speeds over the stiffness of bearings, and what the bearings have there."""
+    """The map has the forward and backward critical speeds over the stiffness of bearings, and the stiffness of the
+    bearings there."""
     study = "critical_speeds: {parameter: k, from: 1 MN/m, to: 100 GN/m, points: 3, scale: log, bearings: yes}"
     all, usual = (run(with_stiffness(case[True]), study, shaft)["critical_speeds"] for shaft in (ALL, USUAL))
     for i, stiffness in enumerate(np.logspace(6, 11, 3)):
@@ -102,7 +105,7 @@ def test_map(case, rotor):
 
 
 def test_damped_critical_speeds(case, rotor):
-    """Where the frequency of the first bending modes is the speed, and their damping ratios."""
+    """Speeds at which the frequency of the first bending modes is the speed, and their damping ratios, agree."""
     study = "modes: {parameter: speed, from: 6000 rpm, to: 6250 rpm, points: 2}"
     expected = [rotor[False].critical(640, forward) for forward in (False, True)]
     for shaft, tolerance in ((USUAL, 2e-5), ("modes: 24", 5e-6)):
@@ -119,13 +122,14 @@ STATIONS = [3, 7, 18, *range(20, 37), 48]
 
 
 def placed(table):
-    """Unbalances by rule: (node, kg m, angle)."""
+    """Returns unbalances by rule: (node, kg m, angle)."""
     at = [complex(*value) for value in table["unbalance/placed"][0].reshape(-1, 2)]
     return [(node, abs(value), np.angle(value)) for node, value in zip(STATIONS, at) if value]
 
 
 def test_unbalances_by_rule(case, rotor):
-    """API 617: 2 x 6350 W/N g mm, W of both journals at mid-span, of what hangs over, against it, at the coupling."""
+    """Unbalances are those of API 617, 2 x 6350 W/N g mm: W of both journals at mid-span, of the overhanging mass,
+    against it, and at the coupling."""
     bare = rotor[False]
     study = f"unbalance: {{running_from: 7000 rpm, running_to: {MAXIMUM} rpm, antinodes_of: 1}}"
     (coupling, at_coupling, opposite), (middle, in_the_middle, angle) = placed(
@@ -156,7 +160,7 @@ def test_response(case, rotor, seals):
 
 
 def test_peaks_and_margins(case, rotor):
-    """Criticals as probes at the bearings see them: peak, amplification by half power, margins had and asked for."""
+    """Peaks of the probes at the bearings: speed, amplification by half power, margins found and required."""
     study = (
         "unbalance: {parameter: speed, from: 4001 rpm, to: 10999 rpm, points: 101, running_from: 7000 rpm, "
         f"running_to: {MAXIMUM} rpm, antinodes_of: 1, probes_at: [bearing_0, bearing_1]}}"
@@ -186,7 +190,7 @@ def test_peaks_and_margins(case, rotor):
 
 
 def test_weight(case, rotor):
-    """Loads and sag beside the program's; the load of the left bearing that ROSS asserts, whose g is 9.8065 m/s2."""
+    """Loads and sag agree with the program, and the load of the left bearing with ROSS, whose g is 9.8065 m/s2."""
     loads, sag = rotor[True].loads(JOURNALS)
     text = case[True].replace("gravity: 9.8065 m/s2", "gravity: 9.80665 m/s2")
     table = run(text, "statics: {}", USUAL)["statics"]
@@ -198,7 +202,7 @@ def test_weight(case, rotor):
 
 
 def test_coefficients_of_bearings(case, rotor):
-    """Stiffness and damping that statics tells are those of the tables at the speed; of seals it tells none."""
+    """Statics reports the stiffness and damping of the tables at the speed, and none of seals."""
     table = run(case[True], "statics: {parameter: speed, values: [5000 rpm, 10000 rpm]}", USUAL)["statics"]
     for point, speed in enumerate((5000 * RPM, 10000 * RPM)):
         for kind, key in (("stiffness", "k"), ("damping", "c")):
@@ -210,7 +214,7 @@ def test_coefficients_of_bearings(case, rotor):
 
 
 def least(values, whirling, speed):
-    """The least decrement of light forward modes up to the speed, or of the first where that is faster."""
+    """Returns the least decrement of light forward modes up to the speed, or of the first where that is faster."""
     light = values[(whirling > 0) & (-values.real < 0.8 * abs(values))]
     upto = light[light.imag <= max(speed, light.imag.min())]
     return min(-2 * np.pi * upto.real / upto.imag)

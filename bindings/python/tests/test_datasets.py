@@ -1,4 +1,4 @@
-"""Data sets from Python: signals as they are asked for, the table of records, sets by machine, records made anew."""
+"""Data sets from Python: signals, the table of records, sets by machine, records made anew."""
 
 import csv
 import multiprocessing
@@ -159,7 +159,7 @@ def fetch(data, rows):
 
 
 def test_protocol_of_pytorch(data):
-    """What torch.utils.data.DataLoader asks of a map-style data set, in worker processes, too."""
+    """The set has what torch.utils.data.DataLoader requires of a map-style data set, in worker processes, too."""
     assert len(data) == 54
     signals, label = data[20]
     assert signals.shape == (2, 100) and signals.dtype == np.float32 and type(label) is int

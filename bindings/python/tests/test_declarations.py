@@ -1,4 +1,4 @@
-"""What cffi reads is what the headers say."""
+"""The declarations for cffi are those of the headers."""
 
 import os
 import pathlib

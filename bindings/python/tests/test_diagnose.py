@@ -1,4 +1,4 @@
-"""examples/diagnose.py says what it claims: what classifiers learn of the shipped records, and where these mislead."""
+"""examples/diagnose.py: what classifiers learn of the shipped records, and where these mislead, is as its text says."""
 
 import sys
 

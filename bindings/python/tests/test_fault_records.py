@@ -26,18 +26,18 @@ class Shown:
         return np.abs(np.fft.rfft(centred * window)) * 2 / window.sum()
 
     def line(self, label, channel, order):
-        """Amplitudes of a whole order."""
+        """Returns the amplitudes of a whole order."""
         return self.spectra(label, channel)[:, order * self.turns()]
 
     def turns(self):
         return round(self.data.samples / self.data.samples_per_revolution)
 
     def growth(self, label, channel, order):
-        """The least ratio, over the machines, of a line to that of the healthy machine."""
+        """Returns the least ratio, over the machines, of a line to that of the healthy machine."""
         return np.min(self.line(label, channel, order) / self.line("healthy", channel, order))
 
     def below(self, label, channel):
-        """Orders and amplitudes of the strongest lines between 0.3 and 0.7 times the speed, over those of 1X."""
+        """Returns orders and amplitudes, over those of 1X, of the strongest lines from 0.3 to 0.7 times the speed."""
         spectra, turns = self.spectra(label, channel), self.turns()
         first = int(0.3 * turns)
         found = first + np.argmax(spectra[:, first : int(0.7 * turns)], axis=1)
@@ -66,7 +66,7 @@ def test_crack_shows_at_multiples_and_not_at_the_speed(rotor):
 
 
 def test_loose_seat_rattles(rotor):
-    """Impacts, as it comes down: all multiples."""
+    """A seat that comes down makes impacts: all multiples of the speed."""
     for order in (3, 5, 7, 9):
         assert rotor.growth("looseness", "pedestal", order) > 4, order
 
@@ -77,7 +77,7 @@ def test_rub_shows_at_multiples(rotor):
 
 
 def test_blades_touch_once_each(rotor):
-    """7 blades: some line of the passing or of the long blade's own is above the healthy one's noise."""
+    """With 7 blades some line of the passing, or of the long blade's own, is above the healthy machine's noise."""
     healthy = rotor.spectra("healthy", "pedestal")[:, 2 * rotor.turns() :: rotor.turns()]
     blades = rotor.spectra("blade rub", "pedestal")[:, 2 * rotor.turns() :: rotor.turns()]
     assert np.all(blades.max(1) > 2 * healthy.max(1))

@@ -1,4 +1,4 @@
-"""Figures are one description in all renderers: what gnuplot's scripts and Matplotlib draw is what the data say."""
+"""Figures are one description in all renderers: gnuplot's scripts and Matplotlib draw the data."""
 
 import json
 import re
@@ -46,7 +46,7 @@ def at_rest(study):
 
 @pytest.fixture(scope="module")
 def results(tmp_path_factory, good_file, map_files):
-    """Files of results whose figures are of all kinds but those of several starts."""
+    """Makes files of results with figures of all kinds except those of several starts."""
     folder = tmp_path_factory.mktemp("figures")
     found = [good_file, map_files[1]]
     for name in ("branch", "tori", "modes"):
@@ -67,12 +67,12 @@ def results(tmp_path_factory, good_file, map_files):
 
 
 def points_of(series):
-    """How many points of a series are drawn."""
+    """Returns the number of points of a series that are drawn."""
     return sum(value is not None for value in series.get("x", []))
 
 
 def drawn_points(artist):
-    """How many an artist of Matplotlib has."""
+    """Returns the number of points of an artist of Matplotlib."""
     if hasattr(artist, "get_xydata"):
         return int(np.isfinite(artist.get_xydata()).all(axis=1).sum())
     if hasattr(artist, "get_segments"):
@@ -114,7 +114,7 @@ def check_axes(ax, panel):
 
 
 def check_series(panel, data):
-    """Series by series into axes of their own: numbers, colours and names."""
+    """Checks every series against the artists of its axes: numbers, colours and names."""
     _, ax = plt.subplots()
     for series in panel["series"]:
         artists = whirl.figure._draw(ax, series, data.get("scale"), data["font_pt"])
@@ -128,7 +128,7 @@ def check_series(panel, data):
 
 
 def blocks_of(path):
-    """The points of every block of a data file."""
+    """Returns the points of every block of a data file."""
     blocks = re.split(r"\n\n\n", path.read_text(encoding="utf-8"))
     return [sum(bool(line) and line[0] != "#" and "NaN" not in line for line in block.splitlines()) for block in blocks]
 
@@ -220,7 +220,8 @@ def labels_of(data):
 
 @pytest.mark.parametrize("way", ["0-p", "p-p", "rms"])
 def test_every_length_of_every_figure_says_how_it_is_counted(results, way):
-    """Places have no way to be counted, radii one, amplitudes that which is asked for; so do figures of any field."""
+    """Labels of places name no convention, those of radii one, those of amplitudes the chosen one; so do figures of
+    any field."""
     units, seen = f"um, rpm, Hz, {way}", set()
     for path in results:
         result = whirl.read(path).show_in(units)
@@ -318,7 +319,7 @@ def test_any_field_and_any_point(good_file, map_files):
 
 
 def colour_at(data, x, y):
-    """The colour of the box of a map's figure that a place lies in; None where there is none."""
+    """Returns the colour of the box of a map's figure in which a place lies; None if there is none."""
     for series in data["panels"][0]["series"]:
         if series["shape"] != "boxes":
             continue

@@ -1,4 +1,5 @@
-"""The generator of the table of films of finite length, beside digits of another Galerkin solution and the table."""
+"""The generator of the table of films of finite length, compared with digits of another Galerkin solution and with
+the table."""
 
 import importlib.util
 import re

@@ -23,7 +23,7 @@ RPM = 2 * np.pi / 60
 
 
 def at_rest(name):
-    """A shipped case without its motions, at few points."""
+    """Makes a shipped case without its motions, at few points."""
     text = (ROOT / f"cases/{name}.yaml").read_text()
     head, study = re.split(r"(?m)^study:\n", text)
     motions = "sweep|motions|starts|initial|integrate|keep|analyze|detail"
@@ -32,7 +32,7 @@ def at_rest(name):
 
 
 def shortened(name):
-    """A shipped case at few points, with short motions, without what begins from many."""
+    """Makes a shipped case at few points, with short motions, without studies of many starts."""
     head, study = re.split(r"(?m)^study:\n", (ROOT / f"cases/{name}.yaml").read_text())
     study = re.sub(r"(?m)^  (detail|confirm|starts|curves):.*\n(    .*\n)*", "", study)
     study = re.sub(r"points: [0-9]+", "points: 3", study)
@@ -106,7 +106,7 @@ def latex_of(text):
 
 
 def test_texts_are_the_numbers(file):
-    """CSV has every number as `rows` have it; text, LaTeX and Markdown as `texts` have it, to their digits."""
+    """CSV has every number of `rows`; text, LaTeX and Markdown have those of `texts`, to their digits."""
     result = whirl.open(file)
     once = {sheet.name: (key, sheet) for key, sheet in result.sheets().items()}  # conditions have the same sheets
     for key, sheet in once.values():
@@ -149,13 +149,14 @@ def test_closed_form(modes):
 
 
 def without_limits(rows):
-    """Rows whose texts name no limits: these have the units shown."""
+    """Returns the rows whose texts contain no limits, which have the units shown."""
     limit = re.compile(r" (or )?not (above|below) \S+( \S+)?( 0-p| p-p)?")
     return [[limit.sub("", cell) if isinstance(cell, str) else cell for cell in row] for row in rows]
 
 
 def test_units_are_those_of_figures(file):
-    """The same numbers in SI, whatever they are shown in; parameters that are no speeds keep the unit of the case."""
+    """Numbers in SI are the same in all units that are shown; parameters that are no speeds keep the unit of the
+    case."""
     result = whirl.open(file)
     metric, customary = result.sheets("SI, Hz"), result.sheets("US")
     assert result.show_in("US").sheets() == customary
@@ -244,7 +245,7 @@ class Tables(HTMLParser):
 
 
 def test_pages_have_all_of_it(file, tmp_path):
-    """Every statement stands in the page with its verdict, and every sheet with its headings and each cell."""
+    """The page has every statement with its verdict, and every sheet with its headings and each cell."""
     result = whirl.open(file)
     command("report", file, "-o", tmp_path, "-q", "--gnuplot=/bin/true")
     page = Tables((tmp_path / "report.html").read_text(encoding="utf-8"))
@@ -268,7 +269,7 @@ LEFT_OUT += ["watched-stations", "watched-contacts"]
 
 
 def test_the_summary_has_all_of_it(file):
-    """Every statement, and of every sheet the headings and the first and the last row, to the last cell; `whirl table`
+    """The summary has every statement, and of every sheet the headings and the first and the last row; `whirl table`
     has the sheets that a summary may leave out."""
     result = whirl.open(file)
     shown = bare(command("show", file).stdout)
@@ -302,7 +303,7 @@ end
 
 @pytest.mark.skipif(not shutil.which("octave-cli"), reason="there is no Octave")
 def test_octave_has_all_of_it(file):
-    """Every statement with its verdict, and every cell of every sheet."""
+    """Octave has every statement with its verdict, and every cell of every sheet."""
     result = whirl.open(file)
     expected = [("statement", own.table, own.verdict, own.text) for own in result.statements()]
     for key, sheet in result.sheets().items():
@@ -328,7 +329,7 @@ def test_octave_has_all_of_it(file):
 
 
 def test_no_number_is_rounding_noise():
-    """By symmetry the slope in the middle of a shaft and the cross coupling of its magnets are 0."""
+    """By symmetry the slope in the middle of a shaft and the cross coupling of its magnets are shown as 0."""
     magnet = (
         "{at: %s, gap: 0.5 mm, bias: 4 A, turns: 200, area: 8 cm2, max_current: 9 A, proportional: 1.8e4 A/m, "
         "integral: 8e4 A/m/s, derivative: 28 A.s/m, derivative_filter: 0.1 ms, sensor_bandwidth: 10 kHz, "

@@ -1,4 +1,5 @@
-"""Fits: what was put in comes out, of files and of columns; what cannot be known is told; bad input is refused."""
+"""Fits find known parameters again, from files and from columns; parameters that the data do not determine are named;
+bad input is refused."""
 
 import numpy as np
 import pytest
@@ -22,7 +23,7 @@ TRUTH = {"k": 33e3, "c": 52.0, "e": 38e-6}
 
 
 def bode():
-    """Amplitudes and lags of a disc on a spring by their closed form."""
+    """Returns amplitudes and lags of a disc on a spring by their closed form."""
     w = np.arange(60.0, 150.0, 10.0)
     response = TRUTH["e"] * w**2 / (TRUTH["k"] / 3 - w**2 + 1j * TRUTH["c"] * w / 3)
     return {"speed [rad/s]": w, "disc x [m]": abs(response), "disc x lag [rad]": -np.angle(response)}
@@ -73,7 +74,7 @@ def test_bad_input(tmp_path):
 
 
 def test_keys_are_named_as_a_case_has_them():
-    """Not by the names that parts of a fit have in the reference."""
+    """Messages name keys as in a case, not by the names of parts of a fit in the reference."""
     for fit, words in (
         ({"unknown": {"k": {"fron": 1, "to": 2}}, "data": ["a.csv"]}, "k.fron: fit.unknown has no key fron, did you"),
         ({"unknown": {"k": {}}, "data": [{"file": "a.csv", "sped": 3}]}, r"sped: fit.data has no key sped, expected"),
@@ -83,7 +84,7 @@ def test_keys_are_named_as_a_case_has_them():
 
 
 def waveform():
-    """Displacements over time of the same disc at 100 rad/s, at times that no revolution divides."""
+    """Returns displacements over time of the same disc at 100 rad/s, at times that divide no revolution."""
     w, time = 100.0, 0.00317 * np.arange(80)
     response = TRUTH["e"] * w**2 / (TRUTH["k"] / 3 - w**2 + 1j * TRUTH["c"] * w / 3)
     turning = response * np.exp(1j * w * time)
@@ -139,7 +140,7 @@ def test_files_of_matlab(tmp_path):
 
 
 def record(kind, direction, time, values):
-    """A dataset 58 as its specification lays it out (Structural Dynamics Research Laboratory, Cincinnati)."""
+    """Returns a dataset 58 in the format of its specification (Structural Dynamics Research Laboratory, Cincinnati)."""
     number, step = (2 if kind == "single" else 4), time[1] - time[0]
     lines = [
         *("NONE",) * 5,

@@ -38,7 +38,8 @@ def case(first, last, points):
 
 
 def named(text, tmp_path):
-    """Frequency, decrement and motion of the disc [3][points] of each name of a mode; NaN at points without it."""
+    """Returns frequency, decrement and motion of the disc [3][points] for each name of a mode; NaN at points without
+    it."""
     path = tmp_path / "case.yaml"
     path.write_text(text)
     points = json.loads(command("run", path, "--json").stdout)["points"]
@@ -123,7 +124,8 @@ def test_one_mode_has_one_name(tmp_path):
 
 
 def test_modes_of_one_frequency_go_on(tmp_path):
-    """Masses on equal springs at any speed: two modes of each frequency, whose shapes are any mixture."""
+    """Masses on equal springs have two modes of each frequency, whose shapes are any mixture; both are followed at
+    all speeds."""
     path = tmp_path / "case.yaml"
     path.write_text(
         "whirl: 1\nparameters: {omega: 100 rad/s}\nrotor:\n  speed: = omega\n  length_scale: 1 mm\n  stations:\n"

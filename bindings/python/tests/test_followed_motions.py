@@ -1,4 +1,4 @@
-"""Motions over time with events: closed forms of bouncing balls, switches, and what is said where they end."""
+"""Motions over time with events: closed forms of bouncing balls, switches, and the reasons for their ends."""
 
 import numpy as np
 import pytest
@@ -19,8 +19,8 @@ def floor(**more):
 
 @pytest.mark.parametrize("e", [0.3, 0.7, 0.95])
 def test_a_ball_bounces_until_no_time_is_left(e):
-    """Bounce n comes at t1 (1 + 2 sum of e^k, k < n), with the speed e^(n-1) g t1; all of them end at t1 (1 + e)/(1 -
-    e)."""
+    """Bounce n is at t1 (1 + 2 sum of e^k, k < n), with the speed e^(n-1) g t1; the bounces accumulate at t1 (1 +
+    e)/(1 - e)."""
     first = np.sqrt(2 / G)
     last = first * (1 + e) / (1 - e)
     system = System(fall, [1, 0], {"e": e})
@@ -67,7 +67,7 @@ def test_switches_without_a_reset_and_ends():
 
 
 def test_scales_and_lanes():
-    """A pressure in Pa beside a metre: scales keep tolerances; slopes in lanes serve motions, too."""
+    """A pressure in Pa next to a length in m: scales keep tolerances; slopes in lanes serve motions, too."""
     lanes = System(lambda t, x, p: np.array([x[1], -4e6 * x[0]]), [3e5, 0], lanes=True, scales={0: 3e5, 1: 6e8})
     motion = lanes.follow([0, 0.01], rtol=1e-11)
     assert abs(motion.states[-1, 0] - 3e5 * np.cos(20)) < 3e5 * 1e-8

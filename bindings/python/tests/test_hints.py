@@ -1,4 +1,4 @@
-"""Whatever the package offers says its types and what it is."""
+"""All public names of the package have types and docstrings."""
 
 import importlib
 import inspect
@@ -9,7 +9,7 @@ MODULES = ("case", "errors", "result", "table", "running", "datasets", "systems"
 
 
 def functions(module):
-    """The public functions of a module and of its classes, by their names."""
+    """Returns the public functions of a module and of its classes, by their names."""
     for name in module.__all__:
         offered = getattr(module, name)
         yield name, offered

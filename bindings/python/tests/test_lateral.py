@@ -1,4 +1,4 @@
-"""Unbalances by rule, and responses scaled by them, of a rotor whose weight is told in closed form."""
+"""Unbalances by rule, and responses scaled by them, of a rotor whose weight has a closed form."""
 
 import re
 import subprocess
@@ -51,7 +51,7 @@ def placed(table):
 
 
 def masses(end=1.9, mass=20):
-    """What the left and the right bearing carry, and what hangs over, kg."""
+    """Returns the masses that the left and the right bearing carry, and that overhang, kg."""
     line = 7810 * np.pi * 0.1**2 / 4
     right = (line * end**2 / 2 + mass * end) / 1.6
     return line * end + mass - right, right, line * (end - 1.6) + mass
@@ -89,7 +89,8 @@ def test_at_a_station():
 
 
 def test_weight_does_not_depend_on_gravity_or_on_how_bearings_are_told():
-    """W is a mass; two bearings at a station of half the stiffness are one; what stands still beside is none."""
+    """W is a mass. Two bearings of half the stiffness at one station count as one; an element that does not turn is
+    not part of it."""
     own = placed(response(", antinodes_of: 1", k=60, mass=40))
     for gravity in ("1.62 m/s2", "0 m/s2"):
         on_the_moon = placed(response(", antinodes_of: 1", f"    - gravity: {gravity}", k=60, mass=40))
@@ -104,7 +105,7 @@ def test_weight_does_not_depend_on_gravity_or_on_how_bearings_are_told():
 
 @pytest.mark.parametrize("rule", ("antinodes_of: 1", "antinodes_of: 2", "at: end"))
 def test_response_is_that_of_such_unbalances(rule):
-    """In the place of the machine's own, which do not count then."""
+    """Unbalances by rule replace those of the machine."""
     own = "    - unbalance: {at: middle, moment: 3 kg.mm, angle: 40 deg}"
     by_rule = response(", " + rule, own)
     said = [
@@ -118,7 +119,8 @@ def test_response_is_that_of_such_unbalances(rule):
 
 
 def test_scaled_responses():
-    """The limit over the largest amplitude that a probe sees where it runs scales the major axis at the gap."""
+    """The limit over the largest amplitude of a probe in the range of running speeds scales the major axis at the
+    gap."""
     own = "    - unbalance: {at: middle, moment: 0.3 kg.mm}"
     text = CASE.format(rule=", probes_at: left right", unbalances=own, k=20, end=1.9, mass=20, trip=TRIP)
     result = whirl.run(whirl.Case(text=text), progress=False)
@@ -139,7 +141,8 @@ def test_scaled_responses():
 
 
 def test_clearances_up_to_the_trip_speed(tmp_path):
-    """To the first point that is not below it; points that end before it are told to."""
+    """Clearances are checked up to the first point at or above the trip speed; if points end before it, a statement
+    says so."""
     own = "    - unbalance: {at: middle, moment: 0.3 kg.mm}"
     text = CASE.format(rule=", probes_at: left right", unbalances=own, k=20, end=1.9, mass=20, trip=2000)
     text = text.replace("running_from: 5000", "running_from: 1000")
@@ -201,7 +204,7 @@ def stability(q, seal="", rotation="counter-clockwise"):
 
 
 def decrement(q, damping=4000.0):
-    """Of m z'' + c z' + (k - i q) z = 0, z = x + i y."""
+    """Returns the decrement of m z'' + c z' + (k - i q) z = 0, z = x + i y."""
     roots = np.roots([100, damping, 1e7 - 1j * q])
     forward = roots[roots.imag > 0][0]
     return -2 * np.pi * forward.real / forward.imag
@@ -224,7 +227,7 @@ def test_stability_of_a_rigid_disc(share, expected, rotation):
 
 
 def test_stability_with_a_seal():
-    """It counts in the whole and at its station, not in the limit."""
+    """A seal counts in the whole and at its station, not in the limit."""
     table = stability(
         0.5 * LIMIT, "    - bearing: {at: disc, kxy: 400000 N/m, kyx: -400000 N/m, cxx: 900 N s/m, role: seal}"
     )
@@ -258,7 +261,8 @@ study:
 
 
 def test_coefficients_of_short_films():
-    """Friswell et al. (2010), 5.5.1, in closed form of the load and the eccentricity ratio; there v is up, u across."""
+    """The coefficients are those of Friswell et al. (2010), 5.5.1, in closed form of the load and the eccentricity
+    ratio; there v is up, u across."""
     table = whirl.run(whirl.Case(text=FILMS), progress=False)["statics"]
     for point, speed in enumerate((2000 * RPM, 6000 * RPM)):
         load, e = (float(table["statics/" + name][point][0]) for name in ("load", "eccentricity"))
@@ -301,7 +305,7 @@ def test_margins_are_asked_where_probes_are():
 
 
 def test_peaks_without_a_probe_are_told(tmp_path):
-    """A disc that peaks where the machine runs, and a probe at a pedestal that does not: the report says whose."""
+    """A disc peaks at a running speed, and a probe at a pedestal does not: the report names the station of the peak."""
     path = tmp_path / "case.yaml"
     path.write_text(
         """

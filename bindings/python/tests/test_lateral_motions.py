@@ -1,4 +1,4 @@
-"""Motions beside responses to unbalances by rule, of the rotor of test_lateral.py."""
+"""Motions compared with responses to unbalances by rule, of the rotor of test_lateral.py."""
 
 import subprocess
 

@@ -1,4 +1,4 @@
-"""Bearings, seals, dampers, magnets and supports as sheets: the numbers of the case, converted by hand; places of rest
+"""Bearings, seals, dampers, magnets and supports as sheets: the numbers of the case, converted by hand; equilibria
 are those of the statics."""
 
 import re
@@ -59,7 +59,7 @@ def parts():
 
 
 def rows(result, name, units=None):
-    """Rows of a sheet by station, in the units shown."""
+    """Returns rows of a sheet by station, in the units shown."""
     return {row["station"]: row for row in result.sheet(name, units).records()}
 
 
@@ -102,7 +102,7 @@ def test_films(parts):
 
 
 def test_clockwise_pads_are_the_mirror_image(parts):
-    """Weight stays where it is; of a usual shape the mirror image has the pivots at 180 degrees less theirs."""
+    """The weight keeps its direction; the mirror image of a usual shape has the pivots at 180 degrees minus theirs."""
     mirrored = rows(machine("rotation: clockwise"), "journal_bearings")
     own = rows(parts, "journal_bearings")
     assert sorted(np.mod(180.0 - np.array(own["pads"]["pivots"]), 360.0)) == pytest.approx(

@@ -16,13 +16,13 @@ GRAVITY = 9.8065  # m/s2, ROSS's
 
 
 def disc(outer, width=0.07, inner=0.05):
-    """Mass and moments of inertia of a ring of steel."""
+    """Returns mass and moments of inertia of a ring of steel."""
     mass = STEEL * np.pi / 4 * (outer**2 - inner**2) * width
     return mass, mass / 48 * (3 * (outer**2 + inner**2) + 4 * width**2), mass / 8 * (outer**2 + inner**2)
 
 
 def case(study, count=6, discs=(), bearings=(), unbalances=()):
-    """discs (node, diameter), bearings (node, kxx, kyy, c), unbalances (node, kg m)."""
+    """Makes a case of discs (node, diameter), bearings (node, kxx, kyy, c), unbalances (node, kg m)."""
     bodies = dict(discs)
     stations = []
     for node in range(count + 1):
@@ -144,7 +144,7 @@ def test_weight():
 
 
 def plain_seal(speed, pressure, radius=0.1, length=0.04, clearance=0.25e-3, density=1000.0, viscosity=1e-3, inlet=0.5):
-    """Stiffness, damping and mass of a short turbulent annular seal (Black 1969; friction after Yamada 1962)."""
+    """Returns stiffness, damping, mass of a short turbulent annular seal (Black 1969; friction after Yamada 1962)."""
     through, turning = 10.0, density * radius * speed * clearance / viscosity
     for _ in range(200):
         axial = 2 * density * through * clearance / viscosity
@@ -162,7 +162,7 @@ def plain_seal(speed, pressure, radius=0.1, length=0.04, clearance=0.25e-3, dens
 
 
 def test_plain_seal():
-    """The closed form at a state where it equals, to 12 digits, the flow's equations integrated with 30."""
+    """The closed form agrees at a state where it equals, to 12 digits, the flow's equations integrated with 30."""
     found = plain_seal(100 * np.pi, 1e6, radius=0.05, length=0.05, clearance=2e-4)
     assert found == pytest.approx((3685982.251, 26317.55976, 8.437355202), rel=5e-10)
 

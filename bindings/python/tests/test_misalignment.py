@@ -1,4 +1,5 @@
-"""cases/misalignment.yaml: what each of three kinds of misalignment does to the fan, and what probes read."""
+"""cases/misalignment.yaml: the effect of each of three kinds of misalignment on the fan and on the readings of
+probes."""
 
 import copy
 
@@ -15,7 +16,7 @@ FAN, INNER = STATIONS.index("fan"), STATIONS.index("inner")
 
 
 def at(**values):
-    """The table of one point at 1150 rpm, and the response to unbalance there."""
+    """Returns the table of one point at 1150 rpm, and the response to unbalance there."""
     case = copy.deepcopy(CASE)
     case["parameters"].update({"speed": "1150 rpm", **values})
     case["study"] = {
@@ -29,7 +30,7 @@ def at(**values):
 
 
 def lines(table, station):
-    """0-p amplitudes of x and y in mm by order."""
+    """Returns 0-p amplitudes of x and y in mm by order."""
     rows = np.asarray(table["spectrum/lines"])[0, station]
     return {round(row[0]): 0.1 * np.hypot(row[1], row[2]) for row in rows if row[0] > 0}
 

@@ -1,5 +1,5 @@
-"""Bearings of pads as elements of a machine beside two methods of growth.md B3 and B4: where the journal rests, how it
-moves."""
+"""Bearings of pads as elements of a machine, compared with two methods of growth.md B3 and B4: the equilibrium of the
+journal, and its motions."""
 
 import numpy as np
 import pytest
@@ -25,12 +25,12 @@ study:
 
 
 def strength(ratio):
-    """mu Omega R L (R/c)^2."""
+    """Returns mu Omega R L (R/c)^2."""
     return VISCOSITY * SPEED * RADIUS * 2 * RADIUS * ratio * (RADIUS / CLEARANCE) ** 2
 
 
 def run(kind, keys, ratio, load, study):
-    """A mass whose weight is the load, which is over the strength, with an unbalance of 1e-4 of the clearance."""
+    """Runs a mass whose weight is the load, given over the strength, with an unbalance of 1e-4 of the clearance."""
     mass = load * strength(ratio) / GRAVITY
     text = CASE.format(
         speed=SPEED,
@@ -45,7 +45,7 @@ def run(kind, keys, ratio, load, study):
 
 
 def in_newtons(of_load, weight):
-    """K c/W and C c Omega/W in Lund's frame, x along the load, as K and C in the case's."""
+    """Returns K and C in the case's frame from K c/W and C c Omega/W in Lund's, x along the load."""
     k = np.array(of_load, float).reshape(2, 2) * weight / CLEARANCE
     turn = np.array([[0, -1], [1, 0]], float)  # rows: Lund's axes, the load along -y
     return turn.T @ k @ turn
@@ -67,7 +67,7 @@ ROWS = {
 
 @pytest.mark.parametrize("row", ROWS, ids=lambda row: row[0])
 def test_fixed_pads(row):
-    """Rest to 2e-3 of the clearance, eigenvalues to 1 % of those of the published K and C."""
+    """The equilibrium agrees to 2e-3 of the clearance, eigenvalues to 1 % of those of the published K and C."""
     shape, preload, ratio, sommerfeld = row
     place, stiffness, damping = ROWS[row]
     load = 1 / (np.pi * sommerfeld)
@@ -114,8 +114,8 @@ def test_every_usual_bearing_rests_as_by_itself(shape):
 
 @pytest.mark.parametrize("inertia", [1e-4, 0])
 def test_pivots_that_yield(inertia):
-    """Beside the coefficients of the bearing by itself, which are condensed: the response to unbalance, a motion; and
-    very stiff pivots beside rigid ones."""
+    """With yielding pivots, the response to unbalance and a motion are those of the condensed coefficients of the
+    bearing by itself; very stiff pivots are as rigid ones."""
     load, keys = 1 / (np.pi * 0.5), f"shape: tilting-5, preload: 0.5, inertia: {inertia} kg m2"
     pivot = {"pivot_stiffness": 2e8, "pivot_damping": 2e4, "pad_mass": 0.8}
     study = """  unbalance: {}
@@ -140,7 +140,8 @@ def test_pivots_that_yield(inertia):
 
 
 def test_without_inertia_all_else():
-    """Turbulent films on pivots that yield, of pads with hardly any inertia and with none: rest and response."""
+    """Turbulent films on yielding pivots have the same equilibrium and response with pads of hardly any inertia and
+    of none."""
     oil = "density: 4000 kg/m3, turbulence: ng-pan, pivot_stiffness: 2e8, pivot_damping: 2e4, pad_mass: 0.8"
     keys, rests = f"shape: tilting-5, preload: 0.5, tilt_stiffness: 20 N.m/rad, {oil}", {}
     for inertia in (1e-6, 0):
@@ -153,7 +154,7 @@ def test_without_inertia_all_else():
 
 
 def test_turbulent_pads():
-    """Rest, and the growth of the slowest mode, beside the bearing by itself: the same local factors."""
+    """Equilibrium and growth of the slowest mode are those of the bearing by itself: the same local factors."""
     load, ratio, speed, study = 0.5, 0.5, SPEED, "  modes: {}"
     oil = ", density: 4000, turbulence: ng-pan"  # Reynolds number 628
     mass, result = run("pad_bearing", "shape: two-groove" + oil, ratio, load, study)

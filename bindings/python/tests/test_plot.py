@@ -1,4 +1,4 @@
-"""The functions of `plot` draw panels of figures: of the table, station, point and field that is asked for."""
+"""The functions of `plot` draw panels of figures: of the chosen table, station, point and field."""
 
 import json
 
@@ -26,12 +26,12 @@ def branches(tmp_path_factory):
 
 
 def drawn_in(ax):
-    """All points of lines, as pairs."""
+    """Returns all points of lines, as pairs."""
     return {tuple(pair) for line in ax.get_lines() for pair in line.get_xydata() if np.isfinite(pair).all()}
 
 
 def of_panel(data, panel):
-    """Those of the dots and lines of a panel of a figure's data."""
+    """Returns the points of the dots and lines of a panel of a figure's data."""
     own = next(each for each in data["panels"] if each["name"] == panel)
     pairs = (
         (x, y) for s in own["series"] if s["shape"] in ("dots", "line") for x, y in zip(s.get("x", []), s.get("y", []))
@@ -58,7 +58,7 @@ def test_diagrams_are_panels_of_figures(good, branches):
 
 
 def test_a_diagram_has_the_points_of_its_sections(good):
-    """Dots nearer than half a thousandth of the axis are one."""
+    """Dots nearer than half a thousandth of the axis are drawn as one."""
     drawn = np.array(sorted(drawn_in(good.plot.bifurcation(coordinate="y"))))
     section, values = good["sweep"]["poincare/section"][:, 0, :, 1], good["sweep"].values
     near = (section.max() - section.min()) / 1000
@@ -193,7 +193,8 @@ def test_a_section_by_index_and_by_value(good):
 
 
 def test_a_value_means_the_same_point_everywhere(good, good_file):
-    """The sweep goes from 1 to 4 rad/s in steps of 0.75: with a unit or in SI, to a step beyond, and no farther."""
+    """The sweep goes from 1 to 4 rad/s in steps of 0.75. A value with a unit or in SI selects a point, up to a step
+    beyond the ends."""
     sweep, opened = good["sweep"], whirl.open(good_file)
     for told, expected in ((1, 0), (1.4, 1), ("13.4 rpm", 1), (0.26, 0), (4.74, 4), ("4.74 rad/s", 4), (2.5, 2)):
         text = told if isinstance(told, str) else repr(float(told))

@@ -18,7 +18,7 @@ from whirl.fields import FIELD
 
 
 def same(one, other):
-    """Equal to the bit, NaN included."""
+    """Returns true if arrays are equal to the bit, NaN included."""
     one, other = np.ascontiguousarray(one), np.ascontiguousarray(other)
     return one.shape == other.shape and one.dtype == other.dtype and one.tobytes() == other.tobytes()
 

@@ -94,7 +94,7 @@ def mirrored(case):
 
 
 def short(path):
-    """The machine of a case, let go from beside the middle for five revolutions."""
+    """Makes the machine of a case, let go from off the middle for five revolutions."""
     case = yaml.load(path.read_text(), yaml.BaseLoader)
     how = case["study"].get("integrate", {})
     how = {key: how[key] for key in ("method", "steps_per_revolution") if key in how}

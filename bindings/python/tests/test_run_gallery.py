@@ -1,6 +1,6 @@
-"""The run-ups of the gallery against independent programs, which solve the mass matrix of the written-out equations at
-every instant (SciPy's DOP853 at 1e-12) and keep the balance of energy: what motors give, less what dampers, rubs, films
-and loads take, is in the motion, to 2e-13 of it in all of them."""
+"""The run-ups of the gallery against independent programs, which solve the mass matrix of the written-out equations
+at every instant (SciPy's DOP853 at 1e-12) and keep the balance of energy: the energy of the motion is that of motors
+minus that of dampers, rubs, films and loads, to 2e-13 in all of them."""
 
 import numpy as np
 import pytest

@@ -43,7 +43,7 @@ def test_what_progress_raises_ends_the_run():
 
 
 def stopped_run(tmp_path, *more):
-    """A run in a program of its own that gets Ctrl-C once some points are done; how that ended."""
+    """Runs a program that gets Ctrl-C once some points are done; returns how it ended."""
     program = f"""
 import os, signal, sys, warnings, whirl
 case = whirl.Case({str(GOOD)!r}).set("integrate.transient", 20000).set("sweep.points", 400)
@@ -186,7 +186,7 @@ print(len(seen), *sorted({name for name, _ in seen}))
 
 
 def test_handlers_may_raise_anywhere(tmp_path):
-    """The handler of a signal raises, and once more at each of the instructions after that in turn."""
+    """The handler of a signal raises an exception, and raises again at each of the following instructions in turn."""
     words = [sys.executable, "-c", AGAIN, GOOD, tmp_path / "journal"]
     told = subprocess.run(words, capture_output=True, text=True, timeout=120)
     assert told.returncode == 0, told.stderr
@@ -237,7 +237,7 @@ told.wait()
 
 
 def test_python_exit():
-    """A run in a daemon thread is stopped, and has ended, before Python goes."""
+    """A run in a daemon thread is stopped, and has ended, before Python exits."""
     for _ in range(3):
         told = subprocess.run([sys.executable, "-c", LEAVING, GOOD], capture_output=True, text=True, timeout=60)
         assert (told.returncode, told.stdout) == (0, "left with 0 runs\n"), told.stderr

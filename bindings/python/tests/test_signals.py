@@ -1,4 +1,4 @@
-"""Measured signals: what results say of computed motions, and formulas of one's own."""
+"""Measured signals: the results of computed motions, and independent formulas."""
 
 import re
 import runpy
@@ -24,14 +24,14 @@ def closed_figures():
 
 @pytest.fixture(scope="module")
 def rub():
-    """A rotor that rubs every other revolution, computed: 256 revolutions of 512 samples."""
+    """Computes a rotor that rubs every other revolution: 256 revolutions of 512 samples."""
     example = runpy.run_path(str(EXAMPLE))
     return whirl.run(whirl.Case(text=example["CASE"]), progress=False), example
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """Where the record of that rotor lies."""
+    """The folder of the record of that rotor."""
     folder = tmp_path_factory.mktemp("measured")
     subprocess.run([sys.executable, EXAMPLE], cwd=folder, check=True)
     return folder
@@ -44,7 +44,7 @@ def record(folder):
 
 
 def run_up(rate=5000.0, seconds=2.0):
-    """A shaft from 30 to 40 turns a second: times, turns, and when it has turned so often."""
+    """Returns a shaft from 30 to 40 turns a second: times, turns, and the times of whole turns."""
     time = np.arange(int(rate * seconds)) / rate
     return time, time * (30 + 2.5 * time), lambda turns: (-30 + np.sqrt(900 + 10 * turns)) / 5
 
@@ -58,7 +58,7 @@ def test_the_package_loads_signals_when_they_are_asked_for():
 
 
 def test_samples_of_a_result_give_its_own_numbers_to_the_bit(rub):
-    """Time is in turns here; that of the first pulse is the end of the record, which is a period of the motion."""
+    """Time is in turns here. The time of the first pulse is the end of the record, which is a period of the motion."""
     table = rub[0]["sweep"]
     waveform = table["waveform/samples"][0, 0]
     path = np.vstack([waveform[-1:], waveform]).T
@@ -154,7 +154,7 @@ def logistic(r, count):
 
 
 def correlation_k(x, c):
-    """K by Gottwald and Melbourne (2009), equations 2.1 and 2.3, with the plain mean square displacement."""
+    """Returns K by Gottwald and Melbourne (2009), equations 2.1 and 2.3, with the plain mean square displacement."""
     n = np.arange(len(x))
     p, q = np.cumsum((x - x.mean()) * np.cos(c * n)), np.cumsum((x - x.mean()) * np.sin(c * n))
     lags, averaged = np.arange(1, len(x) // 10 + 1), len(x) - len(x) // 10
@@ -193,7 +193,8 @@ def test_recurrence_is_that_of_the_whole_plot():
 
 
 def test_the_measured_rub_is_the_computed_one(rub, record):
-    """With noise of 0.2 um, probes read to 0.1 um, and a speed that hunts by 1 %."""
+    """With noise of 0.2 um, probes of a resolution of 0.1 um, and a speed that varies by 1 %, the verdict is that of
+    the computation."""
     table, example = rub[0]["sweep"], rub[1]
     micrometres = table.length_scale[0] * 1e6
     known = np.linspace(0.0, 2.0, 2_000_001)
@@ -320,7 +321,7 @@ def test_what_is_no_number_is_refused(wrong):
 
 
 def turning():
-    """A shaft from 1500 to 1620 rpm that whirls with 40 along x: rate, angle, x, y, keyphasor."""
+    """Returns a shaft from 1500 to 1620 rpm that whirls with 40 along x: rate, angle, x, y, keyphasor."""
     rate = 5120.0
     time = np.arange(int(rate * 6)) / rate
     angle = np.cumsum(2 * np.pi * (25 + 2 * time / 6)) / rate
@@ -329,7 +330,7 @@ def turning():
 
 @pytest.mark.filterwarnings("error")
 def test_missed_pulse():
-    """One pulse missed or false is refused by its number, wherever it is; of many teeth every so many-th counts."""
+    """A missed or false pulse is refused by its number, at any place; with several teeth every n-th pulse counts."""
     rate, angle, x, y, key = turning()
     good = signals.Record(rate, x, y, keyphasor=key)
     assert abs(good.full_spectrum().synchronous[0] - 40) < 2e-3
@@ -362,7 +363,7 @@ def test_pulses_of_a_wheel():
 
 
 def test_a_short_record_with_a_missed_pulse():
-    """Fifty samples: three pulses, after 8.1 and 16.8 of them."""
+    """A record of fifty samples has three pulses, after 8.1 and 16.8 of them."""
     voltage = np.cos(2 * np.pi * (np.arange(50.0) - 1) / 8.3)
     voltage[30:37] = -1.0
     samples = 50.0, np.sin(np.arange(50.0))

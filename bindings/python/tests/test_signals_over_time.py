@@ -16,7 +16,7 @@ def closed_figures():
 
 
 def run_up(rate=5000.0, seconds=2.0):
-    """A shaft from 30 to 40 turns a second: times, turns, and when it has turned so often."""
+    """Returns a shaft from 30 to 40 turns a second: times, turns, and the times of whole turns."""
     time = np.arange(int(rate * seconds)) / rate
     return time, time * (30 + 2.5 * time), lambda turns: (-30 + np.sqrt(900 + 10 * turns)) / 5
 
@@ -25,7 +25,7 @@ def run_up(rate=5000.0, seconds=2.0):
 
 
 def two_orders():
-    """The run-up of tests/unit/analyze/test_vold_kalman.c: time, angle, signal."""
+    """Returns the run-up of tests/unit/analyze/test_vold_kalman.c: time, angle, signal."""
     time = np.arange(80) / 200
     angle = 2 * np.pi * (5 * time + 10 * time**2)
     line = 0.2 * np.cos(2 * np.pi * 17 * time)
@@ -34,7 +34,7 @@ def two_orders():
 
 @pytest.mark.parametrize("poles", [1, 2])
 def test_vold_kalman_solves_the_dense_equations(poles):
-    """NumPy's least squares of all rows, without normal equations."""
+    """The amplitudes are those of NumPy's least squares of all rows, without normal equations."""
     time, angle, values = two_orders()
     found = signals.vold_kalman(values, angle, [1, 2], rate=200.0, bandwidth=2.0, poles=poles)
     weight = np.sqrt((np.sqrt(2) - 1) / (2 * np.sin(np.pi * 2.0 / 400.0)) ** (2 * poles))
@@ -64,8 +64,8 @@ def test_vold_kalman_of_a_record_with_a_line_of_the_mains():
 
 
 def passage(angles=None):
-    """A shaft that runs from 5 to 45 turns a second through its resonance at 30, 1 turn a second faster in a second, on
-    a runout of 4 at the probes: a record, and the displacement vectors of x and y over turns a second."""
+    """Returns a record of a shaft that runs from 5 to 45 turns a second through its resonance at 30, 1 turn a second
+    faster in a second, on a runout of 4 at the probes, and the displacement vectors of x and y over turns a second."""
     time = np.arange(int(1000 * 40)) / 1000
     turns, fast = 5 * time + 0.5 * time**2, 5 + time
     angle = 2 * np.pi * turns
@@ -154,7 +154,8 @@ def test_slow_roll_within_the_record_and_below_resonances():
 
 
 def test_a_spectrogram_says_what_a_sweep_loses():
-    """Windows of 2 s while a shaft gains 1 turn a second in a second: 1X lies on a frequency in the middle of each."""
+    """Windows of 2 s while a shaft gains 1 turn a second in a second: 1X is at a frequency of the spectrum in the
+    middle of each."""
     time = np.arange(40 * 1000) / 1000
     pulses = -5 + np.sqrt(25 + 2 * np.arange(980))
     angle = 2 * np.pi * (5 * time + 0.5 * time**2)
@@ -221,7 +222,8 @@ def test_vold_kalman_says_where_an_order_is_slower_than_the_band():
 
 
 def four_points(values):
-    """Cycles of each range by the method of four points (Amzallag et al. 1994), with half cycles of the rest."""
+    """Returns the cycles of each range by the method of four points (Amzallag et al. 1994), with half cycles of the
+    rest."""
     turning = [values[0]]
     for value in values[1:]:
         if len(turning) > 1 and (turning[-1] - turning[-2]) * (value - turning[-1]) > 0:

@@ -1,4 +1,4 @@
-"""Custom systems: every way to give the slopes leads to the closed form, and what goes wrong is said."""
+"""Custom systems: every way to give the slopes leads to the closed form, and errors are sentences."""
 
 import functools
 import importlib.util
@@ -44,7 +44,8 @@ def oscillator(t, x, p):
 
 
 def check_sweep(result, omegas=OMEGAS, velocity=2):
-    """The section of the steady motion is that of the closed form at the end of a period, Re(A) and Re(i omega A)."""
+    """Checks that the section of the steady motion is that of the closed form at the end of a period, Re(A) and Re(i
+    omega A)."""
     table = result["sweep"]
     amplitude = PARAMETERS["F"] / (1 - omegas**2 + 2j * ZETA * omegas)
     assert list(table.verdicts) == ["P-1"] * len(omegas)
@@ -231,7 +232,8 @@ def test_what_is_no_slopes_is_refused(rates, words):
 @compiler
 @pytest.mark.parametrize("body", ("p[k] = x[k]", "x[k] = 0.1", "out[0] = x[1]"))
 def test_functions_that_write_elsewhere_are_refused(body):
-    """The order of pointers is no part of a type of ctypes: what a function does to its arguments shows it."""
+    """A type of ctypes does not contain the order of pointers: it follows from the effect of a function on its
+    arguments."""
     text = "int f(double t, double *x, double *p, double *out, void *c) { for (int k = 0; k < 2; k++) BODY; return 0; }"
     with pytest.raises(whirl.BadInput, match="another form"):
         compile_c(text.replace("BODY", body), "f")
@@ -453,7 +455,7 @@ def test_a_single_row_keeps_its_dimension(tmp_path):
 
 
 def stopped(system, journal):
-    """Leaves a journal."""
+    """Stops a run, which leaves a journal."""
 
     def stop(*told):
         raise KeyError("enough")
@@ -468,7 +470,7 @@ def gone_on(system, journal, **more):
 
 
 def stiffer(k, numbers=(0.3, 0.1), **more):
-    """A function that closes over numbers."""
+    """Returns a function that closes over numbers."""
     table = np.array(numbers)
 
     def slopes(t, x, p):
@@ -485,7 +487,7 @@ def cubed(x):
 
 
 def test_python_journal_of_another_function(tmp_path, monkeypatch):
-    """A journal goes on with the same equations alone: text, what it closes over, and how they are started."""
+    """A journal continues only with the same equations: text, closed-over values, and start."""
     journal = tmp_path / "journal"
     stopped(stiffer(1.0), journal)
     others = {
@@ -592,8 +594,9 @@ int rates(double t, const double *x, const double *p, double *dxdt, void *contex
 
 @compiler
 def test_kinked_jump():
-    """A mass that bounces on a floor that shakes. The section after a revolution is that of SciPy's DOP853 at 1e-12
-    with flight and contact integrated apart; a floor with a damper is no kink, and is refused as one by its place."""
+    """A mass bounces on a floor that shakes. Its section after a revolution is that of SciPy's DOP853 at 1e-12 with
+    flight and contact integrated apart. A floor with a damper makes the force jump: it is refused as a kink, with its
+    place."""
     slopes = compile_c(BOUNCE)
 
     def section(damper, **more):
@@ -611,7 +614,7 @@ def test_kinked_jump():
 
 
 def test_motions_that_could_not_be_followed_are_said():
-    """Slopes that are another number at every call: no step is short enough."""
+    """Slopes that change at every call make every step fail: the motion has an error."""
 
     def system(rough):
         calls = iter(range(1, 10**9))

@@ -35,8 +35,8 @@ static int func(integer ndim, const doublereal *u, const integer *icp, const dou
     return 0;
 }
 
-/// The orbit at the first value of r_k, for t from 0 to 1 (AUTO asks for rising t), from where the rotor settles: nine
-/// digits of a start, which AUTO sharpens.
+/// Sets the orbit at the first value of r_k, for t from 0 to 1 (AUTO requires rising t): nine digits of the settled
+/// motion, which AUTO corrects.
 static int stpnt(integer ndim, doublereal t, doublereal *u, doublereal *par) {
     static const double begin[ROTOR_ALL] = {0.172805946,  -0.904191162, 0.172249261,  -0.857663012, -0.010018961,
                                             -0.257350322, 0.084299494,  -0.136670746, 1.0,          0.0};
@@ -73,7 +73,7 @@ static int fopt(integer ndim, const doublereal *u, const integer *icp, const dou
     return 0;
 }
 
-/// A line of points.txt: r_k, period, the state at tau = 0, the multipliers as pairs of real and imaginary part.
+/// Prints a line of points.txt: r_k, period, the state at tau = 0, the multipliers as pairs of real and imaginary part.
 static int pvls(integer ndim, const doublereal *u, doublereal *par) {
     static FILE *points;
     double start[ROTOR_ALL];

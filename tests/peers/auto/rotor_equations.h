@@ -25,7 +25,7 @@ static inline varied varied_product(varied a, varied b) {
     return c;
 }
 
-/// A function of a whose value and slope are known.
+/// Returns a function of a, from its value and slope.
 static inline varied varied_function(varied a, double value, double slope) {
     varied c = {value, {0.0}};
     for (int i = 0; i < 4; i++) c.by[i] = slope * a.by[i];
@@ -36,7 +36,7 @@ static inline varied varied_ratio(varied a, varied b) {
     return varied_product(a, varied_function(b, 1.0 / b.value, -1.0 / (b.value * b.value)));
 }
 
-/// Capone's force on a journal at (x, y) in clearances with velocity (vx, vy), per F0; theory.md, "Oil film".
+/// Computes Capone's force on a journal at (x, y) in clearances with velocity (vx, vy), per F0; theory.md, "Oil film".
 static inline void rotor_film(const double z[4], varied force[2]) {
     const varied one = {1.0, {0.0}}, x = {z[0], {1, 0, 0, 0}}, y = {z[1], {0, 1, 0, 0}};
     const varied a = {z[0] - 2.0 * z[3], {1, 0, 0, -2}}, b = {z[1] + 2.0 * z[2], {0, 1, 2, 0}};
@@ -79,7 +79,7 @@ static inline rotor_numbers rotor_printed(void) {
     return n;
 }
 
-/// Derivatives [10] by tau of u [10] at the stiffness ratio r_k, with the signs that the paper prints.
+/// Computes the derivatives [10] by tau of u [10] at the stiffness ratio r_k, with the signs that the paper prints.
 static inline void rotor_slope(double r_k, const double u[ROTOR_ALL], double f[ROTOR_ALL]) {
     const rotor_numbers n = rotor_printed();
     const double c = u[8], s = u[9], along = r_k + 1.0 + (r_k - 1.0) * (c * c - s * s),
@@ -98,7 +98,7 @@ static inline void rotor_slope(double r_k, const double u[ROTOR_ALL], double f[R
     f[9] = s * around + c;
 }
 
-/// Their derivatives by u: by_state[i][j] = d f_i/d u_j.
+/// Computes the derivatives of rotor_slope by u: by_state[i][j] = d f_i/d u_j.
 static inline void rotor_slope_by_state(double r_k, const double u[ROTOR_ALL], double by_state[ROTOR_ALL][ROTOR_ALL]) {
     const rotor_numbers n = rotor_printed();
     const double b = r_k - 1.0, c = u[8], s = u[9], along = r_k + 1.0 + b * (c * c - s * s), across = b * 2.0 * s * c;
@@ -131,7 +131,7 @@ static inline void rotor_slope_by_state(double r_k, const double u[ROTOR_ALL], d
     by_state[9][9] = around - 2.0 * s * s;
 }
 
-/// Their derivatives [10] by r_k.
+/// Computes the derivatives [10] of rotor_slope by r_k.
 static inline void rotor_slope_by_ratio(const double u[ROTOR_ALL], double by_ratio[ROTOR_ALL]) {
     const rotor_numbers n = rotor_printed();
     const double along = 1.0 + u[8] * u[8] - u[9] * u[9], across = 2.0 * u[9] * u[8];

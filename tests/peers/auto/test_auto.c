@@ -26,7 +26,7 @@ static whirl_rotor *rotor_at(double r_k) {
     return rotor;
 }
 
-/// The same numbers between -1 and 1 in every run.
+/// Returns numbers between -1 and 1, the same in every run.
 static double next_number(uint64_t *state) {
     *state = *state * 6364136223846793005u + 1442695040888963407u;
     return (double)(*state >> 11) / 4503599627370496.0 - 1.0;
@@ -80,7 +80,7 @@ static int forget_auto(void **state) {
     return 0;
 }
 
-/// AUTO's orbit carried by whirl's integrator, and its multipliers by differences of the flow.
+/// Compares AUTO's orbit with the motion by whirl's integrator, and its multipliers with differences of the flow.
 static void compare_point(const peer_point *point) {
     const double r_k = point->numbers[0], *state = point->numbers + 1;
     whirl_rotor *rotor = rotor_at(r_k);
@@ -124,7 +124,7 @@ static const char *word_of(whirl_special special) {
     }
 }
 
-/// The library follows the branch by itself, and finds the same special points in the same order.
+/// The library follows the branch independently, and finds the same special points in the same order.
 static void branches_are_the_same(void **state) {
     const followed *known = *state;
     whirl_case *object;
