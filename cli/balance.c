@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 #include "found.h"
-#include "whirl/engine/balance.h"
+#include "whirl/internal/balance.h"
 
 typedef struct balance_arguments {
     const char *path;

@@ -13,8 +13,8 @@
 #include "interrupt.h"
 #include "output.h"
 #include "progress.h"
-#include "whirl/engine/bearing_table.h"
 #include "whirl/engine/figure.h"
+#include "whirl/internal/bearing_table.h"
 
 enum { KEY_FORCE = KEY_OWN, KEY_CSV, KEY_TABLE, KEY_OVER, KEY_AT, KEY_FIGURE, KEY_GNUPLOT, MAX_THREADS = 1024 };
 

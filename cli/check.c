@@ -20,6 +20,8 @@
 #include "whirl/engine/figure.h"
 #include "whirl/engine/report.h"
 #include "whirl/internal/film_tables.h"
+#include "whirl/internal/findings.h"
+#include "whirl/internal/shown.h"
 #include "whirl/internal/study_try.h"
 
 typedef struct check_arguments {

@@ -8,6 +8,8 @@
 #include <unistd.h>
 
 #include "terminal.h"
+#include "whirl/internal/balance.h"
+#include "whirl/internal/bearing_table.h"
 
 // ---------------------------------------------------------------- subjects: names that can be described
 

@@ -2,7 +2,7 @@
 #ifndef CLI_FOUND_H
 #define CLI_FOUND_H
 
-#include "whirl/engine/findings.h"
+#include "whirl/internal/findings.h"
 
 /// Selection and form of findings to print.
 typedef struct found_arguments {

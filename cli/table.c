@@ -6,8 +6,8 @@
 
 #include "files.h"
 #include "output.h"
-#include "whirl/engine/findings.h"
 #include "whirl/handles.h"
+#include "whirl/internal/findings.h"
 
 enum { KEY_FORCE = 0x100, KEY_LIST, KEY_FORMAT, KEY_UNITS };
 

@@ -1,5 +1,5 @@
 // Reading a balancing job, with the same tree, tables and problems as cases.
-#include "whirl/engine/balance.h"
+#include "whirl/internal/balance.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 // Influence coefficients, modes and bearing loads of a rotor to be balanced, from its case.
-#include "whirl/engine/balance.h"
+#include "whirl/internal/balance.h"
 
 #include <complex.h>
 #include <math.h>

@@ -10,7 +10,7 @@
 #include "problem.h"
 #include "settings.h"
 #include "tree.h"
-#include "whirl/engine/bearing_table.h"
+#include "whirl/internal/bearing_table.h"
 
 enum { VERSION = 1 };
 

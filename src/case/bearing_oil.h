@@ -4,7 +4,7 @@
 
 #include "parameters.h"
 #include "settings.h"
-#include "whirl/engine/bearing_table.h"
+#include "whirl/internal/bearing_table.h"
 
 /// Reads the oil; reports incomplete and contradictory keys.
 void bearing_oil_read(case_reader *reader, const setting_list *file, whirl_bearing *out);

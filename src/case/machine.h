@@ -3,8 +3,8 @@
 #define CASE_MACHINE_H
 
 #include "settings.h"
-#include "whirl/engine/line.h"
 #include "whirl/engine/rotor.h"
+#include "whirl/internal/line.h"
 #include "whirl/internal/model.h"
 
 /// Parts that have names.

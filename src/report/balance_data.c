@@ -7,7 +7,7 @@
 #include "document.h"
 #include "findings_render.h"
 #include "whirl/engine/descriptor.h"
-#include "whirl/engine/findings.h"
+#include "whirl/internal/findings.h"
 #include "whirl/status.h"
 
 static const double degree = 3.14159265358979323846 / 180.0;

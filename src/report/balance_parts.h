@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #include "findings_render.h"
-#include "whirl/engine/balance.h"
+#include "whirl/internal/balance.h"
 
 /// Returns the length of a vector.
 double balance_size(const double vector[2]);

@@ -1,8 +1,8 @@
 // Balances a rotor from a text to a text (JSON), for programs in other languages.
 #include "text_written.h"
-#include "whirl/engine/balance.h"
 #include "whirl/engine/case.h"
 #include "whirl/handles.h"
+#include "whirl/internal/balance.h"
 #include "whirl/status.h"
 
 /// A balancing job and its result.

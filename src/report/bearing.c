@@ -1,5 +1,5 @@
 // Findings of a single bearing: geometry, journal position, coefficients, errors and warnings.
-#include "whirl/engine/bearing_table.h"
+#include "whirl/internal/bearing_table.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -8,9 +8,9 @@
 #include "findings_build.h"
 #include "findings_render.h"
 #include "taylor_vortices.h"
-#include "whirl/engine/findings.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/findings.h"
+#include "whirl/internal/shown.h"
 #include "whirl/status.h"
 
 static const double degree = 3.14159265358979323846 / 180.0;

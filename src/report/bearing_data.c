@@ -5,10 +5,10 @@
 #include "document.h"
 #include "findings_render.h"
 #include "number_text.h"
-#include "whirl/engine/bearing_table.h"
 #include "whirl/engine/descriptor.h"
-#include "whirl/engine/findings.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/bearing_table.h"
+#include "whirl/internal/findings.h"
+#include "whirl/internal/shown.h"
 #include "whirl/status.h"
 
 static const double rpm = 3.14159265358979323846 / 30.0;

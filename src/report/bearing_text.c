@@ -2,10 +2,10 @@
 #include <stdlib.h>
 
 #include "text_written.h"
-#include "whirl/engine/bearing_table.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/figure.h"
 #include "whirl/handles.h"
+#include "whirl/internal/bearing_table.h"
 #include "whirl/status.h"
 
 /// A table of bearing points, and the units in which it is shown.

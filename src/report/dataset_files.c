@@ -7,9 +7,9 @@
 #include "shown_kinds.h"
 #include "text_written.h"
 #include "whirl/engine/dataset.h"
-#include "whirl/engine/findings.h"
 #include "whirl/engine/report.h"
 #include "whirl/handles.h"
+#include "whirl/internal/findings.h"
 
 const whirl_table *whirl_result_records(const whirl_result *result) {
     for (size_t i = 0; i < result->table_count; i++)

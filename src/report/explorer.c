@@ -8,8 +8,8 @@
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/report.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
 #include "whirl/engine/system.h"
+#include "whirl/internal/shown.h"
 
 #include <math.h>
 #include <stdbool.h>

@@ -4,9 +4,9 @@
 #include "explorer_fit.h"
 #include "findings_render.h"
 #include "whirl/engine/analyze.h"
-#include "whirl/engine/findings.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/findings.h"
+#include "whirl/internal/shown.h"
 #include "whirl/status.h"
 
 #include <math.h>

@@ -5,8 +5,8 @@
 
 #include "whirl/engine/case.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
 #include "whirl/handles.h"
+#include "whirl/internal/shown.h"
 
 /// Accepted relative distance if all values are equal, so that there is no step.
 static const double share_of_a_lone_value = 0.01;

@@ -12,10 +12,10 @@
 #include "page.h"
 #include "print.h"
 #include "report_file.h"
-#include "whirl/engine/findings.h"
 #include "whirl/engine/report.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/findings.h"
+#include "whirl/internal/shown.h"
 #include "whirl/status.h"
 
 /// Data of a report that is being made; report_free frees them.

@@ -2,7 +2,7 @@
 #include "two_pi.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 
 #include <math.h>
 #include <stdio.h>

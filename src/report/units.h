@@ -7,7 +7,7 @@
 
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 
 enum { UNIT_LABEL_SIZE = 160 };
 

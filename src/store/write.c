@@ -6,7 +6,7 @@
 #include "items.h"
 #include "mapped.h"
 #include "shape.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 
 #include "attractors.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 
 #include <math.h>
 #include <stdio.h>

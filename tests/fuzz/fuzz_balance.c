@@ -5,9 +5,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "whirl/engine/balance.h"
 #include "whirl/engine/case.h"
-#include "whirl/engine/findings.h"
+#include "whirl/internal/balance.h"
+#include "whirl/internal/findings.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

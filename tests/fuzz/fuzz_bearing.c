@@ -4,8 +4,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "whirl/engine/bearing_table.h"
 #include "whirl/engine/case.h"
+#include "whirl/internal/bearing_table.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

@@ -14,7 +14,7 @@
 
 #include "support_check.h"
 #include "support_flow.h"
-#include "whirl/engine/balance.h"
+#include "whirl/internal/balance.h"
 
 static const char *const id = "balance limits";
 

@@ -9,9 +9,9 @@
 
 #include "support_check.h"
 #include "support_study.h"
-#include "whirl/engine/bearing.h"
 #include "whirl/engine/fields.h"
 #include "whirl/engine/result.h"
+#include "whirl/internal/bearing.h"
 
 #include <math.h>
 #include <stdio.h>

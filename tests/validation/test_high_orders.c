@@ -14,7 +14,7 @@
 #include "support_study.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/fields.h"
-#include "whirl/engine/spectrum.h"
+#include "whirl/internal/spectrum.h"
 
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 static const char *const id = "high orders";

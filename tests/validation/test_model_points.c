@@ -21,7 +21,7 @@
 
 #include "support_check.h"
 #include "support_study.h"
-#include "whirl/engine/spectrum.h"
+#include "whirl/internal/spectrum.h"
 
 enum { POINTS = 10, DISC = 0, JOURNAL = 1, MAX_KNOWN_LINES = 4 };
 

@@ -12,7 +12,7 @@
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/engine/bearing.h"
+#include "whirl/internal/bearing.h"
 
 static const double pi = 3.14159265358979323846;
 enum { FINE = 1920 };

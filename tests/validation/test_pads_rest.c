@@ -12,9 +12,9 @@
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/engine/bearing.h"
 #include "whirl/engine/linear.h"
 #include "whirl/engine/rotor.h"
+#include "whirl/internal/bearing.h"
 
 static const double pi = 3.14159265358979323846;
 

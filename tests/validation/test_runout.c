@@ -18,7 +18,7 @@
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/rotor.h"
-#include "whirl/engine/spectrum.h"
+#include "whirl/internal/spectrum.h"
 
 static const double pi = 3.14159265358979323846;
 

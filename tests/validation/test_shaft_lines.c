@@ -1,5 +1,5 @@
-// Lines of shafts between their stations (whirl/engine/line.h), against closed forms of uniform beams: modes of a beam
-// on two stiff bearings, its sag, and a Timoshenko beam bent by a force at its end.
+// Lines of shafts between their stations (whirl/internal/line.h), against closed forms of uniform beams: modes of a
+// beam on two stiff bearings, its sag, and a Timoshenko beam bent by a force at its end.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -13,8 +13,8 @@
 
 #include "support_check.h"
 #include "whirl/engine/case.h"
-#include "whirl/engine/line.h"
 #include "whirl/engine/linear.h"
+#include "whirl/internal/line.h"
 
 enum { TEXT_SIZE = 2048 };
 static const double pi = 3.14159265358979323846;

@@ -15,7 +15,7 @@
 #include "support_check.h"
 #include "support_rotor.h"
 #include "whirl/engine/analyze.h"
-#include "whirl/engine/spectrum.h"
+#include "whirl/internal/spectrum.h"
 
 enum { X, Y, FORWARD, BACKWARD };
 

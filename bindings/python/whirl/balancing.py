@@ -4,8 +4,8 @@
 >>> found.correction["drive"].moment, found.correction["drive"].angle
 >>> rows = whirl.readings(result, {"de": "left", "nde": ("right", numpy.radians(45))}, run=1)
 
-libwhirl computes (``whirl/engine/balance.h``). All is in SI and radians; angles and phases have the sense that the file
-chooses.
+libwhirl computes (``whirl_balance_json`` of ``whirl/handles.h``). All is in SI and radians; angles and phases have the
+sense that the file chooses.
 """
 
 from __future__ import annotations

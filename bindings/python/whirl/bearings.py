@@ -4,7 +4,7 @@
 >>> found.speed, found.eccentricity_ratio, found.stiffness[:, 0, 1]
 >>> found.plot("sommerfeld")
 
-libwhirl computes (``whirl/engine/bearing_table.h``). All is in SI and radians.
+libwhirl computes (``whirl_bearing_json`` of ``whirl/handles.h``). All is in SI and radians.
 """
 
 from __future__ import annotations

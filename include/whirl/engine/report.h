@@ -70,8 +70,8 @@ const whirl_table *whirl_result_records(const whirl_result *result);
 /// (revolutions), seed, and the parameters that differ (SI). Missing numbers are empty.
 void whirl_dataset_write_index(const whirl_result *result, FILE *stream);
 
-/// Writes the data sheet of a data set as Markdown. `name`: that of the files, without their endings. Errors as
-/// whirl_findings_new.
+/// Writes the data sheet of a data set as Markdown. `name`: that of the files, without their endings.
+/// WHIRL_NO_MEMORY if memory is exhausted.
 whirl_status whirl_dataset_write_sheet(const whirl_result *result, const char *name, FILE *stream);
 
 #ifdef __cplusplus

@@ -2,7 +2,7 @@
 #ifndef ANALYZE_SPECTRUM_H
 #define ANALYZE_SPECTRUM_H
 
-#include "whirl/engine/spectrum.h"
+#include "whirl/internal/spectrum.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
 // Influence coefficients by complex least squares, and corrections by least squares or by the least largest vibration.
-#include "whirl/engine/balance.h"
+#include "whirl/internal/balance.h"
 
 #include <math.h>
 #include <stdlib.h>

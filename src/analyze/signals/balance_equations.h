@@ -5,7 +5,7 @@
 #include <complex.h>
 #include <stddef.h>
 
-#include "whirl/engine/balance.h"
+#include "whirl/internal/balance.h"
 
 static inline double complex balance_number(const double of[2]) {
     return of[0] + of[1] * I;

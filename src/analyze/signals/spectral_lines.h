@@ -5,7 +5,7 @@
 #include <stddef.h>
 
 #include "transform.h"
-#include "whirl/engine/spectrum.h"
+#include "whirl/internal/spectrum.h"
 
 /// Finds up to WHIRL_MAX_LINES lines of a Hann-windowed signal, largest first, with `order` in bins. `power` [bins] is
 /// the squared amplitude at the whole bins 0, 1, ...; lines are searched from bin 2 (lower ones are indistinguishable

@@ -5,7 +5,7 @@
 #include <stddef.h>
 
 #include "transform.h"
-#include "whirl/engine/spectrum.h"
+#include "whirl/internal/spectrum.h"
 
 /// Returns the synchronous (1X) part of a record with `samples_per_revolution`, whose first sample is one step after
 /// the mark. size: the largest displacement. An amplitude below 1e-12 of it is rounding and has no phase.

@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #include "whirl/engine/analyze.h"
-#include "whirl/engine/spectrum.h"
+#include "whirl/internal/spectrum.h"
 
 /// One or two frequencies of a motion besides the shaft's.
 typedef struct line_bases {

@@ -9,7 +9,7 @@
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 
 static int by_value(const void *left, const void *right) {
     const double a = *(const double *)left, b = *(const double *)right;

@@ -6,7 +6,7 @@
 #include "regimes.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 #include "whirl/job.h"
 
 #include <stdbool.h>

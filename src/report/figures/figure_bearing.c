@@ -6,7 +6,7 @@
 
 #include "figure_build.h"
 #include "figure_kinds.h"
-#include "whirl/engine/bearing_table.h"
+#include "whirl/internal/bearing_table.h"
 
 static const double degree = 3.14159265358979323846 / 180.0;
 

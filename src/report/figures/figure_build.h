@@ -5,7 +5,7 @@
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/figure.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 #include "whirl/status.h"
 
 #include <stddef.h>

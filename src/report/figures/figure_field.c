@@ -11,8 +11,8 @@
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
 #include "whirl/engine/system.h"
+#include "whirl/internal/shown.h"
 #include "whirl/status.h"
 
 // ---------------------------------------------------------------- the name

@@ -8,7 +8,7 @@
 #include "machine_at.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 #include "whirl/status.h"
 
 #define KIND_AT(name) &name##_figure,

@@ -5,7 +5,7 @@
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/figure.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 #include "whirl/job.h"
 #include "whirl/status.h"
 

@@ -13,7 +13,7 @@
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 #include "whirl/status.h"
 
 enum { MAX_PLANES = 12, LEVELS = WHIRL_HIGH + 1 };

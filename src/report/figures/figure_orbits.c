@@ -14,7 +14,7 @@
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 
 enum { MAX_STATIONS = 12, MAX_MOTIONS = 6, STEPS = 180 };
 

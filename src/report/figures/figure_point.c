@@ -14,8 +14,8 @@
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
 #include "whirl/handles.h"
+#include "whirl/internal/shown.h"
 #include "whirl/status.h"
 
 /// An orbit counts as near a circle if its distance from the circle is at most this share of its size.

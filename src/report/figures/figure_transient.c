@@ -11,7 +11,7 @@
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 
 enum { MAX_MOTIONS = 6, MAX_STEPS = 1500 };
 

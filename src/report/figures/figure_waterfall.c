@@ -13,7 +13,7 @@
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 
 const char *const waterfall_colours[WATERFALL_COLOURS] = {"#fde725", "#a0da39", "#4ac16d", "#1fa187",
                                                           "#277f8e", "#365c8d", "#46327e", "#440154"};

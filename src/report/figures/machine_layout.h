@@ -5,9 +5,9 @@
 #include "figure_build.h"
 #include "figure_kinds.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
 #include "whirl/engine/system.h"
 #include "whirl/internal/model.h"
+#include "whirl/internal/shown.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -4,7 +4,7 @@
 
 #include "figure_build.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 
 #include <stdbool.h>
 #include <stddef.h>

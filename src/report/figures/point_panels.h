@@ -7,7 +7,7 @@
 #include "quantities.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 
 /// A point at a station, and its available data.
 typedef struct subject {

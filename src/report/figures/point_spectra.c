@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 #include "figure_kinds.h"
-#include "whirl/engine/spectrum.h"
+#include "whirl/internal/spectrum.h"
 
 enum {
     MAX_BINS = 2500, ///< largest number of bins in a drawn spectrum; of more, each group of bins is drawn as its

@@ -4,8 +4,8 @@
 
 #include "figure_kinds.h"
 #include "machine_along.h"
-#include "whirl/engine/line.h"
 #include "whirl/engine/result.h"
+#include "whirl/internal/line.h"
 
 #include <stdbool.h>
 #include <stddef.h>

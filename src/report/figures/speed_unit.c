@@ -3,7 +3,7 @@
 #include "figure_kinds.h"
 #include "speed_unit.h"
 #include "units.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 
 speed_unit speed_unit_of(const drawing *of, const whirl_table *table, const char *speeds) {
     const whirl_unit unit = whirl_shown_parameter(of->units, table->parameter);

@@ -1,5 +1,5 @@
 // Makes all findings of a result, and finds a sheet by its name.
-#include "whirl/engine/findings.h"
+#include "whirl/internal/findings.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -12,7 +12,7 @@
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 #include "whirl/status.h"
 
 // ---------------------------------------------------------------- all of a result

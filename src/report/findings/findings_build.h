@@ -4,7 +4,7 @@
 #define REPORT_FINDINGS_BUILD_H
 
 #include "whirl/engine/case.h"
-#include "whirl/engine/findings.h"
+#include "whirl/internal/findings.h"
 
 /// A table of a result for which findings are made.
 typedef struct finder {

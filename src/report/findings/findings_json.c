@@ -1,7 +1,7 @@
 // Writes findings as JSON: numbers in SI, next to their shown texts.
 #include "document.h"
 #include "findings_render.h"
-#include "whirl/engine/findings.h"
+#include "whirl/internal/findings.h"
 #include "whirl/status.h"
 
 static json_t *phrase_json(bool *well, const whirl_phrase *phrase) {

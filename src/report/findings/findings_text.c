@@ -6,7 +6,7 @@
 #include "findings_render.h"
 #include "number_shown.h"
 #include "number_text.h"
-#include "whirl/engine/findings.h"
+#include "whirl/internal/findings.h"
 
 enum { CELL_SIZE = 1024 };
 

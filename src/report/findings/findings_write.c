@@ -7,10 +7,10 @@
 #include "findings_render.h"
 #include "text_written.h"
 #include "whirl/engine/descriptor.h"
-#include "whirl/engine/findings.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
 #include "whirl/handles.h"
+#include "whirl/internal/findings.h"
+#include "whirl/internal/shown.h"
 #include "whirl/status.h"
 
 whirl_status whirl_sheet_form_of(const char *name, whirl_sheet_form *form) {

@@ -9,9 +9,9 @@
 #include "number_shown.h"
 #include "number_text.h"
 #include "unit_words.h"
-#include "whirl/engine/findings.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/findings.h"
+#include "whirl/internal/shown.h"
 
 /// Units in sentences of the engine that the words of `--units` (unit_words) lack.
 static const unit_word sentence_units[] = {{"Pa s", "Pa s", UNIT_VISCOSITY, 1.0}, {"kg m", "kg m", UNIT_UNBALANCE, 1.0},

@@ -8,7 +8,7 @@
 #include "regimes.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 
 // ---------------------------------------------------------------- a basin
 

@@ -7,8 +7,8 @@
 #include "shown_kinds.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
 #include "whirl/engine/system.h"
+#include "whirl/internal/shown.h"
 
 /// Adds `before` and the parameter's value at a point, "5700 rpm"; adds nothing without a parameter.
 static void add_place(const finder *of, whirl_phrase *found, const char *before, size_t point) {

@@ -9,7 +9,7 @@
 #include "regimes.h"
 #include "shown_kinds.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 
 bool find_alone(const finder *of) {
     return !*of->table->parameter && !of->table->attractors && whirl_table_planned(of->table) == 1;

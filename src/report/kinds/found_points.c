@@ -13,8 +13,8 @@
 #include "units.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
 #include "whirl/engine/system.h"
+#include "whirl/internal/shown.h"
 
 // ---------------------------------------------------------------- rows of points
 

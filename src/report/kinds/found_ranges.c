@@ -6,7 +6,7 @@
 #include "findings_render.h"
 #include "shown_kinds.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 
 /// Adds the number of points and the first of them, if there is a parameter.
 static void add_points(const finder *of, whirl_phrase *found, const whirl_left *left) {

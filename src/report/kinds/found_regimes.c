@@ -10,7 +10,7 @@
 #include "shown_kinds.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 
 /// A sentence names at most this many ranges; a sheet has all.
 enum { MAX_RANGES = 12 };

@@ -2,8 +2,8 @@
 #ifndef REPORT_MARGINS_H
 #define REPORT_MARGINS_H
 
-#include "whirl/engine/findings.h"
 #include "whirl/engine/result.h"
+#include "whirl/internal/findings.h"
 
 enum { MARGIN_PEAKS = 32, MARGIN_TEXT = 160 };
 

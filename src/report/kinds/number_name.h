@@ -3,8 +3,8 @@
 #define REPORT_NUMBER_NAME_H
 
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
 #include "whirl/engine/spread.h"
+#include "whirl/internal/shown.h"
 
 enum { NUMBER_NAME_SIZE = 5 * WHIRL_NAME_SIZE };
 

@@ -16,9 +16,9 @@
 #include "whirl/engine/case.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
 #include "whirl/engine/system.h"
 #include "whirl/internal/model.h"
+#include "whirl/internal/shown.h"
 #include "whirl/status.h"
 #include "whirl/version.h"
 

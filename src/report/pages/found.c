@@ -10,8 +10,8 @@
 #include "page_findings.h"
 #include "quantities.h"
 #include "summary.h"
-#include "whirl/engine/findings.h"
 #include "whirl/engine/result.h"
+#include "whirl/internal/findings.h"
 
 size_t found_each(const page *to, choose_table *chosen, const void *by, each_table *act, void *context) {
     size_t count = 0;

@@ -2,7 +2,7 @@
 #ifndef REPORT_HTML_H
 #define REPORT_HTML_H
 
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 
 #include <stdio.h>
 

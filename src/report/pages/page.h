@@ -5,9 +5,9 @@
 #include "claim_parts.h"
 #include "whirl/engine/claims.h"
 #include "whirl/engine/figure.h"
-#include "whirl/engine/findings.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/findings.h"
+#include "whirl/internal/shown.h"
 
 #include <stdbool.h>
 #include <stdio.h>

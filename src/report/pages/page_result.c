@@ -9,10 +9,10 @@
 #include "two_pi.h"
 #include "units.h"
 #include "whirl/engine/analyze.h"
-#include "whirl/engine/findings.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
 #include "whirl/engine/system.h"
+#include "whirl/internal/findings.h"
+#include "whirl/internal/shown.h"
 
 static void write_row(FILE *stream, const char *term, const char *text) {
     fputs("<dt>", stream);

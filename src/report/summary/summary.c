@@ -9,10 +9,10 @@
 #include "shown_kinds.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/descriptor.h"
-#include "whirl/engine/findings.h"
 #include "whirl/engine/report.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/findings.h"
+#include "whirl/internal/shown.h"
 #include "whirl/status.h"
 
 /// Returns the number of starts in a table that continue neighbours' motions.

@@ -2,7 +2,7 @@
 #ifndef ROTOR_PAD_CENTRED_H
 #define ROTOR_PAD_CENTRED_H
 
-#include "whirl/engine/bearing.h"
+#include "whirl/internal/bearing.h"
 
 #include <stdbool.h>
 

@@ -12,7 +12,7 @@
 #define ROTOR_PAD_TABLE_H
 
 #include "reynolds.h"
-#include "whirl/engine/bearing.h"
+#include "whirl/internal/bearing.h"
 
 #include <stdbool.h>
 

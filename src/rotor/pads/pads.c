@@ -7,7 +7,7 @@
 #include "bracket.h"
 #include "pad_centred.h"
 #include "reynolds.h"
-#include "whirl/engine/bearing.h"
+#include "whirl/internal/bearing.h"
 
 /// Step of differences in positions and tilts. Forces are exact to 1e-6 and better; differences are of fourth order.
 static const double difference = 0.02;

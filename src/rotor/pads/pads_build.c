@@ -12,7 +12,7 @@
 #include "pad_table.h"
 #include "pad_tables.h"
 #include "turbulence.h"
-#include "whirl/engine/bearing.h"
+#include "whirl/internal/bearing.h"
 
 static oil oil_of(const key_value *values) {
     return (oil){&values[PADS_OIL]};

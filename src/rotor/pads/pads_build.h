@@ -4,7 +4,7 @@
 
 #include "element.h"
 #include "oil.h"
-#include "whirl/engine/bearing.h"
+#include "whirl/internal/bearing.h"
 
 /// Variant of tilting_pad with yielding pivots.
 extern const element_type tilting_pad_yielding_type;

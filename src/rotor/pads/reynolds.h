@@ -15,7 +15,7 @@
 
 #include <stdbool.h>
 
-#include "whirl/engine/bearing.h"
+#include "whirl/internal/bearing.h"
 #include "whirl/status.h"
 
 /// Treatment of negative pressures.

@@ -3,7 +3,7 @@
 #ifndef ROTOR_TURBULENCE_H
 #define ROTOR_TURBULENCE_H
 
-#include "whirl/engine/bearing.h"
+#include "whirl/internal/bearing.h"
 
 /// Divisors of the flow that a pressure gradient drives, around the bearing and along its axis. They are the inverse of
 /// 12 G in the literature: 1 + .0136/12 Re^.90 and 1 + .0043/12 Re^.96 (Ng and Pan 1965).

@@ -1,6 +1,6 @@
 // The bent centre lines of shafts between their nodes, from the shape functions of elements and the reduction of
 // shafts.
-#include "whirl/engine/line.h"
+#include "whirl/internal/line.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,9 +1,9 @@
-/// Shapes of shafts between their nodes (whirl/engine/line.h).
+/// Shapes of shafts between their nodes (whirl/internal/line.h).
 #ifndef ROTOR_SHAFT_PLACES_H
 #define ROTOR_SHAFT_PLACES_H
 
 #include "design.h"
-#include "whirl/engine/line.h"
+#include "whirl/internal/line.h"
 
 /// A place on a piece: the node to its left; and the contributions to its displacement by displacement and slope of
 /// that node and of the next one.

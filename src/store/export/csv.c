@@ -8,7 +8,7 @@
 
 #include "number_text.h"
 #include "whirl/engine/descriptor.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 #include "whirl/status.h"
 
 /// A line of a file while it is written.

@@ -1,5 +1,5 @@
-// Units in which numbers are shown: see whirl/engine/shown.h.
-#include "whirl/engine/shown.h"
+// Units in which numbers are shown: see whirl/internal/shown.h.
+#include "whirl/internal/shown.h"
 
 #include <math.h>
 #include <stdio.h>

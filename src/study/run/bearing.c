@@ -1,5 +1,5 @@
 // Journal bearings alone, over load and speed: independent points, on all threads.
-#include "whirl/engine/bearing_table.h"
+#include "whirl/internal/bearing_table.h"
 
 #include <math.h>
 #include <omp.h>

@@ -11,7 +11,7 @@
 
 #include "near.h"
 #include "whirl/engine/analyze.h"
-#include "whirl/engine/spectrum.h"
+#include "whirl/internal/spectrum.h"
 
 static const double two_pi = 6.283185307179586476925;
 

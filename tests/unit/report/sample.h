@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "whirl/engine/result.h"
-#include "whirl/engine/spectrum.h"
+#include "whirl/internal/spectrum.h"
 
 enum { SAMPLE_RECORD = 24, SAMPLE_TURNS = 4, SAMPLE_STEPS = 16 };
 

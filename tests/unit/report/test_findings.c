@@ -12,9 +12,9 @@
 #include "number_shown.h"
 #include "sample.h"
 #include "shown_kinds.h"
-#include "whirl/engine/findings.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/findings.h"
+#include "whirl/internal/shown.h"
 #include "whirl/status.h"
 
 /// Findings without any in them, of the sweep of the sample.

@@ -13,9 +13,9 @@
 #include "sample.h"
 #include "units.h"
 #include "whirl/engine/analyze.h"
-#include "whirl/engine/findings.h"
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/findings.h"
+#include "whirl/internal/shown.h"
 #include "whirl/status.h"
 
 static whirl_shown_units units_for(const whirl_result *result, const char *asked) {

@@ -5,9 +5,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/engine/bearing.h"
 #include "whirl/engine/rotor.h"
 #include "whirl/engine/torsion.h"
+#include "whirl/internal/bearing.h"
 #include "whirl/status.h"
 
 #ifdef __cplusplus

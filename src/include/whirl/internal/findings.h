@@ -8,7 +8,7 @@
 #include <stdio.h>
 
 #include "whirl/engine/result.h"
-#include "whirl/engine/shown.h"
+#include "whirl/internal/shown.h"
 #include "whirl/status.h"
 
 #ifdef __cplusplus

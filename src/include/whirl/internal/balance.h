@@ -20,7 +20,7 @@ extern "C" {
 
 /// Declared in whirl/engine/case.h.
 struct whirl_problems;
-/// Declared in whirl/engine/findings.h.
+/// Declared in whirl/internal/findings.h.
 struct whirl_findings;
 
 /// Limits of balancing.
@@ -86,7 +86,7 @@ typedef struct whirl_balance_coefficient {
 /// A balancing file. It owns its arrays.
 typedef struct whirl_balance {
     char title[256]; ///< in one line
-    char units[64];  ///< units in which numbers are shown (whirl/engine/shown.h), or ""
+    char units[64];  ///< units in which numbers are shown (whirl/internal/shown.h), or ""
     /// Sense in which the file counts angles on the rotor (against the rotation), and phases (leading).
     bool against, leads;
     char counted[8];                                  ///< kind of its amplitudes: "0-p", "p-p", "rms"; "" not given

@@ -1,6 +1,6 @@
 /// Tables of a journal bearing over load and speed, as `whirl bearing` computes them from a file (YAML,
 /// docs/guide/15-bearings.md): equilibrium of the journal, stiffness, damping, film, flow and power. All in SI; method
-/// and frame of reference are those of whirl/engine/bearing.h.
+/// and frame of reference are those of whirl/internal/bearing.h.
 #ifndef WHIRL_BEARING_TABLE_H
 #define WHIRL_BEARING_TABLE_H
 
@@ -8,9 +8,9 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "whirl/engine/bearing.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/stop.h"
+#include "whirl/internal/bearing.h"
 #include "whirl/status.h"
 
 #ifdef __cplusplus
@@ -51,7 +51,7 @@ typedef enum whirl_bearing_remark {
 /// A bearing file.
 typedef struct whirl_bearing {
     char title[256];            ///< in one line
-    char units[64];             ///< units in which numbers are shown (whirl/engine/shown.h), or ""
+    char units[64];             ///< units in which numbers are shown (whirl/internal/shown.h), or ""
     char kind[WHIRL_NAME_SIZE]; ///< "two-groove", ...; "pads" for pads given one by one
     whirl_pads pads;            ///< rotated to their angles in the machine
     double radius, length;      ///< m, of the journal
