@@ -1,4 +1,4 @@
-/// What the programs have in common that carry the rotor adaptively: rtol 1e-9 and atol 1e-12 where they do not say
+/// Shared by the programs that carry the rotor adaptively: rtol 1e-9 and atol 1e-12 where they do not say
 /// otherwise, error after 20 revolutions, then speed. C and C++.
 ///
 /// A program is called with the seconds to measure for and prints one line for each thing that it measures:

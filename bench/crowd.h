@@ -29,7 +29,7 @@ void *room(size_t count, size_t size);
 crowd *crowd_new(const crowd_kind *kind, bool watched);
 void crowd_free(crowd *c);
 
-/// Of a peer, whose context is a crowd.
+/// Carries all machines of a crowd over a revolution; a peer's function, whose context is the crowd.
 void crowd_revolve(void *context);
 
 /// The first coordinate of the first machine.

@@ -185,7 +185,7 @@ static double limited(double current, double most) {
     return fmin(fmax(current, 0.0), most);
 }
 
-/// Of one axis at u: the force along it, and the slopes of its four states.
+/// Returns the force along one axis at u, and writes the slopes of its four states.
 static double magnet_axis(const magnet_law *own, double u, const double *s, double *slope) {
     const double sensed = s[0];
     slope[0] = own->sensor * (u - sensed);

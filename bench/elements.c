@@ -393,7 +393,7 @@ static bench bench_new(const bench_element *of, const whirl_rotor *rotor) {
             state *at = &b.states[block * b.width + lane];
             *at = random_state(of);
             fill_lane(&b, q, v, at, lane);
-            // What the kernel sees of a ring is the difference of both places.
+            // The kernel of a ring gets the difference of both displacements.
             for (size_t a = 0; a < 2 && of->axes == COORDINATES; a++) {
                 at->d[a] = q[a * b.width + lane] - q[(a + 2) * b.width + lane];
                 at->w[a] = v[a * b.width + lane] - v[(a + 2) * b.width + lane];

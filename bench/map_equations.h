@@ -1,4 +1,4 @@
-/// What the peers of a map do at each of its points: the paper's rotor (rotor.h) with its unbalance as a second
+/// The task of the peers at each point of a map: the paper's rotor (rotor.h) with its unbalance as a second
 /// parameter, adaptively at rtol 1e-6 and atol 1e-9, from rest; sections and the bounds of the disc over the last
 /// revolutions, and the growth of a perturbation of 1e-8 by a second motion over the second half.
 #ifndef BENCH_MAP_EQUATIONS_H
@@ -20,7 +20,7 @@ static inline void map_equations(double r_k, double rho, double t, const double 
     dz[5] += (rho - rotor_rho) * s;
 }
 
-/// Of point i along an axis.
+/// Returns the stiffness ratio of point i along its axis.
 static inline double map_r_k(int i) {
     return 1.0 - 0.9 * i / (MAP_SIDE - 1);
 }

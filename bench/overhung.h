@@ -40,7 +40,7 @@ static inline double overhung_speed(int i, int n) {
     return OVERHUNG_SPEED + 372.0 * i / (n > 1 ? n - 1 : 1);
 }
 
-/// What follows from a speed, for forces by unit of inertia.
+/// Scales that follow from a speed, for forces per unit of inertia.
 typedef struct overhung_scales {
     double stiffness, film[2], push, damping; ///< of K and g, of F0, and of the rub's k and c
 } overhung_scales;
@@ -56,7 +56,7 @@ static inline overhung_scales overhung_scales_at(double speed) {
     return scales;
 }
 
-/// What bench_overhung_matrices writes, in this order.
+/// Matrices in the order in which bench_overhung_matrices writes them.
 typedef struct overhung_matrices {
     double K[OVERHUNG_DEGREES][OVERHUNG_DEGREES], G[OVERHUNG_DEGREES][OVERHUNG_DEGREES];
     double P[OVERHUNG_PORTS][OVERHUNG_DEGREES]; ///< a column each

@@ -1,4 +1,4 @@
-/// What the benchmark programs have in common: proof, then measurement. C and C++.
+/// Shared by the benchmark programs: proof, then measurement. C and C++.
 ///
 /// A program is called with the seconds to measure for and prints one line for each thing that it measures:
 /// name, steps a second of processor time, x1 after 20 revolutions; separated by tabs.

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Documents, help and messages use plain words and short sentences:  words.py ROOT
 
-Fails for a phrase of the list below in a document, in the help of keys (docs/reference/keys.md) or in the man page, and
-for a sentence of more than 40 words. It prints file, line, phrase and what to write instead. Code, formulas, links and
+Fails for a phrase of the list below in a document, in the help of keys (docs/reference/keys.md) or in the man page, for
+a sentence of more than 40 words, and for a comment of code that begins with a relative word (What, Whether, Those, ...)
+in place of its subject. It prints file, line, phrase and what to write instead. Code, formulas, links and
 tables of numbers are left out. Messages in the sources may not have more such phrases than MESSAGES.
 """
 
@@ -43,6 +44,8 @@ MEANT = {
 # Documents with sentences of more than 40 words, and how many each may have: none today.
 LONG = {}
 MAX_WORDS = 40
+# A comment that begins so answers a question that nobody sees.
+WITHOUT_SUBJECT = re.compile(r"\s*//[/!]?\s*(?:What|Whether|Those|Who|Whose|Which|How)\b(?!.*\?$)")
 # Messages with such phrases that are left; lower it when there are fewer.
 MESSAGES = 7
 
@@ -105,6 +108,13 @@ def main():
             long_ones = [(n, words) for n, words in sentences(text) if len(words) > MAX_WORDS]
             for number, words in long_ones if len(long_ones) > LONG.get(name, 0) else []:
                 complain(name, number, f'"{" ".join(words[:8])} ...": {len(words)} words, write sentences of up to 25')
+
+    for name in listed(root, "*.c", "*.h", "*.cc", "*.inc", "*.ts", "*.mjs"):
+        before = ""
+        for number, line in enumerate((root / name).read_text(encoding="utf-8").split("\n"), 1):
+            if WITHOUT_SUBJECT.match(line) and not before.lstrip().startswith("//"):
+                complain(name, number, f'"{line.strip()[:50]} ...": begin with the subject, or with a verb')
+            before = line
 
     told = []
     for name in listed(root, "src/**/*.c", "cli/*.c", "cli/*.h", "include/**/*.h", "bindings/**/*.c"):

@@ -1,4 +1,4 @@
-// What the tests in a browser share: the page of a small run, opened from disk in Chromium, and what it complains of.
+// Shared by the tests in a browser: the page of a small run, opened from disk in Chromium, and its errors.
 //
 //   tests/run.sh WHIRL TEMPLATE
 import assert from 'node:assert/strict';
@@ -91,7 +91,7 @@ export async function closeBrowser() {
 
 /// The verdict of a pane once a whole computation (no quick look) is there.
 export async function settled(page, side = 'a') {
-  // What was just done is drawn with the next frame.
+  // The page draws its last change with the next frame.
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   await page.waitForFunction(
     (name) => {
@@ -123,7 +123,7 @@ export async function saved(page, panel, kind) {
   return { name: file.suggestedFilename(), bytes: readFileSync(await file.path()) };
 }
 
-/// What axe finds on the page but in what `exclude` selects, one line for each thing.
+/// Returns the findings of axe on the page, one line each, without the elements that `exclude` selects.
 export async function axeFindings(page, exclude = []) {
   await page.evaluate(readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8'));
   const { violations, passes } = await page.evaluate(

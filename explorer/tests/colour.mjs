@@ -1,4 +1,4 @@
-// How colours look to readers of other colour vision, and how far two of them are apart.
+// Colours as readers with other colour vision see them, and the distance of two colours.
 //
 // Dichromats: G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, A Physiologically-based Model for Simulation of Color
 // Vision Deficiency, IEEE Trans. Vis. Comput. Graph. 15 (2009) 1291, severity 1.0, which take linear RGB. Distance:

@@ -1,4 +1,4 @@
-// How long the reader waits:  WHIRL=... TEMPLATE=... node tests/latency.mjs PAGE.html
+// Times for which the reader waits:  WHIRL=... TEMPLATE=... node tests/latency.mjs PAGE.html
 //
 // Milliseconds in Chromium and Firefox, of a page opened from disk: until the stored diagram stands; until the pictures
 // of a value are there that a slider was moved to; until a new diagram shows its first points. Median and worst of all

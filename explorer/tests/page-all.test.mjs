@@ -202,7 +202,7 @@ test('the drawing is a map: a click or a key on a station selects it in all view
     await page.$eval('.rest .map-card:not([hidden]) select', (list) => list.selectedOptions[0].textContent),
     'left',
   );
-  // What is saved is the drawing alone.
+  // The saved file has the drawing alone.
   await page.click(`${PARTS} >> nth=0`);
   const svg = (await saved(page, '[data-figure="rotor"]', 'svg')).bytes.toString('utf8');
   assert.ok(svg.includes('<svg') && !svg.includes('spot'), 'no button in the file');

@@ -78,7 +78,7 @@ function rowsOf(text) {
   return lines.map((line) => Object.fromEntries(line.split(',').map((cell, i) => [names[i], Number(cell)])));
 }
 
-/// What the result holds of its branches: points with the fields of several rows among them.
+/// Returns the branches of the result: points, with the fields of several rows.
 function stored() {
   command('export', 'beside.h5', '--csv', 'csv', '--force');
   const read = (name) => rowsOf(readFileSync(join(folder, 'csv', name), 'utf8'));
@@ -100,7 +100,7 @@ function unstableOf(points, revolutions) {
   return all[Math.floor(all.length / 2)];
 }
 
-/// Where the rings of setting A are on the screen.
+/// Returns the places of the rings of setting A on the screen.
 async function ringsOf(page) {
   await page.waitForSelector('.orbit-mark.side-a');
   return page.evaluate(() =>
@@ -123,7 +123,7 @@ const orbitShown = (page, row) =>
 
 const near = (a, b) => assert.ok(Math.abs(a - b) < 1e-6, `${a} is not ${b}`);
 
-/// What the page shows of an orbit is what the result holds of it.
+/// Checks that the page shows the numbers of an orbit that the result has.
 async function expectOrbit(page, point) {
   const revolutions = point['trace/revolutions [revolution]'];
   const unstable = point['trace/unstable [1]'];

@@ -57,7 +57,7 @@ test('a derived parameter follows until one asks to set it, and again when that 
   await shows(page, 'kappa', 10);
   assert.ok(await readOnly(page, 'kappa'));
   await page.waitForFunction(() => !location.hash.includes('kappa'));
-  // What follows stays an expression in the case that is kept.
+  // A parameter that follows from others stays an expression in the saved case.
   const [file] = await Promise.all([page.waitForEvent('download'), page.click('[data-save="case"]')]);
   assert.match(readFileSync(await file.path(), 'utf8'), /kappa: +(=|'=) 200\*mu/);
   // Along the diagram it is set by the cursor.

@@ -104,7 +104,7 @@ test('Recompute paints few points at once, then more; no verdict before the leng
   assert.ok(first.counts.undetermined <= 32, `the first picture has ${first.counts.undetermined} points`);
   const total = Object.values(frames.at(-1).counts).reduce((sum, count) => sum + count, 0);
   assert.equal(total, 64);
-  // What stands there in the end is what the command says.
+  // The final diagram has the numbers of the command.
   const mine = (await saved(page, '.map-card', 'csv')).bytes
     .toString('utf8')
     .trim()

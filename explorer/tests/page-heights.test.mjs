@@ -17,7 +17,8 @@ after(closeBrowser);
 const frame = (page) =>
   page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
-/// What the vertical axis of the upper or lower chart says at a distance from the top of its plotting area, in pixels.
+/// Returns the value of the vertical axis of the upper or lower chart at a distance from the top of its plotting area,
+/// in pixels.
 async function axis(page, card, chart = 'main') {
   await frame(page);
   const svg = (await saved(page, card, 'svg')).bytes.toString('utf8');
@@ -51,7 +52,7 @@ function near(found, expected, most, what) {
   assert.ok(Math.abs(found - expected) <= most, `${what}: ${found}, expected ${expected}`);
 }
 
-/// Of the whole height of a chart: one pixel.
+/// Tolerance: one pixel of the whole height of a chart.
 const pixel = (at, { height }) => Math.abs(at(0) - at(height)) / height;
 
 async function fanPage(options) {

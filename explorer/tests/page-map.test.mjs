@@ -58,7 +58,8 @@ const csvOf = async (page, card) => cellsOf((await saved(page, card, 'csv')).byt
 const near = (a, b, most = 1e-6) => assert.ok(Math.abs(a - b) < most, `${a} is not ${b}`);
 const number = (text) => Number(text.replace('\u2212', '-'));
 
-/// Where a point's cell is on the screen: speeds evenly, unbalances by ratios, half a cell beyond the outer ones.
+/// Returns the place of a point's cell on the screen: speeds evenly, unbalances by ratios, half a cell beyond the outer
+/// ones.
 async function placeOf(page, point) {
   const box = await (await page.$(`${CARD} .overlay`)).boundingBox();
   const right = (columns.indexOf(point.omega) + 0.5) / columns.length;
@@ -274,7 +275,8 @@ test('finer cells are computed where one looks, and are those of a run there', {
   ]) {
     await page.mouse.click(...at(right, up));
     const own = await told(page);
-    // What the motion itself gives: the pane shows the one before until the engine has read the new setting.
+    // Wait for the verdict of the motion itself: the pane shows the one before until the engine has read the new
+    // setting.
     await page.waitForFunction((name) => document.querySelector('.pane-a .verdict').textContent === name, own.verdict, {
       timeout: 60_000,
     });

@@ -1,4 +1,4 @@
-// Where the page opens: at a point that the run is sure of, whose motion is seen before anything is computed.
+// The page opens at a point with high confidence, and shows its motion before anything is computed.
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';

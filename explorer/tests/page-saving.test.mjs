@@ -1,4 +1,4 @@
-// What the explorer saves, and the cases and commands it writes, in a real Chromium.
+// Files that the explorer saves, and the cases and commands that it writes, in a real Chromium.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -69,7 +69,7 @@ async function labelled(page, svg) {
   }, svg);
 }
 
-/// Whether a segment passes through a box (Liang and Barsky 1984).
+/// Returns true if a segment passes through a box (Liang and Barsky 1984).
 function crosses([left, right, top, bottom], [x0, y0, x1, y1]) {
   let [from, to] = [0, 1];
   for (const [p, q] of [

@@ -23,7 +23,7 @@ before(() => {
 });
 after(closeBrowser);
 
-/// What sticks out of the page sideways, but for what stands in a box of its own that scrolls.
+/// Returns the elements that are wider than the page, except those in a box that scrolls.
 const overhang = (page) =>
   page.evaluate(() => {
     const width = document.documentElement.clientWidth;

@@ -1,4 +1,4 @@
-// Where the checksums of the metadata of an HDF5 file stand, and putting them right after a change.
+// Finds the checksums of the metadata of an HDF5 file, and corrects them after a change.
 #ifndef FUZZ_CHECKSUMS_H
 #define FUZZ_CHECKSUMS_H
 

@@ -1,6 +1,5 @@
-// What is watched stands in one list (whirl/engine/watched.h): every line of it is found in the fields of a point, with
-// the record's numbers, and in all that walks these: result files, journals, CSV, JSON, reports and the explorer's
-// page.
+// Watched quantities are in one list (whirl/engine/watched.h). Every line of it is found in the fields of a point, with
+// the record's numbers, and so in result files, journals, CSV, JSON, reports and the explorer's page.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

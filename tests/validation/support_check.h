@@ -23,7 +23,7 @@ void note_within(const char *id, const char *what, double expected, double obtai
 /// The same words.
 void check_text(const char *id, const char *what, const char *expected, const char *obtained);
 
-/// That something holds; `statement` is put on record.
+/// Checks that a statement holds, and records it.
 void check_holds(const char *id, const char *statement, bool holds);
 
 /// Ends the test with the message of a status that is not success.

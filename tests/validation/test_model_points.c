@@ -1,7 +1,7 @@
 // The ten points of the 2015 paper's rotor, calibrated reading, that are known from two other programs (fixed and
 // adaptive steps): regime, largest exponent, extremes, lines and rub. The study of cases/paper-point.yaml for each.
 //
-// What is sharp (periodic and quasi-periodic motion) is compared to the printed digits. Extremes, shares and broad
+// Numbers of periodic and quasi-periodic motions are compared to the printed digits. Extremes, shares and broad
 // lines of a chaotic record differ from record to record: `scatter` is the standard deviation over twelve records of
 // 6000 revolutions that another program computed from the same equations, and three of it are allowed.
 //

@@ -312,7 +312,7 @@ static void station_account(const seen *at, const unbalance *of, size_t count, b
     double inertia = 0.05, c = 0.0, s = 0.0;
     *out = (account){.energy = 0.5 * mass * square(vx, vy) + 5e4 * square(x, y) + mass * gravity * y,
                      .taken = 50.0 * square(vx, vy)};
-    // Those that turn with the shaft have one centre of mass, the others each its own.
+    // Unbalances that turn with the shaft have a common centre of mass, others have their own.
     for (size_t i = 0; i < count; i++) {
         const double phase = of[i].ratio * at->angle + of[i].angle, turned = of[i].moment * of[i].ratio;
         out->energy += turned * w * (vy * cos(phase) - vx * sin(phase)) + of[i].moment * gravity * sin(phase);

@@ -24,7 +24,7 @@ static const double two_pi = 6.283185307179586476925;
 
 // ---------------------------------------------------------------- one element at a station
 
-/// What a law is given, in SI: its parameters, the shaft's speed and angle, place and velocity, its own states, the
+/// Input of a law, in SI: its parameters, the shaft's speed and angle, place and velocity, its own states, the
 /// station's mass.
 typedef struct given {
     const number *p;

@@ -242,9 +242,9 @@ static void equations_agree(const whirl_study *study) {
     check_within("starts", "the paper's rotor: slopes by equations of the test's own", 0.0, largest, 1e-12);
 }
 
-/// How many of the starts lead to the motion of a place: by whirl, and by brute force. A start near the boundary of
-/// two basins, which are folded into each other, goes where the errors of a method take it: shares are what can be
-/// compared, by their standard errors.
+/// Compares the numbers of starts that lead to each motion of a place, by whirl and by brute force. Errors of a method
+/// decide where a start near the boundary of two basins goes, since the basins are folded into each other: only shares
+/// can be compared, by their standard errors.
 static void compare_shares(const whirl_table *table, size_t place) {
     const ratio *at = &ratios[place];
     double shares[2] = {0.0, 0.0}, variance = 0.0;

@@ -4,9 +4,9 @@
 //
 //     y' = -K a(t) (y - G(x)),  x' = -K b(t) (x - y),  a = max(0, sin t)^2,  b = max(0, -sin t)^2.
 //
-// What is left of each way is exp(-K pi/2) = 1e-17, by whatever steps: in each half the equations are linear with a
-// target that stands still. So motions are known that no flow of a textbook has: locks of every period, chaos that is
-// proven, and chaos that ends after a known mean lifetime.
+// After each half the distance from the target is exp(-K pi/2) = 1e-17 of that before, for all steps: the equations are
+// linear, and the target does not move. So motions are known that no flow of a textbook has: locks of every period,
+// chaos that is proven, and chaos that ends after a known mean lifetime.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -98,7 +98,7 @@ export class Chart implements Figure {
   private part: Range | undefined;
   private xLabel = '';
   private yLabel = '';
-  /// Which axes are logarithmic.
+  /// True for logarithmic axes.
   private logarithmic = { x: false, y: false };
   private ticks: { x: Ticks; y: Ticks } = { x: NO_TICKS, y: NO_TICKS };
 

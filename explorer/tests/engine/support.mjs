@@ -1,4 +1,4 @@
-// What the tests of the engine share: points whose answers `whirl run` gives, and how they are compared.
+// Shared by the tests of the engine: points with the answers of `whirl run`, and comparisons with them.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 
 const root = fileURLToPath(new URL('../../..', import.meta.url));
 
-/// Where the tests find the command and the engine's parts: the build directory that they are called with.
+/// The build directory, an argument of the tests, with the command and the engine's parts.
 export const BUILD = process.env.WHIRL_BUILD ?? join(root, 'build');
 export const WHIRL = process.env.WHIRL ?? join(BUILD, 'whirl');
 export const PARTS = join(BUILD, 'explorer');

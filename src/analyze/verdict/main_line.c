@@ -62,7 +62,7 @@ static const whirl_line *unmatched_line(const whirl_spectrum *spectrum, const li
 }
 
 /// Takes a second line, and fits both to the record, to see how they change and whether they are the whole motion.
-/// Where the second one is too near to the first to be told apart, the first one is fitted alone.
+/// If the second one is too near to the first, the first one is fitted alone.
 static void main_line_fit(main_line *found, const whirl_record *record, size_t station, const whirl_spectrum *spectrum,
                           const whirl_line *second) {
     const double left[] = {[1] = 1e-2, [2] = 1e-3}; // of the mean square, at which lines are the whole motion

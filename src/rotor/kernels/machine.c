@@ -106,7 +106,7 @@ static void pass_terms(const whirl_rotor *rotor, const block *b) {
     }
 }
 
-/// As pass_terms, for one vector without perturbations.
+/// Adds the terms as pass_terms does, for one vector without perturbations.
 static void pass_terms_alone(const whirl_rotor *rotor, const block *b) {
     const vec *const from[] = {[SOURCE_PLACE] = b->q, [SOURCE_VELOCITY] = b->v};
     const vec *number = b->numbers + rotor->plane_count * STATION_NUMBERS;

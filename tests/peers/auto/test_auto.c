@@ -60,7 +60,7 @@ static void equations_are_the_same(void **unused) {
     check_within("E3", "and of its derivatives by the state", 0.0, matrix_error, 1e-12);
 }
 
-/// What AUTO says; no points where it is not installed.
+/// Points that AUTO computed; none if it is not installed.
 typedef struct followed {
     peer_point points[16];
     size_t count;

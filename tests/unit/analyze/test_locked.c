@@ -41,7 +41,8 @@ static void on_oval(const double *z, double *point) {
     point[2] = 0.5 * sin(2.0 * angle + 0.4);
 }
 
-/// What is said of an ensemble: quasi-periodic with low, fair or high confidence, by one record; periodic; neither.
+/// Counts of verdicts on an ensemble: quasi-periodic with low, fair or high confidence, by one record; periodic;
+/// neither.
 typedef struct tally {
     int quasi[WHIRL_HIGH + 1], periodic, open, count;
 } tally;

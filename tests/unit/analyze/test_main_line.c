@@ -42,7 +42,7 @@ static void lines_at(const known_lines *of, double n, double out[DIMENSION]) {
     }
 }
 
-/// What a record of so many revolutions is made of.
+/// A record of up to MAX_REVOLUTIONS, and its arrays.
 typedef struct known_record {
     whirl_probe probe;
     whirl_record record;

@@ -16,7 +16,7 @@ static const double two_pi = 6.283185307179586;
 
 enum { REVOLUTIONS = 20, SAMPLES = 64, COUNT = REVOLUTIONS * SAMPLES };
 
-/// What the analysis says of one station.
+/// Numbers of the analysis for one station.
 typedef struct answer {
     double winding, backward, direction, contact, dry_whip;
 } answer;

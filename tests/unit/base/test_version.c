@@ -1,4 +1,4 @@
-// Which versions a program may ask for.
+// Versions that a program may require.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -428,7 +428,8 @@ static void no_yaml(void **state) {
     expect_bytes_problem(nul, sizeof nul - 1,
                          "t:1:4: has the byte 0x00, expected text in UTF-8 without control characters");
     expect_bytes_problem(escape, sizeof escape - 1, "t:1:4: has a control character, expected text");
-    // What an editor shows of these lines is not what is read, and a terminal takes U+009B for an escape sequence.
+    // An editor shows these lines in another order than they are read, and a terminal takes U+009B for an escape
+    // sequence.
     const char override[] = "a: 1\nb: x\xE2\x80\xAE\n", isolate[] = "# \xE2\x81\xA6\na: 1\n",
                c1[] = "a: \xC2\x9B"
                       "2J\n",
@@ -566,7 +567,7 @@ static void many_problems_at_once(void **state) {
     whirl_problems_free(&problems);
     free(film);
     free(rub);
-    // What is no name for a station is not proposed as one.
+    // A text that cannot name a station is not proposed as a name.
     char *nameless = edited(good_case, "    disc: {mass", "    di sc: {mass");
     assert_int_equal(whirl_case_parse(nameless, strlen(nameless), "t", &problems, &object).code, WHIRL_BAD_INPUT);
     for (size_t i = 1; i < problems.count; i++) assert_null(strstr(problems.items[i].message, "di sc"));

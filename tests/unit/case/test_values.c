@@ -1,4 +1,4 @@
-// What a case means: numbers, units, expressions, overrides, batches and starts.
+// Meaning of a case: numbers, units, expressions, overrides, batches and starts.
 #include "case_support.h"
 
 #include <math.h>
@@ -227,7 +227,7 @@ static void wrong_settings_leave_the_case_as_it_was(void **state) {
     expect_refused("kappa=2x", "kappa: is 2x, expected a number, or a number and a unit, with a space before the unit");
     expect_refused("kappa=", "kappa: is empty, expected a number, a quantity or an expression");
     expect_refused("omega=3 kg", "omega: is in kg, expected a unit of rad/s");
-    // What UDUNITS takes silently for something else.
+    // Texts that UDUNITS silently takes for another unit.
     static const char *const slips[] = {"rad/s)",
                                         "rad/(s).2",
                                         "(rad)2.s",

@@ -254,7 +254,7 @@ static void test_the_rotor_rubs(void **state) {
 
 // ---------------------------------------------------------------- lanes that integrators carry
 
-/// What an integrator shows, gathered by hand.
+/// Observations of an integrator's motion, gathered by hand.
 typedef struct gathered {
     const whirl_system *system;
     double low[DIMENSION], high[DIMENSION], sum, samples[4];
@@ -406,7 +406,7 @@ static void test_lanes_of_integrators_have_one_shape(void **state) {
 
 enum { PARTS = 3, COLUMNS = DIMENSION * DIMENSION };
 
-/// Where a part leads: the state, the perturbations, the volume.
+/// End of a part of the period: the state, the perturbations, the volume.
 typedef struct flown {
     double x[DIMENSION], columns[COLUMNS], volume;
 } flown;

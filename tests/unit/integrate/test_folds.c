@@ -1,5 +1,5 @@
-// What is watched is folded as its line in whirl/engine/watched.h says: each fold, of values and of squares, beside
-// closed forms of a sinusoid that is seen at equal distances over whole periods.
+// Watched quantities are folded as their lines in whirl/engine/watched.h say: each fold, of values and of squares,
+// agrees with the closed form of a sinusoid at equal distances over whole periods.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -164,7 +164,7 @@ static whirl_integrator *integrator_of(const whirl_system *system, const char *b
     return integrator;
 }
 
-/// How often right-hand sides were asked for.
+/// A stiff equation that counts the calls of its right-hand side.
 typedef struct stiff_model {
     double rate;
     long *asked;

@@ -183,7 +183,7 @@ static void spectra_have_directions(void **state) {
     }
 }
 
-// What is missing is null, never a word that is no JSON.
+// Missing numbers are null, never a word that is no JSON.
 static void missing_numbers_are_null(void **state) {
     fixture *f = *state;
     synthetic_set(&f->made->tables[0], 0, "rub/contact", NAN);

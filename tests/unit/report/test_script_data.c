@@ -11,7 +11,7 @@
 
 #include "figure_build.h"
 
-/// What is written in memory, read back as text.
+/// A stream in memory, whose content is read back as text.
 typedef struct sheet {
     FILE *stream;
     char *text;

@@ -1,4 +1,4 @@
-// What tests of designs share: settings, statuses that must be good, numbers by chance.
+// Shared by tests of designs: settings, checks of statuses, random numbers.
 #ifndef UNIT_ROTOR_SETTINGS_H
 #define UNIT_ROTOR_SETTINGS_H
 

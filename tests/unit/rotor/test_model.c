@@ -1,4 +1,4 @@
-// What a machine is made of: against cones and sums in closed form.
+// Parts of a machine (whirl/internal/model.h), compared with cones and sums in closed form.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,4 +1,4 @@
-// What a rotor says of its stations: where they touch a stator, and the clearance of their bearings.
+// Facts of a rotor's stations: gaps to stators, and clearances of bearings.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,4 +1,4 @@
-// What a seal by its geometry says of itself, and where it is refused.
+// Numbers of a seal that follow from its geometry, and geometries that are refused.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

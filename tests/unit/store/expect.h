@@ -1,4 +1,4 @@
-/// What statuses of the store are expected to say.
+/// Checks of the statuses of the store.
 #ifndef UNIT_STORE_EXPECT_H
 #define UNIT_STORE_EXPECT_H
 

@@ -142,7 +142,7 @@ static void a_partial_file_has_what_is_done(void **state) {
     assert_true(whirl_result_partial(read, &done, &total));
     assert_int_equal(done, 2 + read->tables[1].count);
     assert_int_equal(total, SYNTHETIC_POINTS + read->tables[1].count);
-    // What was read is written as it is.
+    // A result that was read is written unchanged.
     check(whirl_result_write(read, f->path));
     check(whirl_result_verify(read, f->path));
     check(whirl_result_read(f->path, &again));

@@ -147,7 +147,7 @@ static int teardown(void **state) {
     return failed;
 }
 
-/// What a run was told; `written` is verified, too: the file holds every number of the result.
+/// Reports that a run got. `written` is verified, too: the file has every number of the result.
 typedef struct told {
     bool begun, kept[KEPT_POINTS], closed, written, removed;
 } told;

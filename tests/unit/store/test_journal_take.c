@@ -1,4 +1,4 @@
-// What journals take from one another: points to the bit, those that they are for, and states of points under way.
+// Journals take from one another points to the bit, only those that they are for, and states of unfinished points.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

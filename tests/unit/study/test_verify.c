@@ -50,7 +50,7 @@ static void test_the_order_of_a_step(void **state) {
     assert_true(fabs(slow->order[0] - 4) < 0.02);
     assert_int_equal(v->integrate[0][2].steps_per_revolution, 256);
     assert_true(v->integrate[1][0].rtol == 1e-9 && fabs(v->integrate[1][2].rtol - 1e-11) < 1e-24);
-    // What differs from a reference of 1e-11 is the error.
+    // The error is the difference from a reference with a tolerance of 1e-11.
     double x[1] = {0.5};
     whirl_machine one;
     assert_int_equal(make_follower(NULL, NULL, rates[SLOW], &one).code, WHIRL_OK);

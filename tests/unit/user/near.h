@@ -1,4 +1,4 @@
-/// What tests of users' systems share. After cmocka.h.
+/// Shared by tests of users' systems. Include it after cmocka.h.
 #ifndef TESTS_USER_NEAR_H
 #define TESTS_USER_NEAR_H
 
