@@ -132,7 +132,7 @@ static bool gear_named_order(const element *own, size_t index, double *order, co
     .switch_curvature = gear_curvature, .touches = gear_touches, .jumps = gear_jumps, .carry = gear_carry,             \
     .carries_as = WHIRL_TORQUE_MESH
 
-/// What a gear has more whose mesh varies: the phase of the mesh, a state.
+/// Additional members of a gear whose mesh varies: the phase of the mesh is a state.
 #define GEAR_TURNING .state_count = KERNEL_STATES, .turning = 1, .rounds = gear_rounds, .named_order = gear_named_order
 
 /// Gears whose tilts close the teeth, too; with a mesh that varies.
