@@ -1,11 +1,13 @@
 function found = whirl_fit(given_case, data, unknown, varargin)
 % WHIRL_FIT  Fits parameters of a machine to measured motions.
 %   FOUND = WHIRL_FIT(CASE, DATA, UNKNOWN) takes the text of a case or its file, whose study is replaced; the name of a
-%   table (guide, chapter 18), or a cell of headings and columns, {'speed [rpm]', n, 'disc x [um]', x}; and a struct of
-%   the unknown parameters, each [] or [from to] in SI: struct('k', [0.6e6 2e6], 'e', []).
+%   table (guide, chapter 18), or a cell of headings and columns, {'speed [rpm]', n, 'disc x [um]', x}, or a struct of
+%   an onset, a critical speed or a mode, struct('onset', '5200 rpm', 'noise', '50 rpm'), or a cell of such structs; and
+%   a struct of the unknown parameters, each [] or [from to] in SI: struct('k', [0.6e6 2e6], 'e', []).
 %
-%   WHIRL_FIT(..., NAME, VALUE, ...) sets further keys of the study fit: 'starts', 'profile', 'loss', ...; 'noise', in
-%   metres or as a text '2 um'; and 'at', a struct of parameters in SI that the measurement had.
+%   WHIRL_FIT(..., NAME, VALUE, ...) sets further keys of the study fit: 'starts', 'profile', 'loss', ...; and of a
+%   table: 'noise', in metres or as a text '2 um'; 'at', a struct of parameters in SI that the measurement had;
+%   'compare', 'statistics' for motions that are not periodic.
 %
 %   FOUND has a struct for each unknown, with start, value, error, low and high (95 %), profile ([low high]) and known:
 %   'determined', 'at a bound', 'weak' or 'unknown'; FOUND.result is that of WHIRL_RUN.
@@ -22,17 +24,27 @@ if ~any(text == 10)
     text = fileread(file_of(text));
 end
 written = '';
-if iscell(data)
+if iscell(data) && ischar(data{1})
     written = [tempname() '.csv'];
     write_columns(written, data);
     data = written;
 end
-item = struct('file', whole_path(text_of(data)));
 fit = struct();
+numbers = isstruct(data);
+if numbers
+    fit.data = {data};
+elseif iscell(data)
+    fit.data = data;
+    numbers = true;
+else
+    item = struct('file', whole_path(text_of(data)));
+end
 for i = 1:2:numel(varargin)
     value = varargin{i + 1};
-    if any(strcmp(varargin{i}, {'noise', 'at'}))
-        if isnumeric(value)
+    if any(strcmp(varargin{i}, {'noise', 'at', 'compare'}))
+        if numbers
+            error('whirl:badInput', '%s belongs to a table, and onsets and modes have it in their struct', varargin{i});
+        elseif isnumeric(value)
             value = sprintf('%.17g m', value);
         end
         item.(varargin{i}) = value;
@@ -48,7 +60,9 @@ for i = 1:numel(names)
         fit.unknown.(names{i}) = struct('from', bounds(1), 'to', bounds(2));
     end
 end
-fit.data = {item};
+if ~numbers
+    fit.data = {item};
+end
 % JSON is YAML: the study in one line replaces that of the case.
 kept = regexprep([text char(10)], '(?m)^study:.*\n(?:(?:[ \t#].*)?\n)*', '', 'dotexceptnewline');
 kept = [kept 'study: ' jsonencode(struct('fit', fit)) char(10)];
@@ -63,13 +77,18 @@ found = struct('result', result);
 words = {'determined', 'at a bound', 'weak', 'unknown'};
 table = result.fit.fit;
 [~, best] = min(table.outcome(:, 4));
+rows = reshape(table.unknown, [], numel(names), 8);   % a single unknown has no dimension of its own
 for i = 1:numel(names)
-    row = reshape(table.unknown(best, i, :), 1, []);
+    row = reshape(rows(best, i, :), 1, []);
     own = struct('start', row(2), 'value', row(3), 'error', row(4), 'low', row(3) - row(5), 'high', row(3) + row(5));
-    own.known = words{row(8) + 1};
+    own.known = 'unknown';   % also where a motion or number was lost at the start
+    if ~isnan(row(8))
+        own.known = words{row(8) + 1};
+    end
     own.profile = [NaN NaN];
     if isfield(table, 'profile')
-        own.profile = reshape(table.profile(best, i, :), 1, []);
+        ends = reshape(table.profile, [], numel(names), 2);
+        own.profile = reshape(ends(best, i, :), 1, []);
     end
     found.(names{i}) = own;
 end

@@ -27,6 +27,18 @@ fclose(file);
 again = whirl_fit(machine, 'bode.csv', struct('k', [10e3 90e3], 'e', []), 'tolerance', 1e-10, 'noise', '1 um');
 assert(again.k.value, found.k.value, -1e-12);
 assert(isnan(again.k.profile));
+% The critical speed and the damping ratio of an undamped frequency w0: w = w0 sqrt(1 - z^2), z = c/(2 m w0).
+w0 = sqrt(33e3 / 3);
+z = 45 / (6 * w0);
+numbers = {struct('critical', sprintf('%.17g rad/s', w0 * sqrt(1 - z^2)), 'whirl', 'forward', 'noise', '1 rad/s'), ...
+           struct('damping', z, 'mode', 1, 'noise', 0.001)};
+told = whirl_fit(machine, numbers, struct('k', [], 'c', []), 'tolerance', 1e-10);
+assert([told.k.value told.c.value], [33e3 45], -1e-8);
+lost = whirl_fit(machine, struct('onset', '100 rad/s', 'noise', '1 rad/s'), struct('c', []));
+assert(lost.c.known, 'unknown');
+wrong(@() whirl_fit(machine, numbers{1}, struct('k', []), 'noise', '1 um'), 'belongs to a table');
+one = whirl_fit(machine, struct('critical', '104 rad/s', 'noise', '1 rad/s'), struct('k', [10e3 90e3]), 'profile', true);
+assert(one.k.value > 32e3 && one.k.profile(1) < one.k.value && one.k.profile(2) > one.k.value);
 wrong(@() whirl_fit(machine, 'gone.csv', struct('k', [])), 'gone.csv');
 wrong(@() whirl_fit(machine, data, struct('kk', [])), 'kk');
 wrong(@() whirl_fit(machine, data, 'k'), 'whirl_fit takes a case');
