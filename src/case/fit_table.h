@@ -10,7 +10,7 @@ enum { FIT_MAX_COLUMNS = 2 + 4 * WHIRL_MAX_PROBES };
 /// Contents of a column.
 typedef struct fit_column {
     enum { FIT_ANGLE, FIT_TIME, FIT_SPEED, FIT_PARAMETER, FIT_DISPLACEMENT, FIT_LAG } kind;
-    whirl_fit_quantity quantity; ///< of a number that has no lag: an amplitude, or a statistic
+    whirl_fit_quantity quantity; ///< quantity of a number without a lag: an amplitude, or a statistic
     size_t station;
     double direction, order; ///< rad; order of vectors
     double size;             ///< SI per unit
@@ -28,7 +28,7 @@ typedef struct fit_maker {
     whirl_fit_motion *motions;
     whirl_fit_number *numbers;
     size_t motion_capacity, number_capacity;
-    int revolutions; ///< of the fit's orbits; 0: there is no fit, samples and orders are as the table has them
+    int revolutions; ///< revolutions of the fit's orbits; 0: there is no fit, samples and orders are those of the table
     bool statistics; ///< the present table is compared by statistics
     double checksum;
     // The present table.

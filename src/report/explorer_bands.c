@@ -20,7 +20,7 @@ enum { BAND_USUAL = sizeof band_usual / sizeof *band_usual, MAX_BANDS = 256, MAX
 typedef struct band_list {
     FILE *stream;
     const whirl_result *result;
-    const whirl_table *table; ///< of samples
+    const whirl_table *table; ///< table of the samples
     bool first, well;
     size_t count;
     struct {

@@ -13,10 +13,10 @@ typedef struct fit_orbit {
     double *node;                  ///< [dimension] state at the beginning of the orbit
     double *slopes;                ///< [unknowns][dimension] derivatives of that state
     double largest, speed;         ///< largest modulus of its multipliers, and speed of the shaft, rad/s
-    double value;                  ///< of the onset of an orbit: its value
+    double value;                  ///< value of the onset of an orbit
     double by[WHIRL_MAX_UNKNOWNS]; ///< and the derivatives of that value
     whirl_special special;         ///< and the kind of point that it is
-    double scatter;                ///< of statistics: the largest scatter of a number, over its noise
+    double scatter;                ///< largest scatter of a statistic, over its noise
 } fit_orbit;
 
 /// All motions of a fit. `tried` are the orbits of the last evaluation, `kept` those at which the fit is.
