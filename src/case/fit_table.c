@@ -1,11 +1,11 @@
 // Tables of measured numbers: their headings, and their rows as numbers of motions.
 #include "fit_table.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "fit_list.h"
 #include "fit_speed.h"
@@ -377,10 +377,11 @@ static const char *fit_foreign_kind(const char *name) {
                  {".mat", "MATLAB's format"},
                  {".uff", "the universal format"},
                  {".unv", "the universal format"}};
-    const size_t length = strlen(name);
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
-        const size_t size = strlen(kinds[i].end);
-        if (length > size && strcasecmp(name + length - size, kinds[i].end) == 0) return kinds[i].kind;
+    const char *dot = strrchr(name, '.');
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds && dot; i++) {
+        size_t k = 0;
+        while (dot[k] && tolower((unsigned char)dot[k]) == kinds[i].end[k]) k++;
+        if (!dot[k] && !kinds[i].end[k]) return kinds[i].kind;
     }
     return NULL;
 }
