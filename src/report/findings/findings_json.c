@@ -9,8 +9,8 @@ static json_t *phrase_json(bool *well, const whirl_phrase *phrase) {
     json_t *object = json_object(), *values = json_array();
     whirl_phrase_text(phrase, text, sizeof text);
     document_put(well, object, "text", document_text(text));
-    for (const whirl_piece *piece = phrase->pieces; piece < phrase->pieces + phrase->count; piece++)
-        if (!piece->text) document_append(well, values, document_number(piece->value));
+    for (size_t i = 0; i < phrase->count; i++)
+        if (!phrase->pieces[i].text) document_append(well, values, document_number(phrase->pieces[i].value));
     document_put(well, object, "values", values);
     return object;
 }

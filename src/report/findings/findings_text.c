@@ -24,7 +24,8 @@ void number_shown(double number, int digits, char *text, size_t size) {
 void whirl_phrase_text(const whirl_phrase *phrase, char *text, size_t size) {
     char number[NUMBER_SIZE];
     *text = '\0';
-    for (const whirl_piece *piece = phrase->pieces; piece < phrase->pieces + phrase->count; piece++) {
+    for (size_t i = 0; i < phrase->count; i++) {
+        const whirl_piece *piece = &phrase->pieces[i];
         if (piece->text) {
             APPEND(text, size, "%s", piece->text);
             continue;
