@@ -21,13 +21,13 @@ declare -A below=(
     [integrate]="system.h ensemble.h integrate.h"
     [linear]="system.h torsion.h integrate.h linear.h"
     [orbit]="system.h ensemble.h integrate.h linear.h orbit.h stable_orbits.h branch.h torus.h torus_branch.h"
-    [analyze]="fit.h system.h torsion.h running.h ensemble.h integrate.h linear.h orbit.h stable_orbits.h record.h analyze.h spectrum.h response_peaks.h signals.h balance.h sensors.h dataset.h tolerances.h"
+    [analyze]="fit.h fit_columns.h system.h torsion.h running.h ensemble.h integrate.h linear.h orbit.h stable_orbits.h record.h analyze.h spectrum.h response_peaks.h signals.h balance.h sensors.h dataset.h tolerances.h"
     [study]="fit.h running.h film_tables.h bearing.h bearing_table.h system.h ensemble.h integrate.h linear.h orbit.h analyze.h result.h handles.h study.h study_try.h sensitivity.h verify.h shown.h tolerances.h spread.h sensors.h dataset.h"
     [case]="csv.h measured.h fit.h running.h system.h ensemble.h rotor.h model.h line.h bearing.h bearing_table.h integrate.h linear.h analyze.h result.h study.h case.h claims.h job.h balance.h tolerances.h sensitivity.h spread.h sensors.h dataset.h"
     [user]="csv.h system.h integrate.h analyze.h result.h handles.h study.h case.h job.h user_system.h signals.h"
     [store]="system.h integrate.h analyze.h result.h handles.h study.h journal.h shown.h tolerances.h dataset.h"
     [import]="system.h rotor.h case.h import.h"
-    [report]="fit.h torsion.h bearing.h bearing_table.h line.h linear.h system.h integrate.h analyze.h spectrum.h response_peaks.h result.h handles.h study.h verify.h case.h model.h claims.h job.h report.h figure.h findings.h shown.h balance.h tolerances.h sensitivity.h spread.h dataset.h"
+    [report]="fit.h fit_columns.h torsion.h bearing.h bearing_table.h line.h linear.h system.h integrate.h analyze.h spectrum.h response_peaks.h result.h handles.h study.h verify.h case.h model.h claims.h job.h report.h figure.h findings.h shown.h balance.h tolerances.h sensitivity.h spread.h dataset.h"
 )
 for folder in src/*/; do
     layer=$(basename "$folder")

@@ -9,11 +9,7 @@
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/fit.h"
 #include "whirl/engine/study.h"
-
-/// Columns of the fields fit/unknown, fit/number and fit/motion (src/analyze/analyses/fit.c).
-enum { FIT_PARAMETER, FIT_START, FIT_VALUE, FIT_ERROR, FIT_HALF, FIT_LOW, FIT_HIGH, FIT_KNOWN, FIT_COLUMNS };
-enum { FIT_SET, FIT_MOTION, FIT_STATION, FIT_ANGLE, FIT_QUANTITY, FIT_AT, FIT_MEASURED, FIT_NUMBERS = 9 };
-enum { FIT_SPEED, FIT_MOTIONS = 2 };
+#include "whirl/internal/fit_columns.h"
 
 /// Margin of the live diagram on both sides of the measured speeds, as part of their range; of a single speed.
 static const double margin = 0.04, single_margin = 0.4;
@@ -68,7 +64,7 @@ static bool fit_edit(char **text, const char *path, const char *value) {
 static bool fit_set_values(const stored_fit *fit, char **text) {
     bool well = true;
     for (size_t u = 0; u < fit->unknowns && well; u++) {
-        const double *row = fit->unknown + (size_t)FIT_COLUMNS * u;
+        const double *row = fit->unknown + (size_t)FIT_UNKNOWN_COLUMNS * u;
         if (!(row[FIT_PARAMETER] >= 0.0 && row[FIT_PARAMETER] < (double)fit->result->parameter_count)) return false;
         const whirl_parameter *own = &fit->result->parameters[(size_t)row[FIT_PARAMETER]];
         char path[WHIRL_NAME_SIZE + 16], one[128], number[160], *end;
@@ -104,8 +100,8 @@ static void fit_range(const stored_fit *fit, double range[2]) {
     range[0] = INFINITY;
     range[1] = -INFINITY;
     for (size_t i = 0; i < fit->motions; i++) {
-        range[0] = fmin(range[0], fit->motion[FIT_MOTIONS * i + FIT_SPEED]);
-        range[1] = fmax(range[1], fit->motion[FIT_MOTIONS * i + FIT_SPEED]);
+        range[0] = fmin(range[0], fit->motion[FIT_MOTION_COLUMNS * i + FIT_SPEED]);
+        range[1] = fmax(range[1], fit->motion[FIT_MOTION_COLUMNS * i + FIT_SPEED]);
     }
     const double size = range[1] - range[0];
     const double more = size > 0.0 ? fmin(margin * size, 0.5 * range[0]) : single_margin * range[0];
@@ -208,18 +204,17 @@ bool explorer_fit_is_live(const whirl_result *result, const whirl_case *machine,
 // ---------------------------------------------------------------- writing
 
 static void fit_write_unknowns(FILE *stream, const stored_fit *fit) {
-    static const char *const known[] = {"yes", "at its bound", "hardly", "no"};
     script_key(stream, ',', "unknowns");
     fputc('[', stream);
     for (size_t u = 0; u < fit->unknowns; u++) {
-        const double *row = fit->unknown + (size_t)FIT_COLUMNS * u;
+        const double *row = fit->unknown + (size_t)FIT_UNKNOWN_COLUMNS * u;
         const bool named = row[FIT_PARAMETER] >= 0.0 && row[FIT_PARAMETER] < (double)fit->result->parameter_count;
         if (u > 0) fputc(',', stream);
         script_text_member(stream, '{', "name", named ? fit->result->parameters[(size_t)row[FIT_PARAMETER]].name : "");
         script_number_member(stream, ',', "value", row[FIT_VALUE]);
         script_number_member(stream, ',', "error", row[FIT_ERROR]);
         script_number_member(stream, ',', "half", row[FIT_HALF]);
-        script_text_member(stream, ',', "determined", known[(int)row[FIT_KNOWN]]);
+        script_text_member(stream, ',', "determined", fit_determined(row));
         fputc('}', stream);
     }
     fputc(']', stream);
@@ -228,7 +223,7 @@ static void fit_write_unknowns(FILE *stream, const stored_fit *fit) {
 /// Writes the numbers of a file [count] in the form of MeasuredTable of the page (protocol.ts).
 static void fit_write_file(FILE *stream, const stored_fit *fit, const double *numbers, size_t count) {
     const size_t first = (size_t)numbers[FIT_MOTION];
-    const size_t last = (size_t)numbers[FIT_NUMBERS * (count - 1) + FIT_MOTION];
+    const size_t last = (size_t)numbers[FIT_NUMBER_COLUMNS * (count - 1) + FIT_MOTION];
     char name[32];
     snprintf(name, sizeof name, "file %.0f", numbers[FIT_SET] + 1.0);
     script_text_member(stream, '{', "name", name);
@@ -238,12 +233,12 @@ static void fit_write_file(FILE *stream, const stored_fit *fit, const double *nu
     script_key(stream, ',', "motions");
     for (size_t i = first; i <= last; i++) {
         fputc(i > first ? ',' : '[', stream);
-        script_number(stream, fit->motion[FIT_MOTIONS * i + FIT_SPEED]);
+        script_number(stream, fit->motion[FIT_MOTION_COLUMNS * i + FIT_SPEED]);
     }
     fputc(']', stream);
     script_key(stream, ',', "numbers");
     for (size_t i = 0; i < count; i++) {
-        const double *row = numbers + (size_t)FIT_NUMBERS * i;
+        const double *row = numbers + (size_t)FIT_NUMBER_COLUMNS * i;
         fprintf(stream, "%s[%.0f,%.0f,", i > 0 ? "," : "[", row[FIT_MOTION] - (double)first, row[FIT_STATION]);
         script_number(stream, row[FIT_ANGLE]);
         fprintf(stream, ",%.0f,", row[FIT_QUANTITY]);
@@ -255,14 +250,19 @@ static void fit_write_file(FILE *stream, const stored_fit *fit, const double *nu
     fputs("]}}", stream);
 }
 
+/// Writes the files whose numbers lie over a motion: no statistics, and no onsets, critical speeds and modes.
 static void fit_write_files(FILE *stream, const stored_fit *fit) {
+    bool first = true;
     script_key(stream, ',', "measured");
     fputc('[', stream);
     for (size_t i = 0, count; i < fit->numbers; i += count) {
-        const double *numbers = fit->number + (size_t)FIT_NUMBERS * i;
-        for (count = 1; i + count < fit->numbers && numbers[FIT_NUMBERS * count + FIT_SET] == numbers[FIT_SET];)
+        const double *numbers = fit->number + (size_t)FIT_NUMBER_COLUMNS * i;
+        const whirl_fit_quantity what = (whirl_fit_quantity)numbers[FIT_QUANTITY];
+        for (count = 1; i + count < fit->numbers && numbers[FIT_NUMBER_COLUMNS * count + FIT_SET] == numbers[FIT_SET];)
             count++;
-        if (i > 0) fputc(',', stream);
+        if (whirl_fit_is_statistic(what) || !whirl_fit_is_motion(what)) continue;
+        if (!first) fputc(',', stream);
+        first = false;
         fit_write_file(stream, fit, numbers, count);
     }
     fputc(']', stream);

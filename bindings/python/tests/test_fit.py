@@ -1,8 +1,12 @@
 """Fits find known parameters again, from files and from columns; parameters that the data do not determine are named;
 bad input is refused."""
 
+import json
+import subprocess
+
 import numpy as np
 import pytest
+from conftest import COMMAND
 
 import whirl
 
@@ -40,6 +44,26 @@ def test_what_was_put_in_comes_out(tmp_path):
     np.savetxt(tmp_path / "bode.csv", rows, "%.17g", ",", header=",".join(bode()), comments="")
     again = whirl.fit(whirl.Case(SPRING), tmp_path / "bode.csv", ["k", "c", "e"], tolerance=1e-10)
     assert [again[name].value for name in again] == [found[name].value for name in found]
+
+
+def test_the_explorer_has_motions_alone(tmp_path):
+    """The page gets the speeds and numbers of measured motions; the frequency of a mode lies over none."""
+    rows = np.column_stack(list(bode().values()))
+    np.savetxt(tmp_path / "bode.csv", rows, "%.17g", ",", header=",".join(bode()), comments="")
+    head = "".join(f"{key}: {json.dumps(SPRING[key])}\n" for key in ("parameters", "rotor"))
+    data = "[{frequency: 16.7 Hz, noise: 0.05 Hz}, {file: bode.csv, noise: 1 um}]"
+    study = f"study:\n  fit: {{unknown: {{k: , c: , e: }}, data: {data}}}\n"
+    (tmp_path / "disc.yaml").write_text(f"whirl: 1\n{head}{study}")
+    for arguments in (["run", "disc.yaml", "-q", "-o", "disc.h5"], ["report", "disc.h5", "-o", "page"]):
+        subprocess.run([COMMAND, *arguments], cwd=tmp_path, check=True, capture_output=True)
+    page = (tmp_path / "page/explorer.html").read_text()
+    fits, _ = json.JSONDecoder().raw_decode(page, page.index('"fits":') + len('"fits":'))
+    (fit,) = fits
+    (file,) = fit["measured"]
+    assert file["name"] == "file 2"
+    assert file["table"]["motions"] == pytest.approx(bode()["speed [rad/s]"], rel=1e-12)
+    assert sorted({number[3] for number in file["table"]["numbers"]}) == [1, 2]
+    assert [unknown["determined"] for unknown in fit["unknowns"]] == ["yes"] * 3
 
 
 def test_starts_and_what_is_not_known():

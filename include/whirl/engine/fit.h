@@ -68,6 +68,11 @@ typedef enum whirl_fit_quantity {
     WHIRL_FIT_SHARE        ///< share of the time in which some contact is closed
 } whirl_fit_quantity;
 
+/// Returns true for statistics of a record, whose motion need not be periodic.
+static inline bool whirl_fit_is_statistic(whirl_fit_quantity what) {
+    return what >= WHIRL_FIT_HIGHEST;
+}
+
 /// Returns true for quantities that are displacements or parts of them, in m.
 static inline bool whirl_fit_is_motion(whirl_fit_quantity what) {
     return what <= WHIRL_FIT_WAVEFORM || (what >= WHIRL_FIT_HIGHEST && what <= WHIRL_FIT_LINE);

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "analysis.h"
+#include "whirl/internal/fit_columns.h"
 
 enum { OUTCOME, UNKNOWN, CORRELATION, MOTION, NUMBER, PROFILE, FIELD_COUNT };
 
@@ -26,19 +27,18 @@ static const field_plan fields[FIELD_COUNT] = {
                  "end, lost, steps, sum, deviation, degrees, rank, condition (end: 0 at a minimum, 1 after the most "
                  "steps, 2 no shorter step helps, 3 motion `lost` has no orbit at the start; sum of squares over "
                  "noise, and their standard deviation: in m and m2 if no noise is given)",
-                 WHIRL_PER_POINT, 8, NULL},
+                 WHIRL_PER_POINT, FIT_OUTCOME_COLUMNS, NULL},
     [UNKNOWN] = {WHIRL_FIELD_FIT_UNKNOWN, "1",
                  "parameter, start, found, error, half, lowest, highest, known (index of the parameter; SI; standard "
                  "error; half the width of the 95 % interval; bounds; known: 0 determined, 1 at a bound, 2 weakly, 3 "
                  "not at all)",
-                 WHIRL_PER_POINT, 8, fit_unknowns},
+                 WHIRL_PER_POINT, FIT_UNKNOWN_COLUMNS, fit_unknowns},
     [CORRELATION] = {WHIRL_FIELD_FIT_CORRELATION, "1", "coefficients of correlation of the unknowns' errors",
                      WHIRL_PER_POINT, WHIRL_MAX_UNKNOWNS, fit_unknowns},
     [MOTION] = {WHIRL_FIELD_FIT_MOTION, "1",
                 "speed, multiplier, scatter (rad/s; largest modulus of the orbit's multipliers: stable below 1; NaN "
-                "for what is "
-                "no orbit; of statistics: the largest scatter over its noise)",
-                WHIRL_PER_POINT, 3, fit_motions},
+                "for what is no orbit; of statistics: the largest scatter over its noise)",
+                WHIRL_PER_POINT, FIT_MOTION_COLUMNS, fit_motions},
     [NUMBER] = {WHIRL_FIELD_FIT_NUMBER, "1",
                 "set, motion, station, angle, quantity, at, measured, model, noise (entry of the data and motion from "
                 "0; rad; 0 displacement, 1 and 2 cosine and sine part of an order, 3 its amplitude, 4 displacement "
@@ -46,7 +46,7 @@ static const field_plan fields[FIELD_COUNT] = {
                 "of a mode, 10 largest and 11 smallest displacement, 12 size of a line, 13 share of contact; "
                 "revolutions, the order, seconds, the index of the parameter (-1: the speed), or the number "
                 "of the mode; SI)",
-                WHIRL_PER_POINT, 9, fit_numbers},
+                WHIRL_PER_POINT, FIT_NUMBER_COLUMNS, fit_numbers},
     [PROFILE] = {WHIRL_FIELD_FIT_PROFILE, "1",
                  "from, to (ends of the 95 % profile interval of each unknown, SI; NaN beyond its bounds)",
                  WHIRL_PER_POINT, 2, fit_profiles},
@@ -55,14 +55,14 @@ static const field_plan fields[FIELD_COUNT] = {
 static void fit_fill_unknown(const whirl_fit *fit, const whirl_fit_solution *s, size_t u, double *out) {
     const whirl_fit_unknown *own = &fit->unknowns[u];
     const bool found = s->end != WHIRL_FIT_NO_MOTION;
-    out[0] = (double)own->index;
-    out[1] = s->start[u];
-    out[2] = found ? s->value[u] : NAN;
-    out[3] = found ? s->error[u] : NAN;
-    out[4] = found ? s->half[u] : NAN;
-    out[5] = isfinite(own->low) ? own->low : NAN;
-    out[6] = isfinite(own->high) ? own->high : NAN;
-    out[7] = found ? (double)s->known[u] : NAN;
+    out[FIT_PARAMETER] = (double)own->index;
+    out[FIT_START] = s->start[u];
+    out[FIT_VALUE] = found ? s->value[u] : NAN;
+    out[FIT_ERROR] = found ? s->error[u] : NAN;
+    out[FIT_HALF] = found ? s->half[u] : NAN;
+    out[FIT_LOW] = isfinite(own->low) ? own->low : NAN;
+    out[FIT_HIGH] = isfinite(own->high) ? own->high : NAN;
+    out[FIT_KNOWN] = found ? (double)s->known[u] : NAN;
 }
 
 static whirl_status fit_compute(const whirl_resting *point, const whirl_record_options *options,
@@ -82,7 +82,7 @@ static whirl_status fit_compute(const whirl_resting *point, const whirl_record_o
     memcpy(view_numbers(view, OUTCOME, 0), outcome, sizeof outcome);
     // Fill in unknowns and correlations.
     for (size_t u = 0; u < fit->unknown_count; u++) {
-        fit_fill_unknown(fit, s, u, view_numbers(view, UNKNOWN, 0) + 8 * u);
+        fit_fill_unknown(fit, s, u, view_numbers(view, UNKNOWN, 0) + FIT_UNKNOWN_COLUMNS * u);
         for (size_t k = 0; k < 2 && found && options->fit.profile; k++)
             view_numbers(view, PROFILE, 0)[2 * u + k] = s->profile[u][k];
         for (size_t k = 0; k < fit->unknown_count && found; k++)
@@ -90,17 +90,17 @@ static whirl_status fit_compute(const whirl_resting *point, const whirl_record_o
     }
     // Fill in the motions, and the measured numbers next to those of the model.
     for (size_t i = 0; i < fit->motion_count; i++) {
-        double *out = view_numbers(view, MOTION, 0) + 3 * i;
-        out[0] = s->speeds[i];
-        out[1] = s->largest[i];
-        out[2] = s->scatter[i];
+        double *out = view_numbers(view, MOTION, 0) + FIT_MOTION_COLUMNS * i;
+        out[FIT_SPEED] = s->speeds[i];
+        out[FIT_MULTIPLIER] = s->largest[i];
+        out[FIT_SCATTER] = s->scatter[i];
     }
     for (size_t i = 0; i < fit->number_count; i++) {
         const whirl_fit_number *own = &fit->numbers[i];
         const double row[] = {(double)own->set, (double)own->motion,       (double)own->station,
                               own->angle,       (double)own->quantity,     own->at,
                               own->value,       found ? s->model[i] : NAN, options->fit.noise > 0.0 ? own->noise : NAN};
-        memcpy(view_numbers(view, NUMBER, 0) + 9 * i, row, sizeof row);
+        memcpy(view_numbers(view, NUMBER, 0) + FIT_NUMBER_COLUMNS * i, row, sizeof row);
     }
     return whirl_ok();
 }

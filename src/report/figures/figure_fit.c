@@ -7,9 +7,7 @@
 #include "shown_kinds.h"
 #include "two_pi.h"
 #include "whirl/engine/fit.h"
-
-/// Columns of the field fit/number.
-enum { FIT_SET, FIT_MOTION, FIT_STATION, FIT_ANGLE, FIT_QUANTITY, FIT_AT, FIT_MEASURED, FIT_MODEL, FIT_NUMBERS = 9 };
+#include "whirl/internal/fit_columns.h"
 
 /// Kinds of panels.
 enum { FIT_DISPLACEMENT, FIT_RESIDUAL, FIT_LAG };
@@ -22,8 +20,9 @@ static void fit_list(figure_list *to, const drawing *of, const whirl_table *tabl
     const double *rows = whirl_table_field(table, point, WHIRL_FIELD_FIT_NUMBER, 0);
     double last = -1.0;
     for (size_t i = 0; i < field->rows; i++) {
-        const double set = rows[FIT_NUMBERS * i + FIT_SET];
-        if (set == last || !whirl_fit_is_motion((whirl_fit_quantity)rows[FIT_NUMBERS * i + FIT_QUANTITY])) continue;
+        const double set = rows[FIT_NUMBER_COLUMNS * i + FIT_SET];
+        if (set == last || !whirl_fit_is_motion((whirl_fit_quantity)rows[FIT_NUMBER_COLUMNS * i + FIT_QUANTITY]))
+            continue;
         last = set;
         const figure_place place = {.kind = &fit_figure, .table = table, .point = (long)point, .which = (size_t)set};
         char name[WHIRL_NAME_SIZE];
@@ -35,7 +34,7 @@ static void fit_list(figure_list *to, const drawing *of, const whirl_table *tabl
 /// Returns true if two rows belong to one line of a panel: same probe and, except for samples, same order.
 static bool fit_is_line(const double *a, const double *b) {
     const bool both = a[FIT_STATION] == b[FIT_STATION] && a[FIT_ANGLE] == b[FIT_ANGLE];
-    const bool statistics = a[FIT_QUANTITY] >= WHIRL_FIT_HIGHEST;
+    const bool statistics = whirl_fit_is_statistic((whirl_fit_quantity)a[FIT_QUANTITY]);
     if (!both || (statistics && a[FIT_QUANTITY] != b[FIT_QUANTITY])) return false;
     return a[FIT_QUANTITY] == WHIRL_FIT_SAMPLE || a[FIT_QUANTITY] == WHIRL_FIT_WAVEFORM || a[FIT_AT] == b[FIT_AT];
 }
@@ -44,7 +43,7 @@ static bool fit_is_line(const double *a, const double *b) {
 /// with the sine part. Returns false for rows that the panel does not show.
 static bool fit_seen(const double *row, int panel, double seen[2]) {
     const bool parts = row[FIT_QUANTITY] == WHIRL_FIT_COS;
-    const double *sine = row + FIT_NUMBERS;
+    const double *sine = row + FIT_NUMBER_COLUMNS;
     if (!whirl_fit_is_motion((whirl_fit_quantity)row[FIT_QUANTITY])) return false;
     if (row[FIT_QUANTITY] == WHIRL_FIT_SIN || (panel == FIT_LAG && !parts)) return false;
     for (int i = 0; i < 2; i++) {
@@ -72,7 +71,7 @@ typedef struct fit_panel {
 } fit_panel;
 
 static const double *fit_row(const fit_panel *p, size_t i) {
-    return whirl_table_field(p->table, p->point, WHIRL_FIELD_FIT_NUMBER, 0) + FIT_NUMBERS * (p->first + i);
+    return whirl_table_field(p->table, p->point, WHIRL_FIELD_FIT_NUMBER, 0) + FIT_NUMBER_COLUMNS * (p->first + i);
 }
 
 /// Returns the place of a row along the axis: degrees, seconds, or the speed of its motion.
@@ -118,8 +117,9 @@ static void fit_describe(const drawing *of, const figure_place *place, whirl_fig
     fit_panel p = {.of = of, .table = place->table, .point = (size_t)place->point};
     const double *rows = whirl_table_field(p.table, p.point, WHIRL_FIELD_FIT_NUMBER, 0);
     // The rows of the file.
-    while (p.first < field->rows && rows[FIT_NUMBERS * p.first + FIT_SET] != (double)place->which) p.first++;
-    while (p.first + p.count < field->rows && rows[FIT_NUMBERS * (p.first + p.count) + FIT_SET] == (double)place->which)
+    while (p.first < field->rows && rows[FIT_NUMBER_COLUMNS * p.first + FIT_SET] != (double)place->which) p.first++;
+    while (p.first + p.count < field->rows &&
+           rows[FIT_NUMBER_COLUMNS * (p.first + p.count) + FIT_SET] == (double)place->which)
         p.count++;
     if (p.count == 0) return;
     const whirl_unit *length = &of->units->of[WHIRL_QUANTITY_LENGTH], *speed = &of->units->of[WHIRL_QUANTITY_SPEED];

@@ -7,12 +7,7 @@
 #include "quantities.h"
 #include "shown_kinds.h"
 #include "whirl/engine/fit.h"
-
-/// Columns of the fields, in the order of src/analyze/analyses/fit.c.
-enum { FIT_END, FIT_LOST, FIT_STEPS, FIT_SUM, FIT_DEVIATION, FIT_DEGREES, FIT_RANK, FIT_CONDITION };
-enum { FIT_PARAMETER, FIT_START, FIT_VALUE, FIT_ERROR, FIT_HALF, FIT_LOW, FIT_HIGH, FIT_KNOWN };
-enum { FIT_SET, FIT_MOTION, FIT_STATION, FIT_ANGLE, FIT_QUANTITY, FIT_AT, FIT_MEASURED, FIT_MODEL, FIT_NOISE };
-enum { FIT_COLUMNS = 8, FIT_NUMBERS = 9, FIT_OF_MOTION = 3 };
+#include "whirl/internal/fit_columns.h"
 
 /// Least size of a correlation that is stated.
 static const double much_correlated = 0.95;
@@ -42,7 +37,7 @@ typedef struct shown_fit {
 } shown_fit_of;
 
 static const char *fit_name(const shown_fit_of *f, size_t u) {
-    const double index = f->unknown[FIT_COLUMNS * u + FIT_PARAMETER];
+    const double index = f->unknown[FIT_UNKNOWN_COLUMNS * u + FIT_PARAMETER];
     const whirl_result *result = f->of->result;
     return index >= 0.0 && index < (double)result->parameter_count ? result->parameters[(size_t)index].name : "";
 }
@@ -85,14 +80,18 @@ static bool fit_is_value(const double *row) {
     return !whirl_fit_is_motion((whirl_fit_quantity)row[FIT_QUANTITY]);
 }
 
+static bool fit_is_statistic(const double *row) {
+    return whirl_fit_is_statistic((whirl_fit_quantity)row[FIT_QUANTITY]);
+}
+
 /// States which motion or number was not found at the start.
 static void fit_phrase_lost(const finder *of, whirl_statement *own, size_t point, double lost) {
     const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_FIT_NUMBER);
     const double *rows = whirl_table_field(of->table, point, WHIRL_FIELD_FIT_NUMBER, 0);
     const int revolutions = of->table->record.fit.revolutions;
-    for (size_t i = 0; field && rows && i < field->rows; i++, rows += FIT_NUMBERS) {
+    for (size_t i = 0; field && rows && i < field->rows; i++, rows += FIT_NUMBER_COLUMNS) {
         if (rows[FIT_MOTION] != lost || rows[FIT_QUANTITY] < WHIRL_FIT_ONSET) continue;
-        if (rows[FIT_QUANTITY] >= WHIRL_FIT_HIGHEST) {
+        if (fit_is_statistic(rows)) {
             phrase_text(of, &own->found,
                         "motion %.0f of the measured ones leaves its bounds at the start: other start values",
                         lost + 1.0);
@@ -116,7 +115,7 @@ static bool fit_has_statistics(const whirl_table *table, size_t point) {
     const whirl_field *motions = whirl_layout_field(&table->layout, WHIRL_FIELD_FIT_MOTION);
     const double *motion = whirl_table_field(table, point, WHIRL_FIELD_FIT_MOTION, 0);
     for (size_t i = 0; motions && i < motions->rows; i++)
-        if (isfinite(motion[FIT_OF_MOTION * i + 2])) return true;
+        if (isfinite(motion[FIT_MOTION_COLUMNS * i + FIT_SCATTER])) return true;
     return false;
 }
 
@@ -155,7 +154,7 @@ static void fit_find_unknown(const shown_fit_of *f, size_t u) {
         "not determined: the measured numbers do not depend on it, or only together with others"};
     // Choose a statement, or a judgement if the parameter is not determined.
     const finder *of = f->of;
-    const double *row = f->unknown + FIT_COLUMNS * u;
+    const double *row = f->unknown + FIT_UNKNOWN_COLUMNS * u;
     const whirl_unit unit = fit_unit(f, u);
     const int known = (int)row[FIT_KNOWN];
     const char *what = find_text(of->findings, "parameter %s", fit_name(f, u));
@@ -183,8 +182,12 @@ static void fit_find_unknown(const shown_fit_of *f, size_t u) {
     phrase_text(of, &own->judged, ": %s", not_known[known]);
 }
 
-static void fit_find_sheet(const shown_fit_of *f) {
+const char *fit_determined(const double *row) {
     static const char *const known[] = {"yes", "at its bound", "hardly", "no"};
+    return known[(int)row[FIT_KNOWN]];
+}
+
+static void fit_find_sheet(const shown_fit_of *f) {
     const finder *of = f->of;
     // Set up the columns; numbers are in the parameter's own unit, which is a column.
     whirl_sheet *sheet = find_sheet(of, "unknowns", "Fitted parameters");
@@ -200,7 +203,7 @@ static void fit_find_sheet(const shown_fit_of *f) {
     sheet_texts(of, sheet, "determined", "determined");
     // Add a row for each parameter.
     for (size_t u = 0; u < f->unknowns; u++) {
-        const double *row = f->unknown + FIT_COLUMNS * u;
+        const double *row = f->unknown + FIT_UNKNOWN_COLUMNS * u;
         const whirl_unit unit = fit_unit(f, u);
         sheet_row(of, sheet);
         cell_text(of, sheet, find_text(of->findings, "%s", fit_name(f, u)));
@@ -211,7 +214,7 @@ static void fit_find_sheet(const shown_fit_of *f) {
         cell_number(of, sheet, (row[FIT_VALUE] + row[FIT_HALF]) / unit.size);
         for (size_t k = 0; k < 2 && f->profile; k++) cell_number(of, sheet, f->profile[2 * u + k] / unit.size);
         cell_text(of, sheet, find_text(of->findings, "%s", unit.name));
-        cell_text(of, sheet, known[(int)row[FIT_KNOWN]]);
+        cell_text(of, sheet, fit_determined(row));
     }
     find_sheet_end(of);
 }
@@ -254,10 +257,6 @@ static bool fit_is_displacement(const double *row) {
     return row[FIT_QUANTITY] == WHIRL_FIT_SAMPLE || row[FIT_QUANTITY] == WHIRL_FIT_WAVEFORM;
 }
 
-static bool fit_is_statistic(const double *row) {
-    return row[FIT_QUANTITY] >= WHIRL_FIT_HIGHEST;
-}
-
 static bool fit_same_channel(const double *a, const double *b) {
     return a[FIT_SET] == b[FIT_SET] && fit_is_statistic(a) == fit_is_statistic(b) &&
            (!fit_is_statistic(a) || a[FIT_QUANTITY] == b[FIT_QUANTITY]) && a[FIT_STATION] == b[FIT_STATION] &&
@@ -289,7 +288,7 @@ static void fit_find_channels(const shown_fit_of *f) {
     size_t count = 0;
     // Sum up squares over the numbers of each channel: a probe in one file.
     for (size_t i = 0; i < f->numbers; i++) {
-        const double *row = f->number + FIT_NUMBERS * i;
+        const double *row = f->number + FIT_NUMBER_COLUMNS * i;
         size_t c = 0;
         if (fit_is_value(row)) continue;
         while (c < count && !fit_same_channel(channels[c].first, row)) c++;
@@ -340,7 +339,7 @@ static whirl_unit fit_value_unit(const shown_fit_of *f, const double *row) {
 static void fit_find_values(const shown_fit_of *f) {
     const finder *of = f->of;
     size_t count = 0;
-    for (size_t i = 0; i < f->numbers; i++) count += fit_is_value(f->number + FIT_NUMBERS * i);
+    for (size_t i = 0; i < f->numbers; i++) count += fit_is_value(f->number + FIT_NUMBER_COLUMNS * i);
     if (count == 0) return;
     const double *motion = whirl_table_field(of->table, f->point, WHIRL_FIELD_FIT_MOTION, 0);
     whirl_sheet *sheet =
@@ -353,13 +352,13 @@ static void fit_find_values(const shown_fit_of *f) {
     sheet_column(of, sheet, "noise", "noise", WHIRL_QUANTITY_NUMBER, 3);
     sheet_texts(of, sheet, "unit", "unit");
     for (size_t i = 0; i < f->numbers; i++) {
-        const double *row = f->number + FIT_NUMBERS * i;
+        const double *row = f->number + FIT_NUMBER_COLUMNS * i;
         if (!fit_is_value(row)) continue;
         const whirl_unit unit = fit_value_unit(f, row);
         sheet_row(of, sheet);
         cell_number(of, sheet, row[FIT_SET] + 1.0);
         cell_text(of, sheet, fit_value_name(row[FIT_QUANTITY]));
-        cell_number(of, sheet, motion ? motion[FIT_OF_MOTION * (size_t)row[FIT_MOTION]] : (double)NAN);
+        cell_number(of, sheet, motion ? motion[FIT_MOTION_COLUMNS * (size_t)row[FIT_MOTION]] : (double)NAN);
         cell_number(of, sheet, row[FIT_MEASURED] / unit.size);
         cell_number(of, sheet, row[FIT_MODEL] / unit.size);
         cell_number(of, sheet, row[FIT_NOISE] / unit.size);
@@ -399,13 +398,13 @@ static void fit_find_stability(const shown_fit_of *f) {
     const double *motion = whirl_table_field(of->table, f->point, WHIRL_FIELD_FIT_MOTION, 0);
     size_t unstable = 0, first = 0;
     for (size_t i = motions ? motions->rows : 0; i-- > 0;)
-        if (motion[FIT_OF_MOTION * i + 1] > 1.0) unstable++, first = i;
+        if (motion[FIT_MOTION_COLUMNS * i + FIT_MULTIPLIER] > 1.0) unstable++, first = i;
     if (unstable == 0) return;
     whirl_statement *own = find_judgement(of, "stable motions", "", WHIRL_FAILS);
     phrase_text(of, &own->asked, "all fitted motions are stable");
     phrase_text(of, &own->found, "%zu of %zu fitted motions are unstable, first number %zu at ", unstable,
                 motions->rows, first + 1);
-    phrase_number(of, &own->found, WHIRL_QUANTITY_SPEED, 5, motion[FIT_OF_MOTION * first]);
+    phrase_number(of, &own->found, WHIRL_QUANTITY_SPEED, 5, motion[FIT_MOTION_COLUMNS * first]);
     phrase_text(of, &own->judged, ": no machine shows them");
 }
 
@@ -418,7 +417,7 @@ static void fit_find_statistics(const shown_fit_of *f) {
     size_t count = 0;
     double largest = 0.0;
     for (size_t i = 0; motions && i < motions->rows; i++) {
-        const double scatter = motion[FIT_OF_MOTION * i + 2];
+        const double scatter = motion[FIT_MOTION_COLUMNS * i + FIT_SCATTER];
         count += isfinite(scatter);
         largest = fmax(largest, isfinite(scatter) ? scatter : 0.0);
     }

@@ -69,6 +69,9 @@ double records_contact(const whirl_result *result, const whirl_table *table, siz
 /// Returns the point of a table of fits with the least sum of squares; the number of points if there is none.
 size_t fit_best(const whirl_table *table);
 
+/// Returns how far the measured numbers determine a parameter, by its row of the field fit/unknown: "yes", "hardly".
+const char *fit_determined(const double *row);
+
 /// Writes the name of a measured quantity by its row of the field fit/number: "disc x", "disc 45 deg 2X".
 void fit_name_probe(const whirl_result *result, const double *row, char *name, size_t size);
 
