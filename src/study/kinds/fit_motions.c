@@ -3,13 +3,10 @@
 #include "fit_rest.h"
 #include "fit_special.h"
 #include "fit_statistics.h"
-#include "orbit_options.h"
-#include "turns.h"
 #include "two_pi.h"
 #include "varied.h"
 
 #include <math.h>
-#include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -221,19 +218,11 @@ static void place_numbers(const fit_place *p, const whirl_machine *machine, cons
 /// Notes an orbit as the one tried.
 static whirl_status place_note(const fit_place *p, const whirl_machine *machine, const whirl_orbit *orbit,
                                const whirl_orbit_sensitivity *derived, fit_orbit *out) {
-    const size_t n = orbit->dimension, count = p->of->fit->unknown_count;
-    double *numbers = calloc((1 + count) * n + 1, sizeof *numbers), *before = out->node;
-    if (!numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of a fit");
-    *out = (fit_orbit){.dimension = n,
-                       .node = numbers,
-                       .slopes = numbers + n,
-                       .largest = whirl_orbit_largest(orbit),
-                       .speed = machine->speed};
-    memcpy(out->at, p->values, count * sizeof *p->values);
-    memcpy(out->node, orbit->nodes, n * sizeof *numbers);
-    memcpy(out->slopes, derived->slopes, count * n * sizeof *numbers);
-    free(before);
-    return whirl_ok();
+    const whirl_status status = fit_place_note(p, orbit->dimension, orbit->nodes, derived->slopes, out);
+    if (status.code != WHIRL_OK) return status;
+    out->largest = whirl_orbit_largest(orbit);
+    out->speed = machine->speed;
+    return status;
 }
 
 /// Returns the index of a motion's first number.
@@ -255,7 +244,7 @@ static whirl_status place_compute(const fit_motions *m, size_t index, const doub
     const size_t first = place_first(m, index);
     const whirl_fit_number *number = &m->fit->numbers[first];
     double *own = slopes + first * m->fit->unknown_count;
-    if (p.motion->statistics) return fit_statistics(&p, &m->tried[index], m->model, slopes);
+    if (p.motion->statistics) return fit_statistics(&p, first, &m->tried[index], m->model, slopes);
     if (number->quantity == WHIRL_FIT_ORBIT_ONSET)
         return fit_orbit_onset(&p, &m->kept[index], &m->tried[index], &m->model[first], own);
     if (!whirl_fit_is_motion(number->quantity))

@@ -71,6 +71,20 @@ whirl_status fit_place_begin(const fit_place *p, const whirl_system *system, dou
     return status.code == WHIRL_OK ? whirl_orbit_find(system, x, revolutions, &p->options, orbit) : status;
 }
 
+whirl_status fit_place_note(const fit_place *p, size_t dimension, const double *node, const double *slopes,
+                            fit_orbit *out) {
+    const size_t count = p->of->fit->unknown_count;
+    double *numbers = calloc((1 + count) * dimension + 1, sizeof *numbers);
+    if (!numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a number of a fit");
+    free(out->node);
+    *out = (fit_orbit){
+        .dimension = dimension, .node = numbers, .slopes = numbers + dimension, .largest = NAN, .speed = NAN};
+    memcpy(out->at, p->values, count * sizeof *p->values);
+    if (dimension > 0) memcpy(out->node, node, dimension * sizeof *node);
+    if (dimension > 0 && slopes) memcpy(out->slopes, slopes, count * dimension * sizeof *slopes);
+    return whirl_ok();
+}
+
 void fit_place_unknowns(const fit_place *p, varied_parameter out[WHIRL_MAX_UNKNOWNS]) {
     for (size_t u = 0; u < p->of->fit->unknown_count; u++) {
         const whirl_fit_unknown *own = &p->of->fit->unknowns[u];

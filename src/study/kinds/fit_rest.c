@@ -7,26 +7,6 @@
 #include "derived.h"
 #include "fit_turning.h"
 
-/// Notes a number with its derivatives as the one tried.
-static void rest_note(const fit_place *p, size_t dimension, const double *numbers, const double *slopes,
-                      fit_orbit *tried) {
-    const size_t count = p->of->fit->unknown_count;
-    memcpy(tried->at, p->values, count * sizeof *p->values);
-    tried->dimension = dimension;
-    memcpy(tried->node, numbers, dimension * sizeof *numbers);
-    for (size_t u = 0; u < count; u++)
-        for (size_t i = 0; i < dimension; i++) tried->slopes[u * dimension + i] = slopes[u * dimension + i];
-}
-
-/// Makes room for the number. WHIRL_NO_MEMORY.
-static whirl_status rest_room(const fit_place *p, size_t dimension, fit_orbit *tried) {
-    double *numbers = calloc((1 + p->of->fit->unknown_count) * dimension + 1, sizeof *numbers);
-    if (!numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a number of a fit");
-    free(tried->node);
-    *tried = (fit_orbit){.node = numbers, .slopes = numbers + dimension, .largest = NAN, .speed = NAN};
-    return whirl_ok();
-}
-
 /// Predicts number i of the kept ones at the values of a place.
 static double rest_predict(const fit_place *p, const fit_orbit *kept, size_t i) {
     double value = kept->node[i];
@@ -123,10 +103,9 @@ static whirl_status rest_threshold(const fit_place *p, const whirl_fit_number *n
     fit_place_unknowns(p, unknowns);
     turning.speed = s.best.value;
     status = derived_threshold(&turning.study, &turning.batch, &s.best, p->of->fit->unknown_count, unknowns, slopes);
-    if (status.code == WHIRL_OK) status = rest_room(p, 1, tried);
+    if (status.code == WHIRL_OK) status = fit_place_note(p, 1, &s.best.value, slopes, tried);
     if (status.code != WHIRL_OK) return status;
     *model = s.best.value;
-    rest_note(p, 1, model, slopes, tried);
     tried->speed = s.best.speed;
     return status;
 }
@@ -171,7 +150,6 @@ static whirl_status rest_mode(const fit_place *p, const whirl_fit_number *number
         status = whirl_fail(WHIRL_BAD_INPUT, "there is no such mode");
     else
         status = derived_mode(p->of->study, &p->batch, &own, index, count, unknowns, by);
-    if (status.code == WHIRL_OK) status = rest_room(p, 2, tried);
     if (status.code == WHIRL_OK) {
         // The damping ratio is -real/|lambda|.
         const whirl_mode *mode = &own.modes->modes[index];
@@ -182,8 +160,8 @@ static whirl_status rest_mode(const fit_place *p, const whirl_fit_number *number
         for (size_t u = 0; u < count; u++)
             slopes[u] = damping ? lambda[1] * (lambda[0] * by[2 * u + 1] - lambda[1] * by[2 * u]) / (size * size * size)
                                 : by[2 * u + 1];
-        rest_note(p, 2, lambda, by, tried);
-        tried->speed = own.machine.speed;
+        status = fit_place_note(p, 2, lambda, by, tried);
+        if (status.code == WHIRL_OK) tried->speed = own.machine.speed;
     }
     resting_free(&own);
     return status;

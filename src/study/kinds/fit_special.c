@@ -78,21 +78,13 @@ static const whirl_branch_point *special_point(const whirl_branch *branch) {
 /// Notes the onset, a point of a branch, as the one tried.
 static whirl_status special_note(const fit_place *p, const whirl_branch_point *point, const double *slopes,
                                  fit_orbit *tried) {
-    const size_t n = point->orbit->dimension, count = p->of->fit->unknown_count;
-    double *numbers = calloc((1 + count) * n + 1, sizeof *numbers);
-    if (!numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an onset of a fit");
-    free(tried->node);
-    *tried = (fit_orbit){.dimension = n,
-                         .node = numbers,
-                         .slopes = numbers + n,
-                         .largest = NAN,
-                         .speed = p->motion->along ? (double)NAN : point->value,
-                         .value = point->value,
-                         .special = point->special};
-    memcpy(tried->at, p->values, count * sizeof *p->values);
-    memcpy(tried->node, point->orbit->nodes, n * sizeof *numbers);
-    memcpy(tried->by, slopes, count * sizeof *slopes);
-    return whirl_ok();
+    const whirl_status status = fit_place_note(p, point->orbit->dimension, point->orbit->nodes, NULL, tried);
+    if (status.code != WHIRL_OK) return status;
+    tried->speed = p->motion->along ? (double)NAN : point->value;
+    tried->value = point->value;
+    tried->special = point->special;
+    memcpy(tried->by, slopes, p->of->fit->unknown_count * sizeof *slopes);
+    return status;
 }
 
 whirl_status fit_orbit_onset(const fit_place *p, const fit_orbit *kept, fit_orbit *tried, double *model,

@@ -237,31 +237,25 @@ static whirl_status statistics_derive(const fit_place *p, size_t unknown, size_t
     return whirl_ok();
 }
 
-whirl_status fit_statistics(const fit_place *p, fit_orbit *tried, double *model, double *slopes) {
+whirl_status fit_statistics(const fit_place *p, size_t first, fit_orbit *tried, double *model, double *slopes) {
     // Find the numbers of the motion.
     const whirl_fit *fit = p->of->fit;
     const size_t motion = (size_t)(p->motion - fit->motions);
-    size_t first = 0, count = 0;
-    while (fit->numbers[first].motion != motion) first++;
+    size_t count = 0;
     while (first + count < fit->number_count && fit->numbers[first + count].motion == motion) count++;
     // Compute them here and beside.
     double *work = calloc(3 * count + 1, sizeof *work), speed = NAN, largest = 0.0;
-    double *node = calloc(1, sizeof *node);
-    whirl_status status = work && node ? statistics_at(p, p->values, first, count, model + first, work, &speed)
-                                       : whirl_fail(WHIRL_NO_MEMORY, "no memory for a motion of a fit");
+    whirl_status status = work ? statistics_at(p, p->values, first, count, model + first, work, &speed)
+                               : whirl_fail(WHIRL_NO_MEMORY, "no memory for a motion of a fit");
     for (size_t i = 0; i < count && status.code == WHIRL_OK; i++)
         largest = fmax(largest, work[i] / fit->numbers[first + i].noise);
     for (size_t u = 0; u < fit->unknown_count && status.code == WHIRL_OK; u++)
         status = statistics_derive(p, u, first, count, work + count, slopes + first * fit->unknown_count);
     free(work);
-    if (status.code != WHIRL_OK) {
-        free(node);
-        return status;
-    }
     // Nothing is followed: the next motion begins at its machine's start, too.
-    free(tried->node);
-    *tried =
-        (fit_orbit){.dimension = 0, .node = node, .slopes = node, .largest = NAN, .speed = speed, .scatter = largest};
-    memcpy(tried->at, p->values, fit->unknown_count * sizeof *p->values);
+    if (status.code == WHIRL_OK) status = fit_place_note(p, 0, NULL, NULL, tried);
+    if (status.code != WHIRL_OK) return status;
+    tried->speed = speed;
+    tried->scatter = largest;
     return status;
 }
