@@ -192,15 +192,33 @@ def processor_seconds_of_children():
     return used.ru_utime + used.ru_stime
 
 
+def run_timed(options, case, result, threads=1):
+    """Runs a case. Returns the seconds by the clock, and of the processor."""
+    command = [str(options.build / "whirl"), "run", str(case), "-q", f"--threads={threads}", "--force", "-o", str(result)]
+    cores = options.core if threads == 1 else ",".join(str(c) for c in sorted(os.sched_getaffinity(0)))
+    start, used = time.monotonic(), processor_seconds_of_children()
+    subprocess.run(on_cores(cores, command), check=True)
+    return time.monotonic() - start, processor_seconds_of_children() - used
+
+
+def shown_points(options, result, how="--json"):
+    """The points of a result as `whirl show` gives them."""
+    out = subprocess.run([options.build / "whirl", "show", how, result], capture_output=True, text=True, check=True)
+    return json.loads(out.stdout)["points"]
+
+
+def scipy_python(what):
+    """A Python that can import SciPy; None, with a line that says what is left out."""
+    python = python_with("scipy")
+    if not python:
+        say(f"left out: {what} (no Python here can import SciPy)")
+    return python
+
+
 def study(options, case, threads):
     """Seconds of `whirl run` by the clock, and of the processor."""
     with tempfile.TemporaryDirectory() as folder:
-        command = [str(options.build / "whirl"), "run", str(case), "-q", f"--threads={threads}", "-o",
-                   os.path.join(folder, "t1.h5")]
-        cores = options.core if threads == 1 else ",".join(str(c) for c in sorted(os.sched_getaffinity(0)))
-        start, used = time.monotonic(), processor_seconds_of_children()
-        subprocess.run(on_cores(cores, command), check=True)
-        return time.monotonic() - start, processor_seconds_of_children() - used
+        return run_timed(options, case, os.path.join(folder, "t1.h5"), threads)
 
 
 def measure_studies(options):
@@ -868,17 +886,16 @@ processor time: {half:.2g} s for one on two cores (aim: 1 s).
 FIT_FOUND = (0.9000638546263, 0.9998612866208, 9.995958362655, 0.0500193183249, 0.2000210795785)
 
 
-def fit_outcome(shown):
+def fit_outcome(point):
     """Evaluations of all motions, and the largest error of a parameter."""
-    found = shown["points"][0]["fit"]
+    found = point["fit"]
     errors = [abs(row[2] / value - 1) for row, value in zip(found["unknown"], FIT_FOUND)]
     return int(found["outcome"][2]), max(errors)
 
 
 def measure_fit(options):
-    python, library = python_with("scipy"), options.build / "bench" / "libbench_fit_orbits.so"
+    python, library = scipy_python("fits"), options.build / "bench" / "libbench_fit_orbits.so"
     if not python:
-        say("left out: fits (no Python here can import SciPy)")
         return ""
     with tempfile.TemporaryDirectory() as folder:
         call = [python, HERE / "fit_scipy.py", library, HERE / "fit.yaml"]
@@ -886,15 +903,9 @@ def measure_fit(options):
         spent = {}
         for case in ("fit", "many"):
             for _ in range(options.rounds):
-                start = processor_seconds_of_children()
-                run = [options.build / "whirl", "run", f"{folder}/{case}.yaml", "-q", "--threads=1", "--force", "-o",
-                       f"{folder}/{case}.h5"]
-                subprocess.run(on_cores(options.core, [str(word) for word in run]), check=True)
-                seconds = processor_seconds_of_children() - start
+                seconds = run_timed(options, f"{folder}/{case}.yaml", f"{folder}/{case}.h5")[1]
                 spent[case] = min(seconds, spent.get(case, seconds))
-        out = subprocess.run([options.build / "whirl", "show", f"{folder}/fit.h5", "--json"], capture_output=True,
-                             text=True, check=True).stdout
-        steps, error = fit_outcome(json.loads(out))
+        steps, error = fit_outcome(shown_points(options, f"{folder}/fit.h5")[0])
         lines = ["| program | orbits | s | of whirl's time | error |", "|---|---:|---:|---:|---:|",
                  f"| whirl run | {3 * (steps + 1)} | {short(spent['fit'])} | 1 | {error:.0e} |"]
         for orbits_by, differences, name in (("whirl", "2-point", "least_squares, orbits by whirl, two points"),
@@ -940,23 +951,13 @@ def study_of(case, text):
     return case.read_text().split("\nstudy:")[0] + f"\nstudy:\n{text}"
 
 
-def run_timed(options, case, result, threads=1):
-    """Runs a case. Returns the seconds of processor time and those of the clock."""
-    cores = options.core if threads == 1 else ",".join(map(str, sorted(os.sched_getaffinity(0))[:threads]))
-    command = [str(options.build / "whirl"), "run", str(case), "-q", f"--threads={threads}", "--force", "-o", str(result)]
-    spent, clock = processor_seconds_of_children(), time.perf_counter()
-    subprocess.run(on_cores(cores, command), check=True)
-    return processor_seconds_of_children() - spent, time.perf_counter() - clock
-
-
 def runup_by_whirl(options, folder, rtol):
     """Seconds, and place at the end, of the run of runup.yaml."""
     case, result = pathlib.Path(folder, "runup.yaml"), pathlib.Path(folder, "runup.h5")
     case.write_text((HERE / "runup.yaml").read_text().replace("40 s}", f"40 s, rtol: {rtol:g}}}"))
-    seconds = run_timed(options, case, result)[0]
-    out = subprocess.run([options.build / "whirl", "show", "--json=full", result], capture_output=True, text=True,
-                         check=True).stdout
-    return seconds, [1e-3 * value for value in json.loads(out)["points"][0]["runup"]["stations"]["disc"]["place"]]
+    seconds = run_timed(options, case, result)[1]
+    (point,) = shown_points(options, result, "--json=full")
+    return seconds, [1e-3 * value for value in point["runup"]["stations"]["disc"]["place"]]
 
 
 def runup_by_peer(options, command):
@@ -969,7 +970,7 @@ def measure_fan(options, folder):
     case, result = pathlib.Path(folder, "fan.yaml"), pathlib.Path(folder, "fan.h5")
     case.write_text(study_of(HERE / "runup.yaml", "  runup: {parameter: torque, from: 2.5 N.m, to: 4 N.m, points: 64, "
                                                   "duration: 40 s}\n"))
-    return [min(run_timed(options, case, result, threads)[1] for _ in range(options.study_rounds))
+    return [min(run_timed(options, case, result, threads)[0] for _ in range(options.study_rounds))
             for threads in (1, 2)]
 
 
@@ -980,7 +981,7 @@ def measure_compressor(options, folder):
         case = pathlib.Path(folder, "compressor.yaml")
         case.write_text(study_of(HERE.parent / "cases" / "compressor.yaml", "  runup: {rate: 2.36 rad/s2, "
                                  f"speed_from: 3600 rpm, speed_to: 6000 rpm, duration: {duration} s}}\n"))
-        seconds.append(min(run_timed(options, case, pathlib.Path(folder, "compressor.h5"))[0]
+        seconds.append(min(run_timed(options, case, pathlib.Path(folder, "compressor.h5"))[1]
                            for _ in range(options.study_rounds)))
     return seconds[1] - seconds[0]
 
@@ -990,16 +991,13 @@ def measure_gears(options, folder):
     case, result = pathlib.Path(folder, "gears.yaml"), pathlib.Path(folder, "gears.h5")
     case.write_text(study_of(HERE.parent / "cases" / "gear-rattle.yaml", "  branch: {parameter: W, from: 0.6, to: 1.2, "
                              "step: 0.002, switches: 0}\n  initial: {wheel: {x: 1.1}}\n"))
-    seconds = min(run_timed(options, case, result)[0] for _ in range(options.study_rounds))
-    out = subprocess.run([options.build / "whirl", "show", "--json", result], capture_output=True, text=True,
-                         check=True).stdout
-    return 1e3 * seconds / len(json.loads(out)["points"])
+    seconds = min(run_timed(options, case, result)[1] for _ in range(options.study_rounds))
+    return 1e3 * seconds / len(shown_points(options, result))
 
 
 def measure_runups(options):
-    python, library = python_with("scipy"), options.build / "bench" / "libbench_runup_peers.so"
+    python, library = scipy_python("run-ups"), options.build / "bench" / "libbench_runup_peers.so"
     if not python:
-        say("left out: run-ups (no Python here can import SciPy)")
         return ""
     with tempfile.TemporaryDirectory() as folder:
         call = [python, HERE / "runup_scipy.py", library]
