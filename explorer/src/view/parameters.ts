@@ -200,7 +200,7 @@ class Row {
       ? `fitted ${of(value, digits)} \u00b1 ${of(error, 2)} ${unit}; ` +
         `95 %: ${of(value - half, digits)} to ${of(value + half, digits)}`
       : `fitted ${of(value, digits)} ${unit}`;
-    if (determined !== 'yes') this.fit.append(determined === 'at its bound' ? ' (at its bound)' : ' (not determined)');
+    if (determined !== 'yes') this.fit.append(` (determined: ${determined})`);
     const { low, high } = this.bounds;
     for (const [i, size] of [half, error].entries()) {
       const bar = this.bars[i]!;
