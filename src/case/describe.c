@@ -282,6 +282,26 @@ static void channel_text(const case_content *content, const whirl_channel *own, 
                  own->full_scale, unit);
 }
 
+/// Describes the law of the speed in records of runs as the case has it: "law: speed_from = low, rate 50 rpm/s".
+static void law_text(const setting_list *keys, char *text, size_t size) {
+    static const char *const names[] = {"speed_from", "speed_to", "rate", "speeds"};
+    const char *between = "law: ";
+    *text = '\0';
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        const setting *given = settings_find(keys, names[i]);
+        if (!given) continue;
+        size_t used = strlen(text);
+        snprintf(text + used, size - used, "%s%s", between, names[i]);
+        between = ", ";
+        const file_node *row = given->place->kind == NODE_LIST ? given->place->first : given->place;
+        for (; row; row = row == given->place ? NULL : row->next)
+            for (const file_node *one = row->kind == NODE_LIST ? row->first : row; one; one = one == row ? NULL : one->next) {
+                used = strlen(text);
+                snprintf(text + used, size - used, " %s", one->text ? one->text : "");
+            }
+    }
+}
+
 /// Adds facts about a data set: the parameters that differ between its records, its labels and its channels.
 static whirl_status describe_dataset(const case_content *content, whirl_result *result) {
     const whirl_dataset *own = content->plan.dataset;
@@ -299,6 +319,12 @@ static whirl_status describe_dataset(const case_content *content, whirl_result *
     for (size_t i = 0; i < own->channel_count; i++) {
         channel_text(content, &own->channels[i], text, sizeof text);
         dataset_fact(&status, result, "channel", i + 1, text);
+    }
+    const size_t batch = plan_batch(&content->plan, "records");
+    const setting_list *runup = batch < content->plan.batch_count ? content->plan.origins[batch].runup : NULL;
+    if (runup) {
+        law_text(runup, text, sizeof text);
+        dataset_fact(&status, result, "law", 1, text);
     }
     return status;
 }

@@ -7,6 +7,7 @@
 #include "exhausted.h"
 #include "mapped.h"
 #include "plan.h"
+#include "plan_dataset.h"
 #include "whirl/engine/running.h"
 
 typedef struct member {
@@ -16,6 +17,8 @@ typedef struct member {
     double *influence;              ///< [stations][stations]
     double changed_speed;           ///< rad/s, of the drive without load after a change; 0: none
     course_run *course;             ///< events and laws of a run-up, or NULL
+    whirl_runup_options run;        ///< options of the run of a record
+    bool recorded;                  ///< the member before has a meaning
 } member;
 
 static void family_release(void *owner) {
@@ -130,6 +133,11 @@ static whirl_status make_run(const case_content *content, const whirl_batch *bat
     // Machines within a run, after events or at other speeds, have no course of their own.
     if (status.code != WHIRL_OK || !parts || batch->happened_count > 0 || batch->speed != 0.0) return status;
     status = course_make(parts, &content->machine, v, whirl_rotor_length_scale(m->rotor), &m->course);
+    if (status.code == WHIRL_OK && batch->dataset) {
+        const plan_origin *origin = &content->plan.origins[plan_batch(&content->plan, batch->name)];
+        m->recorded = true;
+        return dataset_run(origin->runup, batch, v, m->course, &m->run);
+    }
     if (status.code == WHIRL_OK) status = course_covers(m->course, options->from, whirl_runup_duration(options));
     // Check each event; the machine may change with it.
     for (size_t i = 0; i < parts->event_count && status.code == WHIRL_OK; i++) {
@@ -190,6 +198,7 @@ whirl_status case_machine(const void *family, const whirl_batch *batch, double v
     whirl_rotor_drive(m->rotor, &machine->drive_speed);
     machine->drive_speed = fmax(machine->drive_speed, m->changed_speed);
     machine->course = course_shown(m->course);
+    machine->run = m->recorded ? &m->run : NULL;
     return whirl_ok();
 }
 

@@ -555,6 +555,30 @@ whirl_status course_make(const course_parts *parts, const machine_parts *machine
     return status;
 }
 
+void course_set_rate(course_run *run, double from, double to, double rate) {
+    whirl_run_course *own = &run->shown;
+    own->speed_count = 2;
+    own->speed_times[0] = 0.0;
+    own->speed_times[1] = fabs(to - from) / rate;
+    own->speeds[0] = from;
+    own->speeds[1] = to;
+}
+
+whirl_status course_lead(course_run *run, double lead) {
+    whirl_run_course *own = &run->shown;
+    if (lead == 0.0) return whirl_ok();
+    if (own->speed_count == WHIRL_MAX_SPEEDS)
+        return whirl_fail(WHIRL_BAD_INPUT, "the speeds of the run have %d rows, expected at most %d", WHIRL_MAX_SPEEDS,
+                          WHIRL_MAX_SPEEDS - 1);
+    for (size_t i = own->speed_count; i > 0; i--) {
+        own->speed_times[i] = own->speed_times[i - 1] + lead;
+        own->speeds[i] = own->speeds[i - 1];
+    }
+    own->speed_times[0] = 0.0;
+    own->speed_count++;
+    return whirl_ok();
+}
+
 whirl_status course_given(const course_parts *parts, size_t event, valuation *v, whirl_given *given, size_t *count) {
     const condition_parts *change = &parts->events[event].change;
     for (size_t i = 0; i < change->count; i++) {

@@ -61,6 +61,12 @@ const whirl_run_course *course_shown(const course_run *run);
 whirl_status course_covers(const course_run *run, double speed, double end);
 void course_free(course_run *run);
 
+/// Sets the speeds of a run without a table, rad/s and rad/s2: from `from` to `to` at the rate `rate`, then constant.
+void course_set_rate(course_run *run, double from, double to, double rate);
+
+/// Puts `lead` s at the first speed before the table of speeds. WHIRL_BAD_INPUT if it has too many rows.
+whirl_status course_lead(course_run *run, double lead);
+
 /// Adds the values that an event gives to parameters behind given [*count], at most WHIRL_MAX_GIVEN.
 whirl_status course_given(const course_parts *parts, size_t event, valuation *v, whirl_given *given, size_t *count);
 

@@ -5,6 +5,7 @@
 
 #include "plan.h"
 #include "plan_batches.h"
+#include "plan_course.h"
 #include "plan_dataset.h"
 #include "plan_names.h"
 #include "plan_parts.h"
@@ -171,6 +172,38 @@ static void check_drawn_once(case_reader *reader, const dataset_parts *own) {
                                    "is graded already, expected another parameter");
 }
 
+/// Reads the run of the records. Its course exists even without a table of speeds, which each record then makes.
+static void read_run(case_reader *reader, const machine_parts *machine, dataset_parts *own) {
+    static const char *const known[] = {"speed_from", "speed_to", "rate", "speeds", "begin",
+                                        "settle",     "samples",  "rtol", "method", "rows"};
+    char shown[SHOWN_SIZE];
+    const setting *given = settings_find(&own->keys, "runup");
+    if (!given) return;
+    const whirl_group *group = &schema_at_rest[SCHEMA_AT_REST_runup];
+    setting_list *keys = take_zeroed(reader, sizeof *keys);
+    course_parts *course = take_zeroed(reader, sizeof *course);
+    if (!keys || !course) return;
+    *keys = (setting_list){.name = group->name, .group = group, .place = given->place};
+    settings_read(reader, given->place, group, keys);
+    for (size_t i = 0; i < keys->count; i++) {
+        const setting *one = &keys->items[i];
+        size_t k = 0;
+        while (k < sizeof known / sizeof *known && strcmp(known[k], one->key->name) != 0) k++;
+        if (k == sizeof known / sizeof *known)
+            problem_at_key(reader->problems, one->place,
+                           "has no meaning for records, expected speed_from, speed_to and rate, or speeds, with begin, "
+                           "settle, samples, rtol, method and rows");
+    }
+    const bool table = settings_find(keys, "speeds"), from = settings_find(keys, "speed_from");
+    const bool to = settings_find(keys, "speed_to"), rate = settings_find(keys, "rate");
+    if (table ? from || to || rate : !to || !rate)
+        problem_at(reader->problems, given->place, "is %s, expected speed_from, speed_to and rate, or speeds",
+                   table ? "speeds and a rate" : node_shown(given->place, shown));
+    const course_parts *read = course_read(reader, machine, keys);
+    own->runup = keys;
+    own->course = read ? read : course;
+}
+
 void dataset_read(case_reader *reader, const machine_parts *machine, plan_parts *parts) {
     dataset_parts *own = &parts->dataset;
     const setting *given = settings_find(&parts->study, schema_dataset.name);
@@ -197,6 +230,7 @@ void dataset_read(case_reader *reader, const machine_parts *machine, plan_parts 
         read_channel(reader, one, machine, own->channel_count + 1, &own->channels[own->channel_count]);
         own->channel_count++;
     }
+    read_run(reader, machine, own);
     check_drawn_once(reader, own);
 }
 
@@ -420,6 +454,74 @@ static void finish_motions(case_reader *reader, valuation *v, const plan_parts *
     batch->record.spectra = false;
 }
 
+/// Completes the batch of records of runs, whose motions are those of a study `runup`.
+static void finish_runs(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result,
+                        whirl_batch *batch) {
+    const dataset_parts *own = &parts->dataset;
+    const setting *const without[] = {settings_find(&parts->study, "integrate"), settings_find(&parts->study, "analyze"),
+                                      settings_find(&parts->study, "starts")};
+    whirl_analysis_set runs = 0;
+    // Refuse what belongs to motions at a constant speed.
+    for (size_t i = 0; i < sizeof without / sizeof *without; i++)
+        if (without[i])
+            problem_at_key(reader->problems, without[i]->place,
+                           "has no meaning for records of runs, expected settle, samples, rtol and method in runup");
+    if (!(batch->record.dataset.rate > 0.0))
+        problem_at(reader->problems, own->keys.place,
+                   "has samples at equal angles and a runup, expected rate and samples");
+    if (!settings_check(reader, v, own->runup) || !course_check(reader, v, own->course)) return;
+    // Take the options of the run at the case's own values; those of each record follow in dataset_run.
+    const whirl_dataset_options dataset = batch->record.dataset;
+    whirl_analysis_add(&runs, "runup");
+    batch->integrate = whirl_integrate_default();
+    batch->record = whirl_record_default();
+    if (batch->record.samples_per_revolution > batch->integrate.steps_per_revolution)
+        batch->record.samples_per_revolution = batch->integrate.steps_per_revolution;
+    settings_take(v, own->runup, whirl_record_members(), &batch->record);
+    settings_take(v, own->runup, whirl_runup_members(), &batch->record.runup);
+    batch->record.dataset = dataset;
+    snprintf(batch->record.runup.sensitivity, sizeof batch->record.runup.sensitivity, "no");
+    if (!settings_find(own->runup, "rows")) batch->record.runup.rows = 2;
+    plan_choose_analyses(batch, runs, false);
+    const size_t index = plan_batch(result, batch->name);
+    result->origins[index].course = own->course;
+    result->origins[index].runup = own->runup;
+}
+
+whirl_status dataset_run(const setting_list *keys, const whirl_batch *batch, valuation *v, course_run *course,
+                         whirl_runup_options *options) {
+    // Find the speeds of this record, as a table that begins at its first sample.
+    const whirl_run_course *shown = course_shown(course);
+    *options = batch->record.runup;
+    settings_take(v, keys, whirl_runup_members(), options);
+    snprintf(options->sensitivity, sizeof options->sensitivity, "no");
+    options->rows = batch->record.runup.rows;
+    if (shown->speed_count == 0) {
+        const double from = options->from, to = options->to, rate = options->rate;
+        if (!(from >= 0.0 && to > 0.0 && rate > 0.0) || from == to)
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "the run goes from %.6g to %.6g rad/s at %.6g rad/s2, expected two speeds, the last one "
+                              "above 0, and a rate above 0",
+                              from, to, rate);
+        course_set_rate(course, from, to, rate);
+    }
+    // Let the shaft turn at the first speed before, so that it has its angle at the first sample.
+    const double first = shown->speeds[0], turn = 6.283185307179586476925;
+    const double lead = whirl_dataset_lead(&batch->record.dataset, first);
+    const whirl_record_of record = whirl_dataset_record(batch->dataset, &batch->record.dataset,
+                                                        batch->sampled > 0 ? batch->sampled - 1 : 0, NULL);
+    const double angle = turn * record.begin - first * lead;
+    options->angle = angle - turn * floor(angle / turn);
+    options->duration = whirl_dataset_duration(&batch->record.dataset, lead);
+    options->from = options->to = options->rate = 0.0;
+    snprintf(options->speeds, sizeof options->speeds, "of the record");
+    if (!settings_find(keys, "begin"))
+        snprintf(options->begin, sizeof options->begin, "%s", first > 0.0 ? "steady" : "rest");
+    if (strcmp(options->begin, "steady") == 0 && first == 0.0)
+        return whirl_fail(WHIRL_BAD_INPUT, "the run begins steady at standstill, expected speeds above 0");
+    return course_lead(course, lead);
+}
+
 void dataset_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
     const dataset_parts *own = &parts->dataset;
     whirl_dataset_options options = {0};
@@ -453,6 +555,10 @@ void dataset_make(case_reader *reader, valuation *v, const plan_parts *parts, st
     plan_options(v, parts, &batch->integrate, &batch->record);
     batch->record.dataset = options;
     batch->dataset = dataset;
+    if (own->runup) {
+        finish_runs(reader, v, parts, result, batch);
+        return;
+    }
     plan_finish_points(reader, v, parts, result, batch);
     finish_motions(reader, v, parts, batch);
 }

@@ -129,6 +129,8 @@ typedef struct dataset_parts {
     setting_list keys; ///< without a place: there is no data set
     const machine_parts *machine;
     distribution_list vary, conditions;
+    const setting_list *runup;         ///< keys of the run of its records, or NULL
+    const struct course_parts *course; ///< their table of speeds
     size_t label_count, channel_count;
     label_parts *labels;
     channel_parts *channels;

@@ -287,6 +287,9 @@ static const whirl_key distribution_keys[] = {
 static const whirl_key dataset_keys[] = {
     CHOICE_KEY("vary", OPTIONAL, "", "parameters in which machines differ, with tolerances as in tolerances"),
     CHOICE_KEY("conditions", OPTIONAL, "", "parameters in which records differ, such as the speed, likewise"),
+    CHOICE_KEY("runup", OPTIONAL, "",
+               "records are of runs at changing speeds, in place of motions at a constant one: {speed_from: ..., "
+               "speed_to: ..., rate: ...}, or {speeds: ...}, as in runup"),
     CHOICE_KEY("labels", REQUIRED, "", "names of labels, such as healthy or rub, each with its faults: see label"),
     CHOICE_KEY("channels", REQUIRED, "", "a list of sensors: see channel"),
 };

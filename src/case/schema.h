@@ -51,6 +51,7 @@ typedef struct plan_range {
 /// Places of a batch in the case.
 typedef struct plan_origin {
     const struct course_parts *course; ///< events and laws of a run-up, or NULL
+    const setting_list *runup;         ///< keys of the run of a data set's records, whose values differ; or NULL
     const file_node *place;            ///< place of the whole batch
     const file_node *const *each;      ///< [count] places of the values, if each has one; NULL: only the ends have
     const file_node *first, *last;     ///< places of the ends of the sweep

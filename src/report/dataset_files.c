@@ -36,7 +36,9 @@ void whirl_dataset_write_index(const whirl_result *result, FILE *stream) {
     if (!table) return;
     const size_t parameters = (size_t)table->record.dataset.parameters;
     // Headings.
-    fputs("row,record,machine,split,label,severity,verdict,confidence,contact,speed,begin,seed", stream);
+    const bool runs = records_are_runs(table);
+    fprintf(stream, "row,record,machine,split,label,severity,%scontact,speed,%sbegin,seed",
+            runs ? "" : "verdict,confidence,", runs ? "end_speed,rate," : "");
     for (size_t i = 0; i < parameters; i++) fputc(',', stream), put_name(stream, result, "parameter", i + 1);
     fputs("\r\n", stream);
     // A row for each record.
@@ -52,9 +54,13 @@ void whirl_dataset_write_index(const whirl_result *result, FILE *stream) {
                 whirl_table_number(table, p, WHIRL_FIELD_DATASET_MACHINE, 0), whirl_split_name((whirl_split)split));
         put_name(stream, result, "label", (size_t)label + 1);
         dataset_put_number(stream, whirl_table_number(table, p, WHIRL_FIELD_DATASET_SEVERITY, 0));
-        fprintf(stream, ",%s,%s", judged ? verdict : "", judged ? whirl_confidence_name(found.confidence) : "");
+        if (!runs) fprintf(stream, ",%s,%s", judged ? verdict : "", judged ? whirl_confidence_name(found.confidence) : "");
         dataset_put_number(stream, records_contact(result, table, p));
         dataset_put_number(stream, whirl_table_number(table, p, WHIRL_FIELD_DATASET_SPEED, 0));
+        if (runs) {
+            dataset_put_number(stream, whirl_table_number(table, p, WHIRL_FIELD_DATASET_END_SPEED, 0));
+            dataset_put_number(stream, whirl_table_number(table, p, WHIRL_FIELD_DATASET_RATE, 0));
+        }
         dataset_put_number(stream, whirl_table_number(table, p, WHIRL_FIELD_DATASET_BEGIN, 0));
         fprintf(stream, ",%.0f", whirl_table_number(table, p, WHIRL_FIELD_DATASET_SEED, 0));
         const double *values = whirl_table_field(table, p, WHIRL_FIELD_DATASET_VALUES, 0);
@@ -72,18 +78,19 @@ whirl_status whirl_dataset_write_sheet(const whirl_result *result, const char *n
     const whirl_status status = whirl_findings_new(result, NULL, &findings);
     if (status.code != WHIRL_OK) return status;
     const whirl_dataset_options *options = &table->record.dataset;
+    const bool runs = records_are_runs(table);
     // The title and the files.
     fprintf(
         stream,
         "# %s\n\nComputed by whirl %s from the case %s, which is in the file with all its numbers. Files:\n\n"
         "- `%s.h5`: the result. Its dataset `records/dataset/signals` holds [record][channel][sample] as float32; a "
         "row of it is a row of all other datasets of `records`, and of the table.\n"
-        "- `%s-records.csv`: for each record its machine, set, label, severity, verdict on the computed motion with "
-        "its "
-        "confidence, largest share of the time in contact, speed (rad/s), angle of the shaft at the first sample "
-        "(revolutions), seed, and the parameters that differ (SI).\n\n",
+        "- `%s-records.csv`: for each record its machine, set, label, severity, %slargest share of the time in contact, "
+        "%s, angle of the shaft at the first sample (revolutions), seed, and the parameters that differ (SI).\n\n",
         result->title[0] ? result->title : result->case_name, whirl_result_fact(result, "version"), result->case_name,
-        name, name);
+        name, name, runs ? "" : "verdict on the computed motion with its confidence, ",
+        runs ? "speeds at the first and the last sample (rad/s), rate of the speed at the first sample (rad/s2)"
+             : "speed (rad/s)");
     // Statements and sheets.
     for (size_t i = 0; i < findings->statement_count; i++) {
         char text[2 * WHIRL_MESSAGE_SIZE];
@@ -98,20 +105,32 @@ whirl_status whirl_dataset_write_sheet(const whirl_result *result, const char *n
         sheet_write_markdown(stream, sheet);
     }
     // Limits of the signals.
+    char before[WHIRL_MESSAGE_SIZE];
+    if (runs)
+        snprintf(before, sizeof before,
+                 "The shaft turns at the first speed for %.3g s before the first sample, in which sensors and filters "
+                 "settle; where the speed stays at its last value, the law ended before the record.",
+                 whirl_dataset_lead(options, 1.0));
+    else
+        snprintf(before, sizeof before,
+                 "Transients before the records are %d revolutions long; the speed is constant in a record.",
+                 table->record.transient);
     fprintf(
         stream,
         "\n## What to know before use\n\n"
         "- The motions are solutions of the equations of the case by %s: every effect that the case does not have is "
         "missing from the signals. A classifier that is right here has shown that it finds these faults in this "
         "model, not on a machine.\n"
-        "- Labels say which parameters were changed, severities how far. Verdict and contact show whether the motion "
-        "is another one: a rub that does not touch is a healthy motion with the label of a rub.\n"
+        "- Labels say which parameters were changed, severities how far. %s whether the motion is another one: a rub "
+        "that does not touch is a healthy motion with the label of a rub.\n"
         "- Sets are divided by machine: %.3g %% for training, %.3g %% for validation, the rest for testing. Windows "
         "of one record, or records of one machine, in two sets tell a classifier what it should find.\n"
-        "- Transients before the records are %d revolutions long; the speed is constant in a record.\n"
+        "- %s\n"
         "- Any record is made anew by `whirl run CASE.yaml --set dataset.only=NUMBER`, with the same bits on the "
         "same instruction set.\n",
-        table->integrate.method, 100.0 * options->train, 100.0 * options->validation, table->record.transient);
+        runs ? table->record.runup.method : table->integrate.method,
+        runs ? "Contact shows" : "Verdict and contact show", 100.0 * options->train, 100.0 * options->validation,
+        before);
     whirl_findings_free(findings);
     return whirl_ok();
 }

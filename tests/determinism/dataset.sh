@@ -67,3 +67,28 @@ for row in rows[0]:
     assert sets.setdefault(row["machine"], row["split"]) == row["split"]
 assert abs(list(sets.values()).count("train") - 28) <= 1, sets
 END
+
+# Records of runs, likewise.
+"$python" - <<'END'
+text = open("case.yaml").read()
+text = text.replace("omega: {from: 0.7, to: 1.1}", "omega: {from: 0.4, to: 0.6}").replace("machines: 40", "machines: 6")
+text = text.replace("    labels:", "    runup: {speed_from: = omega, speed_to: 1.5, rate: 0.01, settle: 20}\n    labels:")
+open("runs.yaml", "w").write(text.replace("  integrate: {transient: 100}\n", ""))
+END
+for threads in 1 3; do "$whirl" run runs.yaml -q --threads $threads -o runs-$threads.h5; done
+for shard in 1 2; do "$whirl" run runs.yaml -q --shard $shard/2 -o run-shards.h5; done
+"$whirl" merge runs.yaml -q -o run-shards.h5
+"$tests/stop_midway.sh" INT run-stopped.h5.journal 20000 "$whirl" run runs.yaml -q --threads 1 -o run-stopped.h5 ||
+  [ $? = 3 ]
+"$whirl" run runs.yaml -q --resume -o run-stopped.h5 --force
+"$python" "$tests/same_data.py" runs-1.h5 runs-3.h5 run-shards.h5 run-stopped.h5
+cmp runs-1-records.csv run-shards-records.csv
+"$whirl" run runs.yaml -q --set dataset.only=9 -o run-alone.h5
+"$python" - <<'END'
+import h5py
+
+many, alone = (h5py.File(name)["records"] for name in ("runs-1.h5", "run-alone.h5"))
+for part in ("dataset", "runup"):
+    for name in many[part]:
+        assert many[part][name][8:9].tobytes() == alone[part][name][()].tobytes(), name
+END

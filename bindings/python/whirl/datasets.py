@@ -256,7 +256,8 @@ class DataSet:
     def index(self) -> pandas.DataFrame:
         """The table of records, one line each: record, machine, split, label, severity (NaN without a fault), verdict
         on the motion with its confidence, contact (share of the time), speed (rad/s), begin (angle of the shaft at the
-        first sample, revolutions), seed, and every parameter that differs (SI)."""
+        first sample, revolutions), seed, and every parameter that differs (SI). Records of runs have no verdict, and
+        end_speed and rate (rad/s, at the last sample; rad/s2, at the first one) in addition."""
         import pandas
 
         return pandas.DataFrame(

@@ -316,6 +316,8 @@ export const FIELD = {
   DATASET_SEED: 'dataset/seed',
   DATASET_BEGIN: 'dataset/begin',
   DATASET_SPEED: 'dataset/speed',
+  DATASET_END_SPEED: 'dataset/end_speed',
+  DATASET_RATE: 'dataset/rate',
   DATASET_VALUES: 'dataset/values',
   DATASET_SIGNALS: 'dataset/signals',
   REFINE_ROUNDS: 'refine/rounds',

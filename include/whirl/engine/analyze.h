@@ -287,6 +287,7 @@ typedef struct whirl_resting {
     const whirl_saving *saving;     ///< NULL, or how the state of a run-up is saved
     double drive_speed;             ///< whirl_machine.drive_speed
     const whirl_run_course *course; ///< whirl_machine.course
+    whirl_run_motion *motion;       ///< NULL, or receives the motion of a run-up at equal times; borrowed
     const whirl_stop *stop;         ///< NULL, or becomes true when long work shall end; its numbers mean nothing then
     size_t placed_count;            ///< number of placed unbalances
     const whirl_placed *placed;     ///< [placed_count] unbalances that replace its own

@@ -1,5 +1,7 @@
 /// Data sets: records of machines with known faults, for diagnosis (study `dataset`).
 ///
+/// Records are of motions at constant speeds, or of runs whose speed follows a law of time.
+///
 /// A data set has `machines` machines, which differ within their tolerances. Each machine has every label, in `records`
 /// records under different conditions. The contents of a record depend only on the data set and the number of the
 /// record, so that any single record can be computed again. Records are divided by machine into sets for training,
@@ -62,6 +64,13 @@ typedef struct whirl_dataset {
 /// Returns the number of records of a data set that are made.
 size_t whirl_dataset_records(const whirl_dataset_options *options);
 
+/// Returns the time, s, from the beginning of a run to the first sample of its record, in which the shaft turns at the
+/// first speed of the run's law, rad/s; 0 for a shaft that stands then.
+double whirl_dataset_lead(const whirl_dataset_options *options, double speed);
+
+/// Returns the duration, s, of the run of a record with that lead: samples, and what the filters need after them.
+double whirl_dataset_duration(const whirl_dataset_options *options, double lead);
+
 /// The set that a record belongs to.
 typedef enum whirl_split { WHIRL_SPLIT_TRAIN, WHIRL_SPLIT_VALIDATION, WHIRL_SPLIT_TEST } whirl_split;
 
@@ -76,7 +85,8 @@ typedef struct whirl_record_of {
     double severity;   ///< above 0, below 1; NaN if the label has none
     whirl_split split; ///< set of its machine
     uint64_t seed;     ///< seed of its noise and jitter; below 2^53
-    double begin;      ///< revolutions from the end of the lead to its first sample, below 1
+    double begin;      ///< revolutions from the end of the lead to its first sample, below 1; of a run the angle of the
+                       ///< shaft at its first sample
 } whirl_record_of;
 
 /// Returns the machine, label, severity and condition of a record, by its index among those that are made, and writes

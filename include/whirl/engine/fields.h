@@ -343,6 +343,8 @@
 #define WHIRL_FIELD_DATASET_SEED "dataset/seed"
 #define WHIRL_FIELD_DATASET_BEGIN "dataset/begin"
 #define WHIRL_FIELD_DATASET_SPEED "dataset/speed"
+#define WHIRL_FIELD_DATASET_END_SPEED "dataset/end_speed"
+#define WHIRL_FIELD_DATASET_RATE "dataset/rate"
 #define WHIRL_FIELD_DATASET_VALUES "dataset/values"
 #define WHIRL_FIELD_DATASET_SIGNALS "dataset/signals"
 

@@ -102,6 +102,16 @@ typedef struct whirl_torques {
     double acceleration;   ///< rad/s2
 } whirl_torques;
 
+/// The motion of a run at equal times, as sensors of a data set take it. Instants before the beginning of the run have
+/// its first state.
+typedef struct whirl_run_motion {
+    size_t probes, count; ///< stations, instants
+    double from, step;    ///< s: time of the first instant, and between instants
+    size_t filled;        ///< number of instants that the run has reached so far
+    double *x;            ///< [probes][2][count] displacements x and y, in the machine's unit of length
+    double *angle;        ///< [count] rad, angle of the shaft
+} whirl_run_motion;
+
 /// A machine whose speed changes; not to be shared between threads.
 typedef struct whirl_running whirl_running;
 

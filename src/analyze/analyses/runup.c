@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "runup/run_motion.h"
 #include "runup_parts.h"
 #include "synchronous.h"
 #include "whirl/engine/linear.h"
@@ -344,6 +345,7 @@ static void runup_archive_filling(filling *f, runup_state *state, archive *a) {
     archive_part(a, f->force, f->contacts * sizeof *f->force);
     archive_count(a, &f->row, f->rows);
     runup_views_archive(&f->views, a);
+    if (f->point->motion) run_motion_archive(f->point->motion, a);
     runup_cycles_archive(f->histories, f->torques, a);
     runup_archive(state, a);
 }
@@ -560,6 +562,7 @@ static whirl_status runup_run_machine(whirl_running *running, const changing *c,
     }
     if (status.code == WHIRL_OK) status = runup_views_new(view, o, system, contacts, f.duration, &f.views);
     if (f.views.samples.numbers) plan.samples = &f.views.samples;
+    plan.motion = point->motion;
     if (status.code == WHIRL_OK) status = runup_carry(running, &plan, &run);
     if (status.code == WHIRL_OK && run.end == RUNUP_STOPPED) status = whirl_fail(WHIRL_STOPPED, "stopped");
     if (status.code == WHIRL_OK) status = f.status;
@@ -692,6 +695,7 @@ static whirl_status runup_compute(const whirl_resting *point, const whirl_record
     if (status.code == WHIRL_OK) status = runup_run_machine(running, &c, &o, view, resume, &stale);
     if (stale) {
         runup_empty(view);
+        if (point->motion) point->motion->filled = 0;
         status = runup_run_machine(running, &c, &o, view, false, &stale);
     }
     // The balance knows responses at the speed of the shaft only.

@@ -1,6 +1,7 @@
 // A run turn by turn: the first turn from standstill by time, from then on by the angle; machines whose torques depend
 // on time, or whose stations twist, by time throughout. Events are landed on.
 #include "runup.h"
+#include "run_motion.h"
 #include "two_pi.h"
 
 #include <math.h>
@@ -425,6 +426,24 @@ static void runup_keep_instants(runner *r, double passed, double step, size_t co
     }
 }
 
+/// Fills in the instants of the run's motion up to the end of a part by time.
+static void runup_fill_motion(const runner *r, double step, size_t count) {
+    whirl_run_motion *to = r->plan->motion;
+    double *slope = r->change;
+    motion_node nodes[2];
+    for (size_t k = 0; k < count; k++) {
+        const double begin = runup_time_of(r, runup_sample(r, k)), end = runup_time_of(r, runup_sample(r, k + 1));
+        if (to->filled == to->count || !(to->from + (double)to->filled * to->step < end)) continue;
+        // Slopes of the ends are those of the equations.
+        for (size_t side = 0; side < 2; side++) {
+            const double *sample = runup_sample(r, k + side);
+            r->system->rhs(r->system->model, 0.0, NULL, sample, slope + side * r->most);
+            nodes[side] = (motion_node){sample, slope + side * r->most, sample[r->rotor + 2], sample[r->rotor]};
+        }
+        run_motion_fill(to, r->system->probes, &nodes[0], &nodes[1], begin, end, step);
+    }
+}
+
 /// Evaluates a part of a turn. from: angle of its beginning (0 with time as variable); passed: the angle of its
 /// beginning within the turn.
 static void runup_see_part(runner *r, double from, double passed, double length) {
@@ -435,6 +454,7 @@ static void runup_see_part(runner *r, double from, double passed, double length)
     runup_see_torques(r, step, count);
     runup_add_orders(r, passed, step, count);
     if (r->plan->samples) runup_keep_instants(r, passed, step, count);
+    if (r->plan->motion) runup_fill_motion(r, step, count);
 }
 
 static void runup_begin_turn(runner *r) {
@@ -773,6 +793,20 @@ static whirl_motion runup_carry_next(runner *r, double from, double *length, dou
     }
 }
 
+/// Returns the length by time of the next part. In the run of a record the speed is given, and parts end with turns:
+/// their ends need not be searched.
+static double runup_next_leg(const runner *r) {
+    const double before = 1.0 - 1e-13, speed = r->x[r->rotor], rate = r->how.rate / (r->unit * r->unit);
+    if (!r->plan->motion) return r->leg;
+    const double angle = runup_turn_end(r) - r->x[r->rotor + 2], root = speed * speed + 2.0 * rate * angle;
+    return root > 0.0 ? fmin(r->leg, before * 2.0 * angle / (speed + sqrt(root))) : r->leg;
+}
+
+/// Returns true if a state ends the turn of the run of a record.
+static bool runup_ends_turn(const runner *r, const double *x) {
+    return r->plan->motion && fabs(x[r->rotor + 2] - runup_turn_end(r)) < 1e-10;
+}
+
 /// Carries the run over the next turn. True while it goes on.
 static bool runup_turn_on(runner *r) {
     double *end = r->scratch + r->most, *there = r->scratch + 2 * r->most;
@@ -781,7 +815,7 @@ static bool runup_turn_on(runner *r) {
     runup_begin_turn(r);
     for (bool turning = true; turning;) {
         const double from = r->by_time ? 0.0 : r->angle0 + angle;
-        double length = r->by_time ? r->leg : two_pi - angle, at;
+        double length = r->by_time ? runup_next_leg(r) : two_pi - angle, at;
         whirl_motion motion = runup_carry_next(r, from, &length, end);
         if (motion != WHIRL_BOUNDED || (r->by_time ? runup_stands(r, end) : !(end[r->rotor] > 0.0))) {
             memcpy(r->x, end, r->dimension * sizeof *end);
@@ -798,7 +832,7 @@ static bool runup_turn_on(runner *r) {
         runup_carry_copy(r, from, at);
         const double passed = r->by_time ? end[r->rotor + 2] - r->x[r->rotor + 2] : at;
         memcpy(r->x, end, r->dimension * sizeof *end);
-        if (!r->by_time && what == EVENT_NONE) what = EVENT_TURN;
+        if (what == EVENT_NONE && (!r->by_time || runup_ends_turn(r, r->x))) what = EVENT_TURN;
         r->turns = what == EVENT_TURN ? runup_whole_turns(r) + 1.0 : r->turns + passed / two_pi;
         angle += passed;
         turning = what != EVENT_TURN;
@@ -870,10 +904,11 @@ static bool runup_begin(runner *r) {
     const whirl_runup_options *o = r->plan->options;
     if (strcmp(o->begin, "steady") == 0 && !runup_settle(r)) return false;
     r->begun = true;
+    if (r->plan->motion) run_motion_begin(r->plan->motion, r->system->probes, r->x, r->x[r->rotor + 2]);
     bool going = !runup_happen_now(r) && r->status.code == WHIRL_OK;
     if (r->copy) runup_place_copy(r, 0.0);
     if (going && o->from == 0.0) going = runup_start_turning(r);
-    if (going && o->from == 0.0 && !r->machine->in_time) runup_go_by_angle(r);
+    if (going && o->from == 0.0 && !r->machine->in_time && !r->plan->motion) runup_go_by_angle(r);
     return going;
 }
 
@@ -1104,7 +1139,7 @@ whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_r
                 .torques = running->in_time ? running->watched_count : 0,
                 .leg = 0.05 * two_pi,
                 .unit = running->unit,
-                .angle0 = running->in_time ? plan->angle : fmod(plan->angle, two_pi), // meshes know whole turns
+                .angle0 = running->in_time || plan->motion ? plan->angle : fmod(plan->angle, two_pi), // meshes know whole turns
                 .run = run};
     r.how = (whirl_turning){.driven = whirl_runup_driven(o),
                             .rate = o->to > 0.0 && o->to < o->from ? -o->rate : o->rate,
@@ -1123,7 +1158,7 @@ whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_r
     // Start: by time where the shaft stands, else by its angle.
     whirl_status status = runup_open(&r);
     if (status.code == WHIRL_OK) {
-        runup_go_by(&r, 0, running->in_time || o->from == 0.0);
+        runup_go_by(&r, 0, running->in_time || o->from == 0.0 || plan->motion);
         memcpy(r.x, plan->start, plan->start_count * sizeof *r.x);
         r.x[r.rotor] = o->from / r.unit;
         if (r.by_time)

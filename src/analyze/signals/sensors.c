@@ -27,11 +27,20 @@ const char *whirl_sensor_sensitivity_unit(whirl_sensor sensor) {
 
 // ---------------------------------------------------------------- the sensor, at the instants of the waveform
 
-/// The instants of a waveform.
+/// The instants of a waveform, and the motion at them.
 typedef struct sensor_grid {
     size_t count;
-    double step; ///< s
+    double step;               ///< s
+    const double *motion;      ///< [stations][2][count] displacements
+    const whirl_probe *probes; ///< [stations]
+    size_t turn;               ///< instants of a revolution, of which the last one ends it; 0: `angle` has the angles
+    const double *angle;       ///< [count] rad, of the shaft
 } sensor_grid;
+
+/// Returns the angle of the shaft at an instant, in revolutions; only its fraction has a meaning.
+static double sensor_revolutions(const sensor_grid *grid, size_t instant) {
+    return grid->turn > 0 ? (double)((instant + 1) % grid->turn) / (double)grid->turn : grid->angle[instant] / two_pi;
+}
 
 /// Replaces displacements by their derivative of order 1 or 2, by central differences of order 8 (Fornberg 1988).
 static void derive(const sensor_grid *grid, int order, const double *x, double *out) {
@@ -83,16 +92,15 @@ static void pass_high(const sensor_grid *grid, double frequency, double *u) {
 }
 
 /// Computes the signal of a sensor in volts; x and y [count] of its station are workspace.
-static void measure(const whirl_record *record, const whirl_channel *channel, const whirl_sampling *sampling,
-                    const sensor_grid *grid, double *x, double *out) {
+static void measure(const whirl_channel *channel, const whirl_sampling *sampling, const sensor_grid *grid, double *x,
+                    double *out) {
     const double *y = x + grid->count, c = cos(channel->angle), s = sin(channel->angle);
     const size_t n = grid->count;
     // Displacements along the sensor. Runout is seen by those that look at the surface.
-    memcpy(x, record->waveform + channel->station * 2 * n, 2 * n * sizeof *x);
-    const whirl_probe *probe = &record->probes[channel->station];
-    const size_t turn = record->samples_per_revolution;
+    memcpy(x, grid->motion + channel->station * 2 * n, 2 * n * sizeof *x);
+    const whirl_probe *probe = &grid->probes[channel->station];
     for (size_t i = 0; channel->sensor == WHIRL_SENSOR_PROXIMITY && probe->runout_count > 0 && i < 2 * n; i++)
-        x[i] += whirl_probe_runout(probe, i / n, (double)((i % n + 1) % turn) / (double)turn);
+        x[i] += whirl_probe_runout(probe, i / n, sensor_revolutions(grid, i % n));
     for (size_t j = 0; j < n; j++) x[j] = sampling->length * (c * x[j] + s * y[j]);
     // Apply the sensor's law and its electronics.
     if (channel->sensor == WHIRL_SENSOR_PROXIMITY)
@@ -207,6 +215,7 @@ static void sensors_finish(const whirl_channel *channel, uint64_t seed, size_t i
 /// Places of samples: sample k lies at place + k ratio among the instants.
 typedef struct sample_places {
     double place, ratio;
+    double turned; ///< revolutions of a sample if the speed is constant
 } sample_places;
 
 static whirl_status check_places(const sensor_grid *grid, const whirl_sampling *sampling, const sample_places *at) {
@@ -242,37 +251,81 @@ static void sample_all(const whirl_channel *channels, size_t count, const whirl_
     }
 }
 
-whirl_status whirl_channels_sample(const whirl_record *record, const whirl_channel *channels, size_t count,
-                                   const whirl_sampling *sampling, float *out) {
-    const size_t n = record->sample_count, samples = sampling->samples;
-    const double turn = record->period / sampling->clock; // s
-    const double instants = (double)record->samples_per_revolution;
-    const sensor_grid grid = {n, turn / instants};
-    // The first instant of a waveform is one step after the beginning of the record.
-    const sample_places at = {sampling->from * instants - 1.0, instants / (sampling->rate * turn)};
-    if (n < 16) return whirl_fail(WHIRL_BAD_INPUT, "the record has no waveform");
-    const whirl_status status = check_places(&grid, sampling, &at);
+/// Returns the angle of the shaft at a place among the instants, in revolutions: straight between angles, which half a
+/// sample is a whole number of instants apart from a sample.
+static double sensor_angle_at(const sensor_grid *grid, double place) {
+    const size_t low = (size_t)place < grid->count - 1 ? (size_t)place : grid->count - 2;
+    const double share = place - (double)low;
+    return ((1.0 - share) * grid->angle[low] + share * grid->angle[low + 1]) / two_pi;
+}
+
+/// Fills in the share of each sample's time in which a keyphasor sees a pulse, values [samples].
+static void sample_pulses(const whirl_channel *channel, size_t index, const whirl_sampling *sampling,
+                          const sensor_grid *grid, const sample_places *at, double *values) {
+    const double least = 1e-9; // revolutions: a shaft that stands is within a pulse, or it is not
+    for (size_t k = 0; k < sampling->samples; k++) {
+        const double place = sampling->from + at->turned * (double)k, instant = at->place + at->ratio * (double)k;
+        double from = place - 0.5 * at->turned, to = place + 0.5 * at->turned;
+        if (grid->angle) {
+            from = sensor_angle_at(grid, instant - 0.5 * at->ratio);
+            to = fmax(sensor_angle_at(grid, instant + 0.5 * at->ratio), from + least);
+        }
+        values[k] = channel->sensitivity * pulse_share(channel, sampling->seed, index, from, to);
+    }
+}
+
+/// Samples all channels of a motion that has the instants which they need.
+static whirl_status sample_channels(const sensor_grid *grid, const sample_places *at, const whirl_channel *channels,
+                                    size_t count, const whirl_sampling *sampling, float *out) {
+    const size_t n = grid->count, samples = sampling->samples;
+    const whirl_status status = check_places(grid, sampling, at);
     if (status.code != WHIRL_OK) return status;
     // Workspace: signals at instants, a station's motion, weights of the filter, samples.
-    const size_t taps = (size_t)(2.0 * WHIRL_SENSOR_REACH * at.ratio) + 4;
+    const size_t taps = (size_t)(2.0 * WHIRL_SENSOR_REACH * at->ratio) + 4;
     double *signals = malloc(((count + 2) * n + taps + count * samples) * sizeof *signals);
     if (!signals) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu samples of %zu channels", samples, count);
     double *motion = signals + count * n, *weights = motion + 2 * n, *values = weights + taps;
     // Sensors, samples, pulses, converters.
     for (size_t c = 0; c < count; c++)
         if (channels[c].sensor != WHIRL_SENSOR_KEYPHASOR)
-            measure(record, &channels[c], sampling, &grid, motion, signals + c * n);
-    sample_all(channels, count, sampling, &grid, &at, signals, impulse_response(), weights, values);
+            measure(&channels[c], sampling, grid, motion, signals + c * n);
+    sample_all(channels, count, sampling, grid, at, signals, impulse_response(), weights, values);
     for (size_t c = 0; c < count; c++) {
         double *own = values + c * samples;
-        const double wide = 1.0 / (sampling->rate * turn);
-        for (size_t k = 0; channels[c].sensor == WHIRL_SENSOR_KEYPHASOR && k < samples; k++) {
-            const double place = sampling->from + wide * (double)k;
-            own[k] = channels[c].sensitivity *
-                     pulse_share(&channels[c], sampling->seed, c, place - 0.5 * wide, place + 0.5 * wide);
-        }
+        if (channels[c].sensor == WHIRL_SENSOR_KEYPHASOR)
+            sample_pulses(&channels[c], c, sampling, grid, at, own);
         sensors_finish(&channels[c], sampling->seed, c, samples, own, out + c * samples);
     }
     free(signals);
     return whirl_ok();
+}
+
+whirl_status whirl_channels_sample(const whirl_record *record, const whirl_channel *channels, size_t count,
+                                   const whirl_sampling *sampling, float *out) {
+    const double turn = record->period / sampling->clock; // s
+    const double instants = (double)record->samples_per_revolution;
+    const sensor_grid grid = {.count = record->sample_count,
+                              .step = turn / instants,
+                              .motion = record->waveform,
+                              .probes = record->probes,
+                              .turn = record->samples_per_revolution};
+    // The first instant of a waveform is one step after the beginning of the record.
+    const sample_places at = {sampling->from * instants - 1.0, instants / (sampling->rate * turn),
+                              1.0 / (sampling->rate * turn)};
+    if (grid.count < 16) return whirl_fail(WHIRL_BAD_INPUT, "the record has no waveform");
+    return sample_channels(&grid, &at, channels, count, sampling, out);
+}
+
+whirl_status whirl_channels_sample_run(const whirl_run_motion *motion, const whirl_probe *probes, size_t first,
+                                       size_t ratio, const whirl_channel *channels, size_t count,
+                                       const whirl_sampling *sampling, float *out) {
+    const sensor_grid grid = {.count = motion->count,
+                              .step = motion->step,
+                              .motion = motion->x,
+                              .probes = probes,
+                              .angle = motion->angle};
+    const sample_places at = {(double)first, (double)ratio, 0.0};
+    if (motion->filled < motion->count || motion->count < 16)
+        return whirl_fail(WHIRL_BAD_INPUT, "the motion has %zu of %zu instants", motion->filled, motion->count);
+    return sample_channels(&grid, &at, channels, count, sampling, out);
 }

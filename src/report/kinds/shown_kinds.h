@@ -54,7 +54,7 @@ int shown_modes_growing(const whirl_table *table, size_t point);
 /// The kinds. The kind of a table is the first one whose field it has.
 #define SHOWN_KINDS(kind)                                                                                              \
     kind(tolerances) kind(branches) kind(tori) kind(modes) kind(unbalance) kind(critical_speeds) kind(stability)       \
-    kind(statics) kind(runup) kind(twists) kind(fit) kind(records) kind(motions)
+    kind(statics) kind(records) kind(runup) kind(twists) kind(fit) kind(motions)
 // clang-format on
 #define SHOWN_KIND(name) extern const shown_kind shown_##name;
 SHOWN_KINDS(SHOWN_KIND)
@@ -62,6 +62,9 @@ SHOWN_KINDS(SHOWN_KIND)
 /// Splits a fact of a data set, such as "label" 2: writes its name, and returns the text behind the colon ("" for
 /// none).
 const char *records_fact(const whirl_result *result, const char *what, size_t number, char name[WHIRL_NAME_SIZE]);
+
+/// Returns true if the records of a data set are of runs, whose speed changes.
+bool records_are_runs(const whirl_table *table);
 
 /// Returns the largest share of the time that a contact is closed in a record; NaN for a machine without contacts.
 double records_contact(const whirl_result *result, const whirl_table *table, size_t point);

@@ -16,10 +16,18 @@ const char *records_fact(const whirl_result *result, const char *what, size_t nu
     return text + strspn(text, ": ");
 }
 
+bool records_are_runs(const whirl_table *table) {
+    return whirl_layout_field(&table->layout, WHIRL_FIELD_DATASET_RATE) != NULL;
+}
+
 double records_contact(const whirl_result *result, const whirl_table *table, size_t point) {
     double most = result->contact_count > 0 ? 0.0 : (double)NAN;
-    for (size_t c = 0; c < result->contact_count; c++)
-        most = fmax(most, whirl_table_number(table, point, WHIRL_FIELD_RUB_SHARE, c));
+    for (size_t c = 0; c < result->contact_count; c++) {
+        const double *contact = whirl_table_field(table, point, WHIRL_FIELD_RUNUP_CONTACT, c);
+        const double share = contact ? contact[2] / whirl_table_number(table, point, WHIRL_FIELD_RUNUP_END_TIME, 0)
+                                     : whirl_table_number(table, point, WHIRL_FIELD_RUB_SHARE, c);
+        most = fmax(most, share);
+    }
     return most;
 }
 
@@ -52,14 +60,15 @@ static void count_labels(const finder *of, label_count *counts) {
         const whirl_verdict verdict = whirl_table_verdict(table, p);
         own->records++;
         own->touching += records_contact(of->result, table, p) > 0.0;
+        if (records_are_runs(table)) own->ended += whirl_table_number(table, p, WHIRL_FIELD_RUNUP_END, 0) != 0.0;
         if (split >= 0.0 && split <= 2.0) own->splits[(size_t)split]++;
-        count_verdict(own, &verdict);
+        if (!records_are_runs(table)) count_verdict(own, &verdict);
     }
 }
 
 static void find_labels(const finder *of, const label_count *counts) {
     char name[WHIRL_NAME_SIZE];
-    const bool contacts = of->result->contact_count > 0;
+    const bool contacts = of->result->contact_count > 0, runs = records_are_runs(of->table);
     // Set up the columns.
     whirl_sheet *sheet = find_sheet(of, "labels", "Labels and what their machines do");
     sheet->about =
@@ -69,10 +78,10 @@ static void find_labels(const finder *of, const label_count *counts) {
     sheet_column(of, sheet, "train", "train", WHIRL_QUANTITY_NUMBER, 8);
     sheet_column(of, sheet, "validation", "validation", WHIRL_QUANTITY_NUMBER, 8);
     sheet_column(of, sheet, "test", "test", WHIRL_QUANTITY_NUMBER, 8);
-    sheet_column(of, sheet, "periodic", "periodic", WHIRL_QUANTITY_NUMBER, 8);
-    sheet_column(of, sheet, "quasi_periodic", "quasi-periodic", WHIRL_QUANTITY_NUMBER, 8);
-    sheet_column(of, sheet, "chaotic", "chaotic", WHIRL_QUANTITY_NUMBER, 8);
-    sheet_column(of, sheet, "undetermined", "undetermined", WHIRL_QUANTITY_NUMBER, 8);
+    if (!runs) sheet_column(of, sheet, "periodic", "periodic", WHIRL_QUANTITY_NUMBER, 8);
+    if (!runs) sheet_column(of, sheet, "quasi_periodic", "quasi-periodic", WHIRL_QUANTITY_NUMBER, 8);
+    if (!runs) sheet_column(of, sheet, "chaotic", "chaotic", WHIRL_QUANTITY_NUMBER, 8);
+    if (!runs) sheet_column(of, sheet, "undetermined", "undetermined", WHIRL_QUANTITY_NUMBER, 8);
     sheet_column(of, sheet, "ended", "without signals", WHIRL_QUANTITY_NUMBER, 8);
     if (contacts) sheet_column(of, sheet, "touching", "in contact", WHIRL_QUANTITY_NUMBER, 8);
     sheet_texts(of, sheet, "fault", "fault");
@@ -80,12 +89,14 @@ static void find_labels(const finder *of, const label_count *counts) {
     for (size_t i = 0; i < (size_t)of->table->record.dataset.labels; i++) {
         const label_count own = counts[i];
         const char *fault = records_fact(of->result, "label", i + 1, name);
+        enum { VERDICTS = 4, VERDICTS_END = VERDICTS + 4 };
         const double numbers[] = {(double)own.records,   (double)own.splits[0],    (double)own.splits[1],
                                   (double)own.splits[2], (double)own.periodic,     (double)own.quasi_periodic,
                                   (double)own.chaotic,   (double)own.undetermined, (double)own.ended};
         sheet_row(of, sheet);
         cell_text(of, sheet, find_text(of->findings, "%s", name));
-        for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) cell_number(of, sheet, numbers[k]);
+        for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++)
+            if (!runs || k < VERDICTS || k >= VERDICTS_END) cell_number(of, sheet, numbers[k]);
         if (contacts) cell_number(of, sheet, (double)own.touching);
         cell_text(of, sheet, find_text(of->findings, "%s", *fault ? fault : "none"));
     }
@@ -147,6 +158,11 @@ static void state_records(const finder *of, const label_count *counts) {
                 options->machines, options->machines == 1 ? "" : "s", options->labels, options->labels == 1 ? "" : "s",
                 0.42 * (options->rate > 0.0 ? options->rate : options->per_revolution),
                 options->rate > 0.0 ? "Hz" : "orders");
+    if (records_are_runs(of->table)) {
+        char name[WHIRL_NAME_SIZE];
+        const char *law = records_fact(of->result, "law", 1, name);
+        phrase_text(of, &own->found, "; runs with %s", law);
+    }
     if (ended > 0)
         phrase_text(of, &own->found, "; %zu motion%s did not last and ha%s no signals", ended, ended == 1 ? "" : "s",
                     ended == 1 ? "s" : "ve");
@@ -181,5 +197,6 @@ const shown_kind shown_records = {
     .about =
         "Records of machines with known faults, as sensors see them. Any record can be made anew alone, by its number "
         "(dataset: {only: ...}).",
+    .held = "a run opens and closes",
     .find = records_find,
 };

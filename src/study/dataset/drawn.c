@@ -14,6 +14,17 @@ size_t whirl_dataset_records(const whirl_dataset_options *options) {
     return (size_t)options->machines * (size_t)options->labels * (size_t)options->records;
 }
 
+/// Samples before the first one of a run, in which sensors and their filters settle.
+enum { LEAD_SAMPLES = 2 * WHIRL_SENSOR_REACH };
+
+double whirl_dataset_lead(const whirl_dataset_options *options, double speed) {
+    return speed > 0.0 ? LEAD_SAMPLES / options->rate : 0.0;
+}
+
+double whirl_dataset_duration(const whirl_dataset_options *options, double lead) {
+    return lead + (options->samples + LEAD_SAMPLES) / options->rate;
+}
+
 /// Purposes of random numbers; numbers for different purposes are independent.
 enum { DRAWN_MACHINE, DRAWN_SPLIT, DRAWN_CONDITION, DRAWN_SEVERITY, DRAWN_LABEL, DRAWN_SEED, DRAWN_BEGIN };
 

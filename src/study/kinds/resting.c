@@ -12,6 +12,7 @@
 #include "clock.h"
 #include "deal.h"
 #include "derived.h"
+#include "record_fields.h"
 #include "run_journal.h"
 #include "study_run.h"
 #include "tracker.h"
@@ -142,8 +143,10 @@ static whirl_status resting_locate(worker *w, size_t slot, resting_machine *own)
     return whirl_ok();
 }
 
-/// Returns true if other equilibria are looked for: for turning machines with their own bearings.
+/// Returns true if other equilibria are looked for: for turning machines with their own bearings, from one value to the
+/// next. Records are no such values.
 static bool looks_elsewhere(const worker *w, const whirl_machine *machine) {
+    if (w->batch->dataset) return false;
     const size_t points = w->batch->tolerances.samples > 0 ? w->batch->row : w->table->count;
     return points > 1 && machine->speed != 0.0 && whirl_layout_field(&w->table->layout, WHIRL_FIELD_RANGES_ELSEWHERE);
 }
@@ -161,14 +164,23 @@ static whirl_status resting_analyze(worker *w, size_t slot, const resting_machin
     point.critical = w->found;
     point.before = own->before;
     double *elsewhere = NULL;
-    whirl_status status = whirl_ok();
-    if (looks_elsewhere(w, machine))
+    // The run of a record has options of its own, and a motion that sensors see.
+    whirl_record_options options = w->pass->record;
+    whirl_run_motion motion;
+    if (machine->run) options.runup = *machine->run;
+    whirl_status status = records_run_new(w->batch, machine, &motion);
+    if (motion.count > 0) point.motion = &motion;
+    if (status.code == WHIRL_OK && looks_elsewhere(w, machine))
         status = elsewhere_find(w->run->study, w->batch, w->table->values, slot, machine, &w->rests, &point.rest,
                                 &elsewhere, &point.elsewhere_growth);
     point.elsewhere = elsewhere;
     if (status.code == WHIRL_OK)
-        status = whirl_analyze_resting(&point, &w->pass->record, w->batch->analyses, &w->table->layout,
+        status = whirl_analyze_resting(&point, &options, w->batch->analyses, &w->table->layout,
                                        resting_block_of(w, slot));
+    if (status.code == WHIRL_OK)
+        status =
+            records_note_run(w->batch, slot, machine, &motion, &w->table->layout, resting_block_of(w, slot));
+    records_run_free(&motion);
     free(elsewhere);
     free(saving.saved);
     if (status.code == WHIRL_OK)
@@ -189,8 +201,11 @@ static whirl_status leave_unfound(worker *w, size_t slot) {
     whirl_unfound_at_rest(&w->table->layout, whirl_equilibrium_share(machine.system, machine.start),
                           resting_block_of(w, slot));
     sample_note(w->batch, slot, &w->table->layout, resting_block_of(w, slot));
+    const whirl_run_motion none = {.count = 0};
+    const whirl_status noted =
+        records_note_run(w->batch, slot, &machine, &none, &w->table->layout, resting_block_of(w, slot));
     if (machine.release) machine.release(machine.owner);
-    return status;
+    return noted;
 }
 
 static whirl_status resting_compute(worker *w, size_t slot) {
@@ -198,6 +213,7 @@ static whirl_status resting_compute(worker *w, size_t slot) {
     resting_machine own = {.value = value};
     w->lasting.share = 0.0;
     if (w->own.tolerances.samples > 0) w->own.sampled = 1 + (w->own.row > 0 ? slot / w->own.row : 0);
+    if (w->own.dataset) w->own.sampled = 1 + slot;
     whirl_status status = w->has_modes ? resting_new(w->run->study, w->batch, value, &own)
                                        : w->run->study->machine(w->run->study->family, w->batch, value, &own.machine);
     if (status.code == WHIRL_OK && w->has_modes) status = resting_locate(w, slot, &own);

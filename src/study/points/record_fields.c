@@ -1,5 +1,6 @@
 // Fields of the records of a data set: machine, label and condition of each, and its signals.
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "added_field.h"
@@ -17,9 +18,16 @@ static const struct {
     {WHIRL_FIELD_DATASET_SPLIT, "1", "0: for training, 1: for validation, 2: for testing"},
     {WHIRL_FIELD_DATASET_SEED, "1", "seed of its noise and jitter"},
     {WHIRL_FIELD_DATASET_BEGIN, "revolution", "angle of the shaft at the first sample"},
-    {WHIRL_FIELD_DATASET_SPEED, "rad/s", "speed of the shaft"},
+    {WHIRL_FIELD_DATASET_SPEED, "rad/s", "speed of the shaft; in a run at the first sample"},
+    {WHIRL_FIELD_DATASET_END_SPEED, "rad/s", "speed of the shaft at the last sample"},
+    {WHIRL_FIELD_DATASET_RATE, "1", "rate of the speed at the first sample, rad/s2"},
 };
-enum { RECORD_NUMBERS = sizeof record_numbers / sizeof *record_numbers };
+enum { RECORD_NUMBERS = sizeof record_numbers / sizeof *record_numbers, RUN_NUMBERS = 2 };
+
+/// Returns the number of these fields: the last ones are those of runs.
+static size_t records_number_count(const whirl_batch *batch) {
+    return whirl_analysis_has(batch->analyses, "runup") ? RECORD_NUMBERS : RECORD_NUMBERS - RUN_NUMBERS;
+}
 
 whirl_status records_add_fields(const whirl_batch *batch, whirl_layout *layout) {
     const whirl_dataset_options *options = &batch->record.dataset;
@@ -27,7 +35,7 @@ whirl_status records_add_fields(const whirl_batch *batch, whirl_layout *layout) 
     if (layout->field_count + RECORD_NUMBERS + 2 > WHIRL_MAX_FIELDS)
         return whirl_fail(WHIRL_BAD_INPUT, "the chosen analyses have more than %d fields",
                           WHIRL_MAX_FIELDS - RECORD_NUMBERS - 2);
-    for (size_t i = 0; i < RECORD_NUMBERS; i++)
+    for (size_t i = 0; i < records_number_count(batch); i++)
         study_add_field(layout, record_numbers[i].name, record_numbers[i].unit, record_numbers[i].meaning);
     if (batch->dataset->parameter_count > 0) {
         study_add_field(layout, WHIRL_FIELD_DATASET_VALUES, "1",
@@ -64,16 +72,87 @@ static whirl_status records_sample(const whirl_batch *batch, const whirl_record_
     return whirl_ok();
 }
 
-whirl_status records_note(const whirl_batch *batch, size_t point, const whirl_machine *machine,
-                          const whirl_record *record, const whirl_layout *layout, double *block) {
+/// Fills in what is known of a record before its motion: all numbers, and the values of parameters.
+static whirl_record_of records_note_numbers(const whirl_batch *batch, size_t point, const double run[3],
+                                            const whirl_layout *layout, double *block) {
     const whirl_field *first = whirl_layout_field(layout, record_numbers[0].name);
     const whirl_field *values = whirl_layout_field(layout, WHIRL_FIELD_DATASET_VALUES);
-    const whirl_field *signals = whirl_layout_field(layout, WHIRL_FIELD_DATASET_SIGNALS);
-    if (!batch->dataset || !first || !signals) return whirl_ok();
     const whirl_record_of own =
         whirl_dataset_record(batch->dataset, &batch->record.dataset, point, values ? block + values->offset : NULL);
-    const double numbers[RECORD_NUMBERS] = {(double)own.number, (double)own.machine, (double)own.label, own.severity,
-                                            (double)own.split,  (double)own.seed,    own.begin,         machine->speed};
-    memcpy(block + first->offset, numbers, sizeof numbers);
+    const double numbers[RECORD_NUMBERS] = {
+        (double)own.number, (double)own.machine, (double)own.label, own.severity, (double)own.split,
+        (double)own.seed,   own.begin,           run[0],            run[1],       run[2]};
+    memcpy(block + first->offset, numbers, records_number_count(batch) * sizeof *numbers);
+    return own;
+}
+
+whirl_status records_note(const whirl_batch *batch, size_t point, const whirl_machine *machine,
+                          const whirl_record *record, const whirl_layout *layout, double *block) {
+    const double speeds[3] = {machine->speed, machine->speed, 0.0};
+    const whirl_field *signals = whirl_layout_field(layout, WHIRL_FIELD_DATASET_SIGNALS);
+    if (!batch->dataset || !signals) return whirl_ok();
+    const whirl_record_of own = records_note_numbers(batch, point, speeds, layout, block);
     return records_sample(batch, &own, machine, record, (float *)(block + signals->offset));
+}
+
+// ---------------------------------------------------------------- runs
+
+/// Samples of the motion before the first sample of a run and after its last one.
+enum { RUN_MARGIN = WHIRL_SENSOR_REACH + 2 };
+
+/// Returns the time of the first sample of a run, s.
+static double records_first_time(const whirl_batch *batch, const whirl_machine *machine) {
+    return whirl_dataset_lead(&batch->record.dataset, machine->course->speeds[0]);
+}
+
+whirl_status records_run_new(const whirl_batch *batch, const whirl_machine *machine, whirl_run_motion *motion) {
+    const whirl_dataset_options *options = &batch->record.dataset;
+    *motion = (whirl_run_motion){.probes = machine->system->probe_count};
+    if (!batch->dataset || !machine->course) return whirl_ok();
+    motion->step = 1.0 / (WHIRL_SENSOR_INSTANTS * options->rate);
+    motion->from = records_first_time(batch, machine) - RUN_MARGIN / options->rate;
+    motion->count = WHIRL_SENSOR_INSTANTS * ((size_t)options->samples - 1 + 2 * RUN_MARGIN) + 1;
+    motion->x = calloc(motion->count * (2 * motion->probes + 1), sizeof *motion->x);
+    motion->angle = motion->x ? motion->x + 2 * motion->probes * motion->count : NULL;
+    return motion->x ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the motion of a record");
+}
+
+void records_run_free(whirl_run_motion *motion) {
+    free(motion->x);
+    motion->x = motion->angle = NULL;
+}
+
+/// Returns the speed that the table of a run gives at a time, s, and its rate there.
+static double records_speed_at(const whirl_run_course *course, double time, double *rate) {
+    size_t k = 1;
+    while (k < course->speed_count && course->speed_times[k] <= time) k++;
+    *rate = 0.0;
+    if (k == course->speed_count) return course->speeds[k - 1];
+    *rate = (course->speeds[k] - course->speeds[k - 1]) / (course->speed_times[k] - course->speed_times[k - 1]);
+    return course->speeds[k - 1] + *rate * (time - course->speed_times[k - 1]);
+}
+
+whirl_status records_note_run(const whirl_batch *batch, size_t point, const whirl_machine *machine,
+                              const whirl_run_motion *motion, const whirl_layout *layout, double *block) {
+    const whirl_dataset *dataset = batch->dataset;
+    const whirl_dataset_options *options = &batch->record.dataset;
+    const whirl_field *field = whirl_layout_field(layout, WHIRL_FIELD_DATASET_SIGNALS);
+    if (!dataset || !machine->course || !field) return whirl_ok();
+    // Note the record, with the speeds of its first and last sample.
+    const double first = records_first_time(batch, machine), last = first + (options->samples - 1) / options->rate;
+    double run[3], unused;
+    run[0] = records_speed_at(machine->course, first, &run[2]);
+    run[1] = records_speed_at(machine->course, last, &unused);
+    const whirl_record_of own = records_note_numbers(batch, point, run, layout, block);
+    // Sample the motion; a run that ended before its time has no signals.
+    float *signals = (float *)(block + field->offset);
+    const whirl_sampling sampling = {
+        .samples = (size_t)options->samples, .rate = options->rate, .seed = own.seed, .length = machine->length};
+    const double *end = block + whirl_layout_field(layout, WHIRL_FIELD_RUNUP_END)->offset;
+    if (*end == 0.0 && motion->count > 0 && motion->filled == motion->count)
+        return whirl_channels_sample_run(motion, machine->system->probes, (size_t)RUN_MARGIN * WHIRL_SENSOR_INSTANTS,
+                                         WHIRL_SENSOR_INSTANTS, dataset->channels, dataset->channel_count, &sampling,
+                                         signals);
+    for (size_t i = 0; i < dataset->channel_count * sampling.samples; i++) signals[i] = NAN;
+    return whirl_ok();
 }

@@ -4,6 +4,7 @@
 
 #include <stddef.h>
 
+#include "whirl/engine/running.h"
 #include "whirl/engine/study.h"
 
 /// Adds the fields "dataset/..." of a data set. WHIRL_BAD_INPUT if it has too many fields.
@@ -13,5 +14,14 @@ whirl_status records_add_fields(const whirl_batch *batch, whirl_layout *layout);
 /// Errors as whirl_channels_sample.
 whirl_status records_note(const whirl_batch *batch, size_t point, const whirl_machine *machine,
                           const whirl_record *record, const whirl_layout *layout, double *block);
+
+/// Prepares the motion that a run of a record fills in: *motion, without instants for other points. WHIRL_NO_MEMORY.
+/// Freed by records_run_free.
+whirl_status records_run_new(const whirl_batch *batch, const whirl_machine *machine, whirl_run_motion *motion);
+void records_run_free(whirl_run_motion *motion);
+
+/// Notes a record likewise, from the motion of its run.
+whirl_status records_note_run(const whirl_batch *batch, size_t point, const whirl_machine *machine,
+                              const whirl_run_motion *motion, const whirl_layout *layout, double *block);
 
 #endif
