@@ -295,7 +295,8 @@ static void law_text(const setting_list *keys, char *text, size_t size) {
         between = ", ";
         const file_node *row = given->place->kind == NODE_LIST ? given->place->first : given->place;
         for (; row; row = row == given->place ? NULL : row->next)
-            for (const file_node *one = row->kind == NODE_LIST ? row->first : row; one; one = one == row ? NULL : one->next) {
+            for (const file_node *one = row->kind == NODE_LIST ? row->first : row; one;
+                 one = one == row ? NULL : one->next) {
                 used = strlen(text);
                 snprintf(text + used, size - used, " %s", one->text ? one->text : "");
             }

@@ -458,8 +458,8 @@ static void finish_motions(case_reader *reader, valuation *v, const plan_parts *
 static void finish_runs(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result,
                         whirl_batch *batch) {
     const dataset_parts *own = &parts->dataset;
-    const setting *const without[] = {settings_find(&parts->study, "integrate"), settings_find(&parts->study, "analyze"),
-                                      settings_find(&parts->study, "starts")};
+    const setting *const without[] = {settings_find(&parts->study, "integrate"),
+                                      settings_find(&parts->study, "analyze"), settings_find(&parts->study, "starts")};
     whirl_analysis_set runs = 0;
     // Refuse what belongs to motions at a constant speed.
     for (size_t i = 0; i < sizeof without / sizeof *without; i++)
@@ -508,8 +508,8 @@ whirl_status dataset_run(const setting_list *keys, const whirl_batch *batch, val
     // Let the shaft turn at the first speed before, so that it has its angle at the first sample.
     const double first = shown->speeds[0], turn = 6.283185307179586476925;
     const double lead = whirl_dataset_lead(&batch->record.dataset, first);
-    const whirl_record_of record = whirl_dataset_record(batch->dataset, &batch->record.dataset,
-                                                        batch->sampled > 0 ? batch->sampled - 1 : 0, NULL);
+    const whirl_record_of record =
+        whirl_dataset_record(batch->dataset, &batch->record.dataset, batch->sampled > 0 ? batch->sampled - 1 : 0, NULL);
     const double angle = turn * record.begin - first * lead;
     options->angle = angle - turn * floor(angle / turn);
     options->duration = whirl_dataset_duration(&batch->record.dataset, lead);

@@ -54,7 +54,8 @@ void whirl_dataset_write_index(const whirl_result *result, FILE *stream) {
                 whirl_table_number(table, p, WHIRL_FIELD_DATASET_MACHINE, 0), whirl_split_name((whirl_split)split));
         put_name(stream, result, "label", (size_t)label + 1);
         dataset_put_number(stream, whirl_table_number(table, p, WHIRL_FIELD_DATASET_SEVERITY, 0));
-        if (!runs) fprintf(stream, ",%s,%s", judged ? verdict : "", judged ? whirl_confidence_name(found.confidence) : "");
+        if (!runs)
+            fprintf(stream, ",%s,%s", judged ? verdict : "", judged ? whirl_confidence_name(found.confidence) : "");
         dataset_put_number(stream, records_contact(result, table, p));
         dataset_put_number(stream, whirl_table_number(table, p, WHIRL_FIELD_DATASET_SPEED, 0));
         if (runs) {
@@ -85,7 +86,8 @@ whirl_status whirl_dataset_write_sheet(const whirl_result *result, const char *n
         "# %s\n\nComputed by whirl %s from the case %s, which is in the file with all its numbers. Files:\n\n"
         "- `%s.h5`: the result. Its dataset `records/dataset/signals` holds [record][channel][sample] as float32; a "
         "row of it is a row of all other datasets of `records`, and of the table.\n"
-        "- `%s-records.csv`: for each record its machine, set, label, severity, %slargest share of the time in contact, "
+        "- `%s-records.csv`: for each record its machine, set, label, severity, %slargest share of the time in "
+        "contact, "
         "%s, angle of the shaft at the first sample (revolutions), seed, and the parameters that differ (SI).\n\n",
         result->title[0] ? result->title : result->case_name, whirl_result_fact(result, "version"), result->case_name,
         name, name, runs ? "" : "verdict on the computed motion with its confidence, ",

@@ -186,7 +186,108 @@ static void dents(void **unused) {
     }
 }
 
+// ---------------------------------------------------------------- runs
+
+/// Returns the number of a field of a record.
+static double number_of(const whirl_result *result, size_t record, const char *name) {
+    const whirl_table *table = &result->tables[0];
+    const whirl_field *field = whirl_layout_field(&table->layout, name);
+    assert_non_null(field);
+    return whirl_table_block(table, record)[field->offset];
+}
+
+/// Runs a light rotor at a constant rate from 20 to 90 rad/s, or down.
+static whirl_result *at_rate(const char *from, const char *to) {
+    char text[SIZE];
+    snprintf(
+        text, sizeof text,
+        "whirl: 1\nparameters: {rate: 8 rad/s2}\nrotor:\n  speed: 50 rad/s\n  length_scale: 1 mm\n  stations:\n"
+        "    disc: {mass: 1 kg, damping: 20 N s/m, eccentricity: 0.1 mm}\n  elements:\n"
+        "    - spring: {between: [disc, ground], stiffness: 2500 N/m}\nstudy:\n  dataset:\n    machines: 3\n"
+        "    rate: 1 kHz\n    samples: 6000\n    conditions: {rate: {from: 6, to: 10}}\n"
+        "    runup: {speed_from: %s, speed_to: %s, rate: = rate, settle: 20, rtol: 1e-11}\n    labels: {healthy: }\n"
+        "    channels:\n      - {sensor: proximity, at: disc}\n      - {sensor: keyphasor, width: 60 deg}\n",
+        from, to);
+    return run(text);
+}
+
+/// The pulses of a keyphasor at a constant rate a begin where the angle v t + a t^2/2 + b is a whole number of
+/// revolutions less half a width: their edges divide the angles of samples at the closed form's instants.
+static void pulses(const char *from, const char *to, double sign) {
+    whirl_result *result = at_rate(from, to);
+    double worst = 0.0;
+    size_t edges = 0, samples;
+    for (size_t record = 0; record < 3; record++) {
+        const float *x = signal_of(result, record, 1, &samples);
+        const double v = number_of(result, record, WHIRL_FIELD_DATASET_SPEED), h = 1e-3;
+        const double a = number_of(result, record, WHIRL_FIELD_DATASET_RATE);
+        const double b = number_of(result, record, WHIRL_FIELD_DATASET_BEGIN);
+        assert_true(a * sign > 0.0);
+        for (double turn = 1.0;; turn += 1.0) {
+            const double angle = two_pi * (turn - b - 1.0 / 12.0), root = v * v + 2.0 * a * angle;
+            const double at = root > 0.0 ? 2.0 * angle / (v + sqrt(root)) : INFINITY;
+            const double place = at / h + 0.5;
+            if (!(place < (double)samples - 1.0)) break;
+            // The sample with the edge has the share of its angle that lies behind the edge.
+            const size_t k = (size_t)place;
+            const double low = ((double)k - 0.5) * h, high = low + h;
+            const double share = 1.0 - ((v + 0.5 * a * at) * at - (v + 0.5 * a * low) * low) /
+                                           ((v + 0.5 * a * high) * high - (v + 0.5 * a * low) * low);
+            worst = fmax(worst, fabs(share - (double)x[k]));
+            edges++;
+        }
+    }
+    assert_true(edges > 100);
+    check_within(
+        "data sets",
+        words("keyphasor, %s at constant rates: edges of pulses, largest difference", sign > 0.0 ? "up" : "down"), 0.0,
+        worst, 1e-6);
+    whirl_result_free(result);
+}
+
+static void pulses_of_runs(void **unused) {
+    (void)unused;
+    pulses("20 rad/s", "90 rad/s", 1.0);
+    pulses("90 rad/s", "20 rad/s", -1.0);
+}
+
+/// A linear rotor at a constant rate: Duhamel's integral of its unbalance, by Simpson's rule, from a beginning so long
+/// before the first sample that all else has decayed.
+static void displacements_of_runs(void **unused) {
+    enum { PER_SAMPLE = 8, BEFORE = 1500 };
+    const double h = 1e-3 / PER_SAMPLE, decay = 10.0, natural = sqrt(2500.0 - decay * decay), e = 1e-4;
+    double worst = 0.0, largest = 0.0;
+    size_t samples;
+    (void)unused;
+    whirl_result *result = at_rate("20 rad/s", "90 rad/s");
+    const float *x = signal_of(result, 0, 0, &samples);
+    const double v = number_of(result, 0, WHIRL_FIELD_DATASET_SPEED),
+                 a = number_of(result, 0, WHIRL_FIELD_DATASET_RATE);
+    const double b = two_pi * number_of(result, 0, WHIRL_FIELD_DATASET_BEGIN);
+    // q = integral of exp(-p (t - s)) f(s) ds with p = decay - i natural, from step to step; x = Im q / natural.
+    const double complex p = decay - I * natural, step = cexp(-p * h), half = cexp(-0.5 * p * h);
+    double complex q = 0.0;
+    for (long k = -BEFORE * PER_SAMPLE; k < (long)(samples - 1) * PER_SAMPLE; k++) {
+        double f[3];
+        for (int i = 0; i < 3; i++) {
+            const double t = ((double)k + 0.5 * i) * h, rate = t < 0.0 || (t == 0.0 && i == 2) ? 0.0 : a;
+            const double angle = b + v * t + 0.5 * rate * t * t, speed = v + rate * t;
+            f[i] = e * (speed * speed * cos(angle) + rate * sin(angle));
+        }
+        q = step * q + h / 6.0 * (step * f[0] + 4.0 * half * f[1] + f[2]);
+        if (k + 1 < 0 || (k + 1) % PER_SAMPLE != 0) continue;
+        const double exact = cimag(q) / natural;
+        largest = fmax(largest, fabs(exact));
+        worst = fmax(worst, fabs(exact - (double)x[(k + 1) / PER_SAMPLE]));
+    }
+    // The antialias filter is flat to 1e-4.
+    check_within("data sets", "linear rotor through its critical speed: displacement, largest difference", 0.0,
+                 worst / largest, 1e-4);
+    whirl_result_free(result);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(invariances), cmocka_unit_test(dents)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(invariances), cmocka_unit_test(dents),
+                                       cmocka_unit_test(pulses_of_runs), cmocka_unit_test(displacements_of_runs)};
     return cmocka_run_group_tests_name("data sets", tests, NULL, NULL);
 }

@@ -50,7 +50,11 @@ TABLE = "{speeds: [[0 s, = low], [50 s, 1.2], [120 s, 1.2], [200 s, = low]], set
 
 
 def made(folder, law, text=CASE):
-    return whirl.dataset(whirl.Case(text=text.replace("LAW", law).replace("SETTLE", str(SETTLE)), name="runs.yaml"), folder / "runs.h5", progress=False)
+    return whirl.dataset(
+        whirl.Case(text=text.replace("LAW", law).replace("SETTLE", str(SETTLE)), name="runs.yaml"),
+        folder / "runs.h5",
+        progress=False,
+    )
 
 
 def law_of(kind, frame, i):
@@ -96,20 +100,26 @@ def forces(at, begin, gap):
 
 
 def filtered(signal, times, samples):
-    """The antialias filter of the guide: a sinc under Kaiser's window, 16 samples to both sides, 4 instants a sample."""
+    """The antialias filter of the guide: a sinc under Kaiser's window, 16 samples to both sides."""
     reach, ratio = 16, 4
     u = np.arange(-reach * ratio, reach * ratio + 1) / ratio
     w = np.sinc(u) * np.i0(7.857 * np.sqrt(np.maximum(0.0, 1.0 - (u / reach) ** 2)))
     first = int(np.argmin(abs(times)))
     assert abs(times[first]) < 1e-9
-    return np.array([signal[first + ratio * k + np.arange(len(u)) - reach * ratio] @ w for k in range(samples)]) / w.sum()
+    return (
+        np.array([signal[first + ratio * k + np.arange(len(u)) - reach * ratio] @ w for k in range(samples)]) / w.sum()
+    )
 
 
 def integrated(law, begin, gap):
     """Returns instants and the motion at them, by SciPy: piece by piece between corners of the law."""
     at, speed = turning(*law), law[1][0]
     times = (np.arange(4 * (SAMPLES + 36)) - 4 * 18) / (4.0 * RATE)
-    ends = [-32.0 / RATE - SETTLE * 2.0 * np.pi / speed if speed > 0.0 else -10.0, *(t for t in law[0] if t < times[-1]), times[-1] + 1.0]
+    ends = [
+        -32.0 / RATE - SETTLE * 2.0 * np.pi / speed if speed > 0.0 else -10.0,
+        *(t for t in law[0] if t < times[-1]),
+        times[-1] + 1.0,
+    ]
     slopes = forces(at, begin, gap)
     state = np.array([0.0, -MASS * GRAVITY / STIFFNESS, 0.0, 0.0])
     z = np.empty((4, len(times)))

@@ -48,8 +48,9 @@ void run_motion_fill(whirl_run_motion *to, const whirl_probe *probes, const moti
                            step * step * weights[2][side] * whirl_probe_value(&probes[p], ends[side]->slope, 2 + axis);
                 run_motion_set(to, to->filled, p, axis, sum);
             }
-        to->angle[to->filled] = t * low->angle + s * high->angle +
-                                s * t * ((t - s) * (low->angle - high->angle) + step * (t * low->speed - s * high->speed));
+        to->angle[to->filled] =
+            t * low->angle + s * high->angle +
+            s * t * ((t - s) * (low->angle - high->angle) + step * (t * low->speed - s * high->speed));
     }
 }
 

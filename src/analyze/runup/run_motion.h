@@ -14,9 +14,9 @@ typedef struct motion_node {
 /// Begins the motion: instants before the time 0 have the state at the beginning, and that angle, rad.
 void run_motion_begin(whirl_run_motion *to, const whirl_probe *probes, const double *state, double angle);
 
-/// Fills in the instants from `begin` to before `end`, s, the times of two computed states that are `step` units of time
-/// apart. Displacements are of the fifth degree in time between both: they have the places, velocities and accelerations
-/// of both states. Angles are cubic, which is exact where the rate of the speed is constant.
+/// Fills in the instants from `begin` to before `end`, s, the times of two computed states that are `step` units of
+/// time apart. Displacements are of the fifth degree in time between both: they have the places, velocities and
+/// accelerations of both states. Angles are cubic, which is exact where the rate of the speed is constant.
 void run_motion_fill(whirl_run_motion *to, const whirl_probe *probes, const motion_node *low, const motion_node *high,
                      double begin, double end, double step);
 

@@ -1139,7 +1139,8 @@ whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_r
                 .torques = running->in_time ? running->watched_count : 0,
                 .leg = 0.05 * two_pi,
                 .unit = running->unit,
-                .angle0 = running->in_time || plan->motion ? plan->angle : fmod(plan->angle, two_pi), // meshes know whole turns
+                .angle0 = running->in_time || plan->motion ? plan->angle
+                                                           : fmod(plan->angle, two_pi), // meshes know whole turns
                 .run = run};
     r.how = (whirl_turning){.driven = whirl_runup_driven(o),
                             .rate = o->to > 0.0 && o->to < o->from ? -o->rate : o->rate,

@@ -122,7 +122,7 @@ typedef struct runup_plan {
     runup_see *see;
     runup_watch_at *watch; ///< watcher of machines that are run by time; NULL: none
     void *context;
-    turn_samples *samples; ///< filled in before a turn is shown; NULL: none are wanted
+    turn_samples *samples;    ///< filled in before a turn is shown; NULL: none are wanted
     whirl_run_motion *motion; ///< filled in as the run proceeds, with time as the variable; NULL: not wanted
     /// Called after every whole turn, also of settling: the state may be saved. NULL: not called.
     void (*turned)(void *context, runup_state *state);

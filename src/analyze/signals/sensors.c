@@ -292,8 +292,7 @@ static whirl_status sample_channels(const sensor_grid *grid, const sample_places
     sample_all(channels, count, sampling, grid, at, signals, impulse_response(), weights, values);
     for (size_t c = 0; c < count; c++) {
         double *own = values + c * samples;
-        if (channels[c].sensor == WHIRL_SENSOR_KEYPHASOR)
-            sample_pulses(&channels[c], c, sampling, grid, at, own);
+        if (channels[c].sensor == WHIRL_SENSOR_KEYPHASOR) sample_pulses(&channels[c], c, sampling, grid, at, own);
         sensors_finish(&channels[c], sampling->seed, c, samples, own, out + c * samples);
     }
     free(signals);
@@ -319,11 +318,8 @@ whirl_status whirl_channels_sample(const whirl_record *record, const whirl_chann
 whirl_status whirl_channels_sample_run(const whirl_run_motion *motion, const whirl_probe *probes, size_t first,
                                        size_t ratio, const whirl_channel *channels, size_t count,
                                        const whirl_sampling *sampling, float *out) {
-    const sensor_grid grid = {.count = motion->count,
-                              .step = motion->step,
-                              .motion = motion->x,
-                              .probes = probes,
-                              .angle = motion->angle};
+    const sensor_grid grid = {
+        .count = motion->count, .step = motion->step, .motion = motion->x, .probes = probes, .angle = motion->angle};
     const sample_places at = {(double)first, (double)ratio, 0.0};
     if (motion->filled < motion->count || motion->count < 16)
         return whirl_fail(WHIRL_BAD_INPUT, "the motion has %zu of %zu instants", motion->filled, motion->count);

@@ -24,7 +24,9 @@ static void runup_list(figure_list *to, const drawing *of, const whirl_table *ta
     char name[2 * WHIRL_NAME_SIZE];
     size_t runs[MAX_RUNS];
     // List figures only for tables with runs, which are not records of a data set.
-    if (!table_has(table, WHIRL_FIELD_RUNUP_END) || table->role == WHIRL_ROLE_RECORDS || runup_list_runs(table, runs) == 0) return;
+    if (!table_has(table, WHIRL_FIELD_RUNUP_END) || table->role == WHIRL_ROLE_RECORDS ||
+        runup_list_runs(table, runs) == 0)
+        return;
     figure_place place = {.kind = &runup_figure, .table = table, .point = NO_POINT, .which = SHAFT};
     list_figure(to, &place, "runup-shaft", "Speed of the shaft over the time");
     // List the figures of stations, except those that twist.

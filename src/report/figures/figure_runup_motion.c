@@ -218,7 +218,9 @@ static void contact_describe(const drawing *of, const figure_place *place, whirl
 static void motion_list(figure_list *to, const drawing *of, const whirl_table *table) {
     char name[2 * WHIRL_NAME_SIZE];
     size_t runs[MAX_RUNS];
-    if (!table_has(table, WHIRL_FIELD_RUNUP_END) || table->role == WHIRL_ROLE_RECORDS || runup_list_runs(table, runs) == 0) return;
+    if (!table_has(table, WHIRL_FIELD_RUNUP_END) || table->role == WHIRL_ROLE_RECORDS ||
+        runup_list_runs(table, runs) == 0)
+        return;
     for (size_t which = 0; which < KINDS; which++) {
         const bool contacts = which == CONTACT_WAVEFORMS;
         const size_t count = contacts ? of->result->contact_count : of->result->station_count;

@@ -175,11 +175,10 @@ static whirl_status resting_analyze(worker *w, size_t slot, const resting_machin
                                 &elsewhere, &point.elsewhere_growth);
     point.elsewhere = elsewhere;
     if (status.code == WHIRL_OK)
-        status = whirl_analyze_resting(&point, &options, w->batch->analyses, &w->table->layout,
-                                       resting_block_of(w, slot));
-    if (status.code == WHIRL_OK)
         status =
-            records_note_run(w->batch, slot, machine, &motion, &w->table->layout, resting_block_of(w, slot));
+            whirl_analyze_resting(&point, &options, w->batch->analyses, &w->table->layout, resting_block_of(w, slot));
+    if (status.code == WHIRL_OK)
+        status = records_note_run(w->batch, slot, machine, &motion, &w->table->layout, resting_block_of(w, slot));
     records_run_free(&motion);
     free(elsewhere);
     free(saving.saved);

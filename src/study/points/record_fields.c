@@ -79,9 +79,16 @@ static whirl_record_of records_note_numbers(const whirl_batch *batch, size_t poi
     const whirl_field *values = whirl_layout_field(layout, WHIRL_FIELD_DATASET_VALUES);
     const whirl_record_of own =
         whirl_dataset_record(batch->dataset, &batch->record.dataset, point, values ? block + values->offset : NULL);
-    const double numbers[RECORD_NUMBERS] = {
-        (double)own.number, (double)own.machine, (double)own.label, own.severity, (double)own.split,
-        (double)own.seed,   own.begin,           run[0],            run[1],       run[2]};
+    const double numbers[RECORD_NUMBERS] = {(double)own.number,
+                                            (double)own.machine,
+                                            (double)own.label,
+                                            own.severity,
+                                            (double)own.split,
+                                            (double)own.seed,
+                                            own.begin,
+                                            run[0],
+                                            run[1],
+                                            run[2]};
     memcpy(block + first->offset, numbers, records_number_count(batch) * sizeof *numbers);
     return own;
 }
@@ -111,7 +118,7 @@ whirl_status records_run_new(const whirl_batch *batch, const whirl_machine *mach
     if (!batch->dataset || !machine->course) return whirl_ok();
     motion->step = 1.0 / (WHIRL_SENSOR_INSTANTS * options->rate);
     motion->from = records_first_time(batch, machine) - RUN_MARGIN / options->rate;
-    motion->count = WHIRL_SENSOR_INSTANTS * ((size_t)options->samples - 1 + 2 * RUN_MARGIN) + 1;
+    motion->count = (size_t)WHIRL_SENSOR_INSTANTS * ((size_t)options->samples - 1 + 2 * RUN_MARGIN) + 1;
     motion->x = calloc(motion->count * (2 * motion->probes + 1), sizeof *motion->x);
     motion->angle = motion->x ? motion->x + 2 * motion->probes * motion->count : NULL;
     return motion->x ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the motion of a record");
