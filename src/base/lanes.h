@@ -13,7 +13,7 @@
 typedef struct lanes_view {
     const void *model;
     size_t stride, vectors;
-    const void *numbers;
+    void *numbers;        ///< a system may keep there what it computes from the state before it reads it
     const size_t *places; ///< [part_count] start of each part's numbers; NULL: parts follow each other, unshared
     const void *forcing;  ///< [forcing_count]
     const void *sides;    ///< [switch_count] -1 or +1, as whirl_system.rhs_on_sides takes them; NULL: the state decides

@@ -169,10 +169,10 @@ double rotor_turns(const whirl_rotor *rotor, size_t station);
 void rotor_system_fill(whirl_rotor *rotor);
 
 /// Functions of the rotor's system with other numbers [lanes.number_count], those of the machine at another speed.
-void rotor_flow_with(const whirl_rotor *rotor, const double *numbers, const double *forcing, const double *sides,
+void rotor_flow_with(const whirl_rotor *rotor, double *numbers, const double *forcing, const double *sides,
                      const double *x, double *dxdt);
-void rotor_switches_with(const whirl_rotor *rotor, const double *numbers, const double *x, double *values);
-void rotor_contacts_with(const whirl_rotor *rotor, const double *numbers, const double *x, double *normal_force,
+void rotor_switches_with(const whirl_rotor *rotor, double *numbers, const double *x, double *values);
+void rotor_contacts_with(const whirl_rotor *rotor, double *numbers, const double *x, double *normal_force,
                          double *friction);
 /// Computes the torques of the fluid of an element (element_type.drag) on the shafts of its journal and housing, N m,
 /// in the sense of the rotation of the rotor's shaft (drag.c). speed: speed of the shaft, rad/s; numbers, x: of the

@@ -18,7 +18,7 @@ static lanes_view view_at(const whirl_rotor *rotor, const double *forcing, const
     return view;
 }
 
-void rotor_flow_with(const whirl_rotor *rotor, const double *numbers, const double *forcing, const double *sides,
+void rotor_flow_with(const whirl_rotor *rotor, double *numbers, const double *forcing, const double *sides,
                      const double *x, double *dxdt) {
     const size_t degrees = rotor->lanes.degrees;
     lanes_view view = view_at(rotor, forcing, sides, x);
@@ -28,13 +28,13 @@ void rotor_flow_with(const whirl_rotor *rotor, const double *numbers, const doub
     machine_flow_scalar(&view);
 }
 
-void rotor_switches_with(const whirl_rotor *rotor, const double *numbers, const double *x, double *values) {
+void rotor_switches_with(const whirl_rotor *rotor, double *numbers, const double *x, double *values) {
     lanes_view view = view_at(rotor, NULL, NULL, x);
     view.numbers = numbers;
     machine_switches_scalar(&view, values, NULL);
 }
 
-void rotor_contacts_with(const whirl_rotor *rotor, const double *numbers, const double *x, double *normal_force,
+void rotor_contacts_with(const whirl_rotor *rotor, double *numbers, const double *x, double *normal_force,
                          double *friction) {
     lanes_view view = view_at(rotor, NULL, NULL, x);
     view.numbers = numbers;

@@ -5,14 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "machine.h"
 #include "matrix.h"
-
-/// Number of powers of the speed in a sum that represents a number, and the lowest of these powers.
-enum { POWERS = 5, LOWEST_POWER = -2 };
-
-/// Number of speeds at which machines are made to find the powers and to check the sum.
-enum { POWER_SPEEDS = 11 };
+#include "running_rotor.h"
 
 /// SPLINE_NODES: nodes of a spline. SPLINE_SPEEDS: speeds of its nodes, and of the checks between them. SPLINE_NUMBERS:
 /// stored numbers of a spline.
@@ -21,66 +15,9 @@ enum { SPLINE_NODES = 33, SPLINE_SPEEDS = 2 * SPLINE_NODES - 1, SPLINE_NUMBERS =
 /// Largest error of a number that counts as a sum of powers, divided by the number's largest value.
 static const double power_error = 2e-12;
 
-/// Least speed, divided by the unit, at which numbers are evaluated, since laws divide by the speed. A slower shaft
-/// counts as standing.
-static const double slowest = 1e-6;
-
 /// Speed, divided by the unit, below which the dry friction of a load yields, for machines that may stand while torques
 /// pulsate.
 static const double slipping = 1e-4;
-
-/// A number of the machine that changes with the speed w: the sum of power[k] w^(k - 2), or a spline over w^lift.
-typedef struct number_of_speed {
-    size_t index;
-    double power[POWERS];
-    double *value, *curvature; ///< [SPLINE_NODES] spline of w^lift times the number; NULL: the sum of powers holds
-    int lift;                  ///< 0, 1 or 2: w^lift times the number has a limit at low speeds
-} number_of_speed;
-
-/// A rotor whose speed changes.
-typedef struct running_rotor {
-    whirl_running shown;   ///< the public part, which is first, so that a pointer to it also points to this struct
-    whirl_machine machine; ///< the machine at the unit of speed; machines of all speeds have its structure
-    const whirl_rotor *rotor;
-    double unit;
-    whirl_turning how;
-    double *numbers; ///< [number_count] workspace: numbers at the speed *at
-    double *at;
-    size_t varying_count;
-    number_of_speed *varying;
-    double *splines; ///< all of them
-    double lowest_node, node_distance;
-    /// [degrees] Effect of turning unbalances on each coordinate, by the values C and S of the forcing: accelerations
-    /// at a speed of 1 unit (own_), and forces divided by the square of the speed, kg, or kg m2, of a unit of the
-    /// coordinate (force_). lost_ is the same for the unbalances of `lose`.
-    double *own_cos, *own_sin, *force_cos, *force_sin;
-    double *lost_cos, *lost_sin, *lost_force_cos, *lost_force_sin;
-    double *lever_force, *lever_acceleration;   ///< [degrees] workspace: levers of theta'' on a coordinate
-    double *geared_force, *geared_acceleration; ///< [degrees] workspace: those of unbalances at ratios of the speed
-    turning_inertia lost_guided[2];             ///< rotor->guided and the unbalances of `lose`
-    double *guided_lever;  ///< [2] workspace: levers of theta'' along x and y of what does not move that way
-    double *alone;         ///< [degrees] share of an unbalance's square by a row: 1 if its station moves one way only
-    double own_inertia;    ///< kg m2: what unbalances add to the inertia about the shaft's axis
-    double lost_inertia;   ///< kg m2: the same with those of `lose`
-    size_t geared_count;   ///< unbalances at ratios of the speed
-    double geared_inertia; ///< kg m2: what these add to the inertia about the shaft's axis
-    unsigned char *along;  ///< [degrees] 0 for displacements of stations along x, 1 along y, 2 for all other
-                           ///< coordinates
-    double *block;         ///< all arrays from own_cos on
-    double *place, *slope; ///< [dimension] workspace
-    double *friction;      ///< [contact_count][3] workspace
-    /// [degrees] workspace: torques on twists, N m, and the accelerations by these torques.
-    double *torque, *torque_acceleration;
-    double *shaken;      ///< [2][degrees] accelerations of coordinates by a pull of 1 m/s2 along x, then along y
-    double *shake;       ///< [2] workspace: acceleration of the ground along x and y, m/s2
-    size_t own;          ///< number of states of torques
-    size_t at_speed;     ///< index of the speed among the states; it follows the rotor's states and those of torques
-    double turn_inertia; ///< inertia of all turning parts, kg m2
-    double slip;         ///< speed below which the dry friction of the load yields, rad/s; 0: it never does
-    bool driven;         ///< torques drive the machine
-    whirl_system by_angle, by_time;
-    double from; ///< angle at which the current part of a revolution begins
-} running_rotor;
 
 // ---------------------------------------------------------------- numbers over the speed
 
@@ -579,7 +516,7 @@ static double running_torque_at(const running_rotor *r, size_t index, const doub
 }
 
 /// Adds the friction of contacts. Returns the part that turns the shaft as a whole.
-static double running_add_friction(const running_rotor *r, const double *x, const double *numbers, double *sum) {
+static double running_add_friction(const running_rotor *r, const double *x, double *numbers, double *sum) {
     const size_t contacts = r->rotor->contact_count;
     double whole = 0.0;
     *sum = 0.0;
@@ -624,8 +561,8 @@ static double running_add_drag(const running_rotor *r, const running_state *s, d
 
 /// Finds all torques, with the numbers of the speed w. Those on twists are written to workspace. Writes the slopes of
 /// their states by time, unless `slopes` is NULL. Returns the part that turns the shaft as a whole.
-static double running_find_torques(const running_rotor *r, const double *numbers, const running_state *s,
-                                   double *slopes, whirl_torques *out) {
+static double running_find_torques(const running_rotor *r, double *numbers, const running_state *s, double *slopes,
+                                   whirl_torques *out) {
     const whirl_rotor *rotor = r->rotor;
     const double *state = s->x + rotor->system.dimension;
     memset(r->torque, 0, rotor->lanes.degrees * sizeof *r->torque);
@@ -695,8 +632,8 @@ typedef struct faster {
 /// Returns theta'' with the numbers of the speed w. a [degrees]: accelerations by the angle without theta'', to which
 /// those by torques on twists are added. slopes: of the states of torques by time, or NULL. torques: written only if
 /// torques drive the shaft.
-static faster running_faster(const running_rotor *r, const double *numbers, const running_state *s, double *a,
-                             double *slopes, whirl_torques *torques) {
+static faster running_faster(const running_rotor *r, double *numbers, const running_state *s, double *a, double *slopes,
+                             whirl_torques *torques) {
     const whirl_rotor *rotor = r->rotor;
     const double square = r->unit * r->unit, w = s->w;
     const bool driven = r->how.driven, twists = rotor->twist_count > 0;
@@ -769,9 +706,9 @@ static void running_add_shake(const running_rotor *r, double w, const double *x,
 
 /// Computes the levers, and the slopes by the angle dxdt [dimension of the rotor] for a constant speed w, from the
 /// state x by the angle. Returns the numbers at w.
-static const double *running_flow(const running_rotor *r, double w, const double *forcing, const double *sides,
-                                  const double *x, double *dxdt) {
-    const double *numbers = running_numbers_at(r, w);
+static double *running_flow(const running_rotor *r, double w, const double *forcing, const double *sides,
+                            const double *x, double *dxdt) {
+    double *numbers = running_numbers_at(r, w);
     const size_t n = r->rotor->lanes.degrees;
     running_find_levers(r, forcing);
     if (r->geared_count > 0) running_add_geared(r, fmax(w, slowest), x);
@@ -782,24 +719,30 @@ static const double *running_flow(const running_rotor *r, double w, const double
     return numbers;
 }
 
-static void running_rhs_by_angle(const void *model, double t, const double *given, const double *x, const double *sides,
-                                 double *dxdt) {
-    const running_rotor *r = model;
+/// Computes the slopes by the angle at an angle.
+static void running_slopes_at(const running_rotor *r, double angle, const double *x, const double *sides,
+                              double *dxdt) {
     const whirl_rotor *rotor = r->rotor;
     const size_t n = rotor->lanes.degrees, d = rotor->system.dimension, at = r->at_speed;
-    const double w = x[at], angle = r->from + t;
+    const double w = x[at];
     double forcing[FORCING_COUNT];
     whirl_torques torques;
-    (void)given;
     // Compute the slopes of the rotor at constant speed, then theta'' by the torques.
     rotor->system.forcing(rotor, angle, forcing);
-    const double *numbers = running_flow(r, w, forcing, sides, x, dxdt);
+    double *numbers = running_flow(r, w, forcing, sides, x, dxdt);
     const faster by = running_faster(r, numbers, &(running_state){w, w, angle, x}, dxdt + n, dxdt + d, &torques);
     running_add_faster(r, by, w, x + n, dxdt + n);
     running_add_pace(r, by.all / (w * w), x + n, dxdt + n);
     for (size_t i = d; i < at; i++) dxdt[i] /= w * r->unit;
     dxdt[at] = by.all / w;
     dxdt[at + 1] = 1.0 / w;
+}
+
+static void running_rhs_by_angle(const void *model, double t, const double *given, const double *x, const double *sides,
+                                 double *dxdt) {
+    const running_rotor *r = model;
+    (void)given;
+    running_slopes_at(r, r->from + t, x, sides, dxdt);
 }
 
 static void running_scale_to_angle(const running_rotor *r, double *x) {
@@ -827,7 +770,7 @@ static void running_rhs_by_time(const void *model, double t, const double *given
     // Compute the slopes of the rotor at constant speed by the angle, then theta'' by the torques.
     rotor->system.forcing(rotor, angle, forcing);
     const double *place = running_placed_by_angle(r, x);
-    const double *numbers = running_flow(r, w, forcing, sides, place, dxdt);
+    double *numbers = running_flow(r, w, forcing, sides, place, dxdt);
     const faster by =
         running_faster(r, numbers, &(running_state){x[at], w, angle, place}, dxdt + n, dxdt + d, &torques);
     // Convert derivatives by the angle to derivatives by time.
@@ -847,6 +790,22 @@ static void running_rhs_by_time(const void *model, double t, const double *given
 
 static void running_free_by_angle(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
     running_rhs_by_angle(model, t, forcing, x, NULL, dxdt);
+}
+
+/// Right-hand sides of machines in lanes, whose time is the angle.
+static void running_rhs_together(const void *model, double t, const double *given, const double *x, const double *sides,
+                                 double *dxdt) {
+    (void)given;
+    running_slopes_at(model, t, x, sides, dxdt);
+}
+
+static void running_free_together(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
+    running_rhs_together(model, t, forcing, x, NULL, dxdt);
+}
+
+static void running_forcing_together(const void *model, double t, double *forcing) {
+    const running_rotor *r = model;
+    r->rotor->system.forcing(r->rotor, t, forcing);
 }
 
 static void running_free_by_time(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
@@ -929,6 +888,12 @@ static void running_fill_systems(running_rotor *r) {
     r->by_time.rhs_on_sides = running_rhs_by_time;
     r->by_time.switches = running_switches_by_time;
     r->by_time.switch_gradient = running_gradient_by_time;
+    r->together = r->by_angle;
+    r->together.rhs = running_free_together;
+    r->together.rhs_on_sides = running_rhs_together;
+    r->together.forcing_count = FORCING_COUNT;
+    r->together.forcing = running_forcing_together;
+    r->together.lanes = &r->form;
 }
 
 static void running_set(whirl_running *running, const whirl_turning *how) {
@@ -977,7 +942,7 @@ static void running_torques(const whirl_running *running, const double *x, doubl
     double forcing[FORCING_COUNT];
     *out = (whirl_torques){.motor = NAN, .load = NAN, .friction = NAN, .rotor = NAN, .drag = NAN};
     r->rotor->system.forcing(r->rotor, angle, forcing);
-    const double *numbers = running_flow(r, w, forcing, NULL, x, r->slope);
+    double *numbers = running_flow(r, w, forcing, NULL, x, r->slope);
     const faster by =
         running_faster(r, numbers, &(running_state){exact, w, angle, x}, r->slope + r->rotor->lanes.degrees, NULL, out);
     out->acceleration = r->unit * r->unit * by.all;
@@ -1066,14 +1031,37 @@ static size_t running_switch(const whirl_running *running, size_t contact) {
     return rotor->elements[rotor->contacts[contact]].first_switch;
 }
 
+/// Returns true if all contacts are certainly open, by their gaps alone.
+static bool running_is_apart(const whirl_rotor *rotor, const double *x) {
+    if (rotor->lanes.damped) return false;
+    for (size_t c = 0; c < rotor->contact_count; c++) {
+        const element *own = &rotor->elements[rotor->contacts[c]];
+        const double gap = own->type->contact_gap(own);
+        const size_t *port = own->port;
+        if (port[0] == NO_COORDINATE || port[1] == NO_COORDINATE) return false;
+        if (!(x[port[0]] * x[port[0]] + x[port[1]] * x[port[1]] < (1.0 - 1e-12) * gap * gap)) return false;
+    }
+    return true;
+}
+
 static void running_contacts(const whirl_running *running, const double *x, double *normal_force) {
     const running_rotor *r = (const running_rotor *)running;
     if (r->rotor->contact_count == 0) return;
+    if (running_is_apart(r->rotor, x)) {
+        memset(normal_force, 0, r->rotor->contact_count * sizeof *normal_force);
+        return;
+    }
     rotor_contacts_with(r->rotor, running_numbers_at(r, x[r->at_speed]), x, normal_force, NULL);
+}
+
+static const whirl_system *running_in_lanes(const whirl_running *running) {
+    const running_rotor *r = (const running_rotor *)running;
+    return running_goes_in_lanes(r) ? &r->together : NULL;
 }
 
 static void running_release(whirl_running *running) {
     running_rotor *r = (running_rotor *)running;
+    running_lanes_free(r);
     if (r->machine.release) r->machine.release(r->machine.owner);
     free(r->numbers);
     free(r->varying);
@@ -1115,6 +1103,8 @@ whirl_status whirl_running_new(whirl_machine_at *make, const void *context, doub
         status = running_find_numbers(r, make, context);
     }
     if (status.code == WHIRL_OK) status = running_add_turnings(r);
+    if (status.code == WHIRL_OK && !running_lanes_fill(r))
+        status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine whose speed changes");
     if (status.code != WHIRL_OK) {
         running_release(&r->shown);
         return status;
@@ -1138,6 +1128,7 @@ whirl_status whirl_running_new(whirl_machine_at *make, const void *context, doub
     r->shown.begins = running_begins;
     r->shown.contacts = running_contacts;
     r->shown.contact_switch = running_switch;
+    r->shown.in_lanes = running_in_lanes;
     r->shown.release = running_release;
     *out = &r->shown;
     return whirl_ok();

@@ -1,0 +1,138 @@
+/// A machine whose speed changes, as its equation of the shaft (running.c) and its kernels in lanes see it.
+#ifndef ROTOR_RUNNING_ROTOR_H
+#define ROTOR_RUNNING_ROTOR_H
+
+#include "machine.h"
+#include "whirl/engine/running.h"
+
+/// Number of powers of the speed in a sum that represents a number, and the lowest of these powers.
+enum { POWERS = 5, LOWEST_POWER = -2 };
+
+/// Number of speeds at which machines are made to find the powers and to check the sum.
+enum { POWER_SPEEDS = 11 };
+
+/// Least speed, divided by the unit, at which numbers are evaluated, since laws divide by the speed. A slower shaft
+/// counts as standing.
+static const double slowest = 1e-6;
+
+/// A number of the machine that changes with the speed w: the sum of power[k] w^(k - 2), or a spline over w^lift.
+typedef struct number_of_speed {
+    size_t index;
+    double power[POWERS];
+    double *value, *curvature; ///< [SPLINE_NODES] spline of w^lift times the number; NULL: the sum of powers holds
+    int lift;                  ///< 0, 1 or 2: w^lift times the number has a limit at low speeds
+} number_of_speed;
+
+/// Numbers of a machine for all coordinates on which unbalances act as levers, and for the shaft.
+enum {
+    LEVER_UNIT, ///< size of the coordinate's unit, m or rad
+    LEVER_COS,
+    LEVER_SIN, ///< as own_cos and own_sin, with the unbalances that have appeared
+    LEVER_FORCE_COS,
+    LEVER_FORCE_SIN,
+    LEVER_LOST_COS,
+    LEVER_LOST_SIN, ///< of the unbalances that have appeared alone
+    LEVER_NUMBERS
+};
+enum {
+    SHAFT_UNIT,   ///< unit of speed, rad/s
+    SHAFT_SQUARE, ///< its square
+    SHAFT_RATE,   ///< given rate over the square of the unit
+    SHAFT_DRIVEN, ///< 1: torques turn the shaft, 0: the rate does
+    SHAFT_MOTOR,
+    SHAFT_FALL, ///< torque of the motor at standstill, and its fall with the speed, N m and N m s
+    SHAFT_LOAD,
+    SHAFT_LINEAR,
+    SHAFT_QUADRATIC,               ///< as in shaft_drive
+    SHAFT_INERTIA,                 ///< kg m2, of all that turns
+    SHAFT_PULL,                    ///< pull of gravity along x, then y, over the square of the unit
+    SHAFT_GUIDED = SHAFT_PULL + 2, ///< cos and sin of turning_inertia along x, then y
+    SHAFT_NUMBERS = SHAFT_GUIDED + 4
+};
+
+/// A factor of a power of the speed in a number that varies.
+typedef struct running_factor {
+    size_t number, power; ///< indices of the number, and of the power from LOWEST_POWER on
+    bool begins;          ///< the first factor of its number
+} running_factor;
+
+/// Rows of the numbers of a machine in lanes. The first are those of the rotor: constant ones, and workspace for those
+/// that vary with the speed.
+typedef struct running_lanes {
+    size_t powers;   ///< first of the factors of powers: of every varying number those that are not 0, by rising
+                     ///< power
+    size_t shaft;    ///< first of [SHAFT_NUMBERS]
+    size_t levers;   ///< first of [lever_count][LEVER_NUMBERS]
+    size_t now;      ///< first of [lever_count] workspace: accelerations by a unit of theta''
+    size_t contacts; ///< first of [3][contact_count] workspace
+    size_t switches; ///< first of [2][switch_count] workspace
+    size_t lever_count;
+    size_t *lever;           ///< [lever_count] coordinates
+    size_t factor_count;     ///< number of these factors
+    running_factor *factors; ///< [factor_count]
+} running_lanes;
+
+/// A rotor whose speed changes.
+typedef struct running_rotor {
+    whirl_running shown;   ///< the public part, which is first, so that a pointer to it also points to this struct
+    whirl_machine machine; ///< the machine at the unit of speed; machines of all speeds have its structure
+    const whirl_rotor *rotor;
+    double unit;
+    whirl_turning how;
+    double *numbers; ///< [number_count] workspace: numbers at the speed *at
+    double *at;
+    size_t varying_count;
+    number_of_speed *varying;
+    double *splines; ///< all of them
+    double lowest_node, node_distance;
+    /// [degrees] Effect of turning unbalances on each coordinate, by the values C and S of the forcing: accelerations
+    /// at a speed of 1 unit (own_), and forces divided by the square of the speed, kg, or kg m2, of a unit of the
+    /// coordinate (force_). lost_ is the same for the unbalances of `lose`.
+    double *own_cos, *own_sin, *force_cos, *force_sin;
+    double *lost_cos, *lost_sin, *lost_force_cos, *lost_force_sin;
+    double *lever_force, *lever_acceleration;   ///< [degrees] workspace: levers of theta'' on a coordinate
+    double *geared_force, *geared_acceleration; ///< [degrees] workspace: those of unbalances at ratios of the speed
+    turning_inertia lost_guided[2];             ///< rotor->guided and the unbalances of `lose`
+    double *guided_lever;  ///< [2] workspace: levers of theta'' along x and y of what does not move that way
+    double *alone;         ///< [degrees] share of an unbalance's square by a row: 1 if its station moves one way only
+    double own_inertia;    ///< kg m2: what unbalances add to the inertia about the shaft's axis
+    double lost_inertia;   ///< kg m2: the same with those of `lose`
+    size_t geared_count;   ///< unbalances at ratios of the speed
+    double geared_inertia; ///< kg m2: what these add to the inertia about the shaft's axis
+    unsigned char *along;  ///< [degrees] 0 for displacements of stations along x, 1 along y, 2 for all other
+                           ///< coordinates
+    double *block;         ///< all arrays from own_cos on
+    double *place, *slope; ///< [dimension] workspace
+    double *friction;      ///< [contact_count][3] workspace
+    /// [degrees] workspace: torques on twists, N m, and the accelerations by these torques.
+    double *torque, *torque_acceleration;
+    double *shaken;      ///< [2][degrees] accelerations of coordinates by a pull of 1 m/s2 along x, then along y
+    double *shake;       ///< [2] workspace: acceleration of the ground along x and y, m/s2
+    size_t own;          ///< number of states of torques
+    size_t at_speed;     ///< index of the speed among the states; it follows the rotor's states and those of torques
+    double turn_inertia; ///< inertia of all turning parts, kg m2
+    double slip;         ///< speed below which the dry friction of the load yields, rad/s; 0: it never does
+    bool driven;         ///< torques drive the machine
+    whirl_system by_angle, by_time;
+    whirl_lanes form;      ///< form of `together`
+    whirl_system together; ///< by_angle in vector lanes, with the angle as time
+    running_lanes lanes;   ///< what its kernels know (running_lanes.c)
+    double from;           ///< angle at which the current part of a revolution begins
+} running_rotor;
+
+/// Finds the form of a machine in lanes, after all else of it. Returns false without memory (running_lanes.c).
+bool running_lanes_fill(running_rotor *r);
+
+/// Frees what running_lanes_fill allocated.
+void running_lanes_free(running_rotor *r);
+
+/// Returns true if lanes can carry the machine as it turns now.
+bool running_goes_in_lanes(const running_rotor *r);
+
+/// Functions of machines whose speed changes for lanes.h, one of each kind for every instruction set
+/// (kernels/running.c).
+FOR_EVERY_ISA(lanes_flow, running_flow);
+FOR_EVERY_ISA(lanes_switches, running_switches);
+FOR_EVERY_ISA(lanes_forcing, running_forcing);
+
+#endif
