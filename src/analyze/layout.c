@@ -1,6 +1,7 @@
 // The block of a point: where its numbers lie, and how the analyses fill them.
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "analysis.h"
@@ -190,6 +191,36 @@ whirl_status whirl_analyze_resting(const whirl_resting *point, const whirl_recor
         if ((set >> a & 1u) && plan->compute_resting) status = plan->compute_resting(point, options, &view);
     }
     return status;
+}
+
+/// Computes an analysis of points that have no error yet, one after the other or, if it gains by that, together.
+static void layout_analyze_points(const analysis_plan *plan, size_t count, const whirl_resting *points,
+                                  const whirl_record_options *options, const block_view *views,
+                                  whirl_status *statuses) {
+    if (plan->compute_resting_together) {
+        plan->compute_resting_together(count, points, options, views, statuses);
+        return;
+    }
+    for (size_t i = 0; i < count; i++)
+        if (statuses[i].code == WHIRL_OK) statuses[i] = plan->compute_resting(&points[i], options, &views[i]);
+}
+
+whirl_status whirl_analyze_resting_together(size_t count, const whirl_resting *points,
+                                            const whirl_record_options *options, whirl_analysis_set set,
+                                            const whirl_layout *layout, double *const *blocks, whirl_status *statuses) {
+    block_view *views = malloc((count + 1) * sizeof *views);
+    if (!views) return whirl_fail(WHIRL_NO_MEMORY, "no memory for points at rest");
+    for (size_t i = 0; i < count; i++) {
+        statuses[i] = whirl_ok();
+        for (size_t k = 0; k < layout->size; k++) blocks[i][k] = NAN;
+    }
+    for (size_t a = 0; analysis_plans[a]; a++) {
+        if (!(set >> a & 1u) || !analysis_plans[a]->compute_resting) continue;
+        for (size_t i = 0; i < count; i++) views[i] = view_of(analysis_plans[a], layout, blocks[i]);
+        layout_analyze_points(analysis_plans[a], count, points, options, views, statuses);
+    }
+    free(views);
+    return whirl_ok();
 }
 
 whirl_status whirl_analyze_trace(const whirl_trace *trace, const whirl_record_options *options,

@@ -308,6 +308,13 @@ whirl_status whirl_bearings_at(const whirl_resting *point, double speed, double 
 whirl_status whirl_analyze_resting(const whirl_resting *point, const whirl_record_options *options,
                                    whirl_analysis_set set, const whirl_layout *layout, double *block);
 
+/// Fills the blocks [count][layout->size] of points as whirl_analyze_resting does, and writes the status of each to
+/// statuses [count]. Run-ups are carried together, in vector lanes where these take their machines; no bit of a block
+/// depends on the other points. Points of measured runs are not allowed. WHIRL_NO_MEMORY.
+whirl_status whirl_analyze_resting_together(size_t count, const whirl_resting *points,
+                                            const whirl_record_options *options, whirl_analysis_set set,
+                                            const whirl_layout *layout, double *const *blocks, whirl_status *statuses);
+
 /// Fills `block` [layout->size] for a machine without an equilibrium. `share` is whirl_equilibrium_share, or 1 if only
 /// another machine that the analyses need has none. All numbers but ranges/rest are missing.
 void whirl_unfound_at_rest(const whirl_layout *layout, double share, double *block);

@@ -512,77 +512,6 @@ static whirl_status runup_make_machine(const void *context, size_t count, const 
     return c->point->running(c->point->context, c->lowest, c->highest, c->driven, count, happened, running);
 }
 
-/// Runs a machine that `c` made, from the saved state of the point if `resume`. *stale: the state does not fit.
-static whirl_status runup_run_machine(whirl_running *running, const changing *c, const whirl_runup_options *o,
-                                      const block_view *view, bool resume, bool *stale) {
-    const whirl_resting *point = c->point;
-    const whirl_system *system = running->by_angle;
-    const size_t d = system->dimension, probes = system->probe_count, contacts = running->contact_count;
-    const size_t torques = running->in_time ? running->watched_count : 0;
-    double *numbers = calloc(2 * d + probes + contacts + 1, sizeof *numbers);
-    runup_torque *extremes = calloc(torques + 1, sizeof *extremes);
-    runup_peak *peaks = calloc(probes + 1, sizeof *peaks);
-    runup_contact *touched = calloc(contacts + 1, sizeof *touched);
-    runup_happening events[RUNUP_EVENTS];
-    runup_run run = {.peaks = peaks, .contacts = touched, .torques = extremes, .events = events, .last = numbers};
-    filling f = {.view = view,
-                 .point = point,
-                 .system = system,
-                 .rows = (size_t)o->rows,
-                 .contacts = contacts,
-                 .torques = torques,
-                 .way = 1.0,
-                 .status = whirl_ok()};
-    runup_plan plan = {.options = o,
-                       .course = point->course,
-                       .change = runup_make_machine,
-                       .change_context = c,
-                       .integrate = whirl_integrate_default(),
-                       .angle = o->angle,
-                       .see = runup_fill_row,
-                       .watch = runup_fill_torques,
-                       .context = &f,
-                       .turned = runup_save,
-                       .resume = resume ? runup_restore : NULL};
-    f.histories = calloc(torques + 1, sizeof *f.histories);
-    whirl_status status = numbers && peaks && touched && extremes && f.histories
-                              ? whirl_ok()
-                              : whirl_fail(WHIRL_NO_MEMORY, "no memory for a run");
-    if (status.code == WHIRL_OK) {
-        f.radius = numbers + 2 * d;
-        f.force = f.radius + probes;
-        f.duration = whirl_runup_duration(o);
-        if (probes > 0) f.way = whirl_probe_way(&system->probes[0]);
-        plan.start = numbers + d;
-        plan.integrate.rtol = o->rtol;
-        plan.integrate.atol = 1e-3 * o->rtol;
-        plan.integrate.limit = 1e300; // time grows without bounds; what is not finite diverges
-        memcpy(plan.integrate.method, o->method, sizeof plan.integrate.method);
-        status = runup_find_start(point, o, c->highest, numbers + d, &plan.start_count);
-    }
-    if (status.code == WHIRL_OK) status = runup_views_new(view, o, system, contacts, f.duration, &f.views);
-    if (f.views.samples.numbers) plan.samples = &f.views.samples;
-    plan.motion = point->motion;
-    if (status.code == WHIRL_OK) status = runup_carry(running, &plan, &run);
-    if (status.code == WHIRL_OK && run.end == RUNUP_STOPPED) status = whirl_fail(WHIRL_STOPPED, "stopped");
-    if (status.code == WHIRL_OK) status = f.status;
-    if (status.code == WHIRL_OK) status = runup_views_end(&f.views, run.time);
-    if (status.code == WHIRL_OK) runup_fill_end(&f, &run);
-    if (status.code == WHIRL_OK) runup_fill_slow_roll(view, o, probes);
-    if (status.code == WHIRL_OK) runup_fill_extremes(&f, running, &run);
-    if (status.code == WHIRL_OK && torques > 0)
-        status = runup_cycles_count(f.histories, torques, point->system, runup_first_path(running, point->system),
-                                    view_numbers(view, CYCLES, 0), view_numbers(view, DAMAGE, 0));
-    *stale = f.stale;
-    runup_cycles_free(f.histories, torques);
-    runup_views_free(&f.views);
-    free(numbers);
-    free(extremes);
-    free(peaks);
-    free(touched);
-    return status;
-}
-
 /// Returns the options of a run, with the first and last speed of its table of speeds if it has one.
 static whirl_runup_options runup_with_table(const whirl_resting *point, const whirl_runup_options *options) {
     whirl_runup_options o = *options;
@@ -591,6 +520,128 @@ static whirl_runup_options runup_with_table(const whirl_resting *point, const wh
     o.from = course->speeds[0];
     if (o.duration == 0.0) o.duration = course->speed_times[course->speed_count - 1];
     return o;
+}
+
+/// The run of a point, and all that it needs.
+typedef struct runup_job {
+    changing make;
+    whirl_runup_options options;
+    const block_view *view;
+    whirl_running *running;
+    double *numbers; ///< places of `run` and `f`
+    runup_run run;
+    runup_happening events[RUNUP_EVENTS];
+    filling f;
+    runup_plan plan;
+    whirl_status status;
+} runup_job;
+
+/// Makes the machine of a point.
+static void runup_job_open(runup_job *job, const whirl_resting *point, const whirl_runup_options *options,
+                           const block_view *view) {
+    job->options = runup_with_table(point, options);
+    const whirl_runup_options *o = &job->options;
+    job->make = (changing){point, runup_lowest_speed(point, o), runup_highest_speed(point, o), whirl_runup_driven(o)};
+    job->view = view;
+    job->status = runup_make_machine(&job->make, 0, NULL, &job->running);
+}
+
+static void runup_job_close(runup_job *job) {
+    if (job->running) job->running->release(job->running);
+}
+
+/// Prepares the run of a machine, from the saved state of the point if `resume`.
+static void runup_job_begin(runup_job *job, bool resume) {
+    const whirl_runup_options *o = &job->options;
+    const whirl_resting *point = job->make.point;
+    const whirl_running *running = job->running;
+    const whirl_system *system = running->by_angle;
+    const size_t d = system->dimension, probes = system->probe_count, contacts = running->contact_count;
+    const size_t torques = running->in_time ? running->watched_count : 0;
+    job->numbers = calloc(2 * d + probes + contacts + 1, sizeof *job->numbers);
+    job->run = (runup_run){.peaks = calloc(probes + 1, sizeof(runup_peak)),
+                           .contacts = calloc(contacts + 1, sizeof(runup_contact)),
+                           .torques = calloc(torques + 1, sizeof(runup_torque)),
+                           .events = job->events,
+                           .last = job->numbers};
+    job->f = (filling){.view = job->view,
+                       .point = point,
+                       .system = system,
+                       .rows = (size_t)o->rows,
+                       .contacts = contacts,
+                       .torques = torques,
+                       .way = 1.0,
+                       .histories = calloc(torques + 1, sizeof(runup_history)),
+                       .status = whirl_ok()};
+    job->plan = (runup_plan){.options = o,
+                             .course = point->course,
+                             .change = runup_make_machine,
+                             .change_context = &job->make,
+                             .integrate = whirl_integrate_default(),
+                             .angle = o->angle,
+                             .see = runup_fill_row,
+                             .watch = runup_fill_torques,
+                             .context = &job->f,
+                             .turned = runup_save,
+                             .resume = resume ? runup_restore : NULL};
+    filling *f = &job->f;
+    runup_plan *plan = &job->plan;
+    if (!job->numbers || !job->run.peaks || !job->run.contacts || !job->run.torques || !f->histories) {
+        job->status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a run");
+        return;
+    }
+    f->radius = job->numbers + 2 * d;
+    f->force = f->radius + probes;
+    f->duration = whirl_runup_duration(o);
+    if (probes > 0) f->way = whirl_probe_way(&system->probes[0]);
+    plan->start = job->numbers + d;
+    plan->integrate.rtol = o->rtol;
+    plan->integrate.atol = 1e-3 * o->rtol;
+    plan->integrate.limit = 1e300; // time grows without bounds; what is not finite diverges
+    memcpy(plan->integrate.method, o->method, sizeof plan->integrate.method);
+    job->status = runup_find_start(point, o, job->make.highest, job->numbers + d, &plan->start_count);
+    if (job->status.code == WHIRL_OK)
+        job->status = runup_views_new(job->view, o, system, contacts, f->duration, &f->views);
+    if (f->views.samples.numbers) plan->samples = &f->views.samples;
+    plan->motion = point->motion;
+}
+
+/// Fills in the results of a run that is over, and frees what runup_job_begin allocated.
+static void runup_job_end(runup_job *job) {
+    filling *f = &job->f;
+    runup_run *run = &job->run;
+    const whirl_system *system = job->make.point->system;
+    whirl_status status = job->status;
+    if (status.code == WHIRL_OK && run->end == RUNUP_STOPPED) status = whirl_fail(WHIRL_STOPPED, "stopped");
+    if (status.code == WHIRL_OK) status = f->status;
+    if (status.code == WHIRL_OK) status = runup_views_end(&f->views, run->time);
+    if (status.code == WHIRL_OK) runup_fill_end(f, run);
+    if (status.code == WHIRL_OK) runup_fill_slow_roll(job->view, &job->options, f->system->probe_count);
+    if (status.code == WHIRL_OK) runup_fill_extremes(f, job->running, run);
+    if (status.code == WHIRL_OK && f->torques > 0)
+        status = runup_cycles_count(f->histories, f->torques, system, runup_first_path(job->running, system),
+                                    view_numbers(job->view, CYCLES, 0), view_numbers(job->view, DAMAGE, 0));
+    job->status = status;
+    runup_cycles_free(f->histories, f->torques);
+    runup_views_free(&f->views);
+    free(job->numbers);
+    free(run->peaks);
+    free(run->contacts);
+    free(run->torques);
+}
+
+/// Runs the machines of jobs that are begun.
+static void runup_jobs_run(runup_job *jobs, size_t count) {
+    runup_task *tasks = calloc(count + 1, sizeof *tasks);
+    size_t begun = 0;
+    for (size_t i = 0; i < count && tasks; i++)
+        if (jobs[i].status.code == WHIRL_OK)
+            tasks[begun++] = (runup_task){jobs[i].running, &jobs[i].plan, &jobs[i].run, whirl_ok()};
+    if (tasks) runup_carry_together(begun, tasks);
+    for (size_t i = 0, task = 0; i < count; i++)
+        if (jobs[i].status.code == WHIRL_OK)
+            jobs[i].status = tasks ? tasks[task++].status : whirl_fail(WHIRL_NO_MEMORY, "no memory for runs");
+    free(tasks);
 }
 
 // ---------------------------------------------------------------- measured runs
@@ -683,27 +734,52 @@ static whirl_status runup_fill_measured(const whirl_resting *point, const whirl_
     return status;
 }
 
+static void runup_compute_together(size_t count, const whirl_resting *points, const whirl_record_options *options,
+                                   const block_view *views, whirl_status *statuses) {
+    runup_job *jobs = calloc(count + 1, sizeof *jobs);
+    for (size_t i = 0; i < count && !jobs; i++) statuses[i] = whirl_fail(WHIRL_NO_MEMORY, "no memory for runs");
+    if (!jobs) return;
+    // Make all machines, and carry out their runs together.
+    for (size_t i = 0; i < count; i++) {
+        jobs[i].status = statuses[i];
+        if (jobs[i].status.code == WHIRL_OK) runup_job_open(&jobs[i], &points[i], &options->runup, &views[i]);
+        if (jobs[i].status.code == WHIRL_OK) runup_job_begin(&jobs[i], points[i].saving && points[i].saving->saved);
+    }
+    runup_jobs_run(jobs, count);
+    for (size_t i = 0; i < count; i++) {
+        runup_job *job = &jobs[i];
+        const bool made = job->running != NULL;
+        if (made) runup_job_end(job);
+        // A saved state that does not fit is discarded, and the run begins anew.
+        if (made && job->f.stale) {
+            runup_empty(job->view);
+            if (points[i].motion) points[i].motion->filled = 0;
+            job->status = whirl_ok();
+            runup_job_begin(job, false);
+            runup_jobs_run(job, 1);
+            runup_job_end(job);
+        }
+        // The balance knows responses at the speed of the shaft only.
+        double *stationary = view_numbers(job->view, STATIONARY, 0);
+        if (job->status.code == WHIRL_OK && stationary && !job->running->geared)
+            job->status =
+                runup_find_stationary(&points[i], job->running, job->options.drag, (size_t)job->options.stationary,
+                                      job->make.highest, stationary, view_numbers(job->view, FOLD, 0));
+        statuses[i] = job->status;
+        runup_job_close(job);
+    }
+    free(jobs);
+}
+
 static whirl_status runup_compute(const whirl_resting *point, const whirl_record_options *options,
                                   const block_view *view) {
+    whirl_status status = whirl_ok();
     if (point->measured) return runup_fill_measured(point, &options->runup, view);
-    const whirl_runup_options o = runup_with_table(point, &options->runup);
-    const changing c = {point, runup_lowest_speed(point, &o), runup_highest_speed(point, &o), whirl_runup_driven(&o)};
-    whirl_running *running = NULL;
-    whirl_status status = runup_make_machine(&c, 0, NULL, &running);
-    const bool resume = point->saving && point->saving->saved;
-    bool stale = false;
-    if (status.code == WHIRL_OK) status = runup_run_machine(running, &c, &o, view, resume, &stale);
-    if (stale) {
-        runup_empty(view);
-        if (point->motion) point->motion->filled = 0;
-        status = runup_run_machine(running, &c, &o, view, false, &stale);
-    }
-    // The balance knows responses at the speed of the shaft only.
-    if (status.code == WHIRL_OK && view_numbers(view, STATIONARY, 0) && !running->geared)
-        status = runup_find_stationary(point, running, o.drag, (size_t)o.stationary, c.highest,
-                                       view_numbers(view, STATIONARY, 0), view_numbers(view, FOLD, 0));
-    if (running) running->release(running);
+    runup_compute_together(1, point, options, view, &status);
     return status;
 }
 
-const analysis_plan runup_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_resting = runup_compute};
+const analysis_plan runup_analysis = {.fields = fields,
+                                      .field_count = FIELD_COUNT,
+                                      .compute_resting = runup_compute,
+                                      .compute_resting_together = runup_compute_together};

@@ -1,7 +1,7 @@
 // A run turn by turn: the first turn from standstill by time, from then on by the angle; machines whose torques depend
 // on time, or whose stations twist, by time throughout. Events are landed on.
-#include "runup.h"
 #include "run_motion.h"
+#include "runup_state.h"
 #include "two_pi.h"
 
 #include <math.h>
@@ -10,66 +10,6 @@
 
 /// A search for an instant ends when the interval has shrunk to this share of its first length.
 static const double located = 1e-14;
-
-/// The setting in which a state of the run is to be read: the machine, the variable (time or angle), the unbalances
-/// that have appeared, and the turning of the shaft.
-typedef struct runup_where {
-    size_t side;
-    bool by_time;
-    size_t lost;
-    whirl_turning how;
-} runup_where;
-
-/// A machine of the run, before or after changes, and its integrators.
-typedef struct runup_side {
-    whirl_running *machine;
-    whirl_integrator *seen[2]; ///< by the angle, by time: with all samples
-    whirl_integrator *part[2]; ///< by the angle, by time
-} runup_side;
-
-typedef struct runup_state {
-    whirl_running *machine;                   ///< machine of sides[side]
-    runup_side sides[1 + WHIRL_MAX_EVENTS];   ///< before all changes, after the first, ...
-    size_t side, side_count;                  ///< the present one, and how many there are
-    unsigned char happened[WHIRL_MAX_EVENTS]; ///< [side_count - 1] events of the course that changed the machine
-    whirl_placed lost[RUNUP_EVENTS];          ///< [lost_count] unbalances that have appeared
-    size_t lost_count;
-    whirl_status status; ///< status of changes
-    const runup_plan *plan;
-    bool by_time;               ///< the variable is the time, not the angle
-    const whirl_system *system; ///< system of that variable
-    size_t rotor;               ///< length of the state before speed and time (and, by time, the angle)
-    size_t dimension, most;     ///< dimension of the state now, and with the time as variable
-    size_t probes, contacts, torques;
-    double unit;
-    whirl_turning how;
-    double leg;                      ///< length by time of the next part of a turn, in units of time
-    double *x;                       ///< [most] now
-    double *begin;                   ///< [most] at the beginning of the turn
-    double *samples;                 ///< [samples + 1][dimension] of the part
-    double *scratch;                 ///< [3][most]
-    double *placed;                  ///< [most] a state by the angle
-    double *change;                  ///< [2][most] slopes, and a state next to another one
-    double *force;                   ///< [samples + 1][contacts] normal forces of the part
-    double *torque;                  ///< [torques] at an instant
-    double *speed;                   ///< [probes] at an instant
-    double *largest, *share;         ///< [contacts] of the turn
-    runup_station *stations;         ///< [probes] of the turn
-    double turns, angle0;            ///< turns behind, and the angle of the first state
-    double *peak_state;              ///< [probes][most] the sample before the largest radius
-    double *peak_from, *peak_length; ///< [probes] its angle, and how far the sample after it is
-    runup_where *peak_where;         ///< [probes] setting of that state
-    double *torque_state;            ///< [torques][2][most] the samples before the largest and the least torque
-    double *torque_length;           ///< [torques][2] how far the samples after them are
-    runup_where *torque_where;       ///< [torques][2] settings of these states
-    bool parted;                     ///< an event happened in the turn
-    double *copy;                    ///< [most] a motion that began nearby; NULL: none, or it was lost
-    double size;                     ///< largest radius so far
-    double growth, least, least_at;  ///< logarithm of the growth of its distance, the least so far, and when, s
-    size_t settled;                  ///< turns of settling behind
-    bool begun;                      ///< settling is over
-    runup_run *run;
-} runner;
 
 static double runup_speed_of(const runner *r, const double *x) {
     return x[r->rotor] * r->unit;
@@ -84,8 +24,15 @@ static double runup_angle_of(const runner *r, const double *x) {
     return r->by_time ? x[r->rotor + 2] : r->angle0;
 }
 
+/// Sets how the shaft turns from now on, with the unbalances that have appeared.
+static void runup_set_turning(runner *r, const whirl_turning *how) {
+    r->machine->turn(r->machine, how);
+    r->settings++;
+}
+
 /// Sets the machine and the variable.
 static void runup_go_by(runner *r, size_t side, bool time) {
+    r->settings++;
     r->side = side;
     r->machine = r->sides[side].machine;
     r->by_time = time;
@@ -173,16 +120,38 @@ static double runup_find_passage(runner *r, quantity *of, size_t which, double t
 
 // ---------------------------------------------------------------- what is seen of a part of a turn
 
+/// Notes which coordinates the probes read, as whirl_probe_value does.
+static void runup_find_probes(runner *r, const whirl_system *system) {
+    for (size_t p = 0; p < r->probes; p++) {
+        const whirl_probe *from = &system->probes[p];
+        r->probe[p] = (runup_probe){.at = {from->x, from->y, from->vx, from->vy}};
+        for (size_t nth = 0; nth < 4; nth++) {
+            r->probe[p].unit[nth] = from->units ? from->units[nth] : 1.0;
+            r->probe[p].sees[nth] = whirl_probe_sees(from, nth % 2);
+        }
+    }
+}
+
+/// Returns x, y, vx or vy (nth: 0 to 3) of a state at a station.
+static inline double runup_value(const runner *r, const double *x, size_t probe, size_t nth) {
+    const runup_probe *own = &r->probe[probe];
+    return own->sees[nth] ? own->unit[nth] * x[own->at[nth]] : 0.0;
+}
+
 static double runup_radius_of(const runner *r, const double *x, size_t probe) {
-    const whirl_probe *p = &r->system->probes[probe];
-    return hypot(whirl_probe_value(p, x, 0), whirl_probe_value(p, x, 1));
+    return hypot(runup_value(r, x, probe, 0), runup_value(r, x, probe, 1));
+}
+
+/// Returns the square of the radius, to rounding.
+static double runup_radius_square(const runner *r, const double *x, size_t probe) {
+    const double along_x = runup_value(r, x, probe, 0), along_y = runup_value(r, x, probe, 1);
+    return along_x * along_x + along_y * along_y;
 }
 
 /// Returns half the slope of the squared radius by time.
 static double runup_radial_slope(const runner *r, const double *x, size_t probe) {
-    const whirl_probe *p = &r->system->probes[probe];
-    return whirl_probe_value(p, x, 0) * whirl_probe_value(p, x, 2) +
-           whirl_probe_value(p, x, 1) * whirl_probe_value(p, x, 3);
+    return runup_value(r, x, probe, 0) * runup_value(r, x, probe, 2) +
+           runup_value(r, x, probe, 1) * runup_value(r, x, probe, 3);
 }
 
 static double runup_switch_of(const runner *r, const double *x, size_t which) {
@@ -199,8 +168,11 @@ static const double *runup_sample(const runner *r, size_t k) {
 static void runup_see_radii(runner *r, double from, double step, size_t count) {
     for (size_t p = 0; p < r->probes; p++)
         for (size_t k = 1; k <= count; k++) {
-            const double radius = runup_radius_of(r, runup_sample(r, k), p);
             runup_peak *peak = &r->run->peaks[p];
+            // A radius that is certainly not the largest of the turn needs no root.
+            const double known = fmin(r->stations[p].radius, peak->radius);
+            if (runup_radius_square(r, runup_sample(r, k), p) < (1.0 - 1e-12) * known * known) continue;
+            const double radius = runup_radius_of(r, runup_sample(r, k), p);
             r->stations[p].radius = fmax(r->stations[p].radius, radius);
             if (!(radius > peak->radius)) continue;
             const size_t before = k - 1, span = k < count ? 2 : 1;
@@ -274,8 +246,7 @@ static double runup_measure_copy(const runner *r) {
     double sum = speed * speed;
     for (size_t p = 0; p < r->probes; p++)
         for (size_t nth = 0; nth < 4; nth++) {
-            const whirl_probe *probe = &r->system->probes[p];
-            const double apart = whirl_probe_value(probe, r->copy, nth) - whirl_probe_value(probe, r->x, nth);
+            const double apart = runup_value(r, r->copy, p, nth) - runup_value(r, r->x, p, nth);
             sum += apart * apart;
         }
     return sqrt(sum);
@@ -319,28 +290,46 @@ static void runup_compare_copy(runner *r) {
     runup_place_copy(r, apart > 0.0 ? wanted / apart : 0.0);
 }
 
+/// Fills in the weight of a sample in means, and its factors in orders: the weight is the share of the turn, of that
+/// `length`, and the factors are 2 exp(-i k angle).
+static void runup_fill_weights(runup_weights *of, size_t k, size_t count, double length, double angle) {
+    const double complex turn = cexp(-I * angle);
+    double complex turned = 2.0;
+    of[k].share = runup_weight(k, count) * length / two_pi;
+    for (size_t order = 0; order < RUNUP_ORDERS; order++) {
+        turned *= turn;
+        of[k].turned[order] = turned;
+    }
+}
+
+/// Finds the weights of the samples of a part. With the angle as variable those of a whole turn are always the same.
+static void runup_find_weights(runner *r, double passed, double step, size_t count) {
+    if (!r->by_time && r->weights_passed == passed && r->weights_step == step) return;
+    r->weights_passed = r->by_time ? (double)NAN : passed;
+    r->weights_step = step;
+    for (size_t k = 0; k <= count; k++) {
+        const double *sample = runup_sample(r, k);
+        const double length = step * (r->by_time ? sample[r->rotor] : 1.0);
+        const double angle = passed + (r->by_time ? sample[r->rotor + 2] - r->samples[r->rotor + 2] : (double)k * step);
+        runup_fill_weights(r->weights, k, count, length, angle);
+    }
+}
+
 /// Adds a part of a turn, of samples that are `step` apart, to the means and orders; `passed`: the angle of its first
 /// sample within the turn.
 static void runup_add_orders(runner *r, double passed, double step, size_t count) {
+    runup_find_weights(r, passed, step, count);
     for (size_t p = 0; p < r->probes; p++) {
         runup_station *own = &r->stations[p];
-        const whirl_probe *probe = &r->system->probes[p];
         for (size_t k = 0; k <= count; k++) {
-            const double *sample = runup_sample(r, k);
-            const double length = step * (r->by_time ? sample[r->rotor] : 1.0);
-            const double angle =
-                passed + (r->by_time ? sample[r->rotor + 2] - r->samples[r->rotor + 2] : (double)k * step);
-            const double share = runup_weight(k, count) * length / two_pi;
-            const double x = share * whirl_probe_value(probe, sample, 0);
-            const double y = share * whirl_probe_value(probe, sample, 1);
+            const runup_weights *of = &r->weights[k];
+            const double x = of->share * runup_value(r, runup_sample(r, k), p, 0);
+            const double y = of->share * runup_value(r, runup_sample(r, k), p, 1);
             own->mean[0] += x;
             own->mean[1] += y;
-            const double complex turn = cexp(-I * angle);
-            double complex turned = 2.0;
-            for (size_t order = 1; order <= RUNUP_ORDERS; order++) {
-                turned *= turn;
-                own->x[order - 1] += turned * x;
-                own->y[order - 1] += turned * y;
+            for (size_t order = 0; order < RUNUP_ORDERS; order++) {
+                own->x[order] += of->turned[order] * x;
+                own->y[order] += of->turned[order] * y;
             }
         }
     }
@@ -405,8 +394,8 @@ static void runup_fill_instant(const runner *r, const double *sample, const doub
     *numbers++ = runup_time_of(r, sample);
     for (size_t p = 0; p < r->probes; p++)
         for (size_t axis = 0; axis < 2; axis++) {
-            *numbers++ = whirl_probe_value(&r->system->probes[p], sample, axis);
-            *slopes++ = r->unit * faster * whirl_probe_value(&r->system->probes[p], sample, axis + 2);
+            *numbers++ = runup_value(r, sample, p, axis);
+            *slopes++ = r->unit * faster * runup_value(r, sample, p, axis + 2);
         }
     for (size_t c = 0; c < r->contacts; c++) {
         *numbers++ = force[c];
@@ -690,7 +679,7 @@ static bool runup_happen(runner *r, int what) {
         ends = runup_let_happen(r, (size_t)(what - EVENT_FIRST));
     }
     runup_follow_table(r);
-    r->machine->turn(r->machine, &r->how);
+    runup_set_turning(r, &r->how);
     return ends || what == EVENT_END;
 }
 
@@ -734,6 +723,7 @@ static int runup_find_event(runner *r, double from, double length, double *at, d
     *at = length;
     for (size_t i = 0; i < events; i++) {
         // A speed that pulsates may pass and return between the ends of a part.
+        if (list[i].of == runup_time_quantity && list[i].target > runup_time_of(r, runup_sample(r, count))) continue;
         double before = list[i].of(r, runup_sample(r, 0), list[i].which);
         for (size_t k = 0; k < count && (double)k * step < *at; k++) {
             const double after = list[i].of(r, runup_sample(r, k + 1), list[i].which), begin = (double)k * step;
@@ -807,61 +797,12 @@ static bool runup_ends_turn(const runner *r, const double *x) {
     return r->plan->motion && fabs(x[r->rotor + 2] - runup_turn_end(r)) < 1e-10;
 }
 
-/// Carries the run over the next turn. True while it goes on.
-static bool runup_turn_on(runner *r) {
-    double *end = r->scratch + r->most, *there = r->scratch + 2 * r->most;
-    double angle = 0.0; // within the turn
+/// Begins a turn.
+static void runup_begin_next_turn(runner *r) {
     memcpy(r->begin, r->x, r->dimension * sizeof *r->x);
     runup_begin_turn(r);
-    for (bool turning = true; turning;) {
-        const double from = r->by_time ? 0.0 : r->angle0 + angle;
-        double length = r->by_time ? runup_next_leg(r) : two_pi - angle, at;
-        whirl_motion motion = runup_carry_next(r, from, &length, end);
-        if (motion != WHIRL_BOUNDED || (r->by_time ? runup_stands(r, end) : !(end[r->rotor] > 0.0))) {
-            memcpy(r->x, end, r->dimension * sizeof *end);
-            r->run->end = runup_end_of(r, motion);
-            return false;
-        }
-        int what = runup_find_event(r, from, length, &at, there);
-        if (what != EVENT_NONE) {
-            memcpy(end, r->x, r->dimension * sizeof *end);
-            if (at > 0.0) motion = runup_carry_seen(r, from, at, end);
-            memcpy(end, there, r->dimension * sizeof *end);
-        }
-        if (at > 0.0) runup_see_part(r, from, angle, at);
-        runup_carry_copy(r, from, at);
-        const double passed = r->by_time ? end[r->rotor + 2] - r->x[r->rotor + 2] : at;
-        memcpy(r->x, end, r->dimension * sizeof *end);
-        if (what == EVENT_NONE && (!r->by_time || runup_ends_turn(r, r->x))) what = EVENT_TURN;
-        r->turns = what == EVENT_TURN ? runup_whole_turns(r) + 1.0 : r->turns + passed / two_pi;
-        angle += passed;
-        turning = what != EVENT_TURN;
-        bool ends = runup_happen(r, what);
-        ends = runup_happen_now(r) || ends;
-        if (r->status.code != WHIRL_OK) return false;
-        if (ends) {
-            runup_show_turn(r, false);
-            r->run->end = r->by_time && r->turns < 1.0 && r->x[r->rotor] < 1e-3 ? RUNUP_STALLED : RUNUP_DONE;
-            return false;
-        }
-        if (runup_stopped(r)) return false;
-    }
-    runup_compare_copy(r);
-    runup_show_turn(r, true);
-    return true;
-}
-
-/// Carries a shaft that stands, with time as variable, to the end of its first turn. Returns false if the shaft makes
-/// none.
-static bool runup_start_turning(runner *r) {
-    whirl_torques torques;
-    r->machine->torques(r->machine, r->x, r->angle0, &torques);
-    r->run->end = RUNUP_STALLED;
-    // Torques that depend on time may begin at 0, or below.
-    const whirl_run_course *course = r->plan->course;
-    const bool in_time = course && (course->has[WHIRL_FORMULA_MOTOR] || course->has[WHIRL_FORMULA_LOAD]);
-    if (!r->machine->in_time && !in_time && !(torques.acceleration > 0.0)) return false;
-    return runup_turn_on(r);
+    r->passed = 0.0;
+    r->phase = PHASE_PART;
 }
 
 /// Goes on by the angle after the first turn from standstill.
@@ -876,40 +817,163 @@ static void runup_offer(runner *r) {
     if (r->plan->turned) r->plan->turned(r->plan->context, r);
 }
 
-/// Turns at the first speed until the motion has settled, before time begins.
-static bool runup_settle(runner *r) {
+static void runup_end_at(runner *r, runup_end end) {
+    r->run->end = end;
+    r->phase = PHASE_OVER;
+}
+
+/// Ends a turn that is complete.
+static void runup_end_turn(runner *r) {
+    runup_compare_copy(r);
+    runup_show_turn(r, true);
+    r->phase = PHASE_TURN;
+    if (!r->first)
+        runup_offer(r);
+    else if (!r->machine->in_time && !r->plan->motion)
+        runup_go_by_angle(r);
+    r->first = false;
+}
+
+/// Processes the part of a turn that was carried, with its samples, from x to `end`.
+static void runup_take_part(runner *r, whirl_motion motion) {
+    double *end = r->end, *there = r->scratch + 2 * r->most, at;
+    if (motion != WHIRL_BOUNDED || (r->by_time ? runup_stands(r, end) : !(end[r->rotor] > 0.0))) {
+        memcpy(r->x, end, r->dimension * sizeof *end);
+        runup_end_at(r, runup_end_of(r, motion));
+        return;
+    }
+    // Go to the first event in the part, or to its end.
+    int what = runup_find_event(r, r->from, r->length, &at, there);
+    if (what != EVENT_NONE) {
+        memcpy(end, r->x, r->dimension * sizeof *end);
+        if (at > 0.0) runup_carry_seen(r, r->from, at, end);
+        memcpy(end, there, r->dimension * sizeof *end);
+    }
+    if (at > 0.0) runup_see_part(r, r->from, r->passed, at);
+    if (r->copy && r->copy_carried && what == EVENT_NONE)
+        memcpy(r->copy, r->copy_end, r->dimension * sizeof *end);
+    else
+        runup_carry_copy(r, r->from, at);
+    const double passed = r->by_time ? end[r->rotor + 2] - r->x[r->rotor + 2] : at;
+    memcpy(r->x, end, r->dimension * sizeof *end);
+    if (what == EVENT_NONE && (!r->by_time || runup_ends_turn(r, r->x))) what = EVENT_TURN;
+    r->turns = what == EVENT_TURN ? runup_whole_turns(r) + 1.0 : r->turns + passed / two_pi;
+    r->passed += passed;
+    // Let happen what happens there.
+    bool ends = runup_happen(r, what);
+    ends = runup_happen_now(r) || ends;
+    if (r->status.code == WHIRL_OK && ends) {
+        runup_show_turn(r, false);
+        runup_end_at(r, r->by_time && r->turns < 1.0 && r->x[r->rotor] < 1e-3 ? RUNUP_STALLED : RUNUP_DONE);
+    } else if (r->status.code != WHIRL_OK || runup_stopped(r)) {
+        r->phase = PHASE_OVER;
+    } else if (what == EVENT_TURN) {
+        runup_end_turn(r);
+    }
+}
+
+/// Returns true if a shaft that stands begins to turn.
+static bool runup_begins_to_turn(const runner *r) {
+    whirl_torques torques;
+    r->machine->torques(r->machine, r->x, r->angle0, &torques);
+    // Torques that depend on time may begin at 0, or below.
+    const whirl_run_course *course = r->plan->course;
+    const bool in_time = course && (course->has[WHIRL_FORMULA_MOTOR] || course->has[WHIRL_FORMULA_LOAD]);
+    return r->machine->in_time || in_time || torques.acceleration > 0.0;
+}
+
+/// Begins to turn at the first speed until the motion has settled, before time begins.
+static void runup_begin_settling(runner *r) {
     whirl_turning still = r->how;
-    const double turn = r->by_time ? two_pi * r->unit / r->plan->options->from : two_pi;
     still.driven = still.lost = false;
     still.rate = 0.0;
-    r->machine->turn(r->machine, &still);
-    while (r->settled < (size_t)r->plan->options->settle) {
-        const whirl_motion motion = runup_carry_part(r, r->angle0, turn, r->x);
-        if (motion != WHIRL_BOUNDED || runup_stopped(r)) {
-            r->run->end = runup_end_of(r, motion);
-            return false;
-        }
-        r->settled++;
-        runup_offer(r);
+    runup_set_turning(r, &still);
+    r->phase = PHASE_SETTLE;
+}
+
+/// Processes a turn of settling that was carried to `end`.
+static void runup_take_settling(runner *r, whirl_motion motion) {
+    memcpy(r->x, r->end, r->dimension * sizeof *r->x);
+    if (motion != WHIRL_BOUNDED || runup_stopped(r)) {
+        runup_end_at(r, runup_end_of(r, motion));
+        return;
     }
+    r->settled++;
+    runup_offer(r);
+}
+
+static void runup_end_settling(runner *r) {
     r->x[r->rotor] = r->plan->options->from / r->unit;
     r->x[r->rotor + 1] = 0.0;
     if (r->by_time) r->x[r->rotor + 2] = r->angle0;
-    r->machine->turn(r->machine, &r->how);
-    return true;
+    runup_set_turning(r, &r->how);
+    r->phase = PHASE_START;
 }
 
-/// Begins the run, from where it settles to the end of its first turn from standstill. True while it goes on.
-static bool runup_begin(runner *r) {
-    const whirl_runup_options *o = r->plan->options;
-    if (strcmp(o->begin, "steady") == 0 && !runup_settle(r)) return false;
+/// Begins the time of the run. A shaft that stands makes its first turn with time as variable.
+static void runup_start(runner *r) {
     r->begun = true;
     if (r->plan->motion) run_motion_begin(r->plan->motion, r->system->probes, r->x, r->x[r->rotor + 2]);
-    bool going = !runup_happen_now(r) && r->status.code == WHIRL_OK;
+    const bool ends = runup_happen_now(r) || r->status.code != WHIRL_OK;
     if (r->copy) runup_place_copy(r, 0.0);
-    if (going && o->from == 0.0) going = runup_start_turning(r);
-    if (going && o->from == 0.0 && !r->machine->in_time && !r->plan->motion) runup_go_by_angle(r);
-    return going;
+    r->phase = ends ? PHASE_OVER : PHASE_TURN;
+    if (ends || r->plan->options->from > 0.0) return;
+    r->first = true;
+    if (runup_begins_to_turn(r))
+        runup_begin_next_turn(r);
+    else
+        runup_end_at(r, RUNUP_STALLED);
+}
+
+bool runup_next(runner *r) {
+    for (;;) {
+        switch (r->phase) {
+        case PHASE_BEGIN:
+            if (strcmp(r->plan->options->begin, "steady") == 0)
+                runup_begin_settling(r);
+            else
+                r->phase = PHASE_START;
+            break;
+        case PHASE_SETTLE:
+            if (r->settled >= (size_t)r->plan->options->settle) {
+                runup_end_settling(r);
+                break;
+            }
+            r->from = r->angle0;
+            r->length = r->by_time ? two_pi * r->unit / r->plan->options->from : two_pi;
+            memcpy(r->end, r->x, r->dimension * sizeof *r->x);
+            return true;
+        case PHASE_START:
+            runup_start(r);
+            break;
+        case PHASE_TURN:
+            if (runup_stopped(r))
+                r->phase = PHASE_OVER;
+            else
+                runup_begin_next_turn(r);
+            break;
+        case PHASE_PART:
+            r->from = r->by_time ? 0.0 : r->angle0 + r->passed;
+            r->length = r->by_time ? runup_next_leg(r) : two_pi - r->passed;
+            r->copy_carried = false;
+            memcpy(r->end, r->x, r->dimension * sizeof *r->x);
+            return true;
+        default:
+            return false;
+        }
+    }
+}
+
+void runup_take(runner *r, whirl_motion motion) {
+    if (r->phase == PHASE_SETTLE)
+        runup_take_settling(r, motion);
+    else
+        runup_take_part(r, motion);
+}
+
+whirl_motion runup_carry_alone(runner *r) {
+    if (r->phase == PHASE_SETTLE) return runup_carry_part(r, r->from, r->length, r->end);
+    return runup_carry_next(r, r->from, &r->length, r->end);
 }
 
 // ---------------------------------------------------------------- saving
@@ -941,7 +1005,7 @@ static void runup_archive_setting(runner *r, archive *a) {
     if (r->status.code != WHIRL_OK) return;
     runup_go_by(r, side, by_time == 1);
     r->machine->lose(r->machine, r->lost_count, r->lost);
-    r->machine->turn(r->machine, &r->how);
+    runup_set_turning(r, &r->how);
 }
 
 /// Processes what was found so far.
@@ -1038,12 +1102,7 @@ static void runup_locate_torques(runner *r) {
     }
 }
 
-static void runup_run_all(runner *r) {
-    bool going = r->begun || runup_begin(r);
-    while (going) {
-        going = !runup_stopped(r) && runup_turn_on(r);
-        if (going) runup_offer(r);
-    }
+void runup_finish(runner *r) {
     if (runup_stopped(r)) r->run->end = RUNUP_STOPPED;
     r->run->time = runup_time_of(r, r->x);
     r->run->speed = runup_speed_of(r, r->x);
@@ -1055,24 +1114,30 @@ static void runup_run_all(runner *r) {
     }
 }
 
-static whirl_status runup_open(runner *r) {
+static whirl_status runup_make_room(runner *r) {
     // Make memory for all arrays at once.
     const size_t d = r->most, samples = (size_t)r->plan->options->samples;
-    const size_t numbers = d * (2 + samples + 1 + 3 + 1 + 2 + 1 + r->probes + 2 * r->torques) +
+    const size_t numbers = d * (2 + samples + 1 + 3 + 1 + 2 + 2 + r->probes + 2 * r->torques) +
                            r->contacts * (samples + 3) + 3 * r->probes + 3 * r->torques;
     r->x = calloc(numbers + 1, sizeof *r->x);
     r->stations = calloc(r->probes + 1, sizeof *r->stations);
     r->peak_where = calloc(r->probes + 1, sizeof *r->peak_where);
     r->torque_where = calloc(2 * r->torques + 1, sizeof *r->torque_where);
-    if (!r->x || !r->stations || !r->peak_where || !r->torque_where)
+    r->weights = calloc(samples + 1, sizeof *r->weights);
+    r->weights_passed = (double)NAN;
+    r->probe = calloc(r->probes + 1, sizeof *r->probe);
+    if (!r->probe || !r->weights || !r->x || !r->stations || !r->peak_where || !r->torque_where)
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for a run");
+    runup_find_probes(r, r->sides[0].machine->by_angle);
     // Divide it.
     double *next = r->x + d;
     r->begin = next, next += d;
     r->samples = next, next += (samples + 1) * d;
     r->scratch = next, next += 3 * d;
     r->placed = next, next += d;
+    r->end = r->scratch + d;
     r->change = next, next += 2 * d;
+    r->copy_end = next, next += d;
     if (runup_wants_copy(r->plan->options, r->contacts)) r->copy = next;
     next += d;
     r->peak_state = next, next += r->probes * d;
@@ -1089,7 +1154,7 @@ static whirl_status runup_open(runner *r) {
     return runup_add_integrators(r, &r->sides[0]);
 }
 
-static void runup_close(runner *r) {
+void runup_close(runner *r) {
     for (size_t i = 0; i < sizeof r->sides / sizeof *r->sides; i++) {
         runup_side *side = &r->sides[i];
         for (size_t time = 0; time < 2; time++) {
@@ -1100,6 +1165,8 @@ static void runup_close(runner *r) {
     }
     free(r->x);
     free(r->stations);
+    free(r->weights);
+    free(r->probe);
     free(r->peak_where);
     free(r->torque_where);
 }
@@ -1124,56 +1191,52 @@ size_t runup_events_of(const whirl_runup_options *o, const whirl_system *system,
     return count;
 }
 
-whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_run *run) {
+void runup_open(runner *r, whirl_running *running, const runup_plan *plan, runup_run *run) {
     const whirl_runup_options *o = plan->options;
     // Describe the machine and the run.
-    runner r = {.machine = running,
-                .sides = {{.machine = running}},
-                .side_count = 1,
-                .status = whirl_ok(),
-                .plan = plan,
-                .rotor = running->by_angle->dimension - 2,
-                .most = running->by_time->dimension,
-                .probes = running->by_angle->probe_count,
-                .contacts = running->contact_count,
-                .torques = running->in_time ? running->watched_count : 0,
-                .leg = 0.05 * two_pi,
-                .unit = running->unit,
-                .angle0 = running->in_time || plan->motion ? plan->angle
-                                                           : fmod(plan->angle, two_pi), // meshes know whole turns
-                .run = run};
-    r.how = (whirl_turning){.driven = whirl_runup_driven(o),
-                            .rate = o->to > 0.0 && o->to < o->from ? -o->rate : o->rate,
-                            .dragless = !o->drag,
-                            .course = plan->course};
+    *r = (runner){.machine = running,
+                  .sides = {{.machine = running}},
+                  .side_count = 1,
+                  .status = whirl_ok(),
+                  .plan = plan,
+                  .rotor = running->by_angle->dimension - 2,
+                  .most = running->by_time->dimension,
+                  .probes = running->by_angle->probe_count,
+                  .contacts = running->contact_count,
+                  .torques = running->in_time ? running->watched_count : 0,
+                  .leg = 0.05 * two_pi,
+                  .unit = running->unit,
+                  .angle0 = running->in_time || plan->motion ? plan->angle
+                                                             : fmod(plan->angle, two_pi), // meshes know whole turns
+                  .run = run};
+    r->how = (whirl_turning){.driven = whirl_runup_driven(o),
+                             .rate = o->to > 0.0 && o->to < o->from ? -o->rate : o->rate,
+                             .dragless = !o->drag,
+                             .course = plan->course};
     // Begin with the machine's own error, the events that may happen, and no extremes.
     run->error = running->error;
     for (size_t i = 0; i < 4; i++) run->sensitivity[i] = i == 0 ? 0.0 : (double)NAN;
     run->event_count = runup_events_of(o, running->by_angle, run->events);
     for (size_t i = 0; plan->course && i < plan->course->event_count; i++)
         run->events[run->event_count++] = (runup_happening){plan->course->events[i], NAN, NAN};
-    for (size_t p = 0; p < r.probes; p++) run->peaks[p] = (runup_peak){0.0, NAN, NAN};
-    for (size_t t = 0; t < r.torques; t++)
+    for (size_t p = 0; p < r->probes; p++) run->peaks[p] = (runup_peak){0.0, NAN, NAN};
+    for (size_t t = 0; t < r->torques; t++)
         run->torques[t] = (runup_torque){{-(double)INFINITY, NAN}, {(double)INFINITY, NAN}};
-    for (size_t c = 0; c < r.contacts; c++) run->contacts[c] = (runup_contact){NAN, NAN, 0.0, 0.0};
+    for (size_t c = 0; c < r->contacts; c++) run->contacts[c] = (runup_contact){NAN, NAN, 0.0, 0.0};
     // Start: by time where the shaft stands, else by its angle.
-    whirl_status status = runup_open(&r);
-    if (status.code == WHIRL_OK) {
-        runup_go_by(&r, 0, running->in_time || o->from == 0.0 || plan->motion);
-        memcpy(r.x, plan->start, plan->start_count * sizeof *r.x);
-        r.x[r.rotor] = o->from / r.unit;
-        if (r.by_time)
-            r.x[r.rotor + 2] = r.angle0;
-        else
-            running->to_angle(running, r.x);
-        runup_follow_table(&r);
-        running->turn(running, &r.how);
-        // Run to the end.
-        if (plan->resume && !plan->resume(plan->context, &r) && r.status.code == WHIRL_OK)
-            r.status = whirl_fail(WHIRL_BAD_INPUT, "the saved state of a run does not fit");
-        if (r.status.code == WHIRL_OK) runup_run_all(&r);
-        status = r.status;
-    }
-    runup_close(&r);
-    return status;
+    r->status = runup_make_room(r);
+    if (r->status.code != WHIRL_OK) return;
+    runup_go_by(r, 0, running->in_time || o->from == 0.0 || plan->motion);
+    memcpy(r->x, plan->start, plan->start_count * sizeof *r->x);
+    r->x[r->rotor] = o->from / r->unit;
+    if (r->by_time)
+        r->x[r->rotor + 2] = r->angle0;
+    else
+        running->to_angle(running, r->x);
+    runup_follow_table(r);
+    runup_set_turning(r, &r->how);
+    // Continue from a saved state.
+    if (plan->resume && !plan->resume(plan->context, r) && r->status.code == WHIRL_OK)
+        r->status = whirl_fail(WHIRL_BAD_INPUT, "the saved state of a run does not fit");
+    r->phase = r->begun ? PHASE_TURN : PHASE_BEGIN;
 }

@@ -134,8 +134,17 @@ typedef struct runup_plan {
 /// Returns true if a run is followed by a copy that began nearby, which shows how fast small changes grow.
 bool runup_wants_copy(const whirl_runup_options *options, size_t contacts);
 
-/// Carries out the run. The caller owns peaks, contacts, torques, events [RUNUP_EVENTS] and last. WHIRL_BAD_INPUT if a
-/// saved state does not fit; WHIRL_NO_MEMORY, and errors of integrators and machines.
-whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_run *run);
+/// A run to be carried out, and its status: WHIRL_BAD_INPUT if a saved state does not fit; WHIRL_NO_MEMORY, and errors
+/// of integrators and machines.
+typedef struct runup_task {
+    whirl_running *running;
+    const runup_plan *plan;
+    runup_run *run; ///< the caller owns peaks, contacts, torques, events [RUNUP_EVENTS] and last
+    whirl_status status;
+} runup_task;
+
+/// Carries out runs with the same options, in vector lanes where these take them, otherwise one after the other. No bit
+/// of a run depends on the others (runup_together.c).
+void runup_carry_together(size_t count, runup_task *tasks);
 
 #endif
