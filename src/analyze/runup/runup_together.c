@@ -76,7 +76,7 @@ static whirl_status runup_lanes_make(const runup_group *group, const runup_ride 
 }
 
 /// Adds lanes to the group.
-static whirl_status runup_add_lanes(runup_group *group, const runup_ride *ride) {
+static whirl_status runup_add_lanes(runup_group *group, const runup_ride *ride, runup_lanes **out) {
     runup_lanes **all = realloc(group->lanes, (group->ensembles + 1) * sizeof *all), *made = NULL;
     if (all) {
         group->lanes = all;
@@ -85,7 +85,7 @@ static whirl_status runup_add_lanes(runup_group *group, const runup_ride *ride) 
     if (!made) return whirl_fail(WHIRL_NO_MEMORY, "no memory for runs");
     const whirl_status status = runup_lanes_make(group, ride, made);
     if (status.code == WHIRL_OK)
-        group->lanes[group->ensembles++] = made;
+        *out = group->lanes[group->ensembles++] = made;
     else
         runup_lanes_free(made);
     return status;
@@ -105,13 +105,13 @@ static void runup_leave(runup_ride *ride) {
 static whirl_status runup_enter(runup_group *group, runup_ride *ride) {
     if (ride->in && whirl_ensemble_alike(ride->in->first, ride->takes)) return whirl_ok();
     runup_leave(ride);
-    size_t at = 0;
-    while (at < group->ensembles && (group->lanes[at]->used == group->lanes[at]->runs ||
-                                     !whirl_ensemble_alike(group->lanes[at]->first, ride->takes)))
-        at++;
-    whirl_status status = at < group->ensembles ? whirl_ok() : runup_add_lanes(group, ride);
+    runup_lanes *in = NULL;
+    for (size_t i = 0; i < group->ensembles && !in; i++)
+        if (group->lanes[i]->used < group->lanes[i]->runs && runup_is_alike(group->lanes[i]->first, ride))
+            in = group->lanes[i];
+    const whirl_status status = in ? whirl_ok() : runup_add_lanes(group, ride, &in);
     if (status.code != WHIRL_OK) return status;
-    ride->in = group->lanes[at];
+    ride->in = in;
     ride->lane = ride->in->used++;
     ride->in->rides[ride->lane] = ride;
     return status;
