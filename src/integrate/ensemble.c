@@ -263,15 +263,26 @@ static whirl_ensemble *ensemble_begin(const whirl_system *system, const whirl_in
     return e;
 }
 
-/// Makes an ensemble whose lanes are carried by kernels, with perturbations.
+/// Returns the narrowest instruction set with the bits of `widest` whose vectors hold that many lanes: its vectors have
+/// fewer idle lanes.
+static const isa *narrowest_isa(const isa *widest, size_t lanes) {
+    for (int number = 0; number < widest->number; number++) {
+        const isa *own = isa_at(number);
+        if (own && own->fused == widest->fused && own->lanes >= lanes) return own;
+    }
+    return widest;
+}
+
+/// Makes an ensemble whose lanes are carried by kernels, with perturbations; narrow: by the narrowest instruction set.
 static whirl_status ensemble_make(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
-                                  size_t perturbations, whirl_ensemble **out) {
+                                  size_t perturbations, bool narrow, whirl_ensemble **out) {
     whirl_status status = check_options(system, options);
     if (status.code != WHIRL_OK) return status;
     whirl_ensemble *e = ensemble_begin(system, options);
     if (!e) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an ensemble");
     status = isa_choose(&e->isa);
     if (status.code == WHIRL_OK) {
+        if (narrow) e->isa = narrowest_isa(e->isa, lanes);
         fill_shape(e);
         fill_lanes(e, options);
         e->lanes.perturbations = perturbations;
@@ -287,7 +298,7 @@ static whirl_status ensemble_make(const whirl_system *system, const whirl_integr
 whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
                                 whirl_ensemble **out) {
     *out = NULL;
-    if (whirl_ensemble_takes(system, options)) return ensemble_make(system, options, lanes, 0, out);
+    if (whirl_ensemble_takes(system, options)) return ensemble_make(system, options, lanes, 0, false, out);
     return whirl_fail(WHIRL_BAD_INPUT,
                       "method %s of this system does not run in lanes, expected a rotor and rk4, dop853 or rodas5p",
                       options->method);
@@ -296,7 +307,8 @@ whirl_status whirl_ensemble_new(const whirl_system *system, const whirl_integrat
 whirl_status whirl_ensemble_variational(const whirl_system *system, const whirl_integrate_options *options,
                                         whirl_ensemble **out) {
     *out = NULL;
-    if (whirl_ensemble_follows(system, options)) return ensemble_make(system, options, 0, system->dimension, out);
+    if (whirl_ensemble_follows(system, options))
+        return ensemble_make(system, options, 0, system->dimension, false, out);
     return whirl_fail(WHIRL_BAD_INPUT, "perturbations of this system do not go in lanes, expected a rotor without "
                                        "jumps of its forces, and rk4 that does not locate contacts");
 }
@@ -316,7 +328,7 @@ whirl_status whirl_ensemble_flow(const whirl_system *system, const whirl_integra
     if (followed > system->dimension)
         return whirl_fail(WHIRL_BAD_INPUT, "%zu perturbations are to be followed, expected at most the dimension, %zu",
                           followed, system->dimension);
-    whirl_status status = ensemble_make(system, options, lanes, followed, out);
+    whirl_status status = ensemble_make(system, options, lanes, followed, followed == 0, out);
     if (status.code != WHIRL_OK) return status;
     (*out)->parts = calloc(2 * (*out)->lane_count, sizeof *(*out)->parts);
     for (size_t i = 0; (*out)->parts && i < (*out)->lane_count; i++) (*out)->parts[2 * i + 1] = system->period;
