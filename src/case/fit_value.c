@@ -139,7 +139,10 @@ static bool fit_make_ends(fit_maker *m, const fit_set *set, double value, whirl_
     out->to = value > 0.0 ? 2.0 * value : 0.5 * value;
     if (from && !plan_formula_value(m->reader, m->v, from->place, &set->from, &out->from)) return false;
     if (to && !plan_formula_value(m->reader, m->v, to->place, &set->to, &out->to)) return false;
-    if (out->from < value && value < out->to && (set->along || out->from > 0.0)) return true;
+    // Motions are also followed downwards, as in a coast-down.
+    const bool orbit = strcmp(settings_word(&set->keys, "of"), "orbit") == 0;
+    const bool rising = out->from < value && value < out->to, falling = orbit && out->to < value && value < out->from;
+    if ((rising || falling) && (set->along || fmin(out->from, out->to) > 0.0)) return true;
     problem_at(m->reader->problems, set->place, "is sought between %.10g and %.10g, expected values around it",
                out->from, out->to);
     return false;

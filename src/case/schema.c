@@ -186,7 +186,8 @@ static const whirl_key fit_data_keys[] = {
                "ends"),
     CHOICE_KEY("along", OPTIONAL, "", "onset and critical: parameter that varies; absent: the speed"),
     NUMBER_KEY("from", "", "", OPTIONAL, WHIRL_ANY,
-               "onset and critical: value from which it is sought at the start; absent: half the number"),
+               "onset and critical: value from which it is sought at the start, of an onset of a motion upwards or "
+               "downwards; absent: half the number"),
     NUMBER_KEY("to", "", "", OPTIONAL, WHIRL_ANY,
                "onset and critical: value up to which it is sought at the start; absent: twice the number"),
     WHOLE_KEY("mode", "", OPTIONAL, WHIRL_FROM_TO(1, 1000),

@@ -268,6 +268,80 @@ def test_numbers_and_tables_together():
     assert both["c"].value == pytest.approx(37.0, rel=1e-4) and both["c"].error < 0.1 * alone["c"].error
 
 
+def rubbing_flow(speed, damping):
+    """Returns the equations of RUBBING with those of four perturbations, which contacts without damping do not kick."""
+    e, weight, gap, wall, turn = 0.9, 1.2, 1.0, 10.0, np.array([[1.0, -0.05], [0.05, 1.0]])
+
+    def slopes(t, z):
+        place, velocity, r = z[:2], z[2:4], np.hypot(z[0], z[1])
+        force = e * speed**2 * np.array([np.cos(speed * t), np.sin(speed * t)]) - place - [0.0, weight]
+        stiffness = -np.eye(2)
+        if r > gap:
+            force -= wall * (1.0 - gap / r) * turn @ place
+            stiffness = stiffness - wall * (1.0 - gap / r) * turn
+            stiffness -= wall * gap / r**3 * np.outer(turn @ place, place)
+        jacobian = np.block([[np.zeros((2, 2)), np.eye(2)], [stiffness, -2.0 * damping * np.eye(2)]])
+        return np.concatenate([velocity, force - 2.0 * damping * velocity, (jacobian @ z[4:].reshape(4, 4)).ravel()])
+
+    return slopes
+
+
+def test_onset_by_a_doubling_of_the_period():
+    """A rotor that rubs doubles its period as its speed falls to 5.47 rad/s: shooting by SciPy finds that speed."""
+    integrate, optimize = pytest.importorskip("scipy.integrate"), pytest.importorskip("scipy.optimize")
+
+    def turned(speed, damping, x, tolerance=1e-11):
+        start = np.concatenate([x, np.eye(4).ravel()])
+        flow, longest = rubbing_flow(speed, damping), 0.05 if tolerance < 1e-9 else 0.3
+        found = integrate.solve_ivp(
+            flow, (0.0, 2.0 * np.pi / speed), start, "DOP853", rtol=tolerance, atol=0.1 * tolerance, max_step=longest
+        )
+        return found.y[:4, -1], found.y[4:, -1].reshape(4, 4)
+
+    def orbit(speed, damping, x):
+        for _ in range(12):
+            end, matrix = turned(speed, damping, x)
+            step = np.linalg.solve(np.eye(4) - matrix, end - x)
+            x = x + step
+            if abs(step).max() < 1e-10:
+                break
+        return x, matrix
+
+    # Settle at 6 rad/s, then follow the orbit down to where a multiplier is -1.
+    x = np.array([-0.9, -1.2, 0.0, -5.4])
+    for _ in range(70):
+        x = turned(6.0, 0.1, x, 1e-5)[0]
+    places = {}
+
+    def multiplier(speed, damping):
+        places["x"], matrix = orbit(speed, damping, places.get("x", x))
+        return np.linalg.det(matrix + np.eye(4))
+
+    for speed in (6.0, 5.8, 5.6):
+        multiplier(speed, 0.1)
+    onset = optimize.brentq(multiplier, 5.42, 5.52, (0.1,), xtol=1e-10)
+    ends = [optimize.brentq(multiplier, onset - 1e-3, onset + 1e-3, (p,), xtol=1e-11) for p in (0.0999, 0.1001)]
+    change = (ends[1] - ends[0]) / 2e-4
+    case = {
+        "parameters": {"omega": "6 rad/s", "p": 0.11},
+        "rotor": {
+            "speed": "= omega",
+            "length_scale": "1 m",
+            "stations": {"disc": {"mass": "1 kg", "damping": "= 2*p", "eccentricity": 0.9}},
+            "elements": [
+                {"shaft": {"between": ["disc", "ground"], "k1": "1 N/m"}},
+                {"rub": {"at": "disc", "gap": "1 m", "stiffness": 10, "friction": 0.05, "law": "paper"}},
+                {"gravity": 1.2},
+            ],
+        },
+        "study": {"initial": {"disc": {"x": 0.1, "y": -0.2}}, "response": {}},
+    }
+    data = {"onset": f"{onset!r} rad/s", "of": "orbit", "noise": "1e-3 rad/s", "from": "7 rad/s", "to": "4 rad/s"}
+    found = whirl.fit(case, data, ["p"], transient=300, tolerance=1e-11)
+    assert found["p"].value == pytest.approx(0.1, abs=1e-8)
+    assert found["p"].error == pytest.approx(1e-3 / abs(change), rel=1e-5)
+
+
 def statistics_case(elements, **parameters):
     return {
         "parameters": {"n": "100 rad/s", "e": "50 um", "c": "40 N s/m", "m": "3 kg", **parameters},

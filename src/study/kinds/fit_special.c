@@ -50,13 +50,13 @@ static whirl_status special_follow(const fit_place *p, const fit_turning *t, whi
                       : fit_place_begin(p, machine.system, x, &orbit);
     }
     if (status.code == WHIRL_OK) {
-        whirl_branch_options options = whirl_branch_default(from, to);
+        whirl_branch_options options = whirl_branch_default(fmin(from, to), fmax(from, to));
         options.orbit = p->options;
         options.most_points = MAX_POINTS;
         options.found = special_look;
         options.context = &watch;
         const whirl_family family = {special_machine, t};
-        status = whirl_branch_follow(&family, orbit, from, 1, &options, branch);
+        status = whirl_branch_follow(&family, orbit, from, to > from ? 1 : -1, &options, branch);
     }
     whirl_orbit_free(orbit);
     if (machine.release) machine.release(machine.owner);
