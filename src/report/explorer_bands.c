@@ -10,9 +10,10 @@
 /// Numbers that diagrams of the page show of every station, in addition to those that the case asks for.
 static const struct {
     const char *field, *column;
-} band_usual[] = {{WHIRL_FIELD_ORBIT_MAX_RADIUS, ""},      {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, "x"},
-                  {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, "y"}, {WHIRL_FIELD_UNBALANCE_AXES, "major"},
-                  {WHIRL_FIELD_UNBALANCE_PROBE, "first"},  {WHIRL_FIELD_UNBALANCE_PROBE, "second"}};
+} band_usual[] = {{WHIRL_FIELD_ORBIT_MAX_RADIUS, ""},         {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, "x"},
+                  {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, "y"},    {WHIRL_FIELD_UNBALANCE_AXES, "major"},
+                  {WHIRL_FIELD_UNBALANCE_PROBE, "first"},     {WHIRL_FIELD_UNBALANCE_PROBE, "second"},
+                  {WHIRL_FIELD_UNBALANCE_PROBE_LAG, "first"}, {WHIRL_FIELD_UNBALANCE_PROBE_LAG, "second"}};
 
 enum { BAND_USUAL = sizeof band_usual / sizeof *band_usual, MAX_BANDS = 256, MAX_VALUES = 4096 };
 
@@ -45,6 +46,8 @@ static void band_write(band_list *to, const whirl_spread_of *of) {
     whirl_spread_at at;
     if (!whirl_spread_place(to->result, to->table, of, &at) || at.field->rows != 1 || !band_is_new(to, &at)) return;
     const size_t places = whirl_table_places(to->table);
+    const double period = whirl_spread_period(&at);
+    double before = NAN; // the last median, from which an angle goes on
     fputs(to->first ? ",\"bands\":[" : ",", to->stream);
     to->first = false;
     script_text_member(to->stream, '{', "parameter", to->table->parameter);
@@ -56,11 +59,15 @@ static void band_write(band_list *to, const whirl_spread_of *of) {
     for (size_t place = 0; place < places; place++) {
         whirl_spread spread = {.samples = 0};
         to->well = whirl_table_spread(to->result, to->table, of, place, 0, &spread).code == WHIRL_OK && to->well;
+        const double middle = spread.quantiles[WHIRL_QUANTILES / 2].value;
+        const double turns = period > 0.0 ? rint((before - middle) / period) : 0.0;
+        const double shift = isfinite(turns) ? period * turns : 0.0;
+        if (isfinite(middle)) before = middle + shift;
         fputs(place > 0 ? ",[" : "[", to->stream);
         script_number(to->stream, to->table->values[place]);
         for (size_t q = 0; q < WHIRL_QUANTILES; q++) {
             fputc(',', to->stream);
-            script_number(to->stream, spread.quantiles[q].value);
+            script_number(to->stream, spread.quantiles[q].value + shift);
         }
         fputc(']', to->stream);
     }

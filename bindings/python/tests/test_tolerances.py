@@ -85,3 +85,60 @@ def test_own_tolerances():
     text = CASE + "  tolerances: {parameters: {e: +- 1 %}}\n"
     with pytest.raises(whirl.BadInput, match="tolerances of its own"):
         whirl.tolerances(whirl.Case(text=text), {"e": "+- 1 %"})
+
+
+def spread_of_lags(speed, low, high):
+    """Returns the statistics of the lag along x of a disc whose unbalance lies between two angles, far below or above
+    its critical speed without damping: the lag is 0 or 180 degrees less that angle."""
+    found = whirl.tolerances(
+        whirl.Case(
+            text=f"""
+whirl: 1
+parameters: {{omega: 1 rad/s, a: 1 deg}}
+rotor:
+  speed: = omega
+  length_scale: 1 mm
+  stations:
+    disc: {{mass: 1 kg, eccentricity: 1 mm, eccentricity_angle: = a}}
+  elements:
+    - shaft: {{between: [disc, ground], k1: 2 N/m}}
+study:
+  unbalance: {{parameter: omega, values: [{speed}, {1.01 * speed}]}}
+"""
+        ),
+        {"a": {"from": f"{low} deg", "to": f"{high} deg"}},
+        of=[{"field": "unbalance/lag", "column": "x", "at": "disc", "above": 90}],
+        samples=512,
+        seed=3,
+        progress=False,
+    )
+    return found, found.spread("unbalance/lag", column="x", at="disc").records(si=True)
+
+
+@pytest.mark.parametrize(("speed", "middle"), [(0.7, 0.0), (2.8, 180.0)])
+def test_quantiles_of_lags_are_cut_opposite_to_their_mean(speed, middle):
+    """Uniform angles: quantiles lie on a line, whichever side of 0 they are on."""
+    for low, high in ((-40, 40), (100, 260), (170, 190)):
+        found, rows = spread_of_lags(speed, low, high)
+        centre = (middle - 0.5 * (low + high) + 45.0) % 360.0 - 45.0
+        for row in rows[:2]:
+            for name, share in {"q05": 5, "q25": 25, "median": 50, "q75": 75, "q95": 95}.items():
+                exact = centre + (high - low) * (share / 100.0 - 0.5)
+                assert row[name] == pytest.approx(exact, abs=0.01 * (high - low)), (speed, low, share)
+            assert row["mean"] == pytest.approx(centre, abs=0.005 * (high - low))
+            assert row["deviation"] == pytest.approx((high - low) / 12**0.5, rel=0.01)
+        # The worst of all speeds has no meaning for an angle.
+        assert rows[2]["mean"] is None and rows[2]["q95"] is None
+
+
+def test_limits_of_lags_are_those_of_the_angle():
+    found, _rows = spread_of_lags(0.7, -40, 40)
+    chances = found.spread("unbalance/lag", column="x", at="disc", above=90, what="probabilities").records(si=True)
+    # Half of the lags are from 0 to 40, half from 320 to 360.
+    assert chances[0]["probability"] == pytest.approx(50.0, abs=1.0)
+
+
+def test_lags_all_around_have_no_quantiles():
+    _found, rows = spread_of_lags(0.7, -180, 180)
+    assert all(rows[0][name] is None for name in ("q05", "median", "q95", "mean"))
+    assert rows[0]["samples"] == 512 and rows[0]["failed"] == 0

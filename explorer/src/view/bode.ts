@@ -67,6 +67,15 @@ function bandsOf({ bands, parameter, station, choice, rest }: RestSubject): read
   return probes.length > 0 ? probes : found(2, FIELD.UNBALANCE_AXES, 0);
 }
 
+/// Returns the bands of the lags at both probes if they have their stored angles.
+function lagBandsOf({ bands, parameter, station, choice, rest }: RestSubject): readonly LineBand[] {
+  if (choice.probe !== undefined && choice.probe !== rest.probe) return [];
+  return [0, 1].flatMap((which) => {
+    const band = bandAt(bands, parameter, FIELD.UNBALANCE_PROBE_LAG, station, which);
+    return band ? [{ which, band }] : [];
+  });
+}
+
 /// Measured vectors at the first (0) or second (1) probe.
 export interface MeasuredProbe {
   readonly which: number;
@@ -130,6 +139,7 @@ export class BodeView implements RestChart {
   private subject: RestSubject | undefined;
   private measured: readonly MeasuredProbe[] = [];
   private bands: readonly LineBand[] = [];
+  private lagBands: readonly LineBand[] = [];
   private response: Response = { values: [], points: [], amplitudes: [[], [], []], lags: [[], []] };
 
   constructor(listener: BodeListener) {
@@ -143,6 +153,7 @@ export class BodeView implements RestChart {
     this.lower = new Chart({
       title: 'Phase lag',
       yTicks: [0, 90, 180, 270, 360],
+      under: (pen, frame, colours) => this.drawLagBands(pen, frame, colours),
       over: (pen, frame, colours) => this.drawLags(pen, frame, colours),
     });
     this.stack = new Stack(this.main, this.lower, listener, (value, steps) => {
@@ -166,6 +177,7 @@ export class BodeView implements RestChart {
     this.response = responseOf(subject);
     this.measured = measuredOf(subject);
     this.bands = bandsOf(subject);
+    this.lagBands = lagBandsOf(subject);
     this.stack.show(subject, subject.station);
     const xLabel = labelled(subject.parameter, parameterMeasure(subject.unit, units).unit);
     this.main.setAxes(xLabel, labelled('amplitude', amplitudeMeasure(units, scales).unit));
@@ -256,6 +268,17 @@ export class BodeView implements RestChart {
     for (const { which, band } of this.bands) drawQuantiles(pen, frame, band, factors, colourOf(which)(colours));
   }
 
+  /// Draws quantiles of lags under their lines. Bands go on beyond a whole turn, and are drawn a turn lower and higher,
+  /// too.
+  private drawLagBands(pen: Pen, frame: Frame, colours: Theme): void {
+    const { subject } = this;
+    if (!subject) return;
+    const factors = [parameterMeasure(subject.unit, subject.units).factor, 1] as const;
+    for (const { which, band } of this.lagBands)
+      for (const turns of turnsOf(band))
+        drawQuantiles(pen, frame, turned(band, 360 * turns), factors, colourOf(which)(colours));
+  }
+
   private drawAmplitudes(pen: Pen, frame: Frame, colours: Theme): void {
     const { values, amplitudes } = this.response;
     for (const which of [0, 1, 2])
@@ -286,6 +309,25 @@ export class BodeView implements RestChart {
     for (const { which, lags: spots } of this.measured)
       drawMeasured(pen, frame, colours, spots, colourOf(which)(colours));
   }
+}
+
+/// Returns a band of angles, moved by some degrees.
+function turned(band: StoredBand, by: number): StoredBand {
+  const moved = (angle: number | null) => (angle === null ? null : angle + by);
+  return {
+    ...band,
+    places: band.places.map(
+      ([value, ...angles]) => [value, ...angles.map(moved)] as unknown as StoredBand['places'][number],
+    ),
+  };
+}
+
+/// Returns the turns by which a band of angles is moved so that some of it lies between 0 and 360 degrees.
+export function turnsOf(band: StoredBand): readonly number[] {
+  const reach = reachOfBand(band, [-Infinity, Infinity]);
+  if (reach.length === 0) return [];
+  const [low, high] = [-Math.floor(Math.max(...reach) / 360), 1 - Math.ceil(Math.min(...reach) / 360)];
+  return Array.from({ length: Math.max(0, high - low + 1) }, (_, i) => low + i);
 }
 
 /// Draws a line that breaks at jumps of more than `most`.

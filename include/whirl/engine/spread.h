@@ -45,6 +45,10 @@ const char *whirl_spread_find(const whirl_spread_of *of, const whirl_layout *lay
 bool whirl_spread_place(const whirl_result *result, const whirl_table *table, const whirl_spread_of *of,
                         whirl_spread_at *at);
 
+/// Returns the period of a number that is an angle, in its unit: 360 for lags and attitudes, 180 for the inclination of
+/// an axis; 0 for other numbers.
+double whirl_spread_period(const whirl_spread_at *at);
+
 /// Number of quantiles of a spread: of the probabilities 0.05, 0.25, 0.5, 0.75 and 0.95.
 enum { WHIRL_QUANTILES = 5 };
 /// The probabilities of these quantiles.
@@ -62,8 +66,10 @@ typedef struct whirl_index {
     whirl_estimate first, total; ///< alone, and with others
 } whirl_index;
 
-/// Statistics of a number; errors are standard errors, from the replicates of the samples. Estimates without a meaning
-/// are NaN.
+/// Statistics of a number. Those of an angle (whirl_spread_period) begin at the cut opposite to its circular mean,
+/// which is taken from -45 to 315 degrees, so that they may be below 0 or above 360. They are missing where the mean
+/// resultant length is below 0.2, since samples then lie all around, and at WHIRL_ANYWHERE. Limits are of the angle
+/// itself. Errors are standard errors, from the replicates of the samples. Estimates without a meaning are NaN.
 typedef struct whirl_spread {
     size_t samples, failed;                      ///< samples that are done; samples among them without the number
     double least, most;                          ///< extremes of all samples

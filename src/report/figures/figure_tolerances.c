@@ -20,6 +20,7 @@ typedef struct spread_view {
     const whirl_table *table;
     whirl_spread_of number;
     whirl_unit unit;
+    double period; ///< period of an angle; 0: of no angle
     size_t places;
     double value; ///< size of the unit of the parameter
 } spread_view;
@@ -65,6 +66,12 @@ static double spread_nominal(const spread_view *v, size_t place) {
     return (double)NAN;
 }
 
+/// Returns a number moved by whole periods next to another one, if it is an angle.
+static double spread_near(const spread_view *v, double number, double other) {
+    if (!(v->period > 0.0) || !isfinite(number) || !isfinite(other)) return number;
+    return number + v->period * rint((other - number) / v->period);
+}
+
 static void spread_axis(const spread_view *v, whirl_axis *axis) {
     char name[NUMBER_NAME_SIZE];
     number_name(v->table, &v->number, name);
@@ -86,15 +93,22 @@ static void add_bands(whirl_figure *figure, const spread_view *v) {
     if (own) own->dashed = true;
     // Add the quantiles at each value of the parameter.
     span shown = span_empty();
+    double before = NAN; // the last median, from which an angle goes on
     for (size_t place = 0; place < v->places; place++) {
         const whirl_spread s = spread_at(v, figure, place);
-        const double x = v->table->values[place] / v->value, size = v->unit.size, nominal = spread_nominal(v, place);
-        series_add_to(figure, outer, x, s.quantiles[0].value / size, s.quantiles[4].value / size);
-        series_add_to(figure, inner, x, s.quantiles[1].value / size, s.quantiles[3].value / size);
-        series_add(figure, median, x, s.quantiles[2].value / size);
+        const double x = v->table->values[place] / v->value, middle = s.quantiles[2].value;
+        const double shift = spread_near(v, middle, before) - middle;
+        double q[WHIRL_QUANTILES];
+        for (size_t i = 0; i < WHIRL_QUANTILES; i++)
+            q[i] = (s.quantiles[i].value + (isfinite(shift) ? shift : 0.0)) / v->unit.size;
+        if (isfinite(middle)) before = q[2] * v->unit.size;
+        const double nominal = spread_near(v, spread_nominal(v, place), before);
+        series_add_to(figure, outer, x, q[0], q[4]);
+        series_add_to(figure, inner, x, q[1], q[3]);
+        series_add(figure, median, x, q[2]);
         series_add(figure, own, x, nominal);
-        span_widen(&shown, s.quantiles[0].value / size);
-        span_widen(&shown, s.quantiles[4].value / size);
+        span_widen(&shown, q[0]);
+        span_widen(&shown, q[4]);
         span_widen(&shown, nominal);
     }
     // Widen the axis to the limits, and draw them.
@@ -141,8 +155,9 @@ static void add_histogram(whirl_figure *figure, const spread_view *v) {
     if (!whirl_spread_place(v->of->result, v->table, &v->number, &at)) return;
     for (size_t point = 0; point < v->table->count; point++) {
         const double machine = whirl_table_number(v->table, point, WHIRL_FIELD_TOLERANCES_MACHINE, 0);
-        const double x = whirl_spread_number(v->of->result, v->table, point, &at);
+        double x = whirl_spread_number(v->of->result, v->table, point, &at);
         if (!whirl_table_done(v->table, point) || machine > 1.0 || !isfinite(x)) continue;
+        if (v->period > 0.0) x += v->period * ceil((s.least - x) / v->period - 1e-9);
         const double share = (x - s.least) / (s.most - s.least) * CLASSES;
         counts[share >= CLASSES ? CLASSES - 1 : share > 0.0 ? (size_t)share : 0] += 1.0;
         all += 1.0;
@@ -157,7 +172,8 @@ static void add_histogram(whirl_figure *figure, const spread_view *v) {
     }
     // Draw the limits and the case's own value.
     span shown = {low, low + CLASSES * step};
-    const double limits[] = {v->number.above, v->number.below}, nominal = spread_nominal(v, 0);
+    const double limits[] = {v->number.above, v->number.below},
+                 nominal = spread_near(v, spread_nominal(v, 0), s.mean.value);
     for (int i = 0; i < 2; i++) span_widen(&shown, limits[i] / v->unit.size);
     span_widen(&shown, nominal);
     axis_show(&panel->x, span_with_margin(shown, 0.02, 0.0));
@@ -224,6 +240,8 @@ static void tolerances_describe(const drawing *of, const figure_place *place, wh
                      .value = whirl_shown_parameter(of->units, place->table->parameter).size};
     if (!whirl_table_asked(of->result, place->table, place->which, &v.number)) return;
     v.unit = number_unit(of->units, place->table, &v.number);
+    whirl_spread_at at;
+    if (whirl_spread_place(of->result, place->table, &v.number, &at)) v.period = whirl_spread_period(&at);
     // Draw quantiles along the parameter, or a histogram if nothing varies.
     const bool along = v.places > 1 && place->table->count >= v.places;
     if (along)

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "spread_usual.h"
+#include "two_pi.h"
 
 const double whirl_quantiles[WHIRL_QUANTILES] = {0.05, 0.25, 0.5, 0.75, 0.95};
 
@@ -95,6 +96,11 @@ double whirl_spread_number(const whirl_result *result, const whirl_table *table,
                         : strcmp(unit, "force") == 0 ? result->force_scale
                                                      : 1.0;
     return numbers[at->index] * size;
+}
+
+double whirl_spread_period(const whirl_spread_at *at) {
+    if (strcmp(whirl_column_unit(at->field, at->index % at->field->columns), "deg") != 0) return 0.0;
+    return strcmp(at->field->name, WHIRL_FIELD_UNBALANCE_INCLINATION) == 0 ? 180.0 : 360.0;
 }
 
 // ---------------------------------------------------------------- samples
@@ -317,11 +323,45 @@ static void spread_count(const drawn *of, whirl_spread *s, double *count, double
     }
 }
 
-static whirl_status spread_of_drawn(const drawn *of, const whirl_spread_of *limits, whirl_spread *s) {
+/// Cuts angles opposite to their circular mean (Fisher 1993): moves them by whole periods next to it. Angles without a
+/// mean become missing.
+static void spread_cut(const drawn *of, double period) {
+    const double unit = two_pi / period, least_length = 0.2, lowest = -0.125 * period;
+    double x = 0.0, y = 0.0, count = 0.0;
+    for (size_t j = 0; j < of->samples; j++)
+        for (size_t m = 0; m < of->each && m < 2; m++) {
+            const double angle = of->numbers[j * of->each + m] * unit;
+            if (!spread_is_number(angle)) continue;
+            x += cos(angle), y += sin(angle), count += 1.0;
+        }
+    const bool known = hypot(x, y) >= least_length * count;
+    double mean = atan2(y, x) / unit;
+    if (mean < lowest) mean += period;
+    for (size_t i = 0; i < of->samples * of->each; i++) {
+        double *angle = &of->numbers[i];
+        if (spread_is_number(*angle)) *angle = known ? mean + remainder(*angle - mean, period) : (double)NAN;
+    }
+}
+
+/// Fills in moments, indices and quantiles. Those of an angle with that period (0: none) are about its circular mean.
+static whirl_status spread_describe(const drawn *of, double period, whirl_spread *s) {
+    drawn cut = *of;
+    if (period > 0.0) {
+        cut.numbers = malloc((of->samples * of->each + 1) * sizeof *cut.numbers);
+        if (!cut.numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu angles", of->samples);
+        memcpy(cut.numbers, of->numbers, of->samples * of->each * sizeof *cut.numbers);
+        spread_cut(&cut, period);
+    }
+    spread_estimate(&cut, s);
+    const whirl_status status = spread_quantiles(&cut, s);
+    if (period > 0.0) free(cut.numbers);
+    return status;
+}
+
+static whirl_status spread_of_drawn(const drawn *of, const whirl_spread_of *limits, double period, whirl_spread *s) {
     double count, failed;
     spread_count(of, s, &count, &failed);
-    spread_estimate(of, s);
-    const whirl_status status = spread_quantiles(of, s);
+    const whirl_status status = spread_describe(of, period, s);
     s->beyond = (whirl_probability){{NAN, NAN}, NAN, NAN};
     if (status.code != WHIRL_OK || !limits || (isinf(limits->above) && isinf(limits->below))) return status;
     for (size_t i = 0; i < of->samples * of->each; i++) {
@@ -344,7 +384,8 @@ typedef struct wanted {
     const whirl_spread_at *at; ///< NULL: an event
     whirl_chance chance;
     const whirl_verdict *verdict;
-    bool least; ///< the least of all values is the worst
+    bool least;    ///< the least of all values is the worst
+    double period; ///< period of an angle; 0: of no angle
 } wanted;
 
 static double wanted_number(const wanted *of, size_t point) {
@@ -387,6 +428,15 @@ static double spread_draw(const wanted *of, const size_t *points, size_t places,
     return isinf(worst) ? (double)NAN : worst;
 }
 
+/// Makes all statistics missing but the probability to be beyond limits: no angle is the worst of several.
+static void spread_forget(whirl_spread *s) {
+    const whirl_estimate none = {NAN, NAN};
+    s->least = s->most = (double)NAN;
+    s->mean = s->variance = s->deviation = none;
+    for (size_t q = 0; q < WHIRL_QUANTILES; q++) s->quantiles[q] = none;
+    for (size_t i = 0; i < s->index_count; i++) s->indices[i] = (whirl_index){none, none};
+}
+
 static whirl_status spread_table(const wanted *of, const whirl_spread_of *limits, size_t place, size_t samples,
                                  whirl_spread *spread) {
     const whirl_table *table = of->table;
@@ -404,7 +454,8 @@ static whirl_status spread_table(const wanted *of, const whirl_spread_of *limits
                               : whirl_fail(WHIRL_NO_MEMORY, "no memory for the numbers of %zu samples", own.samples);
     for (size_t m = 0; status.code == WHIRL_OK && m < own.samples * own.each; m++)
         own.numbers[m] = (m + 1) * places <= planned ? spread_draw(of, points, places, m, place) : (double)INFINITY;
-    if (status.code == WHIRL_OK) status = spread_of_drawn(&own, limits, spread);
+    if (status.code == WHIRL_OK) status = spread_of_drawn(&own, limits, of->period, spread);
+    if (of->period > 0.0 && place == WHIRL_ANYWHERE) spread_forget(spread);
     free(points);
     free(own.numbers);
     return status;
@@ -441,7 +492,11 @@ whirl_status whirl_table_spread(const whirl_result *result, const whirl_table *t
     const char *lacks = find_in_result(result, table, of, &at, &status);
     if (status.code != WHIRL_OK) return status;
     if (lacks) return whirl_fail(WHIRL_BAD_INPUT, "the number %.80s %s", of->field, lacks);
-    const wanted own = {.result = result, .table = table, .at = &at, .least = isinf(of->below) && !isinf(of->above)};
+    const wanted own = {.result = result,
+                        .table = table,
+                        .at = &at,
+                        .least = isinf(of->below) && !isinf(of->above),
+                        .period = whirl_spread_period(&at)};
     return spread_table(&own, of, place, samples, spread);
 }
 
