@@ -225,8 +225,20 @@ test('bands of tolerances are shaded in the diagram and in the Bode diagram', as
   await close();
 
   const study = 'study:\n  unbalance: {parameter: n, from: 1000 rpm, to: 3000 rpm, points: 21}\n';
-  const rest = await open(makePage('rest-bands', head + study + tolerances) + '#part=unbalance');
+  const turned = head.replace('e: 25 um}', 'e: 25 um, a: 0 deg}').replace('= e}', '= e, eccentricity_angle: = a}');
+  const angles = tolerances.replace('40 um}', '40 um}, a: {from: -30 deg, to: 30 deg}');
+  const rest = await open(makePage('rest-bands', turned + study + angles) + '#part=unbalance');
   await rest.page.waitForSelector('.rest .numbers tbody td');
+  // The lag is that of the response less the angle, whose quantiles are known; below 0 at low speeds.
+  const [restRun] = JSON.parse(await rest.page.textContent('#whirl-runs'));
+  const lags = restRun.bands.find(({ field, column }) => field === 'unbalance/probe_lag' && column === 0);
+  assert.equal(lags.places.length, 21);
+  assert.ok(lags.places[0][1] < 0);
+  for (const [value, ...quantiles] of lags.places)
+    [0.05, 0.25, 0.5, 0.75, 0.95].forEach((share, i) => {
+      const expected = response((value * 30) / Math.PI).lag - 30 + 60 * share;
+      assert.ok(Math.abs(quantiles[i] - expected) < (60 * 2) / 128, `${quantiles[i]}, expected ${expected}`);
+    });
   assert.match(await rest.page.textContent('.rest .legend:visible'), /tolerances, in the colours of the lines/);
   // Probes at other angles have no stored quantiles: the band is that of the major axis.
   await rest.page.fill('.rest input.angle', '30');

@@ -109,75 +109,61 @@ static void fit_range(const stored_fit *fit, double range[2]) {
     range[1] += more;
 }
 
-/// Returns the number of blanks at the beginning of a line; SIZE_MAX for an empty one and for a comment.
-static size_t fit_indent(const char *line) {
-    const size_t blanks = strspn(line, " ");
-    const char first = line[blanks];
-    return first == '\0' || first == '\n' || first == '\r' || first == '#' ? SIZE_MAX : blanks;
+/// Removes a key of the study from a text, which is freed; true if it is gone.
+static bool fit_remove(char **text, const char *key) {
+    char path[WHIRL_NAME_SIZE + 8], *edited = NULL;
+    snprintf(path, sizeof path, "study.%s", key);
+    if (whirl_case_remove(*text, strlen(*text), path, &edited).code != WHIRL_OK) return false;
+    free(*text);
+    *text = edited;
+    return true;
 }
 
-static const char *fit_next_line(const char *line) {
-    const char *end = strchr(line, '\n');
-    return end ? end + 1 : line + strlen(line);
+/// Removes all keys of the study but its initial state and its units.
+static bool fit_clear_study(char **text) {
+    const whirl_group *const *groups = whirl_case_groups();
+    while (*groups && strcmp((*groups)->name, "study") != 0) groups++;
+    const whirl_key *key;
+    for (size_t i = 0; *groups && (key = whirl_group_at(*groups, i)) != NULL; i++)
+        if (strcmp(key->name, "initial") != 0 && strcmp(key->name, "units") != 0 && !fit_remove(text, key->name))
+            return false;
+    return *groups != NULL;
 }
 
-/// Returns the first line from `line` on that begins with `key` after `indent` blanks, and the end of its block: the
-/// next line that is not indented more. NULL if there is none before `end`.
-static const char *fit_find_block(const char *line, const char *end, size_t indent, const char *key,
-                                  const char **block_end) {
-    while (line < end && !(fit_indent(line) == indent && strncmp(line + indent, key, strlen(key)) == 0))
-        line = fit_next_line(line);
-    if (line >= end) return NULL;
-    *block_end = fit_next_line(line);
-    while (*block_end < end && fit_indent(*block_end) > indent) *block_end = fit_next_line(*block_end);
-    return line;
+/// Sets a number in a unit, "" for a plain one.
+static bool fit_set_number(char **text, const char *path, double number, const char *unit) {
+    char value[2 * WHIRL_NAME_SIZE];
+    snprintf(value, sizeof value, "%.8g%s%.60s", number, *unit ? " " : "", unit);
+    return fit_edit(text, path, value);
 }
 
-/// Writes a study of the motions of the fit: a sweep over the measured speeds (`swept`), or one motion if no parameter
-/// is the speed. They settle and are integrated as those of the fit.
-static void fit_write_study(FILE *stream, const stored_fit *fit, bool swept) {
+/// Replaces the study of a text by motions of the fit, whatever its style: a sweep over the measured speeds (`swept`),
+/// or one motion if no parameter is the speed. They settle and are integrated as those of the fit, from its initial
+/// state. Returns false after a failure.
+static bool fit_make_study(const stored_fit *fit, bool swept, char **text) {
     const char *speed = NULL, *unit = "";
     const whirl_fit_options *options = &fit->table->record.fit;
+    const bool contacts = fit->result->contact_count > 0;
     double range[2];
     if (swept) whirl_case_uses(fit->machine, fit_see_use, (void *)&speed);
     for (size_t i = 0; speed && i < fit->result->parameter_count; i++)
         if (strcmp(fit->result->parameters[i].name, speed) == 0) unit = fit->result->parameters[i].unit;
+    if (strcmp(unit, "1") == 0) unit = "";
     fit_range(fit, range);
-    fputs("study:\n", stream);
-    if (speed)
-        fprintf(stream, "  sweep: {parameter: %s, from: %.6g %s, to: %.6g %s, points: 64, start: state}\n", speed,
-                range[0], strcmp(unit, "1") == 0 ? "" : unit, range[1], strcmp(unit, "1") == 0 ? "" : unit);
-    else
-        fputs("  response: {}\n", stream);
-    fprintf(stream, "  integrate: {method: %s, transient: %d, record: 40}\n", options->method, options->transient);
-    fprintf(stream, "  analyze: [poincare, regime, lyapunov, spectrum, orbit%s]\n",
-            fit->result->contact_count > 0 ? ", rub" : "");
-}
-
-/// Replaces the study of a text; its initial state stays. Returns false after a failure.
-static bool fit_make_study(const stored_fit *fit, bool swept, char **text) {
-    const char *begin, *end, *initial, *initial_end, *whole = *text + strlen(*text);
-    char *made = NULL;
-    size_t size = 0;
-    begin = fit_find_block(*text, whole, 0, "study:", &end);
-    FILE *stream = begin ? open_memstream(&made, &size) : NULL;
-    if (!stream) return false;
-    fwrite(*text, 1, (size_t)(begin - *text), stream);
-    fit_write_study(stream, fit, swept);
-    // Keys of the study are indented as its first one.
-    const char *first = fit_next_line(begin);
-    while (first < end && fit_indent(first) == SIZE_MAX) first = fit_next_line(first);
-    const size_t indent = first < end ? fit_indent(first) : SIZE_MAX;
-    initial = indent < SIZE_MAX ? fit_find_block(first, end, indent, "initial:", &initial_end) : NULL;
-    if (initial && indent == 2) fwrite(initial, 1, (size_t)(initial_end - initial), stream);
-    fputs(end, stream);
-    if (fclose(stream) != 0) {
-        free(made);
-        return false;
-    }
-    free(*text);
-    *text = made;
-    return true;
+    // A new key comes before those that are there, so that the last one is added first.
+    bool well = fit_clear_study(text);
+    well = well && fit_edit(text, "study.analyze",
+                            contacts ? "[poincare, regime, lyapunov, spectrum, orbit, rub]"
+                                     : "[poincare, regime, lyapunov, spectrum, orbit]");
+    well = well && fit_edit(text, "study.integrate.record", "40");
+    well = well && fit_set_number(text, "study.integrate.transient", options->transient, "");
+    well = well && fit_edit(text, "study.integrate.method", options->method);
+    if (!speed) return well && fit_edit(text, "study.response", "~");
+    well = well && fit_edit(text, "study.sweep.start", "state");
+    well = well && fit_edit(text, "study.sweep.points", "64");
+    well = well && fit_set_number(text, "study.sweep.to", range[1], unit);
+    well = well && fit_set_number(text, "study.sweep.from", range[0], unit);
+    return well && fit_edit(text, "study.sweep.parameter", speed);
 }
 
 /// Returns the text of the case with the fitted values, and with motions over the measured speeds in place of its

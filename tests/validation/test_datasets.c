@@ -267,7 +267,7 @@ static void displacements_of_runs(void **unused) {
     // q = integral of exp(-p (t - s)) f(s) ds with p = decay - i natural, from step to step; x = Im q / natural.
     const double complex p = decay - I * natural, step = cexp(-p * h), half = cexp(-0.5 * p * h);
     double complex q = 0.0;
-    for (long k = -BEFORE * PER_SAMPLE; k < (long)(samples - 1) * PER_SAMPLE; k++) {
+    for (long k = -(long)BEFORE * PER_SAMPLE; k < (long)(samples - 1) * PER_SAMPLE; k++) {
         double f[3];
         for (int i = 0; i < 3; i++) {
             const double t = ((double)k + 0.5 * i) * h, rate = t < 0.0 || (t == 0.0 && i == 2) ? 0.0 : a;

@@ -464,3 +464,39 @@ def test_a_machine_without_an_onset_is_said():
     assert found.end == "no motion"
     said = " ".join(str(own.found) for own in found.result.statements())
     assert "no onset of instability at rest for number 1 of the data" in said
+
+
+LIVE = """whirl: 1
+parameters: {n: 100 rad/s, k: 30 kN/m, c: 40 N s/m}
+rotor:
+  speed: = n
+  length_scale: 1 mm
+  stations: {disc: {mass: 3 kg, damping: = c, eccentricity: 50 um}}
+  elements: [{spring: {between: [disc, ground], stiffness: = k}}]
+"""
+BLOCK = "study:\n  fit:\n    unknown: {k: , c: }\n    data: bode.csv\n  initial:\n    disc: {x: 0.01}\n"
+FLOW = "study: {fit: {unknown: {k: , c: },\n  data: bode.csv}, initial: {disc: {x: 0.01}}}\n"
+
+
+@pytest.mark.parametrize("style", ["block", "flow", "json"])
+def test_the_live_case_of_a_fit_may_have_any_style(style, tmp_path):
+    """The explorer computes motions of the fitted machine: the fitted values, and a sweep in place of the fit."""
+    yaml = pytest.importorskip("yaml")
+    n = np.arange(60.0, 150.0, 10.0)
+    response = 50e-6 * n**2 / (33e3 / 3 - n**2 + 1j * n * 52.0 / 3)
+    rows = "".join(f"{speed},{size!r}\n" for speed, size in zip(n.tolist(), abs(response).tolist()))
+    (tmp_path / "bode.csv").write_text("speed [rad/s],disc x [m]\n" + rows)
+    text = LIVE + (FLOW if style == "flow" else BLOCK)
+    (tmp_path / "fit.yaml").write_text(json.dumps(yaml.safe_load(text)) if style == "json" else text)
+    (tmp_path / "template.html").write_text("before @WHIRL-RUNS@ after")
+    for arguments in (["run", "fit.yaml", "-q"], ["report", "fit.h5", "-o", "page", "--explorer", "template.html"]):
+        subprocess.run([COMMAND, *arguments], cwd=tmp_path, check=True, capture_output=True)
+    page = (tmp_path / "page" / "explorer.html").read_text()
+    runs = json.loads(page[page.index("before ") + 7 : page.rindex(" after")])
+    (live,) = [fit["case_text"] for fit in runs[0]["fits"]]
+    case = yaml.safe_load(live)
+    assert case["study"]["initial"] == {"disc": {"x": 0.01}} and "fit" not in case["study"]
+    assert case["study"]["sweep"]["parameter"] == "n"
+    assert float(case["study"]["sweep"]["from"].split()[0]) < 60.0
+    assert float(case["parameters"]["k"].split()[0]) == pytest.approx(33.0, rel=1e-6)
+    assert whirl.Case(text=live).outline() is not None

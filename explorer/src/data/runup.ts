@@ -78,9 +78,10 @@ export class RunUp {
     this.rows = Array.from(this.time.keys()).filter((row) => Number.isFinite(this.time[row]));
   }
 
-  /// Returns true if a stored run is a run-up.
+  /// Returns true if a stored run is a run-up. Records of a data set are none.
   static isIn(run: Run | undefined): boolean {
-    return run?.tables[0]?.fields.some(({ name }) => name === FIELD.RUNUP_END) ?? false;
+    const has = (field: string) => run?.tables[0]?.fields.some(({ name }) => name === field) ?? false;
+    return has(FIELD.RUNUP_END) && !has(FIELD.DATASET_RECORD);
   }
 
   /// Returns the stored run of a point.

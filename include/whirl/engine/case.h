@@ -133,6 +133,10 @@ void whirl_case_numbers(const whirl_case *object, whirl_case_number_fn see, void
 /// several parameters.
 void whirl_case_comment(const whirl_case *object, const char *name, char *comment, size_t size);
 
+/// Removes a key with everything below it from the text of a case, if it is there, and leaves the rest unchanged.
+/// *edited is freed by the caller. WHIRL_BAD_INPUT for a text that is not YAML, and for items of lists.
+whirl_status whirl_case_remove(const char *text, size_t length, const char *path, char **edited);
+
 /// Edits the text of a case: sets the key `path` ("parameters.r_k", "study.sweep.from") to `value` and leaves the rest
 /// unchanged. Adds a missing key to its mapping. A list of values is replaced by a list in brackets, "[1 mm, 2 mm]".
 /// `value` NULL removes the key, if it is there. *edited is freed by the caller. WHIRL_BAD_INPUT for a text that is not

@@ -38,18 +38,25 @@ static char *splice(const char *text, size_t length, size_t at, size_t count, co
                     const char *after) {
     if (at > length || count > length - at) return NULL;
     const size_t size = length - count + strlen(before) + strlen(value) + strlen(after) + 1;
-    char *result = malloc(size);
+    char *result = size > 0 ? malloc(size) : NULL;
     if (result)
         snprintf(result, size, "%.*s%s%s%s%.*s", (int)at, text, before, value, after, (int)(length - at - count),
                  text + at + count);
     return result;
 }
 
-/// Returns the offset after the bracket of a list whose last item ends at `at`.
-static size_t behind_bracket(const char *text, size_t length, size_t at) {
-    for (; at < length && text[at] != ']'; at++)
+/// Returns the offset after the bracket of a list or mapping whose last item ends at `at`.
+static size_t behind_bracket(const char *text, size_t length, size_t at, char bracket) {
+    for (; at < length && text[at] != bracket; at++)
         if (text[at] == '#') at += strcspn(text + at, "\n");
     return at < length ? at + 1 : length;
+}
+
+/// Returns the offset after a value with all below it.
+static size_t edit_end(const char *text, size_t length, const file_node *node) {
+    const size_t end = node->last ? edit_end(text, length, node->last) : byte_offset(text, length, node->to);
+    if (node->kind == NODE_TEXT || !node->flow) return end;
+    return behind_bracket(text, length, end, node->kind == NODE_LIST ? ']' : '}');
 }
 
 /// Finds the bytes of a list. For one with dashes, these are all bytes after its key, since a bracketed list may need
@@ -58,7 +65,7 @@ static void list_extent(const char *text, size_t length, const file_node *list, 
     const file_node *end = list->last ? list->last : list;
     *to = byte_offset(text, length, end->to);
     if (list->flow) {
-        *to = behind_bracket(text, length, *to);
+        *to = behind_bracket(text, length, *to, ']');
     } else if (list->key) {
         *from = byte_offset(text, length, list->key_from);
         *from += strcspn(text + *from, ":") + 1;
@@ -104,8 +111,7 @@ static char *edit_add(const char *text, size_t length, const file_node *root, co
 /// mapping its lines are; if the dash of a list item precedes the member, only the text up to the next key is removed.
 /// NULL without memory.
 static char *take_away(const char *text, size_t length, const file_node *node) {
-    size_t from = byte_offset(text, length, node->key_from), to = byte_offset(text, length, node->to), unused;
-    if (node->kind == NODE_LIST) list_extent(text, length, node, &unused, &to);
+    size_t from = byte_offset(text, length, node->key_from), to = edit_end(text, length, node);
     const size_t indent = (size_t)node->key_column - 1;
     const bool own_lines = !node->parent->flow && strspn(text + from - indent, " ") >= indent;
     if (own_lines) {
@@ -225,6 +231,22 @@ static char *with_mark(const char *whole, size_t mark, char *edited) {
     }
     free(edited);
     return marked;
+}
+
+whirl_status whirl_case_remove(const char *text, size_t length, const char *path, char **edited) {
+    edit_tree tree;
+    const char *const whole = text;
+    *edited = NULL;
+    text = utf8_skip_mark(text, &length);
+    const size_t mark = (size_t)(text - whole); // bytes of a byte order mark, which stays
+    whirl_status status = read_tree(text, length, &tree);
+    if (status.code == WHIRL_OK) {
+        *edited = without(text, length, find_node(tree.root, path), path);
+        if (*edited && mark > 0) *edited = with_mark(whole, mark, *edited);
+        if (!*edited) status = whirl_fail(WHIRL_BAD_INPUT, "%.80s cannot be taken out of the text of the case", path);
+    }
+    tree_free(&tree);
+    return status;
 }
 
 whirl_status whirl_case_edit(const char *text, size_t length, const char *path, const char *value, char **edited) {

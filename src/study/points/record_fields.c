@@ -118,7 +118,7 @@ whirl_status records_run_new(const whirl_batch *batch, const whirl_machine *mach
     if (!batch->dataset || !machine->course) return whirl_ok();
     motion->step = 1.0 / (WHIRL_SENSOR_INSTANTS * options->rate);
     motion->from = records_first_time(batch, machine) - RUN_MARGIN / options->rate;
-    motion->count = (size_t)WHIRL_SENSOR_INSTANTS * ((size_t)options->samples - 1 + 2 * RUN_MARGIN) + 1;
+    motion->count = (size_t)WHIRL_SENSOR_INSTANTS * ((size_t)options->samples - 1 + 2 * (size_t)RUN_MARGIN) + 1;
     motion->x = calloc(motion->count * (2 * motion->probes + 1), sizeof *motion->x);
     motion->angle = motion->x ? motion->x + 2 * motion->probes * motion->count : NULL;
     return motion->x ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the motion of a record");

@@ -346,15 +346,17 @@ static void spread_cut(const drawn *of, double period) {
 /// Fills in moments, indices and quantiles. Those of an angle with that period (0: none) are about its circular mean.
 static whirl_status spread_describe(const drawn *of, double period, whirl_spread *s) {
     drawn cut = *of;
+    double *angles = NULL;
     if (period > 0.0) {
-        cut.numbers = malloc((of->samples * of->each + 1) * sizeof *cut.numbers);
-        if (!cut.numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu angles", of->samples);
-        memcpy(cut.numbers, of->numbers, of->samples * of->each * sizeof *cut.numbers);
+        angles = malloc((of->samples * of->each + 1) * sizeof *angles);
+        if (!angles) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu angles", of->samples);
+        memcpy(angles, of->numbers, of->samples * of->each * sizeof *angles);
+        cut.numbers = angles;
         spread_cut(&cut, period);
     }
     spread_estimate(&cut, s);
     const whirl_status status = spread_quantiles(&cut, s);
-    if (period > 0.0) free(cut.numbers);
+    free(angles);
     return status;
 }
 

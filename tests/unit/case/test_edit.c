@@ -73,6 +73,30 @@ static void keys_are_taken_out(void **state) {
     for (size_t i = 0; i < sizeof edits / sizeof *edits; i++) expect_edit(edits[i][0], edits[i][1], NULL, edits[i][2]);
 }
 
+/// Removes keys with everything below them, in block style and in flow style.
+static void keys_are_removed_with_all_below(void **state) {
+    (void)state;
+    static const char *const edits[][3] = {
+        {"s:\n  a: {b: [1, {c: 2}]} # one\n  d: 3\n", "s.a", "s:\n  d: 3\n"},
+        {"s:\n  a:\n    b:\n      c: 1\n    # last\n    e: {f: 1,\n      g: 2}\n  d: 3\n", "s.a", "s:\n  d: 3\n"},
+        {"s: {a: {b: [1, # ]}\n 2]}, d: 3}\n", "s.a", "s: {d: 3}\n"},
+        {"{s: {d: 3, a: {b: 1}}, t: 1}\n", "s.a", "{s: {d: 3}, t: 1}\n"},
+        {"{s: {a: {b: {}}}}\n", "s.a", "{s: {}}\n"},
+        {"{\"s\": {\"a\": {\"b\": [\"}\", 1]}, \"d\": 3}}", "s.a", "{\"s\": {\"d\": 3}}"},
+        {"s:\n  a:\n  - b: 1\n    c: 2\n  - 3\n  d: 3\n", "s.a", "s:\n  d: 3\n"},
+        {"s: {a: 1}\n", "s.b", "s: {a: 1}\n"},
+    };
+    for (size_t i = 0; i < sizeof edits / sizeof *edits; i++) {
+        char *found = NULL;
+        assert_int_equal(whirl_case_remove(edits[i][0], strlen(edits[i][0]), edits[i][1], &found).code, WHIRL_OK);
+        assert_string_equal(found, edits[i][2]);
+        free(found);
+    }
+    char *found = NULL;
+    assert_int_equal(whirl_case_remove("a: [1]\n", 7, "a[1]", &found).code, WHIRL_BAD_INPUT);
+    assert_null(found);
+}
+
 static void what_takes_no_value_is_refused(void **state) {
     (void)state;
     static const char *const wrong[][3] = {
@@ -158,6 +182,7 @@ int main(void) {
         cmocka_unit_test(lists_are_replaced_by_lists),
         cmocka_unit_test(missing_keys_are_added),
         cmocka_unit_test(keys_are_taken_out),
+        cmocka_unit_test(keys_are_removed_with_all_below),
         cmocka_unit_test(what_takes_no_value_is_refused),
         cmocka_unit_test(an_edited_case_means_what_was_written),
         cmocka_unit_test(uses_are_found),
