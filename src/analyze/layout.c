@@ -95,6 +95,7 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
         .samples_per_revolution = (size_t)whirl_record_samples(options, integrate->steps_per_revolution),
         .at_rest = is_at_rest(set),
         .twists = system->twist != NULL,
+        .axial = system->axial != NULL,
         .torque_count = system->torque_count,
         .excitation_count = system->torsion ? system->torsion->excitation_count : 0,
         .path_count = system->torsion ? system->torsion->path_count : 0,

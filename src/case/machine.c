@@ -527,15 +527,16 @@ static double stand_in(const whirl_key *key, double number) {
     return even > range->low ? even : middle;
 }
 
-/// Builds a rotor of the element alone, with stations of 1 kg and 1 kg m2 that twist, unless they lie on its shaft.
-/// `number` stands for expressions.
+/// Builds a rotor of the element alone, with stations of 1 kg and 1 kg m2 that move in all directions, unless they lie
+/// on its shaft. `number` stands for expressions.
 static whirl_status build_alone(const machine_parts *machine, const setting_list *element, double number) {
     const whirl_setting unit[] = {{.key = "mass", .number = 1.0},
                                   {.key = "diametral", .number = 1.0},
                                   {.key = "polar", .number = 1.0},
-                                  {.key = "moves", .text = "all"}};
-    // Segments define the shaft themselves, on which stations twist with it.
-    const bool twists = strcmp(element->name, "segment") != 0;
+                                  {.key = "moves", .text = "all"},
+                                  {.key = "axial", .text = "yes"}};
+    // Segments define the shaft themselves, on which stations twist and move along it with the shaft.
+    const bool moves = strcmp(element->name, "segment") != 0;
     whirl_setting values[SETTINGS_MAX];
     whirl_design *design;
     whirl_rotor *rotor = NULL;
@@ -549,7 +550,7 @@ static whirl_status build_alone(const machine_parts *machine, const setting_list
     // Build the rotor.
     for (size_t i = 0; i < machine->stations.count && status.code == WHIRL_OK; i++)
         if (is_usable(machine->stations.names[i]))
-            status = whirl_design_station(design, machine->stations.names[i], unit, twists ? 4 : 2);
+            status = whirl_design_station(design, machine->stations.names[i], unit, moves ? 5 : 2);
     if (status.code == WHIRL_OK) status = whirl_design_element(design, element->name, values, element->count);
     if (status.code == WHIRL_OK) status = whirl_rotor_outline(design, &rotor);
     whirl_rotor_free(rotor);

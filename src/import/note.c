@@ -12,9 +12,10 @@ enum { NOTE_SIZE = 800, NAMES_SIZE = 320 };
 /// The sentence of each kind; %s stands for the tags of the sections.
 static const char *const sentences[NOTE_KINDS] = {
     [NOTE_DRAWING] = "Colours and scale factors, which only drawings use, are left out.",
-    [NOTE_AXIAL] = "Axial coefficients (kzz, czz, mzz) are left out, for motions here are lateral: %s.",
-    [NOTE_AXIAL_MASS] =
-        "Masses along the shaft (mz) that differ from mx are left out, for motions here are lateral: %s.",
+    [NOTE_AXIAL] =
+        "Axial coefficients (kzz, czz, mzz) are left out, for imported rotors move across their shafts alone: %s.",
+    [NOTE_AXIAL_MASS] = "Masses along the shaft (mz) that differ from mx are left out, for imported rotors move across "
+                        "their shafts alone: %s.",
     [NOTE_LEAKAGE] = "The leakage of seals is left out: %s.",
     [NOTE_NOTHING_LATERAL] = "Sections without lateral coefficients are left out: %s.",
     [NOTE_SKEW_MASS] =
@@ -26,7 +27,7 @@ static const char *const sentences[NOTE_KINDS] = {
     [NOTE_UNKNOWN] = "Keys that are not known here are left out: %s.",
     [NOTE_AXIAL_DAMPING] = "whirl applies beta to the stiffness without the axial force: %s.",
     [NOTE_COUPLING_AXIAL] = "Axial and torsional coefficients of couplings (kt_z, kr_z, ct_z, cr_z) are left out, for "
-                            "motions here are lateral: %s.",
+                            "imported rotors move across their shafts alone: %s.",
     [NOTE_COUPLING_LENGTH] = "Lengths and diameters of couplings (L, o_d) are left out; no force depends on them, in "
                              "ROSS neither: %s.",
     [NOTE_COUPLING_LOOSE] =

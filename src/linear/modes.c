@@ -76,7 +76,7 @@ static void drop_rounding(root *roots, size_t count, const double *noise) {
 /// positive frequency. vectors [count][n][2] belong to the roots.
 static whirl_modes *sort_out(const mean_system *m, root *roots, size_t count, double period, const double *vectors) {
     const size_t n = m->count, d = m->system->dimension;
-    double twists[2 * WHIRL_MAX_PROBES];
+    double moved[2 * WHIRL_MAX_PROBES];
     size_t waves = 0, reals = 0;
     root *other = roots + n;
     whirl_modes *modes = modes_allocate(d, n);
@@ -105,9 +105,16 @@ static whirl_modes *sort_out(const mean_system *m, root *roots, size_t count, do
         direction_drop_rounding(m->system, shape);
         modes->modes[i] = (whirl_mode){
             .real = roots[i].real, .imaginary = roots[i].imaginary, .direction = whirl_direction(m->system, shape)};
-        if (m->system->twist) modes->modes[i].torsion = m->system->twist(m->system->model, shape, twists);
+        if (m->system->twist) modes->modes[i].torsion = m->system->twist(m->system->model, shape, moved);
+        if (m->system->axial) modes->modes[i].axial = m->system->axial(m->system->model, shape, moved);
     }
     return modes;
+}
+
+whirl_mode_kind whirl_mode_kind_of(double torsion, double axial) {
+    const double lateral = 1.0 - torsion - axial;
+    if (torsion > lateral && torsion >= axial) return WHIRL_TORSIONAL_MODE;
+    return axial > lateral ? WHIRL_AXIAL_MODE : WHIRL_LATERAL_MODE;
 }
 
 bool whirl_mode_is_overdamped(const whirl_mode *mode) {

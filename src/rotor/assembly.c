@@ -119,6 +119,18 @@ static whirl_status add_twists(assembly *to) {
     return whirl_ok();
 }
 
+/// Returns the mass that resists axial motion, kg.
+static double axial_inertia(const assembly_station *station) {
+    return station->mass - station->shaft_mass + station->shaft_axial;
+}
+
+/// Adds the axial displacements of stations and of the nodes of shafts.
+static void add_axial(assembly *to) {
+    for (size_t s = 0; s < to->station_count; s++)
+        if (to->stations[s].axial)
+            to->stations[s].coordinate[AXIS_AXIAL] = add_coordinate(to, axial_inertia(&to->stations[s]), to->length);
+}
+
 static whirl_status check_inertia(const assembly_station *station) {
     // Nodes within a shaft need an inertia of their own.
     if (station->hidden && !(station->mass > 0.0 && station->diametral > 0.0))
@@ -132,6 +144,10 @@ static whirl_status check_inertia(const assembly_station *station) {
         return whirl_fail(WHIRL_BAD_INPUT,
                           "station '%s' moves: all, and its shaft does not twist, expected the shaft's key twist: yes",
                           station->name);
+    if (station->shaft != NO_SHAFT && !station->hidden && station->axial && !(station->shaft_axial > 0.0))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "station '%s' has axial: yes, and its shaft does not, expected it as a key of the shaft",
+                          station->name);
     if (station->geared_to != NO_STATION && !station->twists)
         return whirl_fail(WHIRL_BAD_INPUT, "station '%s' has a gear and does not twist, expected moves: twist or all",
                           station->name);
@@ -141,7 +157,7 @@ static whirl_status check_inertia(const assembly_station *station) {
                           "brings one",
                           station->name);
     // Displacements need a mass.
-    if (station->moves_x + station->moves_y == 0) return whirl_ok();
+    if (station->moves_x + station->moves_y == 0 && !station->axial) return whirl_ok();
     if (!(station->mass > 0.0))
         return whirl_fail(WHIRL_BAD_INPUT,
                           "station '%s' has no mass, expected its key mass or an element that brings one",
@@ -166,11 +182,14 @@ whirl_status assembly_number(assembly *to, const size_t *order) {
     }
     for (size_t s = 0; s < to->station_count; s++)
         if (!in_plane(&to->stations[s]) && !to->stations[s].hidden) add_displacements(to, &to->stations[s]);
-    // Number the twists, then the tilts.
+    // Number the twists, then the axial displacements, then the tilts.
     to->first_twist = to->degrees;
     const whirl_status status = add_twists(to);
     if (status.code != WHIRL_OK) return status;
     to->twist_count = to->degrees - to->first_twist;
+    to->first_axial = to->degrees;
+    add_axial(to);
+    to->axial_count = to->degrees - to->first_axial;
     for (size_t s = 0; s < to->station_count; s++) {
         const assembly_station *at = &to->stations[s];
         if (at->diametral > 0.0 && at->moves_x + at->moves_y > 0 && !at->hidden) add_tilts(to, &to->stations[s]);
@@ -194,6 +213,10 @@ whirl_status assembly_find(const assembly *of, size_t station, axis along, size_
     if (along == AXIS_TWIST)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "needs a station that twists, and '%s' does not, expected moves: twist or all", found->name);
+    if (along == AXIS_AXIAL)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "needs a station that moves along its shaft, and '%s' does not, expected axial: yes",
+                          found->name);
     return whirl_fail(WHIRL_BAD_INPUT, "needs a station that moves along %s, and '%s' does not",
                       along == AXIS_X ? "x" : "y", found->name);
 }
@@ -332,14 +355,14 @@ void assembly_join(assembly *to, const size_t coordinate[2], const double share[
         }
 }
 
-void assembly_twist(assembly *to, size_t one, size_t other, const joining *by) {
+void assembly_link(assembly *to, axis along, size_t one, size_t other, const joining *by) {
     const size_t station[2] = {one, other};
     size_t coordinate[2] = {NO_COORDINATE, NO_COORDINATE};
     double share[2] = {1.0, 1.0};
     for (size_t i = 0; i < 2; i++) {
         if (station[i] == NO_STATION) continue;
-        coordinate[i] = to->stations[station[i]].coordinate[AXIS_TWIST];
-        share[i] = assembly_share(to, station[i], AXIS_TWIST);
+        coordinate[i] = to->stations[station[i]].coordinate[along];
+        share[i] = assembly_share(to, station[i], along);
     }
     assembly_join(to, coordinate, share, by);
 }
@@ -519,6 +542,15 @@ void assembly_pull(assembly *to, double x, double y) {
             if (at->moves_x) assembly_term(to, (linear_term){at->coordinate[AXIS_X], SOURCE_ONE, 0, pull_x});
             if (at->moves_y) assembly_term(to, (linear_term){at->coordinate[AXIS_Y], SOURCE_ONE, 0, pull_y});
         }
+    }
+}
+
+void assembly_pull_axially(assembly *to, size_t shaft, double pull) {
+    const double scaled = pull / (to->clock * to->clock * to->length);
+    for (size_t s = 0; s < to->station_count; s++) {
+        const assembly_station *at = &to->stations[s];
+        if (at->coordinate[AXIS_AXIAL] == NO_COORDINATE || (shaft != NO_SHAFT && at->shaft != shaft)) continue;
+        assembly_term(to, (linear_term){at->coordinate[AXIS_AXIAL], SOURCE_ONE, 0, scaled});
     }
 }
 

@@ -4,6 +4,8 @@
 /// tilts and the nodes of shafts follow. All inputs are in SI units. The assembly scales them: time by 1/clock;
 /// displacements by the length scale; tilts by the length scale divided by the station's radius of gyration (so that
 /// tilts and displacements weigh alike in errors and distances); twists by the length scale divided by 1 m.
+///
+/// Axial displacements are those along the shaft, in the direction in which positions grow.
 #ifndef ROTOR_ASSEMBLY_H
 #define ROTOR_ASSEMBLY_H
 
@@ -26,7 +28,7 @@
 #define assembly_spring whirl_assembly_spring
 #define assembly_share whirl_assembly_share
 #define assembly_join whirl_assembly_join
-#define assembly_twist whirl_assembly_twist
+#define assembly_link whirl_assembly_link
 #define assembly_torque whirl_assembly_torque
 #define assembly_turns whirl_assembly_turns
 #define assembly_harmonic whirl_assembly_harmonic
@@ -51,8 +53,8 @@
 #define NO_STATION ((size_t)-1)
 
 /// Directions in which a station can move: along x and y; the slopes dx/dz and dy/dz of its axis, where z is along the
-/// shaft; and the twist about z, from x towards y, without the steady rotation.
-typedef enum axis { AXIS_X, AXIS_Y, AXIS_TILT_X, AXIS_TILT_Y, AXIS_TWIST, AXES } axis;
+/// shaft; the twist about z, from x towards y, without the steady rotation; and the displacement along z.
+typedef enum axis { AXIS_X, AXIS_Y, AXIS_TILT_X, AXIS_TILT_Y, AXIS_TWIST, AXIS_AXIAL, AXES } axis;
 
 /// Numbers of a station that moves in x and y, without those that depend on its position; see station_kernel.h.
 enum { STATION_DAMPING, STATION_UNBALANCE_COS, STATION_UNBALANCE_SIN, STATION_PULL_X, STATION_PULL_Y, STATION_NUMBERS };
@@ -129,10 +131,11 @@ typedef struct twist_fatigue {
 
 typedef struct assembly_station {
     const char *name;
-    double mass, diametral, polar; ///< kg, kg m2; a station with a diametral inertia tilts
-    double shaft_polar;            ///< kg m2 of the shaft, against twist alone
-    double fluid;                  ///< kg of fluid that is moved along; inertia without weight or unbalance
-    bool moves_x, moves_y, twists;
+    double mass, diametral, polar;  ///< kg, kg m2; a station with a diametral inertia tilts
+    double shaft_polar;             ///< kg m2 of the shaft, against twist alone
+    double shaft_mass, shaft_axial; ///< kg: the shaft's part of the mass; what resists axial motion in its place
+    double fluid;                   ///< kg of fluid that is moved along; inertia without weight or unbalance
+    bool moves_x, moves_y, twists, axial;
     size_t geared_to;        ///< station whose twist times `gear` is the twist of this station; NO_STATION: the twist
                              ///< has its own coordinate
     double gear;             ///< ratio of its twist to that coordinate; 1 without a rigid gear
@@ -157,6 +160,7 @@ typedef struct assembly {
     double (*numbers)[STATION_NUMBERS]; ///< [plane_count]
     size_t degrees;
     size_t twist_count, first_twist; ///< coordinates that are twists, and the first of them
+    size_t axial_count, first_axial; ///< coordinates that are axial displacements, likewise
     double *inertia, *unit;          ///< [degrees] inertia of each coordinate, kg or kg m2; size of its unit, m or rad
     size_t term_count, term_capacity;
     linear_term *terms;
@@ -270,8 +274,8 @@ static inline double joining_modulus(double outer, double inner) {
 /// each place to its coordinate (assembly_share).
 void assembly_join(assembly *to, const size_t coordinate[2], const double share[2], const joining *by);
 
-/// Joins the twists of two stations. One of them may be NO_STATION, the ground. Does nothing if neither twists.
-void assembly_twist(assembly *to, size_t one, size_t other, const joining *by);
+/// Joins two stations along an axis. One of them may be NO_STATION, the ground. Does nothing if neither moves that way.
+void assembly_link(assembly *to, axis along, size_t one, size_t other, const joining *by);
 
 /// Adds a torque to which the twists respond.
 void assembly_harmonic(assembly *to, const harmonic_torque *torque);
@@ -316,6 +320,10 @@ void assembly_runout(assembly *to, size_t station, whirl_runout seen);
 
 /// Adds a pull (m/s2) on the own masses of all stations.
 void assembly_pull(assembly *to, double x, double y);
+
+/// Adds a pull along z (m/s2), in the direction in which positions grow, on the masses of a shaft and its stations;
+/// NO_SHAFT: on those of all stations.
+void assembly_pull_axially(assembly *to, size_t shaft, double pull);
 
 /// Lists the forces of a pull along x and y on all masses. To be called once, when all inertia is known.
 void assembly_weigh(assembly *to);

@@ -40,7 +40,7 @@ typedef struct key_value {
 } key_value;
 
 /// Maxima of one element: number of its ports (coordinates on which it acts), of its keys, and of its states.
-enum { MAX_PORTS = 10, MAX_KEYS = 64, MAX_ELEMENT_STATES = 32 };
+enum { MAX_PORTS = 12, MAX_KEYS = 64, MAX_ELEMENT_STATES = 32 };
 
 /// Placeholder until `build` sets the number of an element's states.
 #define STATES_OF_TYPE ((size_t)-1)

@@ -64,7 +64,9 @@ struct whirl_rotor {
     bool mute;                       ///< there is friction whose power is unknown
     double *inertia, *unit;          ///< [degrees] inertia of coordinates, kg or kg m2; size of their unit, m or rad
     size_t twist_count, first_twist; ///< as in the assembly
+    size_t axial_count, first_axial; ///< likewise
     station_twist *twists;           ///< [station_count]
+    size_t *axials;                  ///< [station_count] axial coordinates, or NO_COORDINATE
     size_t turning_count;
     turning_inertia *turnings; ///< [turning_count] as in the assembly
     turning_inertia guided[2]; ///< as in the assembly

@@ -92,7 +92,8 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
         cut(block, &used, stations * sizeof *rotor->pairs),
         cut(block, &used, stations * sizeof *rotor->polar),
         cut(block, &used, (b->assembly.harmonic_count + b->element_count) * sizeof *rotor->excitations),
-        cut(block, &used, b->assembly.fatigue_count * sizeof *rotor->fatigues)};
+        cut(block, &used, b->assembly.fatigue_count * sizeof *rotor->fatigues),
+        cut(block, &used, stations * sizeof *rotor->axials)};
     // Point to the parts, in the same order.
     if (!rotor) return used;
     rotor->elements = parts[0];
@@ -131,6 +132,7 @@ static size_t rotor_lay_out(whirl_rotor *rotor, char *block, const building *b) 
     rotor->polar = parts[33];
     rotor->excitations = parts[34];
     rotor->fatigues = parts[35];
+    rotor->axials = parts[36];
     return used;
 }
 
@@ -162,12 +164,17 @@ static void add_probes(whirl_rotor *rotor, const building *b) {
     }
 }
 
+/// Fills in the coordinates of twists and axial displacements.
 static void add_twists(whirl_rotor *rotor, const assembly *from) {
     rotor->twist_count = from->twist_count;
     rotor->first_twist = from->first_twist;
-    for (size_t s = 0; s < rotor->station_count; s++)
-        rotor->twists[s] =
-            (station_twist){from->stations[s].coordinate[AXIS_TWIST], assembly_share(from, s, AXIS_TWIST)};
+    rotor->axial_count = from->axial_count;
+    rotor->first_axial = from->first_axial;
+    for (size_t s = 0; s < rotor->station_count; s++) {
+        const size_t *coordinate = from->stations[s].coordinate;
+        rotor->twists[s] = (station_twist){coordinate[AXIS_TWIST], assembly_share(from, s, AXIS_TWIST)};
+        rotor->axials[s] = coordinate[AXIS_AXIAL];
+    }
 }
 
 /// Adds the runouts in length scales. Those of a station are adjacent.
@@ -188,10 +195,10 @@ static void add_runouts(whirl_rotor *rotor, const assembly *from) {
     }
 }
 
-/// Groups coordinates whose sizes are measured together: the two displacements of a station, its two tilts, and each
-/// twist.
+/// Groups coordinates whose sizes are measured together: the two displacements of a station, its two tilts, each twist,
+/// and each axial displacement.
 static void add_groups(whirl_rotor *rotor, const assembly *from) {
-    size_t lone = from->twist_count;
+    size_t lone = from->twist_count + from->axial_count;
     for (size_t s = 0; s < from->station_count; s++) lone += from->stations[s].moves_x != from->stations[s].moves_y;
     const size_t first = 2 * from->plane_count;
     for (size_t d = 0; d < from->degrees; d += d >= first && d < first + lone ? 1 : 2)

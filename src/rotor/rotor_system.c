@@ -355,14 +355,19 @@ static void rotor_adopt(const void *model, double *x, const whirl_system *other,
     }
 }
 
-static double rotor_twist(const void *model, const double *v, double *shape) {
-    const whirl_rotor *rotor = model;
-    double twists = 0.0, all = 0.0;
+/// Returns the share of coordinates in the kinetic energy of a small motion, with masses lumped.
+static double rotor_energy_share(const whirl_rotor *rotor, const double *v, size_t first, size_t count) {
+    double some = 0.0, all = 0.0;
     for (size_t d = 0; d < rotor->lanes.degrees; d++) {
         const double size = rotor->unit[d] * hypot(v[2 * d], v[2 * d + 1]), energy = rotor->inertia[d] * size * size;
         all += energy;
-        if (d - rotor->first_twist < rotor->twist_count) twists += energy;
+        if (d - first < count) some += energy;
     }
+    return all > 0.0 ? some / all : 0.0;
+}
+
+static double rotor_twist(const void *model, const double *v, double *shape) {
+    const whirl_rotor *rotor = model;
     for (size_t s = 0; s < rotor->station_count; s++)
         for (size_t c = 0; c < 2; c++) {
             const station_twist *own = &rotor->twists[s];
@@ -370,7 +375,17 @@ static double rotor_twist(const void *model, const double *v, double *shape) {
                                    ? 0.0
                                    : own->share * rotor->unit[own->coordinate] * v[2 * own->coordinate + c];
         }
-    return all > 0.0 ? twists / all : 0.0;
+    return rotor_energy_share(rotor, v, rotor->first_twist, rotor->twist_count);
+}
+
+static double rotor_axial(const void *model, const double *v, double *shape) {
+    const whirl_rotor *rotor = model;
+    for (size_t s = 0; s < rotor->station_count; s++) {
+        const size_t own = rotor->axials[s];
+        for (size_t c = 0; c < 2; c++)
+            shape[2 * s + c] = own == NO_COORDINATE ? 0.0 : rotor->unit[own] * v[2 * own + c];
+    }
+    return rotor_energy_share(rotor, v, rotor->first_axial, rotor->axial_count);
 }
 
 static bool rotor_settles(const whirl_rotor *rotor) {
@@ -415,6 +430,7 @@ void rotor_system_fill(whirl_rotor *rotor) {
                                    .film = film,
                                    .adopt = rotor_adopt,
                                    .twist = rotor->twist_count > 0 ? rotor_twist : NULL,
+                                   .axial = rotor->axial_count > 0 ? rotor_axial : NULL,
                                    .torque_count = rotor_watched_count(rotor),
                                    .torsion = rotor->twist_count > 0 ? &rotor->torsion : NULL,
                                    .model = rotor,

@@ -26,6 +26,10 @@
     "spring: {between: [rotor, ground], along: twist, stiffness: 30000, damping: 9}\n"                                 \
     "    - spring: {between: [stator, ground], along: twist, stiffness: 20000, damping: 9}\n    - "
 
+#define AXIAL                                                                                                          \
+    "spring: {between: [rotor, ground], along: axial, stiffness: 2 MN/m, damping: 300 N.s/m}\n"                        \
+    "    - spring: {between: [stator, ground], along: axial, stiffness: 3 MN/m, damping: 300 N.s/m}\n    - "
+
 const element_machine element_machines[] = {
     {"unbalance", "unbalance: {at: rotor, moment: 2 g.m, angle: @70}", 0},
     {"unbalance", "unbalance: {at: rotor, moment: 2 g.m, angle: @70, ratio: 2}", 0},
@@ -151,6 +155,19 @@ const element_machine element_machines[] = {
                       "direction: @40, helix: ~25 deg, stiffness: 3 MN/m, damping: 200 N.s/m, teeth: 2, error: 20 um, "
                       "error_angle: 50 deg}",
      MACHINE_TWISTS},
+    {"gear",
+     TILTING TWISTING AXIAL
+     "force: {at: rotor, steady_torque: 30 N.m}\n    - force: {at: stator, axial: 80 N, steady_axial: 50 N, ratio: 2}\n"
+     "    - gear: {between: [rotor, stator], base_radii: [80 mm, 200 mm], pressure_angle: ~20 deg, direction: @40, "
+     "helix: ~25 deg, stiffness: 3 MN/m, damping: 200 N.s/m, backlash: 10 um}",
+     MACHINE_AXIAL | MACHINE_SHARP},
+    {"coupling",
+     TWISTING AXIAL "coupling: {between: [rotor, stator], axial: 1 MN/m, axial_damping: 200 N.s/m, twist: 900 N.m/rad}",
+     MACHINE_AXIAL},
+    {"cubic_spring",
+     TWISTING AXIAL "force: {at: rotor, axial: 400 N}\n    - cubic_spring: {between: [rotor, stator], along: axial, "
+                    "stiffness: 1 MN/m, cubic: 1e15 N/m3, damping: 300 N.s/m}",
+     MACHINE_AXIAL},
     {"gear", TWISTING "gear: {between: [rotor, stator], base_radii: [80 mm, 200 mm]}", MACHINE_TWISTS},
     {"coupling", TWISTING "coupling: {between: [rotor, stator], twist: 900 N.m/rad, twist_damping: 2 N.m.s/rad}",
      MACHINE_TWISTS},
@@ -349,6 +366,10 @@ void machine_text(const element_machine *of, machine_view as, const char *study,
         "    rotor: {mass: 10 kg, damping: 900 N.s/m, eccentricity: 20 um, eccentricity_angle: @60, polar: 0.05 kg.m2, "
         "moves: all}\n"
         "    stator: {mass: 2 kg, damping: 3000 N.s/m, polar: 0.02 kg.m2, moves: all}\n";
+    static const char axial[] =
+        "    rotor: {mass: 10 kg, damping: 900 N.s/m, eccentricity: 20 um, eccentricity_angle: @60, polar: 0.05 kg.m2, "
+        "moves: all, axial: yes}\n"
+        "    stator: {mass: 2 kg, damping: 3000 N.s/m, polar: 0.02 kg.m2, moves: all, axial: yes}\n";
     char own[MACHINE_TEXT], elements[MACHINE_TEXT], resolved[MACHINE_TEXT];
     text_end e = {elements, sizeof elements}, o = {own, sizeof own}, r = {resolved, sizeof resolved};
     text_add(&e,
@@ -360,7 +381,11 @@ void machine_text(const element_machine *of, machine_view as, const char *study,
     text_add(&o, "whirl: 1\nparameters: {n: 900 rad/s}\nrotor:\n  speed: = n\n  rotation: %s\n  length_scale: %s\n",
              as.mirrored ? "clockwise" : "counter-clockwise", as.length ? as.length : "0.1 mm");
     text_add(&o, "  stations:\n");
-    text_add_lines(&o, of->flags & MACHINE_TWISTS ? twisting : stations, as.reversed);
+    text_add_lines(&o,
+                   of->flags & MACHINE_AXIAL    ? axial
+                   : of->flags & MACHINE_TWISTS ? twisting
+                                                : stations,
+                   as.reversed);
     text_add(&o, "  elements:\n");
     text_add_lines(&o, elements, as.reversed);
     text_add(&o, "study:\n%s", study);

@@ -12,7 +12,8 @@ enum {
     MACHINE_NO_REST = 2, ///< nothing at rest or at speed 0
     MACHINE_SHARP = 4,   ///< forces that jump, or contacts that are not located: methods agree to the step alone
     MACHINE_SLOW = 8,    ///< two slow rates near each other: growth of a copy is a mean of both by its direction
-    MACHINE_TWISTS = 16  ///< both stations twist, too
+    MACHINE_TWISTS = 16, ///< both stations twist, too
+    MACHINE_AXIAL = 32   ///< both stations twist and move along the shaft, too
 };
 
 /// A machine of one element, between a rotor and a stator on springs. In its text `@40` is an angle of 40 degrees and

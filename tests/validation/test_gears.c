@@ -293,20 +293,25 @@ static void pair_of_gears(void **state) {
     }
 }
 
-/// A pair of helical gears whose supports yield in all five directions.
-static whirl_rotor *helical_rotor(double turned, double helix, double length) {
+/// A pair of helical gears whose supports yield across the shafts, against tilts and twist and, with `axial`, along
+/// them.
+static whirl_rotor *helical_rotor(double turned, double helix, double length, bool axial) {
     whirl_design *design = NULL;
     require_ok(whirl_design_new(300.0, length, &design));
     STATION(design, "one", {"mass", 12.0, NULL}, {"polar", 0.05, NULL}, {"diametral", 0.03, NULL},
-            {"moves", 0.0, "all"});
-    STATION(design, "two", {"mass", 30.0, NULL}, {"polar", 0.4, NULL}, {"diametral", 0.25, NULL},
-            {"moves", 0.0, "all"});
+            {"moves", 0.0, "all"}, {"axial", 0.0, axial ? "yes" : "no"});
+    STATION(design, "two", {"mass", 30.0, NULL}, {"polar", 0.4, NULL}, {"diametral", 0.25, NULL}, {"moves", 0.0, "all"},
+            {"axial", 0.0, axial ? "yes" : "no"});
     ADD(design, "spring", {"between", 0.0, "one, ground"}, {"stiffness", 6e7, NULL});
     ADD(design, "spring", {"between", 0.0, "two, ground"}, {"stiffness", 9e7, NULL});
     ADD(design, "spring", {"between", 0.0, "one, ground"}, {"along", 0.0, "tilts"}, {"stiffness", 4e5, NULL});
     ADD(design, "spring", {"between", 0.0, "two, ground"}, {"along", 0.0, "tilts"}, {"stiffness", 7e5, NULL});
     ADD(design, "spring", {"between", 0.0, "one, ground"}, {"along", 0.0, "twist"}, {"stiffness", 2e5, NULL});
     ADD(design, "spring", {"between", 0.0, "two, ground"}, {"along", 0.0, "twist"}, {"stiffness", 4e5, NULL});
+    if (axial) {
+        ADD(design, "spring", {"between", 0.0, "one, ground"}, {"along", 0.0, "axial"}, {"stiffness", 5e7, NULL});
+        ADD(design, "spring", {"between", 0.0, "two, ground"}, {"along", 0.0, "axial"}, {"stiffness", 8e7, NULL});
+    }
     ADD(design, "gear", {"between", 0.0, "one, two"}, {"base_radii", 0.0, "0.08, 0.2"},
         {"pressure_angle", 0.3490658503988659, NULL}, {"direction", turned, NULL}, {"helix", helix, NULL},
         {"stiffness", 2.5e8, NULL});
@@ -321,21 +326,30 @@ static void helical_gears(void **state) {
          "355.8812717086", "542.7234291663", "622.3009007122", "1505.417141379"},
         {"206.8614089487", "237.7349581144", "275.6644477109", "284.0150363700", "308.3567272702", "343.8027631737",
          "355.8812717086", "533.6758128760", "611.5511109186", "1532.161909804"}};
+    static const char *const axially[2][12] = {
+        {"216.0862413692", "230.8452891039", "259.8989337446", "275.6644477109", "284.780657232", "307.239661788",
+         "324.8736671807", "343.2884430513", "355.8812717086", "542.7234291663", "622.3009007122", "1505.417141379"},
+        {"205.2085036562", "236.8306348158", "261.019622132", "275.6644477109", "283.922322445", "308.3136702806",
+         "324.3514107398", "344.5788534755", "355.8812717086", "534.1092162987", "611.9707450314", "1560.071070459"}};
     static const double helix[] = {0.0, 0.35, -0.35}, lengths[] = {1e-3, 1.0};
     (void)state;
-    for (size_t k = 0; k < COUNT_OF(helix); k++)
-        for (size_t turned = 0; turned < 4; turned++) {
-            whirl_rotor *rotor = helical_rotor((double)turned * 0.9, helix[k], lengths[turned % 2]);
-            double start[20] = {0};
-            whirl_modes *modes = NULL;
-            require_ok(whirl_modes_new(whirl_rotor_system(rotor), start, &modes));
-            assert_int_equal(modes->count, 10);
-            for (size_t i = 0; i < modes->count; i++)
-                check_digits("Gear pair", words("helix %g, mode %zu, Hz, turned %zu times", helix[k], i + 1, turned),
-                             known[k > 0][i], 300.0 * modes->modes[i].imaginary / 6.283185307179586476925);
-            whirl_modes_free(modes);
-            whirl_rotor_free(rotor);
-        }
+    for (size_t i = 0; i < 2 * 4 * COUNT_OF(helix); i++) {
+        const size_t k = i / 8, turned = i / 2 % 4;
+        const bool axial = i % 2;
+        whirl_rotor *rotor = helical_rotor((double)turned * 0.9, helix[k], lengths[turned % 2], axial);
+        double start[24] = {0};
+        whirl_modes *modes = NULL;
+        require_ok(whirl_modes_new(whirl_rotor_system(rotor), start, &modes));
+        assert_int_equal(modes->count, axial ? 12 : 10);
+        for (size_t n = 0; n < modes->count; n++)
+            check_digits("Gear pair",
+                         words("helix %g, mode %zu%s, Hz, turned %zu times", helix[k], n + 1,
+                               axial ? " with axial motion" : "", turned),
+                         axial ? axially[k > 0][n] : known[k > 0][n],
+                         300.0 * modes->modes[n].imaginary / 6.283185307179586476925);
+        whirl_modes_free(modes);
+        whirl_rotor_free(rotor);
+    }
 }
 
 /// Modes of two shafts of finite elements with helical gears, as they stand or turned end for end.

@@ -212,7 +212,8 @@ typedef enum whirl_critical_kind {
     WHIRL_CRITICAL_SPEED = 1, ///< a mode's damped frequency is the speed of the shaft
     WHIRL_ONSET,              ///< the machine loses its stability as the parameter grows
     WHIRL_RECOVERY,           ///< the machine regains its stability as the parameter grows
-    WHIRL_TORSIONAL_SPEED     ///< the frequency of a torsional mode is the speed of the shaft
+    WHIRL_TORSIONAL_SPEED,    ///< the frequency of a torsional mode is the speed of the shaft
+    WHIRL_AXIAL_SPEED         ///< the frequency of an axial mode is the speed of the shaft
 } whirl_critical_kind;
 
 /// A critical speed, or a threshold of stability.

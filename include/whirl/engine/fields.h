@@ -139,6 +139,9 @@
 #define WHIRL_FIELD_MODES_SHAPE "modes/shape"
 #define WHIRL_FIELD_MODES_TORSION "modes/torsion"
 #define WHIRL_FIELD_MODES_TWIST "modes/twist"
+#define WHIRL_FIELD_MODES_AXIAL_SHARE "modes/axial_share"
+#define WHIRL_FIELD_MODES_AXIAL "modes/axial"
+#define WHIRL_FIELD_MODES_AXIAL_REST "modes/axial_rest"
 
 #define WHIRL_FIELD_TORSION_SPEED "torsion/speed"
 #define WHIRL_FIELD_TORSION_NATURAL "torsion/natural"

@@ -43,7 +43,14 @@ typedef struct whirl_mode {
     /// with the rotation, from x to y; -1: circular, against it; 0: straight, or equal shares of both.
     double direction;
     double torsion; ///< share of twists in its kinetic energy, from 0 to 1 (whirl_system.twist); 0 without any
+    double axial;   ///< likewise, of axial displacements (whirl_system.axial)
 } whirl_mode;
+
+/// Kinds of modes, by the motion with the largest share of the kinetic energy.
+typedef enum whirl_mode_kind { WHIRL_LATERAL_MODE, WHIRL_TORSIONAL_MODE, WHIRL_AXIAL_MODE } whirl_mode_kind;
+
+/// Returns the kind of a mode by its shares of kinetic energy.
+whirl_mode_kind whirl_mode_kind_of(double torsion, double axial);
 
 /// Largest damping ratio of a named mode. Above it a mode is overdamped: it shows no visible oscillation.
 #define WHIRL_OVERDAMPED_RATIO 0.9

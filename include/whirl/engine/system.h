@@ -240,6 +240,10 @@ typedef struct whirl_system {
     /// kinetic energy, with masses lumped: 1 for a torsional mode.
     double (*twist)(const void *model, const double *v, double *shape);
 
+    /// Optional, for machines with stations that move along their shafts: likewise, with axial displacements, m, in
+    /// place of twists: 1 for an axial mode.
+    double (*axial)(const void *model, const double *v, double *shape);
+
     size_t torque_count; ///< torques that a run-up by the machine's own torques watches (whirl_running.watch)
 
     /// Optional, for machines with stations that twist: what excites them and what carries torque; borrowed.

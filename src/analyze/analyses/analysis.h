@@ -16,7 +16,7 @@ typedef struct block_shape {
     size_t runout_count; ///< for all probes
     size_t samples_per_revolution;
     bool at_rest;                        ///< points are of machines at rest
-    bool twists;                         ///< stations twist
+    bool twists, axial;                  ///< stations twist; they move along their shafts
     size_t torque_count;                 ///< as in the system
     size_t excitation_count, path_count; ///< as in its torsion
     const whirl_record_options *options;

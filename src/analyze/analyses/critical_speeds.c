@@ -20,7 +20,7 @@ static size_t looked_up(const block_shape *shape) {
 
 static const field_plan fields[FIELD_COUNT] = {
     [SPEED] = {WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, "rad/s",
-               "speed of the shaft at which a mode goes round with it, rising", WHIRL_PER_POINT, 1,
+               "speed of the shaft at which a lateral mode goes round with it, rising", WHIRL_PER_POINT, 1,
                critical_speeds_kept},
     [DIRECTION] = {WHIRL_FIELD_CRITICAL_SPEEDS_DIRECTION, "1",
                    "1: circles with the rotation, -1: against it, 0: neither", WHIRL_PER_POINT, 1,
@@ -114,6 +114,23 @@ static whirl_status fill_bearings(const whirl_resting *point, const whirl_critic
     return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
 }
 
+/// Leaves out torsional and axial modes, at whose frequency an unbalance does not excite the machine.
+static void keep_lateral(const whirl_system *system, whirl_critical_speeds *found) {
+    double moved[2 * WHIRL_MAX_PROBES];
+    const size_t numbers = 2 * found->dimension;
+    size_t kept = 0;
+    for (size_t i = 0; i < found->count; i++) {
+        const double *shape = found->vectors + numbers * i;
+        const double torsion = system->twist ? system->twist(system->model, shape, moved) : 0.0;
+        const double axial = system->axial ? system->axial(system->model, shape, moved) : 0.0;
+        if (whirl_mode_kind_of(torsion, axial) != WHIRL_LATERAL_MODE) continue;
+        found->speeds[kept] = found->speeds[i];
+        found->directions[kept] = found->directions[i];
+        memmove(found->vectors + numbers * kept++, shape, numbers * sizeof *shape);
+    }
+    found->count = kept;
+}
+
 static whirl_status critical_speeds_compute(const whirl_resting *point, const whirl_record_options *options,
                                             const block_view *view) {
     const whirl_machine own = {
@@ -125,6 +142,7 @@ static whirl_status critical_speeds_compute(const whirl_resting *point, const wh
     status = whirl_critical_speeds_new(&own, &faster, &found);
     if (faster.release) faster.release(faster.owner);
     if (status.code != WHIRL_OK) return status;
+    keep_lateral(point->system, found);
     *view_numbers(view, RIGID_BODY, 0) = (double)found->free;
     for (size_t i = 0; i < found->count && i < (size_t)options->modes; i++) {
         view_numbers(view, SPEED, 0)[i] = found->speeds[i];

@@ -26,6 +26,9 @@ enum {
     SHAPE,
     TORSION,
     TWIST,
+    AXIAL_SHARE,
+    AXIAL,
+    AXIAL_REST,
     FIELD_COUNT
 };
 
@@ -35,6 +38,14 @@ static size_t modes_kept(const block_shape *shape) {
 
 static size_t modes_that_twist(const block_shape *shape) {
     return shape->twists ? modes_kept(shape) : 0;
+}
+
+static size_t modes_along_axis(const block_shape *shape) {
+    return shape->axial ? modes_kept(shape) : 0;
+}
+
+static size_t rests_along_axis(const block_shape *shape) {
+    return shape->axial ? 1 : 0;
 }
 
 /// Rows of located events: at most one crossing for each mode, and a threshold.
@@ -87,19 +98,45 @@ static const field_plan fields[FIELD_COUNT] = {
     [TWIST] = {WHIRL_FIELD_MODES_TWIST, "1",
                "cos, sin (twist, relative: the largest amplitude is 1; missing where the mode twists no station)",
                WHIRL_PER_STATION, 2, modes_that_twist},
+    [AXIAL_SHARE] = {WHIRL_FIELD_MODES_AXIAL_SHARE, "1",
+                     "share of axial displacements in the kinetic energy, masses lumped: 1 for an axial mode",
+                     WHIRL_PER_POINT, 1, modes_along_axis},
+    [AXIAL] = {WHIRL_FIELD_MODES_AXIAL, "1",
+               "cos, sin (axial displacement, relative: the largest amplitude is 1; missing where the mode moves no "
+               "station along its shaft)",
+               WHIRL_PER_STATION, 2, modes_along_axis},
+    [AXIAL_REST] = {WHIRL_FIELD_MODES_AXIAL_REST, "m",
+                    "axial displacement at rest, in the direction of growing positions", WHIRL_PER_STATION, 1,
+                    rests_along_axis},
 };
 
-/// Largest share of twists in the kinetic energy of a mode which counts as rounding.
-static const double untwisted = 1e-18;
+/// Largest share of twists or axial displacements in the kinetic energy of a mode which counts as rounding.
+static const double unmoved = 1e-18;
 
-/// Fills in the twists of a mode, at the instant at which the largest of them peaks.
-static void fill_twist(const whirl_system *system, const double *v, size_t row, const block_view *view) {
+/// Fills in the twists or the axial displacements of a mode, which `fill` computes (whirl_system.twist), at the instant
+/// at which the largest of them peaks. share: theirs in the kinetic energy.
+static void fill_line(const whirl_system *system, double (*fill)(const void *model, const double *v, double *shape),
+                      double share, const double *v, size_t field, size_t row, const block_view *view) {
     double shape[2 * WHIRL_MAX_PROBES];
     shape_peak peak = {0.0, 1.0, 0.0};
-    system->twist(system->model, v, shape);
+    if (!view_numbers(view, field, 0) || !(share > unmoved)) return;
+    fill(system->model, v, shape);
     for (size_t p = 0; p < system->probe_count; p++) shape_peak_note(&peak, shape + 2 * p);
     for (size_t p = 0; p < system->probe_count && peak.size > 0.0; p++)
-        shape_peak_write(&peak, shape + 2 * p, view_numbers(view, TWIST, p) + 2 * row);
+        shape_peak_write(&peak, shape + 2 * p, view_numbers(view, field, p) + 2 * row);
+}
+
+/// Fills in the axial displacements at rest, m. rest [dimension].
+static whirl_status fill_axial_rest(const whirl_system *system, const double *rest, const block_view *view) {
+    double shape[2 * WHIRL_MAX_PROBES];
+    if (!view_numbers(view, AXIAL_REST, 0)) return whirl_ok();
+    double *v = calloc(2 * system->dimension, sizeof *v);
+    if (!v) return whirl_fail(WHIRL_NO_MEMORY, "no memory for axial displacements");
+    for (size_t i = 0; i < system->dimension; i++) v[2 * i] = rest[i];
+    system->axial(system->model, v, shape);
+    for (size_t p = 0; p < system->probe_count; p++) *view_numbers(view, AXIAL_REST, p) = shape[2 * p];
+    free(v);
+    return whirl_ok();
 }
 
 static void fill_modes(const whirl_resting *point, const whirl_modes *modes, size_t most, const block_view *view) {
@@ -115,6 +152,7 @@ static void fill_modes(const whirl_resting *point, const whirl_modes *modes, siz
         view_numbers(view, DECREMENT, 0)[i] = 6.283185307179586476925 * (0.0 - mode->real) / mode->imaginary;
         view_numbers(view, DIRECTION, 0)[i] = mode->direction;
         if (view_numbers(view, TORSION, 0)) view_numbers(view, TORSION, 0)[i] = mode->torsion;
+        if (view_numbers(view, AXIAL_SHARE, 0)) view_numbers(view, AXIAL_SHARE, 0)[i] = mode->axial;
         if (point->before) view_numbers(view, BEFORE, 0)[i] = point->before[i] <= most ? (double)point->before[i] : 0.0;
     }
     for (size_t i = 0; i < modes->real_count && i < most; i++)
@@ -151,7 +189,9 @@ static whirl_status modes_compute(const whirl_resting *point, const whirl_record
     }
     // The sensitivity of control loops.
     whirl_sensitivity_peak sensitivity;
-    const whirl_status status = whirl_loops_peak(point->system, modes, &sensitivity);
+    whirl_status status = fill_axial_rest(point->system, modes->rest, view);
+    if (status.code != WHIRL_OK) return status;
+    status = whirl_loops_peak(point->system, modes, &sensitivity);
     *view_numbers(view, SENSITIVITY, 0) = sensitivity.peak;
     *view_numbers(view, SENSITIVITY_FREQUENCY, 0) = point->clock * sensitivity.frequency;
     // Modes, their shapes, and critical speeds.
@@ -159,8 +199,8 @@ static whirl_status modes_compute(const whirl_resting *point, const whirl_record
     for (size_t i = 0; i < modes->count && i < most; i++) {
         const double *shape = modes->vectors + 2 * i * modes->dimension;
         fill_shape(point->system, shape, i, SHAPE, view);
-        if (view_numbers(view, TWIST, 0) && modes->modes[i].torsion > untwisted)
-            fill_twist(point->system, shape, i, view);
+        fill_line(point->system, point->system->twist, modes->modes[i].torsion, shape, TWIST, i, view);
+        fill_line(point->system, point->system->axial, modes->modes[i].axial, shape, AXIAL, i, view);
     }
     fill_critical(point, most + 1, view);
     return status;

@@ -107,7 +107,8 @@ static whirl_status torsion_fill_modes(const whirl_resting *point, const whirl_r
     size_t row = 0;
     for (size_t i = 0; i < modes->count && row < (size_t)options->modes; i++) {
         const whirl_mode *mode = &modes->modes[i];
-        if (!(mode->torsion > 0.5) || whirl_mode_is_overdamped(mode)) continue;
+        if (whirl_mode_kind_of(mode->torsion, mode->axial) != WHIRL_TORSIONAL_MODE || whirl_mode_is_overdamped(mode))
+            continue;
         view_numbers(view, NATURAL, 0)[row] = point->clock * mode->imaginary;
         view_numbers(view, DAMPING_RATIO, 0)[row++] = -mode->real / hypot(mode->real, mode->imaginary);
     }

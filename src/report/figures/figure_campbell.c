@@ -17,14 +17,15 @@
 
 enum { MAX_CRITICAL = 256 };
 
-/// Names, colours and marks of modes: forward, backward, to and fro; torsional.
+/// Names, colours and marks of modes: forward, backward, to and fro; torsional; axial.
 static const struct {
     const char *name, *colour;
     whirl_mark mark;
 } directions[] = {{"forward", "#0072B2", WHIRL_UP},
                   {"backward", "#D55E00", WHIRL_DOWN},
                   {"", "#606060", WHIRL_SQUARE},
-                  {"torsional", "#009E73", WHIRL_DIAMOND}};
+                  {"torsional", "#009E73", WHIRL_DIAMOND},
+                  {"axial", "#CC79A7", WHIRL_FRAME}};
 
 typedef struct view {
     const drawing *of;
@@ -105,7 +106,12 @@ static void add_modes(whirl_figure *figure, whirl_panel *panel, const view *v, c
             const double *direction = whirl_table_field(v->table, point, WHIRL_FIELD_MODES_DIRECTION, 0);
             for (size_t i = 0; frequency && i < modes_of(v) && isfinite(frequency[i]); i++) {
                 const int way = units_way(direction[i]);
-                const size_t own = mode_is_torsional(v->table, point, i) ? 3 : way > 0 ? 0 : way < 0 ? 1 : 2;
+                const whirl_mode_kind kind = mode_kind(v->table, point, i);
+                const size_t own = kind == WHIRL_TORSIONAL_MODE ? 3
+                                   : kind == WHIRL_AXIAL_MODE   ? 4
+                                   : way > 0                    ? 0
+                                   : way < 0                    ? 1
+                                                                : 2;
                 if (mode_is_overdamped(v->table, point, i)) break; // overdamped modes are the last
                 if (own != d || height_of(v, WHIRL_FIELD_MODES_FREQUENCY, point, i) > v->top) continue;
                 const double x = v->table->values[point] / v->size, y = height_of(v, field, point, i);
@@ -306,7 +312,7 @@ static void add_critical(whirl_figure *figure, whirl_panel *panel, const view *v
         const double x = rows[i][1] / v->size, frequency = rows[i][3] / v->unit.size;
         char text[32];
         snprintf(text, sizeof text, "%.5g", x);
-        if (rows[i][0] > 1.0 && rows[i][0] != WHIRL_TORSIONAL_SPEED && (!damping || frequency <= v->top))
+        if ((rows[i][0] == WHIRL_ONSET || rows[i][0] == WHIRL_RECOVERY) && (!damping || frequency <= v->top))
             series_add(figure, crosses, x, damping ? rows[i][4] : frequency);
         if (damping || frequency > v->top) continue;
         if (rows[i][0] == WHIRL_CRITICAL_SPEED) series_add(figure, rings, x, frequency);
@@ -378,7 +384,7 @@ static void campbell_describe(const drawing *of, const figure_place *place, whir
         "Campbell diagram: damped natural frequencies over %s; blue, pointing up: the whirl goes with the rotation, "
         "orange, pointing down: against it, grey squares: to and fro; dashed: the speed of the shaft; circles: "
         "critical speeds; crosses: thresholds of stability. Below: damping ratios of the same modes, without "
-        "large ones, negative where a mode grows.%s%s",
+        "large ones, negative where a mode grows.%s%s%s",
         v.table->parameter,
         v.lines.count > 0
             ? " Names count modes that go forward (F), backward (B) or to and fro (M) at the last value, by rising "
@@ -387,7 +393,8 @@ static void campbell_describe(const drawing *of, const figure_place *place, whir
         torsion
             ? " Green diamonds, T: torsional modes; dashed grey lines: orders of the speed and the frequency of the "
               "line, which excite them."
-            : "");
+            : "",
+        table_has(v.table, WHIRL_FIELD_MODES_AXIAL_SHARE) ? " Open purple squares, A: axial modes." : "");
     mode_lines_free(&v.lines);
 }
 

@@ -27,25 +27,32 @@ static void add_mode(whirl_figure *figure, const drawing *of, const whirl_table 
     snprintf(name, sizeof name, "mode-%zu", mode + 1);
     whirl_panel *panel = figure_panel(figure, name, 0.5, 2.1);
     if (!panel) return;
-    const bool torsional = mode_is_torsional(table, point, mode);
+    const whirl_mode_kind kind = mode_kind(table, point, mode);
+    const bool lateral = kind == WHIRL_LATERAL_MODE, torsional = kind == WHIRL_TORSIONAL_MODE;
     snprintf(panel->title, sizeof panel->title, "%zu: %.5g %.40s%s", mode + 1, frequency / unit.size, unit.name,
-             torsional ? ", torsional" : ways[units_way(direction) + 1]);
+             lateral     ? ways[units_way(direction) + 1]
+             : torsional ? ", torsional"
+                         : ", axial");
     // Compute the shape between stations, where the shaft is known, and draw the machine behind it.
-    const bool bent = moved && !torsional && bends_mode(bends, mode, moved);
+    const bool bent = moved && lateral && bends_mode(bends, mode, moved);
     double most = 1.0;
     for (size_t i = 0; bent && i < 4 * bends_line(bends)->count; i++) most = fmax(most, fabs(moved[i]));
     axis_show(&panel->y, (span){-1.1 * most, 1.1 * most});
     along_machine(figure, panel, places, most);
     along_axis(figure, panel, of, places);
     if (!lowest) *panel->x.label = '\0';
-    // Draw real and imaginary parts along x and y; for a torsional mode those of the twist.
-    for (size_t column = 0; column < (torsional ? 2 : 4); column++) {
+    // Draw real and imaginary parts along x and y; for a torsional or axial mode those of the twist or of the axial
+    // displacement.
+    const char *field = lateral     ? WHIRL_FIELD_MODES_SHAPE
+                        : torsional ? WHIRL_FIELD_MODES_TWIST
+                                    : WHIRL_FIELD_MODES_AXIAL;
+    const size_t columns = lateral ? 4 : 2;
+    for (size_t column = 0; column < columns; column++) {
         double values[WHIRL_MAX_PROBES];
         for (size_t s = 0; s < of->result->station_count; s++)
-            values[s] = torsional ? whirl_table_field(table, point, WHIRL_FIELD_MODES_TWIST, s)[2 * mode + column]
-                                  : whirl_table_field(table, point, WHIRL_FIELD_MODES_SHAPE, s)[4 * mode + column];
+            values[s] = whirl_table_field(table, point, field, s)[columns * mode + column];
         along_shape(figure, panel,
-                    &(along_curve){of, places, bent ? bends : NULL, moved, 4, torsional ? 4 + column : column}, values);
+                    &(along_curve){of, places, bent ? bends : NULL, moved, 4, lateral ? column : 4 + column}, values);
     }
 }
 
@@ -84,13 +91,14 @@ static void shapes_describe(const drawing *of, const figure_place *place, whirl_
     units_point_label(of->units, table, table->count - 1, label, sizeof label);
     snprintf(
         figure->caption, sizeof figure->caption,
-        "Shapes of the %zu lowest modes at %s, over %s: blue x, orange y%s; full lines at the instant at which the "
+        "Shapes of the %zu lowest modes at %s, over %s: blue x, orange y%s%s; full lines at the instant at which the "
         "largest displacement peaks, dashed lines a quarter of a period later; marks at stations.%s",
         count, label,
         !places.shafts     ? "the stations"
         : places.aside > 0 ? "the place of the stations along the shaft, and those on no shaft"
                            : "the place of the stations along the shaft",
         table_has(table, WHIRL_FIELD_MODES_TWIST) ? ", purple the twist of torsional modes" : "",
+        table_has(table, WHIRL_FIELD_MODES_AXIAL) ? ", purple the axial displacement of axial modes" : "",
         along_caption(&places));
     layout_free(places.layout);
 }

@@ -12,7 +12,7 @@
 typedef struct line_end {
     size_t line, point;
     double frequency;
-    int way;   ///< units_way; 2: torsional
+    int way;   ///< units_way of a lateral mode; 2: torsional; 3: axial
     bool seen; ///< the line has an oscillating mode at some point
 } line_end;
 
@@ -29,6 +29,12 @@ static int by_end(const void *a, const void *b) {
 static bool follows(const whirl_table *table, size_t point) {
     return point > 0 && whirl_table_done(table, point - 1) &&
            whirl_table_slot(table, point) == whirl_table_slot(table, point - 1) + 1;
+}
+
+/// Returns units_way of a lateral mode; 2 for a torsional, 3 for an axial one.
+static int mode_way(const whirl_table *table, size_t point, size_t mode, double direction) {
+    const whirl_mode_kind kind = mode_kind(table, point, mode);
+    return kind == WHIRL_TORSIONAL_MODE ? 2 : kind == WHIRL_AXIAL_MODE ? 3 : units_way(direction);
 }
 
 /// Assigns every mode of every point to a line, and finds the ends of the lines, ends [points x modes]. Modes whose
@@ -54,16 +60,15 @@ static void mode_lines_follow(const whirl_table *table, mode_lines *out, line_en
                 ends[own[i]].line = own[i];
             }
             if (!mode_is_overdamped(table, point, i))
-                ends[own[i]] = (line_end){own[i], point, frequency[i],
-                                          mode_is_torsional(table, point, i) ? 2 : units_way(direction[i]), true};
+                ends[own[i]] = (line_end){own[i], point, frequency[i], mode_way(table, point, i, direction[i]), true};
         }
     }
 }
 
 /// Names the lines with an oscillating mode, and removes all other lines and overdamped modes.
 static void name_lines(const whirl_table *table, mode_lines *out, line_end *ends) {
-    static const char letters[] = {'B', 'M', 'F', 'T'};
-    unsigned counts[4] = {0, 0, 0, 0};
+    static const char letters[] = {'B', 'M', 'F', 'T', 'A'};
+    unsigned counts[sizeof letters] = {0};
     size_t seen = 0;
     for (size_t line = 0; line < out->count; line++) ends[line].line = ends[line].seen ? seen++ : SIZE_MAX;
     for (size_t i = 0; i < table->count * out->modes; i++)
@@ -76,9 +81,10 @@ static void name_lines(const whirl_table *table, mode_lines *out, line_end *ends
         snprintf(out->names[ends[i].line], MODE_NAME, "%u%c", ++counts[ends[i].way + 1], letters[ends[i].way + 1]);
 }
 
-bool mode_is_torsional(const whirl_table *table, size_t point, size_t mode) {
+whirl_mode_kind mode_kind(const whirl_table *table, size_t point, size_t mode) {
     const double *torsion = whirl_table_field(table, point, WHIRL_FIELD_MODES_TORSION, 0);
-    return torsion && torsion[mode] > 0.5;
+    const double *axial = whirl_table_field(table, point, WHIRL_FIELD_MODES_AXIAL_SHARE, 0);
+    return whirl_mode_kind_of(torsion ? torsion[mode] : 0.0, axial ? axial[mode] : 0.0);
 }
 
 bool mode_is_overdamped(const whirl_table *table, size_t point, size_t mode) {

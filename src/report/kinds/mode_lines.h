@@ -5,8 +5,8 @@
 #include "whirl/engine/result.h"
 
 /// Bytes of a line's name. "2F" is the second forward line, counted by frequency at the last point of lines; B:
-/// backward, M: to and fro (mixed), T: torsional. Lines that reach the last point of the table count first. Overdamped
-/// modes are on no line.
+/// backward, M: to and fro (mixed), T: torsional, A: axial. Lines that reach the last point of the table count first.
+/// Overdamped modes are on no line.
 enum { MODE_NAME = 24 };
 
 typedef struct mode_lines {

@@ -3,6 +3,7 @@
 #define REPORT_SHOWN_KINDS_H
 
 #include "findings_build.h"
+#include "whirl/engine/linear.h"
 #include "whirl/engine/result.h"
 #include "whirl/engine/spread.h"
 #include "whirl/internal/model.h"
@@ -78,7 +79,7 @@ const char *fit_determined(const double *row);
 /// Writes the name of a measured quantity by its row of the field fit/number: "disc x", "disc 45 deg 2X".
 void fit_name_probe(const whirl_result *result, const double *row, char *name, size_t size);
 
-/// Adds the findings on torsional modes in a table of modes: their excitations, separations and shapes.
+/// Adds the findings on torsional modes in a table of modes: their excitations and separations.
 void find_torsion(const finder *of);
 
 /// An excitation of torsion: `order` times the speed of the shaft or, with `line`, times the frequency of the electric
@@ -105,8 +106,8 @@ void twists_name_excitation(const whirl_table *table, size_t index, char *name, 
 /// Chooses the torques of a response with the largest sums, at most `most`, the largest first; returns their number.
 size_t twists_choose(const whirl_table *table, size_t most, size_t *chosen);
 
-/// Returns true for a mode with more than half of its kinetic energy in twists.
-bool mode_is_torsional(const whirl_table *table, size_t point, size_t mode);
+/// Returns the kind of a mode at a point.
+whirl_mode_kind mode_kind(const whirl_table *table, size_t point, size_t mode);
 
 /// Returns true for a mode with a damping ratio above WHIRL_OVERDAMPED_RATIO.
 bool mode_is_overdamped(const whirl_table *table, size_t point, size_t mode);

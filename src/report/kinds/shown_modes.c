@@ -1,4 +1,5 @@
-// Findings on modes: critical speeds, stability thresholds, and the lowest modes at both ends of the parameter.
+// Findings on modes: critical speeds, stability thresholds, the lowest modes at both ends of the parameter, shapes of
+// torsional and axial modes, and axial displacements at rest.
 #include <math.h>
 
 #include "mode_lines.h"
@@ -18,14 +19,15 @@ static void mode_columns(const finder *of, whirl_sheet *sheet) {
 
 /// Writes the cells of a mode in these columns; a damping ratio as small as rounding becomes 0.
 static void mode_cells(const finder *of, whirl_sheet *sheet, double frequency, double damping, double direction,
-                       bool torsional) {
+                       whirl_mode_kind kind) {
     static const char *const ways[] = {"backward", "to and fro", "forward"};
+    static const char *const kinds[] = {[WHIRL_TORSIONAL_MODE] = "torsional", [WHIRL_AXIAL_MODE] = "axial"};
     const double rounding = 1e-10, ratio = fabs(damping) < rounding ? 0.0 : damping;
     cell_number(of, sheet, frequency);
     cell_number(of, sheet, frequency);
     cell_number(of, sheet, ratio);
     cell_number(of, sheet, fabs(ratio) < 1.0 ? two_pi * ratio / sqrt(1.0 - ratio * ratio) : (double)NAN);
-    cell_text(of, sheet, torsional ? "torsional" : ways[units_way(direction) + 1]);
+    cell_text(of, sheet, kind == WHIRL_LATERAL_MODE ? ways[units_way(direction) + 1] : kinds[kind]);
 }
 
 int shown_modes_growing(const whirl_table *table, size_t point) {
@@ -128,8 +130,12 @@ static bool is_modulated(const finder *of) {
 
 /// Adds the sheet of critical speeds and thresholds of stability along the parameter, and a statement of them.
 static void find_critical(const finder *of) {
-    static const char *const names[] = {"", "critical speed", "instability begins", "instability ends",
-                                        "torsional frequency at the speed"};
+    static const char *const names[] = {"",
+                                        "critical speed",
+                                        "instability begins",
+                                        "instability ends",
+                                        "torsional frequency at the speed",
+                                        "axial frequency at the speed"};
     const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_CRITICAL);
     const bool speeds =
         units_of_speed(of->table, WHIRL_FIELD_MODES_SPEED); // the parameter is the speed: no column of speeds
@@ -144,15 +150,17 @@ static void find_critical(const finder *of) {
     for (size_t point = 0; field && point < of->table->count; point++) {
         const double *row = whirl_table_field(of->table, point, WHIRL_FIELD_MODES_CRITICAL, 0);
         for (size_t i = 0; row && whirl_table_done(of->table, point) && i < field->rows; i++, row += field->columns) {
-            if (!(row[0] >= WHIRL_CRITICAL_SPEED && row[0] <= WHIRL_TORSIONAL_SPEED)) continue;
-            const bool torsional = row[0] == WHIRL_TORSIONAL_SPEED;
+            if (!(row[0] >= WHIRL_CRITICAL_SPEED && row[0] <= WHIRL_AXIAL_SPEED)) continue;
+            const whirl_mode_kind kind = row[0] == WHIRL_TORSIONAL_SPEED ? WHIRL_TORSIONAL_MODE
+                                         : row[0] == WHIRL_AXIAL_SPEED   ? WHIRL_AXIAL_MODE
+                                                                         : WHIRL_LATERAL_MODE;
             changes += row[0] == WHIRL_ONSET || row[0] == WHIRL_RECOVERY;
-            if (!torsional && located++ < MAX_LOCATED) phrase_change(of, &found, row);
+            if (kind == WHIRL_LATERAL_MODE && located++ < MAX_LOCATED) phrase_change(of, &found, row);
             sheet_row(of, sheet);
             cell_text(of, sheet, names[(int)row[0]]);
             cell_number(of, sheet, row[1]);
             if (!speeds) cell_number(of, sheet, row[2]);
-            mode_cells(of, sheet, row[3], row[4], row[5], torsional);
+            mode_cells(of, sheet, row[3], row[4], row[5], kind);
         }
     }
     find_sheet_end(of);
@@ -191,11 +199,68 @@ static void find_lowest(const finder *of, const size_t *ends, size_t count) {
             cell_value(of, sheet, *point);
             cell_number(of, sheet, (double)i + 1.0);
             cell_text(of, sheet, find_text(of->findings, "%s", mode_lines_name(&lines, *point, i)));
-            mode_cells(of, sheet, frequency[i], ratios[i], direction[i], mode_is_torsional(of->table, *point, i));
+            mode_cells(of, sheet, frequency[i], ratios[i], direction[i], mode_kind(of->table, *point, i));
         }
     }
     find_sheet_end(of);
     mode_lines_free(&lines);
+}
+
+/// Adds the sheet of the shapes of torsional or axial modes at a point, by their field of twists or axial
+/// displacements.
+static void find_shapes(const finder *of, size_t point, whirl_mode_kind kind, const char *field) {
+    const bool torsional = kind == WHIRL_TORSIONAL_MODE;
+    const whirl_field *shape = whirl_layout_field(&of->table->layout, field);
+    mode_lines lines;
+    if (!shape || shape->rows == 0) return;
+    if (!mode_lines_of(of->table, &lines)) lines = (mode_lines){.line = NULL};
+    whirl_sheet *sheet =
+        torsional ? find_sheet(of, "twists", "Shapes of torsional modes: twists of the stations")
+                  : find_sheet(of, "axial_shapes", "Shapes of axial modes: axial displacements of the stations");
+    sheet_texts(of, sheet, "name", "mode");
+    sheet_column(of, sheet, "frequency", "frequency", WHIRL_QUANTITY_FREQUENCY, 5);
+    sheet_texts(of, sheet, "station", "station");
+    if (torsional)
+        sheet_column(of, sheet, "twist", "twist", WHIRL_QUANTITY_NUMBER, 4);
+    else
+        sheet_column(of, sheet, "axial", "axial displacement", WHIRL_QUANTITY_NUMBER, 4);
+    for (size_t i = 0; i < shape->rows; i++) {
+        const double frequency = whirl_table_field(of->table, point, WHIRL_FIELD_MODES_FREQUENCY, 0)[i];
+        if (!isfinite(frequency) || mode_kind(of->table, point, i) != kind) continue;
+        for (size_t s = 0; s < of->result->station_count; s++) {
+            const double *moved = whirl_table_field(of->table, point, field, s) + 2 * i;
+            sheet_row(of, sheet);
+            cell_text(of, sheet, find_text(of->findings, "%s", mode_lines_name(&lines, point, i)));
+            cell_number(of, sheet, frequency);
+            cell_station(of, sheet, s);
+            cell_number(of, sheet, copysign(hypot(moved[0], moved[1]), moved[0]));
+        }
+    }
+    find_sheet_end(of);
+    mode_lines_free(&lines);
+}
+
+/// Displacements at rest that are rounding, m.
+static const double axial_rounding = 1e-15;
+
+/// Adds the sheet of axial displacements at rest, at the first and the last value.
+static void find_axial_rest(const finder *of, const size_t *ends, size_t count) {
+    if (!whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_AXIAL_REST)) return;
+    whirl_sheet *sheet = find_sheet(of, "axial_rest", "Axial displacements at rest");
+    sheet->about = "Positive in the direction in which positions grow.";
+    sheet_values(of, sheet, "", 6);
+    sheet_texts(of, sheet, "station", "station");
+    sheet_column(of, sheet, "axial", "axial displacement", WHIRL_QUANTITY_LENGTH, 5);
+    for (const size_t *point = ends; point < ends + count; point++)
+        for (size_t s = 0; s < of->result->station_count; s++) {
+            const double *rest = whirl_table_field(of->table, *point, WHIRL_FIELD_MODES_AXIAL_REST, s);
+            if (!rest) continue;
+            sheet_row(of, sheet);
+            cell_value(of, sheet, *point);
+            cell_station(of, sheet, s);
+            cell_number(of, sheet, fabs(*rest) < axial_rounding ? 0.0 : *rest);
+        }
+    find_sheet_end(of);
 }
 
 static void modes_find(const finder *of) {
@@ -209,6 +274,10 @@ static void modes_find(const finder *of) {
     }
     find_lowest(of, ends, count);
     find_torsion(of);
+    if (count == 0) return;
+    find_shapes(of, ends[count - 1], WHIRL_TORSIONAL_MODE, WHIRL_FIELD_MODES_TWIST);
+    find_shapes(of, ends[count - 1], WHIRL_AXIAL_MODE, WHIRL_FIELD_MODES_AXIAL);
+    find_axial_rest(of, ends, count);
 }
 
 const shown_kind shown_modes = {.field = WHIRL_FIELD_MODES_FREQUENCY,

@@ -1,5 +1,5 @@
-// Findings on torsional modes: where excitations meet them, their separation from running speeds (after API 617, part
-// 1, and API 684: the user has to check which edition applies), and their shapes.
+// Findings on torsional modes: where excitations meet them, and their separation from running speeds (after API 617,
+// part 1, and API 684: the user has to check which edition applies).
 #include <math.h>
 
 #include "margins.h"
@@ -72,7 +72,8 @@ static bool torsion_separate(const whirl_table *table, const mode_lines *lines, 
 /// Returns true if any point of a line is a torsional mode.
 static bool torsion_of_line(const whirl_table *table, const mode_lines *lines, size_t line) {
     for (size_t i = 0; i < table->count * lines->modes; i++)
-        if (lines->line[i] == line && mode_is_torsional(table, i / lines->modes, i % lines->modes)) return true;
+        if (lines->line[i] == line && mode_kind(table, i / lines->modes, i % lines->modes) == WHIRL_TORSIONAL_MODE)
+            return true;
     return false;
 }
 
@@ -169,29 +170,6 @@ static void torsion_justify(const finder *of) {
     }
 }
 
-/// Adds the sheet of the twists of the stations in the torsional modes at the last point.
-static void torsion_shapes(const finder *of, const mode_lines *lines, size_t point) {
-    const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_TORSION);
-    whirl_sheet *sheet = find_sheet(of, "twists", "Shapes of torsional modes: twists of the stations");
-    sheet_texts(of, sheet, "name", "mode");
-    sheet_column(of, sheet, "frequency", "frequency", WHIRL_QUANTITY_FREQUENCY, 5);
-    sheet_texts(of, sheet, "station", "station");
-    sheet_column(of, sheet, "twist", "twist", WHIRL_QUANTITY_NUMBER, 4);
-    for (size_t i = 0; i < field->rows; i++) {
-        const double frequency = whirl_table_field(of->table, point, WHIRL_FIELD_MODES_FREQUENCY, 0)[i];
-        if (!isfinite(frequency) || !mode_is_torsional(of->table, point, i)) continue;
-        for (size_t s = 0; s < of->result->station_count; s++) {
-            const double *twist = whirl_table_field(of->table, point, WHIRL_FIELD_MODES_TWIST, s) + 2 * i;
-            sheet_row(of, sheet);
-            cell_text(of, sheet, find_text(of->findings, "%s", mode_lines_name(lines, point, i)));
-            cell_number(of, sheet, frequency);
-            cell_station(of, sheet, s);
-            cell_number(of, sheet, copysign(hypot(twist[0], twist[1]), twist[0]));
-        }
-    }
-    find_sheet_end(of);
-}
-
 void find_torsion(const finder *of) {
     size_t ends[2];
     const size_t done = find_ends(of->table, ends);
@@ -203,6 +181,5 @@ void find_torsion(const finder *of) {
         torsion_judge(of, &lines, &least);
         if (least.had < asked_separation) torsion_justify(of);
     }
-    torsion_shapes(of, &lines, ends[done - 1]);
     mode_lines_free(&lines);
 }

@@ -13,6 +13,7 @@ void mesh_inertia(const mesh *from, assembly *to) {
         at->ratio = from->shafts[at->shaft].ratio;
         at->hidden = !at->name;
         at->twists = at->twists || from->shafts[at->shaft].twists;
+        at->axial = at->axial || from->shafts[at->shaft].axial;
     }
     // Add the inertia of pieces at both ends.
     for (size_t i = 0; i < from->piece_count; i++) {
@@ -21,11 +22,15 @@ void mesh_inertia(const mesh *from, assembly *to) {
         const bool lumped = from->shafts[from->pieces[i].shaft].lumped;
         for (size_t end = 0; end < 2; end++) {
             assembly_station *at = &to->stations[from->nodes[from->pieces[i].node[end]].station];
-            at->mass += lumped ? matrices.lumped_mass[end] : matrices.weight[2 * end];
+            const double mass = lumped ? matrices.lumped_mass[end] : matrices.weight[2 * end];
+            at->mass += mass;
             at->diametral += matrices.lumped_diametral[end];
             at->pull_moment += lumped ? 0.0 : matrices.weight[2 * end + 1];
             if (from->shafts[from->pieces[i].shaft].twists)
-                at->shaft_polar += matrices.twist_inertia[2 * end] + matrices.twist_inertia[1];
+                at->shaft_polar += matrices.twist.inertia[2 * end] + matrices.twist.inertia[1];
+            if (!from->shafts[from->pieces[i].shaft].axial) continue;
+            at->shaft_mass += mass;
+            at->shaft_axial += matrices.stretch.inertia[2 * end] + matrices.stretch.inertia[1];
         }
     }
 }
@@ -124,23 +129,30 @@ static void add_mass(const laying *l, const piece_matrices *matrices) {
     if (l->shaft->gyroscopic) add_across(l, BODY_VELOCITY, RATE_GYRO, l->shaft->ratio, &polar);
 }
 
-/// Adds stiffness, damping and the coupling part of the inertia against twist. The damping proportional to the inertia
-/// acts between both ends and the ground and, where the inertia couples the ends, between them.
-static void add_twist(const mesh_piece *own, const piece_matrices *matrices, const mesh *from, assembly *to) {
-    const double stiffness = matrices->twist_stiffness, coupled = matrices->twist_inertia[1];
+/// Adds stiffness, damping and the coupling part of the inertia against twist or along the axis. The damping
+/// proportional to the inertia acts between both ends and the ground and, where the inertia couples the ends, between
+/// them. modulus: as in joining.
+static void add_line(const mesh_piece *own, axis along, const line_matrices *matrices, double modulus, const mesh *from,
+                     assembly *to) {
+    const double stiffness = matrices->stiffness, coupled = matrices->inertia[1];
     const shaft_settings *shaft = &own->settings;
-    const double *outer = own->piece.outer, *inner = own->piece.inner;
     const joining between = {.stiffness = stiffness,
-                             .modulus = fmin(joining_modulus(outer[0], inner[0]), joining_modulus(outer[1], inner[1])),
+                             .modulus = modulus,
                              .damping = (shaft->beta + shaft->viscous) * stiffness - shaft->alpha * coupled,
                              .inertance = shaft->lumped ? 0.0 : 0.0 - coupled};
     size_t station[2];
     for (size_t end = 0; end < 2; end++) {
-        const joining to_ground = {.damping = shaft->alpha * (matrices->twist_inertia[2 * end] + coupled)};
+        const joining to_ground = {.damping = shaft->alpha * (matrices->inertia[2 * end] + coupled)};
         station[end] = from->nodes[own->node[end]].station;
-        assembly_twist(to, station[end], NO_STATION, &to_ground);
+        assembly_link(to, along, station[end], NO_STATION, &to_ground);
     }
-    assembly_twist(to, station[0], station[1], &between);
+    assembly_link(to, along, station[0], station[1], &between);
+}
+
+/// Returns the section modulus of the weaker end of a piece, m3 (twist_link).
+static double weakest_modulus(const shaft_piece *piece) {
+    const double *outer = piece->outer, *inner = piece->inner;
+    return fmin(joining_modulus(outer[0], inner[0]), joining_modulus(outer[1], inner[1]));
 }
 
 void mesh_build(const mesh *from, assembly *to) {
@@ -158,6 +170,8 @@ void mesh_build(const mesh *from, assembly *to) {
         piece_fill(&own->piece, &matrices);
         add_stiffness(&l, own, &matrices);
         add_mass(&l, &matrices);
-        if (from->shafts[own->shaft].twists) add_twist(own, &matrices, from, to);
+        if (from->shafts[own->shaft].twists)
+            add_line(own, AXIS_TWIST, &matrices.twist, weakest_modulus(&own->piece), from, to);
+        if (from->shafts[own->shaft].axial) add_line(own, AXIS_AXIAL, &matrices.stretch, 0.0, from, to);
     }
 }

@@ -427,6 +427,7 @@ static size_t renamed(const reducing *r, size_t coordinate) {
 
 static void rename_all(reducing *r, element *elements, size_t count) {
     if (r->of->twist_count > 0) r->of->first_twist = renamed(r, r->of->first_twist);
+    if (r->of->axial_count > 0) r->of->first_axial = renamed(r, r->of->first_axial);
     for (size_t s = 0; s < r->of->station_count; s++)
         for (axis along = AXIS_X; along < AXES; along++)
             r->of->stations[s].coordinate[along] = renamed(r, r->of->stations[s].coordinate[along]);

@@ -37,6 +37,10 @@ static const whirl_key shaft_keys[SHAFT_KEYS] = {
                                      "yes: the shaft twists, with all of its stations and nodes (torsion); no: it is "
                                      "rigid against torsion",
                                      "Friswell et al. 2010, sec. 9.7"),
+    [SHAFT_AXIAL] = CITED_CHOICE_KEY("axial", DEFAULT("no"), "no|yes",
+                                     "yes: the shaft stretches, and moves along its axis with all of its stations and "
+                                     "nodes; no: nothing of it moves along its axis",
+                                     "Rao 2007, sec. 9.3"),
     [SHAFT_MASS_DAMPING] = NUMBER_KEY("mass_damping", "alpha", "1/s", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                                       "proportional damping: C = alpha M + beta K of the shaft"),
     [SHAFT_STIFFNESS_DAMPING] = NUMBER_KEY("stiffness_damping", "beta", "s", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
@@ -92,6 +96,7 @@ whirl_status shaft_settings_from(const key_value *values, shaft_settings *out) {
                             .shear = (shear_law)values[SHAFT_SHEAR].choice,
                             .ratio = values[SHAFT_RATIO].number,
                             .twists = values[SHAFT_TWIST].choice == 1,
+                            .axial = values[SHAFT_AXIAL].choice == 1,
                             .alpha = values[SHAFT_MASS_DAMPING].number,
                             .beta = values[SHAFT_STIFFNESS_DAMPING].number,
                             .viscous = values[SHAFT_VISCOUS].number,

@@ -40,6 +40,13 @@ typedef struct matrix4 {
     double at[4][4];
 } matrix4;
 
+/// The matrices of a piece against twist or along its axis. The stiffness is exact for any taper, as that of bending
+/// is.
+typedef struct line_matrices {
+    double stiffness;  ///< between its ends, N m/rad or N/m
+    double inertia[3]; ///< of left and left, left and right, right and right end, kg m2 or kg
+} line_matrices;
+
 /// The matrices of a piece, SI.
 typedef struct piece_matrices {
     /// Stiffness in the plane of larger and in that of smaller stiffness: across the flats, and along their normal.
@@ -49,9 +56,7 @@ typedef struct piece_matrices {
     matrix4 polar;    ///< gyroscopic moments per rate of rotation
     double weight[4]; ///< force and moment of its weight on the ends, divided by gravity: kg, kg m
     double lumped_mass[2], lumped_diametral[2], lumped_polar[2]; ///< lumped at its ends: kg, kg m2
-    /// Against twist: stiffness between its ends, N m/rad; and inertia of the twists of left and left, left and right,
-    /// right and right end, kg m2. The stiffness is exact for any taper, as that of bending is.
-    double twist_stiffness, twist_inertia[3];
+    line_matrices twist, stretch;
 } piece_matrices;
 
 void piece_fill(const shaft_piece *piece, piece_matrices *out);
@@ -75,6 +80,7 @@ enum {
     SHAFT_GYROSCOPIC,
     SHAFT_RATIO,
     SHAFT_TWIST,
+    SHAFT_AXIAL,
     SHAFT_MASS_DAMPING,
     SHAFT_STIFFNESS_DAMPING,
     SHAFT_VISCOUS,
@@ -119,7 +125,7 @@ typedef struct shaft_settings {
     bool lumped, rotary, gyroscopic;
     shear_law shear;
     double ratio;               ///< ratio of its speed to the rotor's
-    bool twists;                ///< its nodes twist
+    bool twists, axial;         ///< its nodes twist; they move along the shaft
     double alpha, beta;         ///< proportional damping, 1/s and s
     double viscous, hysteretic; ///< internal damping, s and 1
     double mesh_to;             ///< highest frequency that the mesh resolves, Hz; 0: not given

@@ -164,31 +164,38 @@ static void add_slice(const shaft_piece *piece, const moments *m, double z, doub
     }
 }
 
-/// Returns the flexibility against twist of the slice of length `part` at z, rad/(N m), for round sections
-/// (Saint-Venant 1855).
-static double twist_flexibility(const shaft_piece *piece, double z, double part) {
-    const section at = section_at(piece, z / piece->length);
-    return part / (piece->of.shear_modulus * (at.second[0] + at.second[1]));
+/// Returns the polar second moment of a round section, m4, which resists twist (Saint-Venant 1855).
+static double section_polar(const section *at) {
+    return at->second[0] + at->second[1];
 }
 
-/// Adds stiffness and inertia against twist. The twist of a section is the share of the whole flexibility that is to
-/// its left.
-static void add_twist(const shaft_piece *piece, piece_matrices *out) {
+static double section_area(const section *at) {
+    return at->area;
+}
+
+/// Computes the matrices against twist or along the axis, of the modulus times a property of the sections. The
+/// displacement of a section is the share of the whole flexibility that is to its left.
+static void fill_line(const shaft_piece *piece, double modulus, double (*property)(const section *at),
+                      line_matrices *out) {
     double whole = 0.0;
-    for (int i = 0; i < NODES; i++)
-        whole += twist_flexibility(piece, piece->length * node[i], piece->length * weight[i]);
+    for (int i = 0; i < NODES; i++) {
+        const section at = section_at(piece, piece->length * node[i] / piece->length);
+        whole += piece->length * weight[i] / (modulus * property(&at));
+    }
     for (int i = 0; i < NODES; i++) {
         const double z = piece->length * node[i];
         double left = 0.0;
-        for (int k = 0; k < NODES; k++) left += twist_flexibility(piece, z * node[k], z * weight[k]);
+        for (int k = 0; k < NODES; k++) {
+            const section before = section_at(piece, z * node[k] / piece->length);
+            left += z * weight[k] / (modulus * property(&before));
+        }
         const section at = section_at(piece, node[i]);
-        const double second = at.second[0] + at.second[1], turned = left / whole;
-        const double inertia = piece->length * weight[i] * piece->of.density * second;
-        out->twist_inertia[0] += inertia * (1.0 - turned) * (1.0 - turned);
-        out->twist_inertia[1] += inertia * (1.0 - turned) * turned;
-        out->twist_inertia[2] += inertia * turned * turned;
+        const double moved = left / whole, inertia = piece->length * weight[i] * piece->of.density * property(&at);
+        out->inertia[0] += inertia * (1.0 - moved) * (1.0 - moved);
+        out->inertia[1] += inertia * (1.0 - moved) * moved;
+        out->inertia[2] += inertia * moved * moved;
     }
-    out->twist_stiffness = 1.0 / whole;
+    out->stiffness = 1.0 / whole;
 }
 
 void piece_fill(const shaft_piece *piece, piece_matrices *out) {
@@ -200,7 +207,8 @@ void piece_fill(const shaft_piece *piece, piece_matrices *out) {
         add_stiffness(&m[plane], &whole, &out->stiffness[plane]);
     }
     for (int i = 0; i < NODES; i++) add_slice(piece, &m[0], piece->length * node[i], piece->length * weight[i], out);
-    add_twist(piece, out);
+    fill_line(piece, piece->of.shear_modulus, section_polar, &out->twist);
+    fill_line(piece, piece->of.modulus, section_area, &out->stretch);
 }
 
 void piece_shape(const shaft_piece *piece, double at, double moved[4]) {

@@ -178,6 +178,13 @@ static int by_value(const void *a, const void *b) {
     return p->direction < q->direction ? -1 : p->direction > q->direction;
 }
 
+static whirl_critical_kind critical_kind(const whirl_mode *mode) {
+    static const whirl_critical_kind kinds[] = {[WHIRL_LATERAL_MODE] = WHIRL_CRITICAL_SPEED,
+                                                [WHIRL_TORSIONAL_MODE] = WHIRL_TORSIONAL_SPEED,
+                                                [WHIRL_AXIAL_MODE] = WHIRL_AXIAL_SPEED};
+    return kinds[whirl_mode_kind_of(mode->torsion, mode->axial)];
+}
+
 /// Locates critical speeds; overdamped modes have none. *lost: a mode that crosses the speed could not be followed to
 /// the crossing.
 static whirl_status locate_speeds(search *s, const resting_machine *to, const size_t *partner, whirl_critical *found,
@@ -194,7 +201,7 @@ static whirl_status locate_speeds(search *s, const resting_machine *to, const si
             critical_describe(s, to, partner[i]);
         else
             status = critical_close_in(s, from->value, fa, to->value, fb, &good);
-        s->at.kind = from->modes->modes[i].torsion > 0.5 ? WHIRL_TORSIONAL_SPEED : WHIRL_CRITICAL_SPEED;
+        s->at.kind = critical_kind(&from->modes->modes[i]);
         *lost = *lost || !good;
         if (good && status.code == WHIRL_OK && s->at.ratio <= WHIRL_OVERDAMPED_RATIO)
             critical_add(found, most, count, &s->at);

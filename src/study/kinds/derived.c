@@ -198,9 +198,10 @@ static whirl_status derived_machine(const derived_rest *r, double h, derived_oth
 
 /// Returns the row of a mode's number in another machine's block; SIZE_MAX if the mode is lost.
 static size_t derived_row(const whirl_spread_at *at, const resting_machine *to) {
-    static const char *const of_modes[] = {WHIRL_FIELD_MODES_FREQUENCY, WHIRL_FIELD_MODES_NATURAL,
-                                           WHIRL_FIELD_MODES_GROWTH,    WHIRL_FIELD_MODES_DAMPING_RATIO,
-                                           WHIRL_FIELD_MODES_DECREMENT, WHIRL_FIELD_MODES_TORSION};
+    static const char *const of_modes[] = {WHIRL_FIELD_MODES_FREQUENCY,  WHIRL_FIELD_MODES_NATURAL,
+                                           WHIRL_FIELD_MODES_GROWTH,     WHIRL_FIELD_MODES_DAMPING_RATIO,
+                                           WHIRL_FIELD_MODES_DECREMENT,  WHIRL_FIELD_MODES_TORSION,
+                                           WHIRL_FIELD_MODES_AXIAL_SHARE};
     bool follows = false;
     for (size_t i = 0; i < sizeof of_modes / sizeof *of_modes; i++)
         follows = follows || strcmp(at->field->name, of_modes[i]) == 0;

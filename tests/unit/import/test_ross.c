@@ -471,7 +471,8 @@ static void test_notes(void **state) {
     expect_note("m = 30.0", "m = 30.0\ncolor = \"red\"",
                 "Colours and scale factors, which only drawings use, are left out.");
     expect_note("n = 3\nkxx", "n = 3\nkzz = [ 1,]\nkxx",
-                "Axial coefficients (kzz, czz, mzz) are left out, for motions here are lateral: 'Support'.");
+                "Axial coefficients (kzz, czz, mzz) are left out, for imported rotors move across their shafts alone: "
+                "'Support'.");
     expect_note("n = 3\nkxx", "n = 3\nkzz = [ 0,]\nkxx", NULL);
     expect_note("BearingElement_Support\"]", "SealElement_Support\"]\nseal_leakage = 0.1",
                 "The leakage of seals is left out: 'Support'.");
@@ -483,9 +484,9 @@ static void test_notes(void **state) {
     expect_note("m = 30.0", "m = 30.0\nbore = 1\nkeyway = 2\nhub = 3\nrim = 4",
                 "Keys that are not known here are left out: 'bore of DiskElement_Disk 0', 'keyway of DiskElement_Disk "
                 "0', 'hub of DiskElement_Disk 0' and 1 more.");
-    expect_note(
-        "my = 25.0", "my = 25.0\nmz = 7",
-        "Masses along the shaft (mz) that differ from mx are left out, for motions here are lateral: 'Pedestal'.");
+    expect_note("my = 25.0", "my = 25.0\nmz = 7",
+                "Masses along the shaft (mz) that differ from mx are left out, for imported rotors move across their "
+                "shafts alone: 'Pedestal'.");
     expect_note("mxx = [ 0.5,]", "mxx = [ 0.5,]\nmxy = [ 0.1,]\nmyx = [ 0.3,]", SKEW_MASS "'Bearing 1, 0.1 kg'.");
     expect_note("kxx = [ 1e6, 2e6, 3e6,]", "kxx = [ 1e6, 2e6, 3e6,]\nmxx = 9\nmxy = [ 1, 2, 3,]\nmyx = [ -1, 0, -5,]",
                 SKEW_MASS "'Bearing 0, 4 kg'.");

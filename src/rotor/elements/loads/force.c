@@ -1,4 +1,4 @@
-// A harmonic force, moment or torque from outside, at the speed of the shaft or with its own phase.
+// A harmonic force, moment, torque or axial force from outside, at the speed of the shaft or with its own phase.
 #define KERNEL_FILE "elements/loads/harmonic_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 1
@@ -20,8 +20,10 @@ enum {
     AMPLITUDE,
     MOMENT,
     TORQUE,
+    AXIAL,
     STEADY_FORCE,
     STEADY_TORQUE,
+    STEADY_AXIAL,
     LAW,
     ANGLE,
     PHASE,
@@ -44,10 +46,15 @@ static const whirl_key keys[KEY_COUNT] = {
         NUMBER_KEY("torque", "T", "N m", OPTIONAL, WHIRL_ANY,
                    "amplitude of a torque that twists the station, zero to peak, in place of amplitude; along the "
                    "rotation"),
+    [AXIAL] = NUMBER_KEY("axial", "F_a", "N", OPTIONAL, WHIRL_ANY,
+                         "amplitude of a force along the shaft, zero to peak, in place of amplitude; in the direction "
+                         "in which positions grow"),
     [STEADY_FORCE] = NUMBER_KEY("steady_force", "F_0", "N", OPTIONAL, WHIRL_ANY,
                                 "constant force along the angle, alone or with amplitude"),
     [STEADY_TORQUE] = NUMBER_KEY("steady_torque", "T_0", "N m", OPTIONAL, WHIRL_ANY,
                                  "constant torque along the rotation, alone or with torque"),
+    [STEADY_AXIAL] = NUMBER_KEY("steady_axial", "F_a0", "N", OPTIONAL, WHIRL_ANY,
+                                "constant force along the shaft, such as a thrust, alone or with axial"),
     [LAW] = CHOICE_KEY("law", DEFAULT("axis"), "axis|forward|backward",
                        "axis: to and fro along one direction; forward: turns as the shaft does; backward: against it"),
     [ANGLE] = ANGLE_KEY("angle", "phi", NULL,
@@ -105,6 +112,10 @@ static bool is_torque(const key_value *values) {
     return values[TORQUE].given || values[STEADY_TORQUE].given;
 }
 
+static bool is_axial(const key_value *values) {
+    return values[AXIAL].given || values[STEADY_AXIAL].given;
+}
+
 static whirl_status find_ports(const key_value *values, const assembly *to, element *out) {
     const bool tilts = values[MOMENT].given;
     if (is_torque(values)) {
@@ -113,6 +124,10 @@ static whirl_status find_ports(const key_value *values, const assembly *to, elem
         if (status.code == WHIRL_OK) out->share[0] = assembly_share(to, out->station, AXIS_TWIST);
         return status;
     }
+    if (is_axial(values)) {
+        out->station = values[AT].station[0];
+        return assembly_find(to, out->station, AXIS_AXIAL, &out->port[0]);
+    }
     element_on(&values[AT], to, tilts ? AXIS_TILT_X : AXIS_X, out);
     // A station that moves along one axis feels the component along this axis.
     return tilts ? assembly_find(to, out->station, AXIS_TILT_X, &out->port[0]) : whirl_ok();
@@ -120,26 +135,29 @@ static whirl_status find_ports(const key_value *values, const assembly *to, elem
 
 static whirl_status force_check(const key_value *values) {
     const bool force = values[AMPLITUDE].given || values[STEADY_FORCE].given, moment = values[MOMENT].given;
-    if (force + moment + is_torque(values) != 1)
+    const bool torque = is_torque(values), axial = is_axial(values);
+    if (force + moment + torque + axial != 1)
         return whirl_fail(WHIRL_BAD_INPUT,
-                          "has %s, expected one: a force (amplitude, steady_force), a moment, or a "
-                          "torque (torque, steady_torque)",
-                          force || moment || is_torque(values) ? "more than one load" : "no load");
-    if (is_torque(values) && (values[LAW].choice != 0 || values[ANGLE].given))
-        return whirl_fail(WHIRL_BAD_INPUT, "has %s and a torque, which acts about the shaft's axis, expected none",
-                          values[ANGLE].given ? "an angle" : "a law");
+                          "has %s, expected one: a force (amplitude, steady_force), a moment, a torque (torque, "
+                          "steady_torque), or an axial force (axial, steady_axial)",
+                          force || moment || torque || axial ? "more than one load" : "no load");
+    if ((torque || axial) && (values[LAW].choice != 0 || values[ANGLE].given))
+        return whirl_fail(WHIRL_BAD_INPUT, "has %s and %s, which acts %s the shaft's axis, expected none",
+                          values[ANGLE].given ? "an angle" : "a law", torque ? "a torque" : "an axial force",
+                          torque ? "about" : "along");
     if (values[RATIO].given && values[FREQUENCY].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has both ratio and frequency, expected one of them");
     return whirl_ok();
 }
 
-/// Adds the constant force along the angle, or the constant torque about the shaft's axis.
+/// Adds the constant force along the angle or along the shaft, or the constant torque about the shaft's axis.
 static void add_steady(const key_value *values, assembly *to, const element *out) {
     const double direction[2] = {cos(values[ANGLE].number), sin(values[ANGLE].number)};
     for (size_t a = 0; a < 2; a++) {
         if (out->port[a] == NO_COORDINATE) continue;
-        const double load = is_torque(values) ? copysign(1.0, to->turn) * out->share[a] * values[STEADY_TORQUE].number
-                                              : direction[a] * values[STEADY_FORCE].number;
+        const double load = is_torque(values)  ? copysign(1.0, to->turn) * out->share[a] * values[STEADY_TORQUE].number
+                            : is_axial(values) ? values[STEADY_AXIAL].number
+                                               : direction[a] * values[STEADY_FORCE].number;
         if (load == 0.0) continue;
         assembly_term(to, (linear_term){out->port[a], SOURCE_ONE, 0, load / assembly_force_scale(to, out->port[a])});
     }
@@ -169,7 +187,7 @@ static whirl_status force_build(const key_value *values, assembly *to, element *
     if (status.code == WHIRL_OK) status = find_ports(values, to, out);
     if (status.code == WHIRL_OK) status = harmonic_check_rate(to, rate);
     if (status.code != WHIRL_OK) return status;
-    const int size = values[MOMENT].given ? MOMENT : is_torque(values) ? TORQUE : AMPLITUDE;
+    const int size = values[MOMENT].given ? MOMENT : is_torque(values) ? TORQUE : is_axial(values) ? AXIAL : AMPLITUDE;
     add_steady(values, to, out);
     if (is_torque(values)) force_note_torque(values, to);
     const double sense = is_torque(values) ? copysign(1.0, to->turn) : 1.0;
@@ -190,7 +208,8 @@ static double force_keyphasor(const key_value *values, double speed) {
 
 const element_type force_element = {
     .group = {"force",
-              "a harmonic force, moment or torque, at a ratio of the speed or a fixed frequency, and a constant one",
+              "a harmonic force across or along the shaft, moment or torque, at a ratio of the speed or a fixed "
+              "frequency, and a constant one",
               "", keys, KEY_COUNT, NULL, NULL},
     .number_count = HARMONIC_NUMBERS,
     .state_count = KERNEL_STATES,

@@ -1,5 +1,5 @@
-// Gravity: the same constant acceleration of every station, across the shafts. Gravity along the shafts is used by
-// thrust.c alone.
+// Gravity: the same constant acceleration of every station, across the shafts or along them. The axial force in shafts
+// by gravity along them is computed in thrust.c.
 #include "registry.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
@@ -33,7 +33,13 @@ static whirl_status gravity_build(const key_value *values, assembly *to, element
                           "has a direction across the shafts and axis: vertical, expected one of them");
     if (!stands && values[GRAVITY_HELD_AT].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has held_at without axis: vertical, expected both or none of them");
-    if (stands) return whirl_ok();
+    if (stands) {
+        // Positions grow downwards from the upper end, or upwards to it.
+        const key_value *held = &values[GRAVITY_HELD_AT];
+        const size_t shaft = held->given ? to->stations[held->station[0]].shaft : NO_SHAFT;
+        assembly_pull_axially(to, shaft, values[GRAVITY_TOP].choice == 0 ? size : -size);
+        return whirl_ok();
+    }
     // Gravity straight down avoids the rounding of cos(-pi/2).
     if (values[GRAVITY_DIRECTION].given)
         assembly_pull(to, size * cos(direction), size * sin(direction));

@@ -1,5 +1,5 @@
-// A flexible coupling: stiffness and damping between the ends of two shafts, across them, against their tilts and
-// against their twist.
+// A flexible coupling: stiffness and damping between the ends of two shafts, across and along them, against their tilts
+// and against their twist.
 #include "registry.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
@@ -12,9 +12,11 @@ enum {
     RADIAL,
     TILT,
     TWIST,
+    AXIAL,
     RADIAL_DAMPING,
     TILT_DAMPING,
     TWIST_DAMPING,
+    AXIAL_DAMPING,
     DIAMETER,
     BORE,
     RUNS_OFF,
@@ -33,12 +35,16 @@ static const whirl_key keys[KEY_COUNT] = {
                         "stiffness against an angle between both shafts"),
     [TWIST] = NUMBER_KEY("twist", "k_z", "N m/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                          "stiffness against twist, between stations that twist"),
+    [AXIAL] = NUMBER_KEY("axial", "k_a", "N/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                         "stiffness along the shafts, between stations with axial: yes"),
     [RADIAL_DAMPING] =
         NUMBER_KEY("radial_damping", "c_r", "N s/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "damping of a parallel offset"),
     [TILT_DAMPING] = NUMBER_KEY("tilt_damping", "c_t", "N m s/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                                 "damping of an angle between both shafts"),
     [TWIST_DAMPING] =
         NUMBER_KEY("twist_damping", "c_z", "N m s/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "damping of twist"),
+    [AXIAL_DAMPING] =
+        NUMBER_KEY("axial_damping", "c_a", "N s/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "damping along the shafts"),
     [DIAMETER] = NUMBER_KEY("diameter", "d", "m", OPTIONAL, WHIRL_POSITIVE,
                             "outer diameter of the shaft that it represents, where that is weakest: for the shear "
                             "stress by its torque"),
@@ -85,23 +91,39 @@ static whirl_status check_turning(const key_value *values, const assembly *to) {
     return whirl_ok();
 }
 
+/// Checks that both stations move along an axis, unless one is the ground.
+static whirl_status check_axis(const key_value *values, const assembly *to, axis along) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < 2 && status.code == WHIRL_OK; i++) {
+        size_t coordinate;
+        const size_t station = values[BETWEEN].station[i];
+        if (station != GROUND) status = assembly_find(to, station, along, &coordinate);
+    }
+    return status;
+}
+
 /// Joins the twists of both stations. WHIRL_BAD_INPUT if one of them does not twist.
 static whirl_status join_twists(const key_value *values, assembly *to) {
     const size_t *station = values[BETWEEN].station;
-    for (size_t i = 0; i < 2; i++) {
-        size_t coordinate;
-        if (station[i] == GROUND) continue;
-        const whirl_status status = assembly_find(to, station[i], AXIS_TWIST, &coordinate);
-        if (status.code != WHIRL_OK) return status;
-    }
+    const whirl_status status = check_axis(values, to, AXIS_TWIST);
+    if (status.code != WHIRL_OK) return status;
     const double outer = values[DIAMETER].number, inner = values[BORE].number;
     if (values[BORE].given && !(values[DIAMETER].given && inner < outer))
         return whirl_fail(WHIRL_BAD_INPUT, "has an inner diameter, expected a greater outer one (diameter)");
     const joining by = {.stiffness = values[TWIST].number,
                         .damping = values[TWIST_DAMPING].number,
                         .modulus = values[DIAMETER].given ? joining_modulus(outer, inner) : 0.0};
-    assembly_twist(to, station[0], station[1], &by);
+    assembly_link(to, AXIS_TWIST, station[0], station[1], &by);
     return whirl_ok();
+}
+
+/// Joins both stations along the shafts. WHIRL_BAD_INPUT if one of them does not move that way.
+static whirl_status join_axially(const key_value *values, assembly *to) {
+    const joining by = {.stiffness = values[AXIAL].number, .damping = values[AXIAL_DAMPING].number};
+    const whirl_status status = check_axis(values, to, AXIS_AXIAL);
+    if (status.code == WHIRL_OK)
+        assembly_link(to, AXIS_AXIAL, values[BETWEEN].station[0], values[BETWEEN].station[1], &by);
+    return status;
 }
 
 static whirl_status coupling_build(const key_value *values, assembly *to, element *out) {
@@ -112,17 +134,19 @@ static whirl_status coupling_build(const key_value *values, assembly *to, elemen
     const bool across = tilts || values[RADIAL].number > 0.0 || values[RADIAL_DAMPING].number > 0.0;
     // Join the displacements, and the tilts if they have a stiffness.
     whirl_status status = check_turning(values, to);
-    if (status.code == WHIRL_OK && !across && !values[TWIST].given && !values[RADIAL].given)
-        status = whirl_fail(WHIRL_BAD_INPUT, "has no stiffness, expected radial, tilt or twist");
+    if (status.code == WHIRL_OK && !across && !values[TWIST].given && !values[RADIAL].given && !values[AXIAL].given)
+        status = whirl_fail(WHIRL_BAD_INPUT, "has no stiffness, expected radial, tilt, twist or axial");
     if (status.code == WHIRL_OK && across) status = element_between(&values[BETWEEN], to, axes, count, out);
     for (size_t a = 0; a < count && across && status.code == WHIRL_OK; a++) {
         const size_t one = out->port[a], other = out->port[count + a];
         assembly_spring(to, one, other, values[a < PLANE ? RADIAL : TILT].number);
         assembly_damper(to, one, other, values[a < PLANE ? RADIAL_DAMPING : TILT_DAMPING].number);
     }
-    // Join the twists.
+    // Join the twists and the axial displacements.
     if (status.code == WHIRL_OK && (values[TWIST].number > 0.0 || values[TWIST_DAMPING].number > 0.0))
         status = join_twists(values, to);
+    if (status.code == WHIRL_OK && (values[AXIAL].number > 0.0 || values[AXIAL_DAMPING].number > 0.0))
+        status = join_axially(values, to);
     if (status.code != WHIRL_OK || to->balanced) return status;
     // Add the forces of a bore offset and a face kink, which turn with the shaft.
     add_turning(to, out->port, count, values[RADIAL].number, values[RADIAL_DAMPING].number, values[RUNS_OFF].number,

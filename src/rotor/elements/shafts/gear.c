@@ -148,50 +148,54 @@ static whirl_status gear_set_profile(const key_value *profile, double stiffness,
     return whirl_ok();
 }
 
-enum { TILTING_AXES = KERNEL_AXES + 2 };
+enum { HELICAL_AXES = KERNEL_AXES + 3 };
 
-/// Returns true if a tilt of either gear closes the teeth.
-static bool gear_tilts(const key_value *values, const assembly *to) {
-    bool tilts = false;
+/// Returns true if a tilt or an axial displacement of either gear closes the teeth.
+static bool gear_is_helical(const key_value *values, const assembly *to) {
+    bool moves = false;
     for (size_t i = 0; i < 2; i++) {
         const size_t station = values[BETWEEN].station[i];
-        tilts = tilts || (station != GROUND && to->stations[station].coordinate[AXIS_TILT_X] != NO_COORDINATE);
+        const size_t *coordinate = station == GROUND ? NULL : to->stations[station].coordinate;
+        moves = moves ||
+                (coordinate && (coordinate[AXIS_TILT_X] != NO_COORDINATE || coordinate[AXIS_AXIAL] != NO_COORDINATE));
     }
-    return tilts && values[HELIX].number != 0.0;
+    return moves && values[HELIX].number != 0.0;
 }
 
-/// Sets the ports of tilts. A point of the pitch circle at (X, Y) from the gear's centre moves by -(phi_x X + phi_y Y)
-/// along the shaft.
-static void gear_set_tilts(const key_value *values, const assembly *to, element *out) {
+/// Sets the ports of tilts and axial displacements. A point of the pitch circle at (X, Y) from the gear's centre moves
+/// by z - (phi_x X + phi_y Y) along the shaft.
+static void gear_set_shifts(const key_value *values, const assembly *to, element *out) {
     const double gamma = values[DIRECTION].number;
     for (size_t i = 0; i < 2; i++) {
-        const size_t station = values[BETWEEN].station[i], first = i * TILTING_AXES;
+        const size_t station = values[BETWEEN].station[i], first = i * HELICAL_AXES;
         const double radius = values[RADII].list[i] / cos(values[PRESSURE_ANGLE].number);
         // The pitch points lie in opposite directions from the centres, and what counts is the first less the second.
-        const double lever = (i == 0 ? -1.0 : 1.0) * sin(values[HELIX].number) * radius;
+        const double along = sin(values[HELIX].number), lever = (i == 0 ? -1.0 : 1.0) * along * radius;
         if (station == GROUND) continue;
         out->port[first + GEAR_TILT_X] = to->stations[station].coordinate[AXIS_TILT_X];
         out->port[first + GEAR_TILT_Y] = to->stations[station].coordinate[AXIS_TILT_Y];
         out->share[first + GEAR_TILT_X] = lever * cos(gamma);
         out->share[first + GEAR_TILT_Y] = lever * sin(gamma);
+        out->port[first + GEAR_AXIAL] = to->stations[station].coordinate[AXIS_AXIAL];
+        out->share[first + GEAR_AXIAL] = along;
     }
 }
 
 /// Sets the numbers of a mesh, whose forces are in newtons and whose closing is in length scales.
-static void gear_set_numbers(const key_value *values, const assembly *to, bool tilts, element *out) {
+static void gear_set_numbers(const key_value *values, const assembly *to, bool helical, element *out) {
     const double flat = cos(values[HELIX].number), alpha = values[PRESSURE_ANGLE].number;
     const double gamma = values[DIRECTION].number;
     const double stiffness = values[STIFFNESS].number * to->length, more = values[VARIATION].number;
     double *number = out->number;
     for (size_t i = 0; i < 2; i++) {
-        const size_t port = i * (size_t)(tilts ? TILTING_AXES : KERNEL_AXES) + GEAR_TWIST;
+        const size_t port = i * (size_t)(helical ? HELICAL_AXES : KERNEL_AXES) + GEAR_TWIST;
         out->share[port] *= (i == 0 ? 1.0 : -1.0) * flat * values[RADII].list[i];
         number[GEAR_LEVER + i] = out->port[port] == NO_COORDINATE ? 0.0 : -flat * values[RADII].list[i];
     }
     number[GEAR_LENGTH] = to->length;
-    if (tilts) {
-        gear_set_tilts(values, to, out);
-        gear_tilting_scale(out, to);
+    if (helical) {
+        gear_set_shifts(values, to, out);
+        gear_helical_scale(out, to);
     } else {
         generic_tilts(out, to);
     }
@@ -211,23 +215,23 @@ static void gear_set_numbers(const key_value *values, const assembly *to, bool t
 extern const element_type gear_turning;
 
 static whirl_status gear_build(const key_value *values, assembly *to, element *out) {
-    static const axis axes[TILTING_AXES] = {AXIS_X, AXIS_Y, AXIS_TWIST, AXES, AXES}; // gear_set_tilts: the last
+    static const axis axes[HELICAL_AXES] = {AXIS_X, AXIS_Y, AXIS_TWIST, AXES, AXES, AXES}; // gear_set_shifts: the last
     // Rigid gears need no kernel: they reduce the coordinates.
     whirl_status status = gear_check(values);
     out->lumped = gear_is_rigid(values);
     if (status.code != WHIRL_OK || out->lumped) return status;
-    const bool tilts = gear_tilts(values, to);
-    status = element_between(&values[BETWEEN], to, axes, tilts ? TILTING_AXES : KERNEL_AXES, out);
+    const bool helical = gear_is_helical(values, to);
+    status = element_between(&values[BETWEEN], to, axes, helical ? HELICAL_AXES : KERNEL_AXES, out);
     if (status.code != WHIRL_OK) return status;
     // Compute the numbers of the mesh.
     const size_t first = values[BETWEEN].station[0];
     const double ratio = first == GROUND ? 1.0 : to->stations[first].ratio;
     out->law = (values[BACKLASH].given ? GEAR_PLAY : 0) | (values[VARIATION].number > 0.0 ? GEAR_PAIRS : 0) |
                (values[ERROR].number > 0.0 ? GEAR_ERROR : 0);
-    gear_set_numbers(values, to, tilts, out);
+    gear_set_numbers(values, to, helical, out);
     out->number[GEAR_RATE] = values[TEETH].number * fabs(ratio * to->turn);
     out->states = 0;
-    if (tilts) out->type = &gear_tilting;
+    if (helical) out->type = &gear_helical;
     if (values[PROFILE].given) {
         status = gear_set_profile(&values[PROFILE], values[STIFFNESS].number * to->length, out);
         if (status.code != WHIRL_OK) return status;
@@ -235,7 +239,7 @@ static whirl_status gear_build(const key_value *values, assembly *to, element *o
     // A mesh that varies has its phase as a state.
     if (!(out->law & (GEAR_PAIRS | GEAR_ERROR | GEAR_PROFILE))) return whirl_ok();
     out->states = 1;
-    out->type = tilts ? &gear_tilting_turning : &gear_turning;
+    out->type = helical ? &gear_helical_turning : &gear_turning;
     return whirl_ok();
 }
 
@@ -250,7 +254,7 @@ KERNELS_OF_EVERY_ISA(gear_kernels);
                   KEY_COUNT,                                                                                           \
                   NULL,                                                                                                \
                   NULL},                                                                                               \
-        .inertia = gear_inertia, .build = gear_build, .variant = &gear_tilting
+        .inertia = gear_inertia, .build = gear_build, .variant = &gear_helical
 
 const element_type gear_element = {GEAR_ELEMENT};
 

@@ -9,14 +9,14 @@
 // The switches are delta - b and delta + b if there is play; then, if the stiffness changes, cos(psi - pi d) - cos(pi
 // d). The latter is computed as a product, which rounding does not disturb at its zeros, since one of them is at the
 // beginning of a revolution. d[GEAR_TWIST] is the sum of both twists times their radii, of which the second is
-// negative. z1 and z2 are the shifts of both pitch points along the shafts by the gears' tilts; d[GEAR_TILT_X] +
-// d[GEAR_TILT_Y] is n_z (z1 - z2).
+// negative. z1 and z2 are the shifts of both pitch points along the shafts, by the gears' tilts and by their axial
+// displacements; d[GEAR_TILT_X] + d[GEAR_TILT_Y] + d[GEAR_AXIAL] is n_z (z1 - z2).
 
 /// Returns delta by the displacements, without the error.
 static inline num KERNEL(along_action)(const kernel_view *view, const num *d) {
     const vec *number = view->number;
-#ifdef GEAR_TILTS
-    const num turned = n_add(d[GEAR_TWIST], n_add(d[GEAR_TILT_X], d[GEAR_TILT_Y]));
+#ifdef GEAR_IN_SPACE
+    const num turned = n_add(d[GEAR_TWIST], n_add(d[GEAR_AXIAL], n_add(d[GEAR_TILT_X], d[GEAR_TILT_Y])));
 #else
     const num turned = d[GEAR_TWIST];
 #endif

@@ -1,5 +1,5 @@
 /// Kernels and functions of gears, for KERNEL_AXES directions in which their motion closes the teeth: x, y and twist
-/// (gear.c), or tilts along x and y as well (gear_tilting.c).
+/// (gear.c); tilts along x and y and the axial displacement as well (gear_helical.c).
 #define KERNEL_FILE "elements/shafts/gear_kernel.h"
 #define KERNEL_STATES 1
 #define KERNEL_FEWER_STATES
@@ -42,7 +42,7 @@ enum {
 };
 
 /// Ports of a gear after x and y.
-enum { GEAR_TWIST = 2, GEAR_TILT_X, GEAR_TILT_Y };
+enum { GEAR_TWIST = 2, GEAR_TILT_X, GEAR_TILT_Y, GEAR_AXIAL };
 
 #include "generic.h"
 #include "registry.h"
@@ -69,7 +69,7 @@ static double gear_rounds(const element *own, size_t state) {
 
 /// Finds the force of the mesh, as its kernel computes it.
 static void gear_carry(const element *own, const element_place *at, element_carried *out) {
-    const double *n = own->number, along[] = {n[GEAR_ALONG_X], n[GEAR_ALONG_Y], 1.0, 1.0, 1.0};
+    const double *n = own->number, along[] = {n[GEAR_ALONG_X], n[GEAR_ALONG_Y], 1.0, 1.0, 1.0, 1.0};
     const double cosine = cos(at->s[0]), sine = sin(at->s[0]);
     const bool errs = own->law & GEAR_ERROR;
     *out = (element_carried){.unit = n[GEAR_LENGTH], .damping = n[GEAR_DAMPING]};
@@ -135,9 +135,9 @@ static bool gear_named_order(const element *own, size_t index, double *order, co
 /// Additional members of a gear whose mesh varies: the phase of the mesh is a state.
 #define GEAR_TURNING .state_count = KERNEL_STATES, .turning = 1, .rounds = gear_rounds, .named_order = gear_named_order
 
-/// Gears whose tilts close the teeth, too; with a mesh that varies.
-extern const element_type gear_tilting, gear_tilting_turning;
+/// Gears whose tilts and axial displacements close the teeth, too; with a mesh that varies.
+extern const element_type gear_helical, gear_helical_turning;
 
 /// Does for these what generic_tilts does for other gears.
-void gear_tilting_scale(element *own, const assembly *to);
+void gear_helical_scale(element *own, const assembly *to);
 #endif

@@ -17,6 +17,7 @@ enum {
     SKEW,
     SKEW_ANGLE,
     MOVES,
+    AXIAL,
     KEY_COUNT
 };
 
@@ -52,16 +53,18 @@ static const whirl_key keys[KEY_COUNT] = {
     [MOVES] = CHOICE_KEY("moves", DEFAULT("xy"), "xy|x|y|twist|all",
                          "xy: along both axes; x, y: along one, as a pedestal may; twist: about the shaft's axis alone "
                          "(torsion); all: along both axes and about the shaft's"),
+    [AXIAL] = CHOICE_KEY("axial", DEFAULT("no"), "no|yes", "yes: it moves along the shaft, too; its mass resists"),
 };
 
-const whirl_group station_group = {
-    "station",
-    "a lumped mass on the shaft that moves along x and y, tilts where it has a diametral inertia, and may twist",
-    "",
-    keys,
-    KEY_COUNT,
-    NULL,
-    NULL};
+const whirl_group station_group = {"station",
+                                   "a lumped mass on the shaft that moves along x and y, tilts where it has a "
+                                   "diametral inertia, and may twist or move "
+                                   "along the shaft",
+                                   "",
+                                   keys,
+                                   KEY_COUNT,
+                                   NULL,
+                                   NULL};
 
 whirl_status station_inertia(const key_value *values, assembly *to, size_t station) {
     enum { ALONG_XY, ALONG_X, ALONG_Y, TWIST, ALL };
@@ -72,6 +75,7 @@ whirl_status station_inertia(const key_value *values, assembly *to, size_t stati
     at->moves_x = values[MOVES].choice != ALONG_Y && values[MOVES].choice != TWIST;
     at->moves_y = values[MOVES].choice != ALONG_X && values[MOVES].choice != TWIST;
     at->twists = values[MOVES].choice >= TWIST;
+    at->axial = values[AXIAL].choice == 1;
     return whirl_ok();
 }
 
