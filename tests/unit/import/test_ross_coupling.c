@@ -164,11 +164,11 @@ static void test_refused(void **state) {
 static void test_notes(void **state) {
     (void)state;
     expect_note("ct_x", "kr_z = 3e5\nct_x",
-                "Axial and torsional coefficients of couplings (kt_z, kr_z, ct_z, cr_z) are left out, for motions here "
-                "are lateral: 'Hub'.");
+                "Axial and torsional coefficients of couplings (kt_z, kr_z, ct_z, cr_z) are left out, for imported "
+                "rotors move across their shafts alone: 'Hub'.");
     expect_note("ct_x", "ct_z = 3\nct_x",
-                "Axial and torsional coefficients of couplings (kt_z, kr_z, ct_z, cr_z) are left out, for motions here "
-                "are lateral: 'Hub'.");
+                "Axial and torsional coefficients of couplings (kt_z, kr_z, ct_z, cr_z) are left out, for imported "
+                "rotors move across their shafts alone: 'Hub'.");
     expect_note("ct_x", "kt_z = 0\nct_x", NULL);
     expect_note("ct_x", "L = 0.2\no_d = 0.2\nct_x",
                 "Lengths and diameters of couplings (L, o_d) are left out; no force depends on them, in ROSS neither: "
