@@ -100,7 +100,7 @@ int load_outline(const char *path, whirl_result **outline) {
 }
 
 /// Writes a text to `temporary`, a file next to `path`. Returns 0 or an errno.
-static int write_beside(const char *path, const char *temporary, const char *text) {
+static int write_temporary(const char *path, const char *temporary, const char *text) {
     struct stat earlier;
     // The new file is not more public than the one that it replaces.
     const mode_t mode = stat(path, &earlier) == 0 ? earlier.st_mode & 0666 : 0666;
@@ -156,7 +156,7 @@ int write_whole(const char *path, bool force, const char *text) {
     }
     // Write next to it, then rename.
     if (!reason) {
-        reason = write_beside(path, temporary, text);
+        reason = write_temporary(path, temporary, text);
         if (!reason) reason = give_name(temporary, path, force);
         if (reason) unlink(temporary);
     }

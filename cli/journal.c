@@ -88,13 +88,14 @@ static void points_text(const run_journal *journal, const whirl_result *outline,
 
 static void report_found(const run_journal *journal, const whirl_result *outline, size_t others) {
     const whirl_journal_found found = whirl_journal_look(journal->journal);
-    char beside[64] = "", points[64];
+    char others_text[64] = "", points[64];
     points_text(journal, outline, points, sizeof points);
-    if (others > 0) snprintf(beside, sizeof beside, " and %zu other journal%s", others, others == 1 ? "" : "s");
+    if (others > 0)
+        snprintf(others_text, sizeof others_text, " and %zu other journal%s", others, others == 1 ? "" : "s");
     if (found.damaged > 0)
-        complain("'%s'%s %s damaged in %zu place%s; what is lost there is computed again", journal->path, beside,
+        complain("'%s'%s %s damaged in %zu place%s; what is lost there is computed again", journal->path, others_text,
                  others > 0 ? "are" : "is", found.damaged, found.damaged == 1 ? "" : "s");
-    if (!journal->wish->quiet) complain("going on from '%s'%s: %s are there", journal->path, beside, points);
+    if (!journal->wish->quiet) complain("going on from '%s'%s: %s are there", journal->path, others_text, points);
 }
 
 /// Removes RESULT.h5.tmp-PROCESS, incomplete results of killed runs. This is safe: only the process that has locked the

@@ -1,6 +1,6 @@
 // Builds the program of the explorer's workers:  node engine.mjs OUT
 //
-// OUT/worker.js holds explorer/src/engine/worker.ts with OUT/glue.cjs, which explorer/core makes beside OUT/whirl.wasm.
+// OUT/worker.js holds explorer/src/engine/worker.ts with OUT/glue.cjs, made by explorer/core next to OUT/whirl.wasm.
 import { dirname, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';

@@ -46,7 +46,7 @@ def built_library():
 
 
 class BuildWithLibrary(build_py):
-    """Copies the package's modules, and makes its declarations, the library and the explorer's template beside them."""
+    """Copies the package's modules, and makes declarations, library and explorer template next to them."""
 
     def run(self):
         super().run()

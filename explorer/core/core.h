@@ -51,9 +51,9 @@ const char *explorer_measured(const whirl_case *object, const char *name, const 
 size_t explorer_measured_orders(void);
 
 /// Computes the spectrum of a measured motion: `turn` [count] are revolutions since a mark, growing; `values`
-/// [2][count] x and y at these. Writes rows [explorer_measured_orders][5] as whirl_signals_spectrum: windowed as the
-/// spectra of computed motions, or for fewer than 4 revolutions exact parts of whole revolutions. Returns the number of
-/// rows; 0 after a failure.
+/// [2][count] x and y at these. Writes rows [explorer_measured_orders][5] as whirl_signals_spectrum: with the window of
+/// spectra of computed motions; for fewer than 4 revolutions the Fourier coefficients of whole revolutions, without a
+/// window. Returns the number of rows; 0 after a failure.
 int explorer_measured_spectrum(const double *turn, const double *values, size_t count, double *rows);
 
 // ---------------------------------------------------------------- plans

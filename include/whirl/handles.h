@@ -95,11 +95,11 @@ whirl_status whirl_result_show_in(whirl_result *result, const char *units);
 /// for plain numbers).
 double whirl_result_shown_unit(const whirl_result *result, const char *parameter, char *name, size_t size);
 
-/// Finds the value [count] of a parameter nearest to `told`: a number in SI, "628", or with any unit of the parameter,
-/// "6000 rpm". Skips values that are not finite. WHIRL_BAD_INPUT with a sentence if `told` is not such a number, or
+/// Finds the value [count] of a parameter nearest to `text`: a number in SI, "628", or with any unit of the parameter,
+/// "6000 rpm". Skips values that are not finite. WHIRL_BAD_INPUT with a sentence if `text` is not such a number, or
 /// lies beyond all values by more than the last step there (for a single value: 1 %).
 whirl_status whirl_nearest_value(const whirl_result *result, const char *parameter, const double *values, size_t count,
-                                 const char *told, size_t *index);
+                                 const char *text, size_t *index);
 
 /// Returns the factor by which figures multiply lengths in the scale of the case, and writes the name of the resulting
 /// unit, at most `size` bytes. Sets `*over` if the name is the symbol of a length that divides them ("x / c").

@@ -119,7 +119,7 @@ whirl_status whirl_signals_vold_kalman_weight(double bandwidth, double rate, int
 /// to twice too large, while a frequency is below its bandwidth: the part and its mirror image at the negative
 /// frequency are then one. A mean that is large next to the amplitudes leaks into slow orders: subtract it.
 /// WHIRL_BAD_INPUT for a phase that turns by pi or more between samples (half the rate is the highest frequency), for
-/// one that is never faster than its bandwidth, for orders that cannot be told apart, and for count tracked^2 (poles +
+/// one that is never faster than its bandwidth, for orders that cannot be separated, and for count tracked^2 (poles +
 /// 1) above 1e8, which would need 1.6 GB.
 whirl_status whirl_signals_vold_kalman(const double *values, size_t count, double rate, const double *phases,
                                        size_t tracked, const double *bandwidths, int poles, double *amplitudes);

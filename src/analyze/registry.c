@@ -9,24 +9,24 @@
 static const whirl_kind motion = {.name = "motion",
                                   .asked = "Written in the list `analyze: [...]`.",
                                   .method = NULL,
-                                  .beside = "",
+                                  .remark = "",
                                   .moves = true,
                                   .settles = true};
 
-#define AT_REST .name = "rest", .asked = "A study of its own, in place of sweep or response.", .beside = "", .cost = 1.0
+#define AT_REST .name = "rest", .asked = "A study of its own, in place of sweep or response.", .remark = "", .cost = 1.0
 #define ABOUT_REST AT_REST, .method = "linear, about rest", .place = "about where the machine rests"
 static const whirl_kind rest = {ABOUT_REST}, still = {ABOUT_REST, .still = true};
 static const whirl_kind run = {AT_REST, .method = "in time, turn by turn", .place = "over time"};
 static const whirl_kind fitted = {.name = "fit",
                                   .asked = "A study of its own, in place of sweep or response.",
                                   .method = "least squares over periodic orbits",
-                                  .beside = "",
+                                  .remark = "",
                                   .cost = 1.0};
 
 static const whirl_kind branch = {.name = "branch",
                                   .asked = "Of studies with `branch: {...}`.",
                                   .method = NULL,
-                                  .beside = ", followed by continuation",
+                                  .remark = ", followed by continuation",
                                   .settles = true,
                                   .found = true,
                                   .cost = FOUND_COST};
@@ -35,7 +35,7 @@ static const whirl_kind torus = {.name = "torus",
                                  .asked = "Of studies with `branch: {tori: yes, ...}`.",
                                  .method = NULL,
                                  .begins = "the Neimark-Sacker points of the branches",
-                                 .beside = ", followed by continuation",
+                                 .remark = ", followed by continuation",
                                  .settles = true,
                                  .found = true,
                                  .cost = FOUND_COST};

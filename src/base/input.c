@@ -79,7 +79,7 @@ size_t whirl_input_head(const char *path, char *head, size_t size) {
     return got > 0 ? (size_t)got : 0;
 }
 
-bool input_beside(const char *file, const char *path, char *out, size_t size) {
+bool input_path_from(const char *file, const char *path, char *out, size_t size) {
     const char *slash = strrchr(file, '/');
     const int folder = *path == '/' || !slash ? 0 : (int)(slash + 1 - file);
     const int length = snprintf(out, size, "%.*s%s", folder, file, path);

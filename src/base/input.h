@@ -27,6 +27,6 @@ bool input_read(const char *path, size_t most, input_file *in, char **text, size
 
 /// Writes to `out` the path of a file that `file` names as `path`: a relative path starts in the folder of `file`.
 /// Returns false if the result is too long.
-bool input_beside(const char *file, const char *path, char *out, size_t size);
+bool input_path_from(const char *file, const char *path, char *out, size_t size);
 
 #endif

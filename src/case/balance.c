@@ -245,7 +245,7 @@ static void read_modes(case_reader *reader, const setting_list *file, whirl_bala
         const setting *shape = settings_find(&item, "shape");
         if (shape) read_shape(reader, shape, out->plane_count, mode);
         if (!shape && !*out->model && at->kind == NODE_MAPPING)
-            problem_missing(reader->problems, at, "shape", "is missing, and there is no model that would tell it");
+            problem_missing(reader->problems, at, "shape", "is missing, and there is no model that would give it");
         for (const whirl_balance_mode *other = out->modes; other < mode; other++)
             if (other->speed == mode->speed && mode->speed > 0.0)
                 problem_at(reader->problems, at, "is a second mode at that speed, expected speeds of their own");
@@ -398,7 +398,7 @@ static bool read_table(case_reader *reader, const file_node *where, whirl_balanc
     whirl_problems problems = {0};
     case_reader own = {.arena = reader->arena, .problems = &problems, .parameters = reader->parameters};
     char path[sizeof problems.file];
-    if (!input_beside(reader->problems->file, where->text, path, sizeof path)) {
+    if (!input_path_from(reader->problems->file, where->text, path, sizeof path)) {
         problem_at(reader->problems, where, "is too long for the path of a table");
         return false;
     }

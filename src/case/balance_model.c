@@ -132,8 +132,8 @@ static whirl_status model_vibration(const modelling *c, const responses *at, con
     return status;
 }
 
-/// Fills in all rows at this speed. They also have the influence for critical speeds that are lower, and higher, than
-/// the model's by its error.
+/// Fills in all rows at this speed: the influence by the model, and by models whose critical speeds are lower, and
+/// higher, by the model's error.
 static whirl_status model_fill_speed(const modelling *c, double speed) {
     whirl_status status = whirl_ok();
     for (int shift = -1; shift <= 1 && status.code == WHIRL_OK; shift++) {
@@ -314,7 +314,7 @@ whirl_status whirl_balance_consult(const whirl_balance *balance, const char *pat
     whirl_case *object;
     *model = NULL;
     if (!*balance->model) return whirl_ok();
-    if (!input_beside(path, balance->model, place, sizeof place))
+    if (!input_path_from(path, balance->model, place, sizeof place))
         return whirl_fail(WHIRL_BAD_INPUT, "%.100s is too long for the path of a case", balance->model);
     whirl_status status = whirl_case_load(place, problems, &object);
     if (status.code != WHIRL_OK) return status;

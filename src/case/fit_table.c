@@ -64,7 +64,8 @@ static whirl_status fit_read_kind(fit_maker *m, size_t column, char *text, char 
     }
     if (*word && strcmp(*word, "lag") == 0) {
         if (m->statistics)
-            return FIT_FAIL(m, column, "'%.40s' is a lag, which statistics have not, expected sizes of lines alone",
+            return FIT_FAIL(m, column,
+                            "'%.40s' is a lag, which statistics do not have, expected amplitudes of lines alone",
                             m->table.columns[column].name);
         own->kind = FIT_LAG;
         *word = fit_last_word(text);
@@ -156,7 +157,7 @@ static whirl_status fit_heading(fit_maker *m, size_t column, bool vectors) {
     return *heading->unit ? csv_unit(&m->table, column, unit, unit, &own->size) : whirl_ok();
 }
 
-/// Finds the lag of every displacement.
+/// Assigns each column of lags to the column of its amplitude. Fails for a lag without one.
 static whirl_status fit_join_lags(fit_maker *m) {
     for (size_t c = 0; c < m->table.column_count; c++) {
         const fit_column *lag = &m->columns[c];
@@ -168,7 +169,8 @@ static whirl_status fit_join_lags(fit_maker *m) {
                 own->order == lag->order)
                 of = k;
         }
-        if (of == m->table.column_count) return FIT_FAIL(m, c, "is the lag of no amplitude, expected a column of it");
+        if (of == m->table.column_count)
+            return FIT_FAIL(m, c, "is a lag without its amplitude, expected a column of the amplitude, too");
         m->columns[of].lag = c;
     }
     return whirl_ok();
@@ -205,12 +207,12 @@ static whirl_status fit_take_samples(fit_maker *m, size_t angle) {
     const csv_table *table = &m->table;
     if (table->count < 2)
         return FIT_FAIL(m, angle, "there is %zu row, expected some instants of a revolution", table->count);
-    // The distance of instants is a whole part of a revolution.
+    // The distance of instants must be a revolution over a whole number.
     const double apart = fit_cell(m, angle, 1) - fit_cell(m, angle, 0);
     const double instants = round(1.0 / apart);
     if (!(instants >= 4.0 && instants <= 65536.0) || fabs(instants * apart - 1.0) > FIT_OFF_INSTANT)
         return csv_fail(table, table->lines[1], table->columns[angle].place,
-                        "the angle is %g revolutions after the one before, expected a whole part of one", apart);
+                        "the angle is %g revolutions after the one before, expected one over a whole number", apart);
     whirl_status status = fit_add_motion(m, m->at_count, m->at, 0.0, (size_t)instants);
     for (size_t i = 0; i < table->count && status.code == WHIRL_OK; i++) {
         const double place = instants * fit_cell(m, angle, i), nearest = round(place);
@@ -236,7 +238,7 @@ static whirl_status fit_take_waveform(fit_maker *m, size_t time) {
     return status;
 }
 
-/// Adds the numbers of one row: amplitudes, or for those with lags both components.
+/// Adds the numbers of one row: an amplitude, or, if it has a lag, its cosine and sine part.
 static whirl_status fit_take_row(fit_maker *m, size_t row) {
     whirl_status status = whirl_ok();
     for (size_t c = 0; c < m->table.column_count && status.code == WHIRL_OK; c++) {
@@ -349,7 +351,7 @@ static whirl_status fit_take_table(fit_maker *m, const fit_set *set) {
     m->statistics = set->place && strcmp(settings_word(&set->keys, "compare"), "statistics") == 0;
     if (m->statistics && !vectors)
         return FIT_FAIL(m, along,
-                        "is a column of instants, which statistics have not, expected largest and smallest "
+                        "is a column of instants, which statistics do not have, expected largest and smallest "
                         "displacements, lines and contact over the speed or a parameter");
     // Understand all headings.
     for (size_t c = 0; c < table->column_count && status.code == WHIRL_OK; c++) {
@@ -399,7 +401,7 @@ whirl_status fit_table_read(fit_maker *m, const fit_set *set) {
     }
     char *path = arena_take(m->reader->arena, FIT_PATH);
     if (!path) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a fit");
-    if (!input_beside(m->reader->problems->file, name, path, FIT_PATH)) {
+    if (!input_path_from(m->reader->problems->file, name, path, FIT_PATH)) {
         snprintf(sentence, sizeof sentence, "%.100s is too long for the path of a table", name);
         return fit_fail_at(m, set->file, sentence);
     }

@@ -606,14 +606,14 @@ static size_t count_grid(const study_plan *plan) {
 /// Refuses more starts than a point or a study may have, and neighbours of a single point.
 static void check_starts(case_reader *reader, const plan_parts *parts, const file_node *place,
                          const whirl_batch *batch) {
-    const bool beside = batch->neighbours > 0;
-    const size_t all = batch->starts + (beside ? WHIRL_MAX_NEIGHBOUR_STARTS : 0);
+    const bool neighbours = batch->neighbours > 0;
+    const size_t all = batch->starts + (neighbours ? WHIRL_MAX_NEIGHBOUR_STARTS : 0);
     if (batch->starts > WHIRL_MAX_STARTS)
         problem_at(reader->problems, place, "has more than the %d starts that a point may have", WHIRL_MAX_STARTS);
     else if ((double)batch->count * (double)all > SCHEMA_MAX_POINTS)
         problem_at(reader->problems, place, "is %zu at %zu points%s, expected at most %d starts in all", batch->starts,
-                   batch->count, beside ? " with up to 16 from neighbours at each" : "", SCHEMA_MAX_POINTS);
-    if (beside && batch->count <= 1)
+                   batch->count, neighbours ? " with up to 16 from neighbours at each" : "", SCHEMA_MAX_POINTS);
+    if (neighbours && batch->count <= 1)
         problem_at(reader->problems, plan_place(&parts->starts, "neighbours"),
                    "has no meaning with one point, which has no neighbours");
 }

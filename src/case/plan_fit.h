@@ -8,10 +8,10 @@
 
 #include <stddef.h>
 
-/// Maximum number of parameters that a table of measured numbers gives.
+/// Maximum number of parameters whose values a table of measured numbers sets.
 enum { FIT_MAX_AT = WHIRL_MAX_GIVEN - WHIRL_MAX_UNKNOWNS - 1 };
 
-/// Most probes of a table with a noise of their own.
+/// Maximum number of probes of a table that have their own noise.
 enum { FIT_MAX_CHANNELS = 32 };
 
 typedef struct fit_unknown {
@@ -33,7 +33,7 @@ typedef struct fit_set {
     setting_list keys;
     condition_parts at;             ///< parameters with their values in its motions
     whirl_key noise_key;            ///< unit and range of its noise
-    number_formula noise;           ///< if it has one, and not one for each of the channels
+    number_formula noise;           ///< noise of all probes; unused if each channel has its own
     const parameter *along;         ///< parameter that a threshold is a value of; NULL: the speed
     number_formula value, from, to; ///< a threshold, and values between which it is sought
     size_t channel_count;

@@ -67,7 +67,7 @@ static void refuse_apart(const ross_rotor *rotor, ross_coupling *coupling) {
                  rotor->first_node, rotor->last_node);
 }
 
-/// Extends the row of nodes to couplings beyond the pieces of shaft, whose free ends are weights.
+/// Extends the row of nodes to couplings beyond the pieces of shaft; their free ends become stations with a mass.
 static void join_couplings(ross_rotor *rotor) {
     ross_coupling *const all = rotor->couplings;
     for (size_t i = rotor->coupling_count; i-- > 0;) {

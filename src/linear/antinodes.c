@@ -41,7 +41,7 @@ static void find_shaft(profile *p) {
 }
 
 /// Returns the nearest bearing at a position or on one side of it (-1, 1), or the probe count if there is none.
-static size_t bearing_beside(const profile *p, double place, int side) {
+static size_t bearing_next_to(const profile *p, double place, int side) {
     size_t found = p->system->probe_count;
     for (size_t i = 0; i < p->system->probe_count; i++) {
         const double away = side * (p->system->probes[i].position - place);
@@ -67,7 +67,7 @@ static bool keeps_sign(const profile *p, double from, double to) {
 static double weight_at(const profile *p, size_t probe) {
     const size_t none = p->system->probe_count;
     const double place = p->system->probes[probe].position;
-    const size_t left = bearing_beside(p, place, -1), right = bearing_beside(p, place, 1);
+    const size_t left = bearing_next_to(p, place, -1), right = bearing_next_to(p, place, 1);
     if (left == none && right == none) return 0.0;
     if (left == none) return p->statics[right].mass[0];
     if (right == none) return p->statics[left].mass[1];

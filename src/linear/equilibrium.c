@@ -119,17 +119,17 @@ static bool balances(search *s, double *x) {
 /// Returns true if f at x is rounding of forces that balance each other. This is so if near x, f differs from its
 /// linear form by as much. The Jacobian is the one at x.
 static bool is_rounding(search *s, const double *x) {
-    static const double beside[][2] = {
+    static const double offsets[][2] = {
         {1e-15, 2e-15}, {-2e-14, 1e-14}, {3e-13, -1e-13}, {-1e-12, -3e-12}, {2e-11, 1e-11}};
     const size_t n = s->mean->count, d = s->mean->system->dimension;
     const double scale = 1.0 + size_of(x, d), norm = norm_of(s, s->f);
     double noise = 0.0;
     memcpy(s->step, s->f, n * sizeof *s->step);
     // Near x, subtract the linear form from f: what is left is rounding, if f is smooth.
-    for (size_t k = 0; k < sizeof beside / sizeof *beside; k++) {
+    for (size_t k = 0; k < sizeof offsets / sizeof *offsets; k++) {
         double square = 0.0;
         memcpy(s->trial, x, d * sizeof *x);
-        for (size_t i = 0; i < n; i++) s->trial[s->mean->kept[i]] += beside[k][i % 2] * scale;
+        for (size_t i = 0; i < n; i++) s->trial[s->mean->kept[i]] += offsets[k][i % 2] * scale;
         if (!isfinite(residual(s, s->trial))) return false;
         for (size_t i = 0; i < n; i++) {
             double change = s->f[i] - s->step[i];

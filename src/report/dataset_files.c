@@ -126,7 +126,7 @@ whirl_status whirl_dataset_write_sheet(const whirl_result *result, const char *n
         "- Labels say which parameters were changed, severities how far. %s whether the motion is another one: a rub "
         "that does not touch is a healthy motion with the label of a rub.\n"
         "- Sets are divided by machine: %.3g %% for training, %.3g %% for validation, the rest for testing. Windows "
-        "of one record, or records of one machine, in two sets tell a classifier what it should find.\n"
+        "of one record, or records of one machine, in two sets show a classifier what it should find.\n"
         "- %s\n"
         "- Any record is made anew by `whirl run CASE.yaml --set dataset.only=NUMBER`, with the same bits on the "
         "same instruction set.\n",

@@ -114,7 +114,7 @@ static size_t nearest_point(const whirl_table *table, double wanted, bool sure) 
 /// Returns the first table of motions that the page can compute itself; NULL if there is none.
 static const whirl_table *diagram_of(const whirl_result *result) {
     for (const whirl_table *table = result->tables; table < result->tables + result->table_count; table++)
-        if (whirl_analysis_kind(table->analyses)->moves && !motions_beside(table)) return table;
+        if (whirl_analysis_kind(table->analyses)->moves && !accompanying_motions(table)) return table;
     return NULL;
 }
 

@@ -38,7 +38,7 @@ typedef struct contents {
 static bool has_contents(const whirl_result *result) {
     for (size_t t = 0; t < result->table_count; t++) {
         const whirl_kind *kind = whirl_analysis_kind(result->tables[t].analyses);
-        if ((!kind->moves && !kind->found) || motions_beside(&result->tables[t])) return true;
+        if ((!kind->moves && !kind->found) || accompanying_motions(&result->tables[t])) return true;
     }
     return false;
 }
@@ -70,7 +70,7 @@ static bool put_value(FILE *stream, const char *key, bool well, json_t *value) {
 static const char *view_of(const contents *of, const whirl_table *table) {
     const shown_kind *kind = shown_kind_of(table);
     const whirl_kind *points = whirl_analysis_kind(table->analyses);
-    if (points->moves || points->found) return motions_beside(table) ? "" : "motions";
+    if (points->moves || points->found) return accompanying_motions(table) ? "" : "motions";
     if (kind == &shown_runup) return "runup";
     if (kind == &shown_fit) return explorer_fit_is_live(of->view, of->machine, table) ? "fit" : "";
     return kind == &shown_modes ? "modes" : kind == &shown_unbalance ? "unbalance" : "";

@@ -25,24 +25,24 @@ static double nearest_end(const double *values, size_t count, double sign, doubl
 }
 
 whirl_status whirl_nearest_value(const whirl_result *result, const char *parameter, const double *values, size_t count,
-                                 const char *told, size_t *index) {
+                                 const char *text, size_t *index) {
     // Read the value with its unit.
     const char *const unit = whirl_result_parameter_unit(result, parameter);
     char name[WHIRL_NAME_SIZE], without_unit[160] = "";
     double value, below, above;
-    whirl_status status = whirl_quantity_value(told, unit, &value);
+    whirl_status status = whirl_quantity_value(text, unit, &value);
     if (status.code != WHIRL_OK) return status;
     // Refuse a value beyond both ends by more than rounding.
     const double low = nearest_end(values, count, -1.0, &below), high = nearest_end(values, count, 1.0, &above);
     if (isnan(low)) return whirl_fail(WHIRL_BAD_INPUT, "no point has a value of %.63s", parameter);
     const double size = whirl_result_shown_unit(result, parameter, name, sizeof name), rounding = 1.0 + 1e-9;
     if (value < low - rounding * below || value > high + rounding * above) {
-        if (size != 1.0 && !told[strcspn(told, "abcdfghijklmnopqrstuvwxyz")])
+        if (size != 1.0 && !text[strcspn(text, "abcdfghijklmnopqrstuvwxyz")])
             snprintf(without_unit, sizeof without_unit, " (a number without a unit is in %.63s)", unit);
         if (low == high)
-            return whirl_fail(WHIRL_BAD_INPUT, "%.63s is '%.60s', expected %.6g%s%.63s%s", parameter, told, low / size,
+            return whirl_fail(WHIRL_BAD_INPUT, "%.63s is '%.60s', expected %.6g%s%.63s%s", parameter, text, low / size,
                               *name ? " " : "", name, without_unit);
-        return whirl_fail(WHIRL_BAD_INPUT, "%.63s is '%.60s', expected %.6g to %.6g%s%.63s%s", parameter, told,
+        return whirl_fail(WHIRL_BAD_INPUT, "%.63s is '%.60s', expected %.6g to %.6g%s%.63s%s", parameter, text,
                           low / size, high / size, *name ? " " : "", name, without_unit);
     }
     // Find the nearest point.

@@ -24,7 +24,7 @@ regime_class regime_class_of(const whirl_verdict *verdict);
 /// Returns "P-1", "other P-k", "chaotic", ...; static text.
 const char *regime_class_name(regime_class kind);
 
-/// Returns the colour of a class, "#366EFB"; static text. Readers with any colour vision can tell the colours apart.
+/// Returns the colour of a class, "#366EFB"; static text. Readers with any colour vision can distinguish the colours.
 /// The explorer has the same (explorer/tests/colours.test.mjs).
 const char *regime_class_colour(regime_class kind);
 

@@ -1,5 +1,5 @@
 // Drag of films and seals on shafts whose speed is a state: shear between the surfaces, and the couple of a force that
-// acts beside the line of centres.
+// does not act along the line of centres.
 //
 // The fluid has no inertia, so that its effects are in balance: T + T' + r x F = 0, where T and T' are the torques on
 // journal and housing about their own centres, and F is the force on the journal, which is at r from the housing's

@@ -177,12 +177,12 @@ static bool changes_with_time(const whirl_system *system, const double *x, doubl
 static whirl_status check_machine(const whirl_batch *batch, double value, const whirl_machine *machine) {
     const size_t n = machine->system->dimension;
     size_t which = 0;
-    double *slopes = malloc(3 * n * sizeof *slopes), *beside = slopes ? slopes + 2 * n : NULL;
+    double *slopes = malloc(3 * n * sizeof *slopes), *shifted = slopes ? slopes + 2 * n : NULL;
     if (!slopes) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu slopes", n);
     for (size_t i = 0; i < n; i++)
-        beside[i] = machine->start[i] + 0.01 * (1.0 + 0.37 * (double)i) * (1.0 + fabs(machine->start[i]));
+        shifted[i] = machine->start[i] + 0.01 * (1.0 + 0.37 * (double)i) * (1.0 + fabs(machine->start[i]));
     const bool driven = changes_with_time(machine->system, machine->start, slopes, &which) ||
-                        changes_with_time(machine->system, beside, slopes, &which);
+                        changes_with_time(machine->system, shifted, slopes, &which);
     free(slopes);
     if (!driven) return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT,

@@ -124,7 +124,7 @@ static bool follow_grazes(follower *f, size_t event, double step) {
 }
 
 /// Sets before and offset of an event: the value of its function when a leg begins. If the event has just happened, the
-/// function is 0 there: then the value is taken a short time later, and its sign tells the side to which the motion
+/// function is 0 there: then the value is taken a short time later, and its sign is the side to which the motion
 /// leaves.
 static void follow_begin_side(follower *f, size_t event, double step) {
     const user_event *own = &f->from->events[event];

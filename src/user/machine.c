@@ -210,13 +210,13 @@ static bool machine_jumps(const whirl_user_system *from, double t, const double 
 
 /// Computes the derivative along d, both in the user's own units, by central differences.
 static bool own_difference(const member *own, double t, const double *x, const double *d, double *out) {
-    double beside[USER_MAX_STATES], lower[USER_MAX_STATES];
+    double shifted[USER_MAX_STATES], lower[USER_MAX_STATES];
     const size_t n = own->from->dimension;
     const double step = difference_step(length_of(x, n), length_of(d, n));
-    for (size_t k = 0; k < n; k++) beside[k] = x[k] - step * d[k];
-    if (!own_slopes(own, t, beside, lower)) return false;
-    for (size_t k = 0; k < n; k++) beside[k] = x[k] + step * d[k];
-    if (!own_slopes(own, t, beside, out)) return false;
+    for (size_t k = 0; k < n; k++) shifted[k] = x[k] - step * d[k];
+    if (!own_slopes(own, t, shifted, lower)) return false;
+    for (size_t k = 0; k < n; k++) shifted[k] = x[k] + step * d[k];
+    if (!own_slopes(own, t, shifted, out)) return false;
     if (machine_jumps(own->from, t, own->parameters, x, d, step, lower, out)) return false;
     for (size_t k = 0; k < n; k++) out[k] = (out[k] - lower[k]) / (2.0 * step);
     return true;
@@ -314,7 +314,7 @@ static void look_for_jump(const part *p, size_t set, const block *b, size_t i, d
 }
 
 /// Computes the derivative along a perturbation by central differences, with a step for each lane.
-static void flow_beside(const part *p, size_t set, block *b) {
+static void flow_shifted(const part *p, size_t set, block *b) {
     double step[MAX_LANES], half[MAX_LANES], size[MAX_LANES], length[MAX_LANES];
     memset(size, 0, sizeof size);
     memset(length, 0, sizeof length);
@@ -378,7 +378,7 @@ static void machine_flow_lanes(const lanes_view *view, size_t lanes) {
             if (from->tangent)
                 flow_along(&p, set, &b);
             else
-                flow_beside(&p, set, &b);
+                flow_shifted(&p, set, &b);
         for (size_t i = 0; view->divergence && i < b.count; i++) ((double *)view->divergence)[p.first + i] = NAN;
     }
 }

@@ -139,7 +139,7 @@ whirl_status whirl_result_figure_with(const whirl_result *result, const whirl_re
                                       const char *units, const char *panels, const char *log, char **json);
 bool whirl_result_name_fits(const char *path);
 whirl_status whirl_nearest_value(const whirl_result *result, const char *parameter, const double *values, size_t count,
-                                 const char *told, size_t *index);
+                                 const char *text, size_t *index);
 whirl_status whirl_result_figures(const whirl_result *result, const char *units, char **lines);
 whirl_status whirl_result_findings(const whirl_result *result, const char *sheet, const char *units, const char *format,
                                    char **text);

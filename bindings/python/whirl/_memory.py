@@ -150,7 +150,7 @@ class MemorySource:
 
 
 def _block_size(table):
-    """Returns the number of a point's numbers."""
+    """Returns how many numbers a point has."""
     shape, stride = ffi.new("size_t[3]"), ffi.new("size_t *")
     lib.whirl_table_column(table, 0, shape, stride)
     return stride[0]

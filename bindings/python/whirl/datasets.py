@@ -383,7 +383,7 @@ def dataset(
         seeds, are one data set.
     source : Case, case file or dict, with ``path``
         The case, whose data set is computed and written to ``path``, with its table of records ("-records.csv" in the
-        place of ".h5") and its data sheet ("-datasheet.md") beside it, as ``whirl run`` does.
+        place of ".h5") and its data sheet ("-datasheet.md") next to it, as ``whirl run`` does.
     overwrite : bool
         Whether existing files are replaced.
     **options
@@ -408,12 +408,12 @@ def dataset(
         raise BadInput(f"the case {case.name} has no study 'dataset'")
     stem = os.fspath(path)
     stem = stem[:-3] if stem.endswith(".h5") else stem
-    beside = {"index": f"{stem}-records.csv", "datasheet": f"{stem}-datasheet.md"}
-    for name in (path, *beside.values()):
+    companions = {"index": f"{stem}-records.csv", "datasheet": f"{stem}-datasheet.md"}
+    for name in (path, *companions.values()):
         keep_file(name, overwrite)
     made = run(case, **options)
     made.save(path, overwrite=overwrite)
-    for what, name in beside.items():
+    for what, name in companions.items():
         with open(name, "w", encoding="utf-8", newline="") as file:
             file.write(_text_of(made._source, what, os.path.basename(stem)))
     return dataset(path)

@@ -26,7 +26,7 @@ _MARKS = {
 }
 _CM = 1.0 / 2.54
 _DASHES = (0, (4, 2.5))
-_LOW_PANEL = 0.7  # cm; upright labels do not fit beside panels that are lower than this
+_LOW_PANEL = 0.7  # cm; upright labels do not fit next to panels that are lower than this
 
 
 def _word(value):

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 __all__ = ["ATTRACTORS", "REGIMES", "Plots", "attractor_colour", "classes"]
 
-# Colours of the report and the explorer, which readers with any colour vision can tell apart.
+# Colours of the report and the explorer, which readers with any colour vision can distinguish.
 REGIMES = {
     "P-1": "#366EFB",
     "P-2": "#1FBADD",

@@ -607,15 +607,15 @@ _LARGEST_SHOWN = 64 << 20  # bytes of a result: notebooks keep the page in their
 
 
 def find_template() -> str | os.PathLike | None:
-    """Returns the explorer's template: that of WHIRL_EXPLORER, in the package, beside the command ``whirl``, in the
+    """Returns the explorer's template: that of WHIRL_EXPLORER, in the package, next to the command ``whirl``, in the
     system's folders, or built in the checkout of this package; None if there is none."""
     command, own = shutil.which("whirl"), Path(__file__).resolve().parent
-    beside = Path(command).resolve().parent if command else own
+    folder = Path(command).resolve().parent if command else own
     places = (
         os.environ.get("WHIRL_EXPLORER"),
         own / "_native" / "explorer.html",
-        beside.parent / "share" / "whirl" / "explorer.html",
-        beside / "explorer" / "template.html",
+        folder.parent / "share" / "whirl" / "explorer.html",
+        folder / "explorer" / "template.html",
         "/usr/local/share/whirl/explorer.html",
         "/usr/share/whirl/explorer.html",
         own.parents[2] / "build" / "explorer" / "template.html",

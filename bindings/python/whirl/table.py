@@ -220,7 +220,7 @@ class Table(Mapping):
         """Returns the numbers of a field in SI, and the name of the unit: ``radius, unit =
         table.si("orbit/max_radius")``.
 
-        A column of orders beside lengths (``spectrum/lines``) is unchanged.
+        A column of orders among lengths (``spectrum/lines``) is unchanged.
         """
         field, numbers = self._field(name), self[name]
         factor = np.asarray(field.si_factor)

@@ -160,7 +160,7 @@ export class AtRest {
   }
 
   /// Returns the point `steps` after the one at a value.
-  beside(value: number, steps: number): number {
+  neighbour(value: number, steps: number): number {
     const at = this.order.indexOf(this.diagram.nearest(value)) + steps;
     return this.order[Math.min(this.order.length - 1, Math.max(0, at))] ?? -1;
   }

@@ -133,7 +133,7 @@ export class RunUp {
   }
 
   /// Middle of every row of the torques, s. A stored run that ended early has rows without torques at its end, which
-  /// tell its planned length to half a row.
+  /// give its planned length to half a row.
   get torqueTimes(): Float64Array {
     const rows = this.time.length;
     const values = this.column(FIELD.RUNUP_TORQUE_COURSE, 0, 1).subarray(0, rows);

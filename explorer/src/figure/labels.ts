@@ -99,7 +99,7 @@ export interface Marked {
 }
 
 /// Places texts next to their marks without overlapping edges, texts or other marks; texts without room are left out.
-function placeBeside(marks: readonly Marked[], frame: Room, size: number, width: (text: string) => number): Label[] {
+function placeNextTo(marks: readonly Marked[], frame: Room, size: number, width: (text: string) => number): Label[] {
   const taken: Label[] = [];
   for (const { x, y, text } of marks) {
     const half = width(text) / 2;
@@ -135,7 +135,7 @@ export function drawLabels(pen: Pen, marks: readonly Marked[], frame: Room, size
   pen.font = face;
   pen.textAlign = 'center';
   pen.textBaseline = 'middle';
-  for (const { text, centre, half, bottom } of placeBeside(marks, frame, size, (each) => textWidth(each, face))) {
+  for (const { text, centre, half, bottom } of placeNextTo(marks, frame, size, (each) => textWidth(each, face))) {
     pen.fillStyle = colours.paper;
     pen.globalAlpha = 0.75;
     pen.beginPath();

@@ -158,7 +158,7 @@ export class BodeView implements RestChart {
     });
     this.stack = new Stack(this.main, this.lower, listener, (value, steps) => {
       const { rest } = this.subject!;
-      return rest.diagram.values[rest.beside(value, steps)] ?? value;
+      return rest.diagram.values[rest.neighbour(value, steps)] ?? value;
     });
     this.station = select('Station', [], '', (value) => listener.station(Number(value)));
     this.probe = new AngleField((probe) => listener.chosen({ probe }));

@@ -70,7 +70,7 @@ export class CampbellView implements RestChart {
     });
     this.stack = new Stack(this.main, this.lower, listener, (value, steps) => {
       const { rest } = this.subject!;
-      return rest.diagram.values[rest.beside(value, steps)] ?? value;
+      return rest.diagram.values[rest.neighbour(value, steps)] ?? value;
     });
     this.damping = new Segments(
       'Damping as',

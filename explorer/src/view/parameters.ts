@@ -54,7 +54,7 @@ interface Bounds {
 }
 
 /// Widths of the slider of a fitted parameter on both sides of its value, in half-widths of its 95 % interval: at the
-/// ends of the slider the machine no longer does what was measured.
+/// ends of the slider the machine no longer agrees with the measurement.
 const FITTED_WIDTHS = 10;
 
 /// Returns the range of the slider in SI: the sweep's range, or that around a fitted value, else from 0 to twice the

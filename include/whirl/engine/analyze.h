@@ -80,7 +80,7 @@ typedef struct whirl_kind {
     const char *method; ///< the method of finding its points; NULL: integration, by the method of their options
     const char *place; ///< words for the state of points at rest: "about where the machine rests"; NULL for other kinds
     const char *begins; ///< the start from which its points are followed; NULL: values of the parameter
-    const char *beside; ///< remark that follows the name of `method` in texts, or ""
+    const char *remark; ///< remark that follows the name of `method` in texts, or ""
     /// True if its points are motions: with a start, a transient, a record and a verdict, and so with several starts,
     /// confirmation and refinement.
     bool moves;

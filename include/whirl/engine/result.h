@@ -33,7 +33,7 @@ typedef struct whirl_coexisting {
     size_t first;        ///< first point of the table that settled on it
     size_t starts;       ///< number of starts that settled on it; 0: only starts from neighbours, which do not count
     size_t of;           ///< starts of the parameter value that are done, with or without a verdict
-    size_t beside;       ///< number of attractors of the parameter value, with this one
+    size_t coexisting;   ///< number of attractors of the parameter value, with this one
     double share, error; ///< share of the starts that are done, and its standard error for starts drawn at random
 } whirl_coexisting;
 
@@ -232,9 +232,9 @@ typedef struct whirl_jump {
 } whirl_jump;
 
 /// Finds jumps along a table: changes by more than 3 % of the motion's size and 8 times the change between points
-/// around. A jump may be a change between coexisting motions, or a sudden change of one (a crisis); it does not tell
-/// which. Maps have none, nor tables without the analysis "orbit". *count is their number; at most `most` are written.
-/// WHIRL_NO_MEMORY.
+/// around. A jump may be a change between coexisting motions, or a sudden change of one (a crisis); the table does
+/// not show which. Maps have none, nor tables without the analysis "orbit". *count is their number; at most `most` are
+/// written. WHIRL_NO_MEMORY.
 whirl_status whirl_table_jumps(const whirl_table *table, whirl_jump *jumps, size_t most, size_t *count);
 
 /// An attractor of several points of a table.

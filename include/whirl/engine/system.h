@@ -25,7 +25,7 @@ enum {
     WHIRL_MAX_CONTACTS = 1024, ///< unilateral contacts
     WHIRL_MAX_PROBES = 256,    ///< probes
     WHIRL_MAX_TILTING = 6,     ///< tilting pads of one bearing
-    WHIRL_MAX_REPEATS = 128    ///< longest period of forces, in revolutions, that rotors look for
+    WHIRL_MAX_REPEATS = 128    ///< longest common period of forces that rotors detect, in revolutions
 };
 
 /// A harmonic of the runout of a shaft, which probes add to its motion: Re(v exp(i order tau)), tau the angle of the
@@ -93,7 +93,7 @@ typedef struct whirl_extremes {
 typedef struct whirl_law_range {
     char part[2 * WHIRL_NAME_SIZE]; ///< "film at journal"
     const char *quantity, *unit;    ///< "eccentricity ratio", "1"
-    const char *limit;              ///< meaning of the limit: "that its coefficients are known for"
+    const char *limit;              ///< printed after that end: "to which its coefficients were found"
     double most;                    ///< upper end of the range
     double reached;                 ///< the largest value reached; NaN if the extremes do not determine it
     size_t probe;                   ///< probe of the part
@@ -203,9 +203,9 @@ typedef struct whirl_system {
     const whirl_lanes *lanes; ///< NULL for systems that are not rotors; borrowed
 
     /// Optional: [dimension] the period of angles that the state drives (a pendulum), 0 for all other coordinates;
-    /// borrowed. Slopes have that period in them. The angles are brought to within half a period of 0 at the end of
-    /// every revolution, and states that differ by whole periods are equal: a pendulum that goes over the top in every
-    /// revolution moves periodically. 0 for coordinates with a period in `turns`.
+    /// borrowed. The right-hand side has that period in them. The angles are brought to within half a period of 0 at
+    /// the end of every revolution, and states that differ by whole periods are equal: a pendulum that goes over the
+    /// top in every revolution moves periodically. 0 for coordinates with a period in `turns`.
     const double *angles;
 
     /// Optional: writes named order number `index`, from 0; false past the last.
@@ -244,7 +244,7 @@ typedef struct whirl_system {
     /// place of twists: 1 for an axial mode.
     double (*axial)(const void *model, const double *v, double *shape);
 
-    size_t torque_count; ///< torques that a run-up by the machine's own torques watches (whirl_running.watch)
+    size_t torque_count; ///< torques that run-ups by the machine's own torques record (whirl_running.watch)
 
     /// Optional, for machines with stations that twist: what excites them and what carries torque; borrowed.
     const whirl_torsion *torsion;

@@ -78,12 +78,12 @@ whirl_status whirl_bearings_at(const whirl_resting *point, double speed, double 
     if (status.code != WHIRL_OK) return status;
     status = whirl_synchronous_check(alone.system, speed);
     double *x = calloc(alone.system->dimension + 8 * probes + 1, sizeof *x);
-    double *beside = x ? x + alone.system->dimension : NULL;
+    double *other = x ? x + alone.system->dimension : NULL;
     if (!x) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the coefficients of bearings");
     if (x && status.code == WHIRL_OK) status = whirl_bearing_coefficients(&alone, x, numbers);
     for (size_t p = 0; p < probes && x; p++) x[alone.system->probes[p].x] = 1e-3;
-    if (status.code == WHIRL_OK) status = whirl_bearing_coefficients(&alone, x, beside);
-    if (status.code == WHIRL_OK && memcmp(numbers, beside, 8 * probes * sizeof *beside) != 0) {
+    if (status.code == WHIRL_OK) status = whirl_bearing_coefficients(&alone, x, other);
+    if (status.code == WHIRL_OK && memcmp(numbers, other, 8 * probes * sizeof *other) != 0) {
         status = find_rest(point, speed, alone.system, x);
         if (status.code == WHIRL_OK) status = whirl_bearing_coefficients(&alone, x, numbers);
     }

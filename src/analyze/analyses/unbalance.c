@@ -99,7 +99,7 @@ static void fill_station(const block_view *view, size_t which, const double *x, 
 }
 
 /// Fills in the clearance of each station, and the unbalances that a rule has placed.
-static void fill_beside(const whirl_resting *point, const block_view *view) {
+static void fill_stations(const whirl_resting *point, const block_view *view) {
     for (size_t p = 0; p < point->system->probe_count; p++) {
         const whirl_probe *probe = &point->system->probes[p];
         const double bearing = probe->clearance > 0.0 ? probe->clearance : (double)NAN;
@@ -124,7 +124,7 @@ static whirl_status unbalance_compute(const whirl_resting *point, const whirl_re
     whirl_status status = whirl_synchronous_check(system, point->speed);
     if (status.code == WHIRL_OK) status = whirl_forced_response(system, point->start, rest, response);
     *view_numbers(view, SPEED, 0) = point->speed;
-    fill_beside(point, view);
+    fill_stations(point, view);
     for (size_t p = 0; p < system->probe_count && status.code == WHIRL_OK; p++) {
         const whirl_probe *probe = &system->probes[p];
         const double nothing[2] = {0.0, 0.0};

@@ -40,12 +40,12 @@ perturbed_copy perturbed_copy_of(const whirl_integrate_options *integrate, const
                             .x = x};
 }
 
-static double distance_beside(const perturbed_copy *copy, double size) {
+static double distance_at_size(const perturbed_copy *copy, double size) {
     return fmax(copy->share * (size > 1e-12 ? size : 1.0), copy->least);
 }
 
 void perturbed_copy_begin(perturbed_copy *copy, const double *x) {
-    copy->distance = distance_beside(copy, perturbed_copy_norm(copy, x));
+    copy->distance = distance_at_size(copy, perturbed_copy_norm(copy, x));
     perturbed_copy_place(copy, x);
 }
 
@@ -66,7 +66,7 @@ double perturbed_copy_growth(perturbed_copy *copy, const double *x, bool first, 
     }
     distance = sqrt(distance);
     const double size = fmax(perturbed_copy_norm(copy, x), copy->range), before = copy->distance,
-                 next = distance_beside(copy, size);
+                 next = distance_at_size(copy, size);
     const bool lost = !(distance > DBL_EPSILON * size);
     if (next > (first ? outgrown_first : outgrown) * before || next < before / outgrown) copy->distance = next;
     if (lost || !bounded || !isfinite(distance)) {

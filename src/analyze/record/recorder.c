@@ -44,7 +44,7 @@ struct whirl_recorder {
     whirl_ensemble *variational; ///< carries all perturbations, next to the other one; or NULL
     orbit_searches *searches;    ///< searches orbits, or NULL
     size_t dimension, lane_count;
-    size_t beside;           ///< perturbations of a motion that the Jacobian carries
+    size_t carried;          ///< perturbations of a motion that the Jacobian carries
     int first_watched, last; ///< revolutions
     size_t used;             ///< lanes
     motion **owner;          ///< [lane_count] motion in every used lane
@@ -59,7 +59,7 @@ struct whirl_recorder {
 
 /// Returns true if motions have a perturbed copy while they are watched.
 static bool has_copies(const whirl_recorder *r) {
-    return r->options->growth == WHIRL_GROWTH_LARGEST && r->beside == 0;
+    return r->options->growth == WHIRL_GROWTH_LARGEST && r->carried == 0;
 }
 
 /// Returns true if a motion was put on an orbit, whose multipliers give the growth of perturbations.
@@ -158,14 +158,14 @@ static void motion_free(motion *m) {
 }
 
 static motion *motion_new(const whirl_recorder *r, const whirl_task *task) {
-    const size_t rows = 2 + r->beside;
+    const size_t rows = 2 + r->carried;
     motion *m = calloc(1, sizeof *m + rows * r->dimension * sizeof(double));
     if (!m) return NULL;
     *m = (motion){.task = *task, .lane = NO_LANE, .copy_lane = NO_LANE, .x = (double *)(m + 1)};
     m->perturbations = m->x + 2 * r->dimension;
     m->copy = perturbed_copy_of(r->integrate, task->system, m->x + r->dimension);
     m->record = record_new(task->system, r->integrate, r->options);
-    if (m->record && r->beside > 0) record_place_perturbations(m->record, r->beside, m->perturbations);
+    if (m->record && r->carried > 0) record_place_perturbations(m->record, r->carried, m->perturbations);
     memcpy(m->x, task->start, r->dimension * sizeof *m->x);
     m->first_recorded = r->options->transient;
     if (m->record && recorder_follows(r, m)) perturbed_copy_begin(&m->copy, m->x);
@@ -188,7 +188,7 @@ static void motion_archive(const whirl_recorder *r, motion *m, archive *a) {
     archive_part(a, &m->first_recorded, sizeof m->first_recorded);
     archive_part(a, &m->copy.distance, sizeof m->copy.distance);
     archive_part(a, &m->copy.range, sizeof m->copy.range);
-    archive_part(a, m->x, (2 + r->beside) * r->dimension * sizeof *m->x); // perturbations follow
+    archive_part(a, m->x, (2 + r->carried) * r->dimension * sizeof *m->x); // perturbations follow
     if (m->settling) settling_archive(m->settling, a);
     if (m->approach) approach_archive(m->approach, a);
     size_t shooting = m->search ? m->search->revolutions : 0;
@@ -295,15 +295,15 @@ whirl_status whirl_recorder_add(whirl_recorder *r, const whirl_task *task, void 
 // ---------------------------------------------------------------- a revolution
 
 /// Attaches the perturbations of a motion to a lane of an ensemble.
-static void carry_beside(const whirl_recorder *r, motion *m, whirl_ensemble *ensemble, size_t lane) {
+static void carry_perturbations(const whirl_recorder *r, motion *m, whirl_ensemble *ensemble, size_t lane) {
     whirl_record *record = m->record;
     const size_t count = record->growth_count;
     double *growth = record->growths ? record->growths + count * record->dimension : &record->growth[count];
-    m->set = (whirl_perturbations){.count = r->beside, .vectors = m->perturbations, .growth = growth};
+    m->set = (whirl_perturbations){.count = r->carried, .vectors = m->perturbations, .growth = growth};
     whirl_ensemble_carry(ensemble, lane, &m->set);
 }
 
-static void note_beside(motion *m) {
+static void note_perturbations(motion *m) {
     whirl_record *record = m->record;
     if (m->set.count == 0) return;
     if (record->growths) record->volume[record->growth_count] = m->set.volume;
@@ -315,7 +315,7 @@ static void note_beside(motion *m) {
 static whirl_status recorder_prepare(whirl_recorder *r, motion *m) {
     const bool sized_now = recorder_follows(r, m) && m->record->growth_count == 0;
     if (m->revolution == m->first_recorded || sized_now) whirl_ensemble_forget(r->ensemble, m->lane);
-    if (r->beside > 0 && !r->variational && is_followed(r, m)) carry_beside(r, m, r->ensemble, m->lane);
+    if (r->carried > 0 && !r->variational && is_followed(r, m)) carry_perturbations(r, m, r->ensemble, m->lane);
     if (!recorder_follows(r, m) || m->copy_lane != NO_LANE) return whirl_ok();
     perturbed_copy_begin(&m->copy, m->x);
     if (r->used < r->lane_count) {
@@ -423,7 +423,7 @@ static whirl_status follow_all(whirl_recorder *r) {
         if (recorder_waits(m) || !is_followed(r, m)) continue;
         const whirl_status status = whirl_ensemble_load(r->variational, count, m->task.system, m->x);
         if (status.code != WHIRL_OK) return status;
-        carry_beside(r, m, r->variational, count++);
+        carry_perturbations(r, m, r->variational, count++);
         if (count < whirl_ensemble_lanes(r->variational)) continue;
         whirl_ensemble_revolve(r->variational, count, NULL);
         count = 0;
@@ -452,7 +452,7 @@ static void recorder_note(whirl_recorder *r, motion *m) {
     memcpy(record->end, m->x, record->dimension * sizeof *m->x);
     whirl_ensemble_state(r->ensemble, m->lane, m->x);
     record->motion = whirl_ensemble_motion(r->ensemble, m->lane);
-    note_beside(m);
+    note_perturbations(m);
     if (recorder_records(m)) record->sample_count += r->sample_count;
     m->revolution++;
     record->revolutions += 1.0;
@@ -649,8 +649,8 @@ bool whirl_recorder_drop(whirl_recorder *r, whirl_task *task) {
 
 /// Returns how many perturbations an integrator carries with a motion. A perturbed copy gives the largest growth,
 /// except with methods whose steps change abruptly, or systems with kinks.
-static size_t count_beside(const whirl_system *system, const whirl_integrate_options *integrate,
-                           const whirl_record_options *options) {
+static size_t count_carried(const whirl_system *system, const whirl_integrate_options *integrate,
+                            const whirl_record_options *options) {
     const whirl_method *own;
     if (options->growth == WHIRL_GROWTH_ALL) return system->dimension;
     if (options->growth == WHIRL_GROWTH_NONE || !system->tangent) return 0;
@@ -668,13 +668,13 @@ static bool go_side_by_side(const whirl_system *system, const whirl_integrate_op
 
 static whirl_status start_ensemble(whirl_recorder *r, const whirl_system *system, size_t lanes) {
     if (!go_side_by_side(system, r->integrate, r->options)) {
-        r->beside = count_beside(system, r->integrate, r->options);
+        r->carried = count_carried(system, r->integrate, r->options);
         r->max_count = 1; // one after the other
-        return whirl_ensemble_alone(system, r->integrate, has_copies(r) ? 2 : 1, r->beside, &r->ensemble);
+        return whirl_ensemble_alone(system, r->integrate, has_copies(r) ? 2 : 1, r->carried, &r->ensemble);
     }
     const whirl_status status = whirl_ensemble_new(system, r->integrate, lanes, &r->ensemble);
     if (status.code != WHIRL_OK || r->options->growth != WHIRL_GROWTH_ALL) return status;
-    r->beside = system->dimension;
+    r->carried = system->dimension;
     return whirl_ensemble_variational(system, r->integrate, &r->variational);
 }
 

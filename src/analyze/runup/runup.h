@@ -16,7 +16,7 @@ enum { RUNUP_ORDERS = 4 };
 
 /// End of a run.
 typedef enum runup_end {
-    RUNUP_DONE,     ///< at its time or its last speed
+    RUNUP_DONE,     ///< reached its time or its last speed
     RUNUP_STALLED,  ///< the shaft came to rest, or never turned
     RUNUP_DIVERGED, ///< the motion left all bounds
     RUNUP_STUCK,    ///< the solver could not go on
@@ -27,7 +27,7 @@ typedef enum runup_end {
 typedef struct runup_station {
     double radius;                                   ///< largest distance from the centre
     double mean[2];                                  ///< means of x and y over the turn
-    double complex x[RUNUP_ORDERS], y[RUNUP_ORDERS]; ///< 2/turn times the integrals of x and y by exp(-i k theta)
+    double complex x[RUNUP_ORDERS], y[RUNUP_ORDERS]; ///< 2/turn times the integrals of x and y times exp(-i k theta)
 } runup_station;
 
 /// A turn of the shaft.
@@ -98,7 +98,7 @@ typedef void runup_see(void *context, const runup_turn *turn);
 typedef struct runup_state runup_state;
 
 /// Processes everything that the rest of a run depends on, to the bit. When it reads, the run must have the same
-/// machine and plan; a state that does not fit leaves the run unusable, which the archive says.
+/// machine and plan; a state that does not fit leaves the run unusable, and the archive reports that.
 void runup_archive(runup_state *state, archive *a);
 
 /// Returns the number of turns so far, of settling and of the run.

@@ -188,8 +188,8 @@ static bool fit_solve(const fit_plan *plan, const fit_sums *sums, base_solved so
     return true;
 }
 
-/// Refines the frequencies by a round. Returns the most by which one moves, in bins; infinity where lines cannot be
-/// told apart.
+/// Refines the frequencies by a round. Returns the most by which one moves, in bins; infinity if lines cannot be
+/// distinguished.
 static double fit_refine(const fit_plan *plan, const whirl_record *record, size_t station, fit_sums *sums,
                          line_fit *fit) {
     const double revolutions = (double)record->record_count, half = 0.5 * revolutions;

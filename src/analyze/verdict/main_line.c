@@ -12,7 +12,7 @@
 enum { MIN_REVOLUTIONS = 32, MAX_STATIONS = 64, MAX_MULTIPLE = 8, LOW_MULTIPLE = 3 };
 
 /// Bins within which a line counts as a whole order or as constant.
-static const double beside = 3.0;
+static const double whole_order_bins = 3.0;
 
 /// Highest order of the search: lines above are combinations of lower ones.
 static const double highest = 4.0;
@@ -33,8 +33,8 @@ static whirl_spectrum *spectrum_at(const whirl_record *record, size_t station) {
     return status.code == WHIRL_OK ? spectrum : NULL;
 }
 
-static const whirl_line *largest_beside(const whirl_spectrum *spectrum) {
-    const double away = beside * spectrum->resolution;
+static const whirl_line *largest_other_line(const whirl_spectrum *spectrum) {
+    const double away = whole_order_bins * spectrum->resolution;
     for (size_t i = 0; i < spectrum->line_count; i++) {
         const double order = spectrum->lines[i].order;
         if (order > away && fabs(order - round(order)) > away) return &spectrum->lines[i];
@@ -103,7 +103,7 @@ main_line main_line_find(const whirl_record *record) {
     // Find the station whose spectrum has the strongest line that is no multiple of the speed.
     for (size_t s = 0; s < record->probe_count && s < MAX_STATIONS; s++) {
         whirl_spectrum *own = spectrum_at(record, s);
-        const whirl_line *line = own ? largest_beside(own) : NULL;
+        const whirl_line *line = own ? largest_other_line(own) : NULL;
         const double extent = half_extent(record, s);
         const double share = line && extent > 0.0 ? main_line_amplitude(line) / extent : 0.0;
         const bool best = share > 0.0 && !(share <= found.share);

@@ -216,7 +216,7 @@ static void quasi_periodic_reason(const whirl_verdict *v, const char *exponent, 
     else
         snprintf(what, sizeof what,
                  "is regular; no smooth curve is seen, so that a torus of three frequencies is not excluded (the "
-                 "analysis exponents tells)");
+                 "analysis exponents decides it)");
     snprintf(text, size,
              "does not return (%.1e of its size at best) but %s; averages of two halves agree to %.1f digits; %s",
              v->recurrence, what, v->regularity, exponent);

@@ -211,8 +211,8 @@ static whirl_status check_as_written(const whirl_key *key, double value, const c
     spoken.unit = unit;
     spoken.range.low /= size;
     spoken.range.high /= size;
-    const whirl_status told = whirl_key_check_number(&spoken, value / size);
-    return with_direction(key, value, told.code == WHIRL_OK ? status : told);
+    const whirl_status checked = whirl_key_check_number(&spoken, value / size);
+    return with_direction(key, value, checked.code == WHIRL_OK ? status : checked);
 }
 
 whirl_status formula_check(const parameter_table *parameters, const whirl_key *key, const number_formula *formula,

@@ -40,7 +40,7 @@ typedef struct collector {
 /// same orbit. Both are over the largest coordinate.
 static const double near = 1e-4, same = 1e-6;
 
-/// worth: distance of a return from which Newton's method is tried, which must converge in STEPS_FROM_NEAR steps.
+/// worth: largest distance of a return from which Newton's method is tried; it must converge in STEPS_FROM_NEAR steps.
 static const double worth = 0.01;
 enum { STEPS_FROM_NEAR = 8 };
 

@@ -61,9 +61,9 @@ static whirl_status leave_across(follower *f, double step, const double *tangent
 }
 
 /// Finds the branch's tangent at a thousandth of the span from the special point. At the point itself, where two
-/// branches cross, errors turn the tangent towards the other branch. `beside` has no orbit if none is found there.
-static whirl_status tangent_beside(follower *f, const departure_point *point, waypoint *beside, double *trial,
-                                   double *direction) {
+/// branches cross, errors turn the tangent towards the other branch. `other` has no orbit if none is found there.
+static whirl_status find_other_tangent(follower *f, const departure_point *point, waypoint *other, double *trial,
+                                       double *direction) {
     const size_t n = f->curve.count;
     const double span = f->options->to - f->options->from, high = fmax(f->options->from, f->options->to);
     const double aside = 1e-3 * fabs(span), length = point->u[n] + aside > high ? -aside : aside;
@@ -72,7 +72,7 @@ static whirl_status tangent_beside(follower *f, const departure_point *point, wa
         trial[i] = point->u[i] + (flat ? length * point->tangent[i] / point->tangent[n] : 0.0);
     trial[n] = point->u[n] + length;
     curve_parameter_direction(&f->curve, direction);
-    return follower_find(f, trial, direction, point->tangent, beside);
+    return follower_find(f, trial, direction, point->tangent, other);
 }
 
 /// Leaves the special point orthogonal to its own tangent. If errors have turned that tangent, leaves it orthogonal to
@@ -81,19 +81,19 @@ static whirl_status leave_orbit(follower *f, double value, double step, waypoint
                                 double *direction) {
     const size_t all = f->curve.count + 1;
     departure_point point = {.u = calloc(2 * all, sizeof(double))};
-    waypoint beside = {.u = NULL};
+    waypoint other = {.u = NULL};
     if (!point.u) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit");
     point.tangent = point.u + all;
     follower_take(f, value, trial);
     whirl_status left = leave_across(f, step, NULL, &point, at, trial, direction);
-    whirl_status status = waypoint_new(f, &beside);
+    whirl_status status = waypoint_new(f, &other);
     if (status.code == WHIRL_OK && left.code != WHIRL_NO_MEMORY)
-        status = tangent_beside(f, &point, &beside, trial, direction);
-    if (status.code == WHIRL_OK && beside.orbit && curve_dot(&f->curve, beside.tangent, point.tangent) < 0.9) {
+        status = find_other_tangent(f, &point, &other, trial, direction);
+    if (status.code == WHIRL_OK && other.orbit && curve_dot(&f->curve, other.tangent, point.tangent) < 0.9) {
         memcpy(trial, point.u, all * sizeof *trial);
-        left = leave_across(f, step, beside.tangent, &point, at, trial, direction);
+        left = leave_across(f, step, other.tangent, &point, at, trial, direction);
     }
-    waypoint_free(&beside);
+    waypoint_free(&other);
     free(point.u);
     return status.code == WHIRL_OK ? left : status;
 }

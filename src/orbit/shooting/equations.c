@@ -126,7 +126,7 @@ static bool turn_to(orbit_equations *e, double value) {
 }
 
 /// Computes the ends of the segments of a neighbouring machine, from the same nodes.
-static bool ends_beside(const orbit_equations *e, double value, double period, double *ends) {
+static bool ends_at(const orbit_equations *e, double value, double period, double *ends) {
     whirl_machine machine = {.system = NULL};
     shooting *s = NULL;
     whirl_status status = e->family->machine(e->family->context, value, &machine);
@@ -144,20 +144,20 @@ static bool ends_beside(const orbit_equations *e, double value, double period, d
 }
 
 /// Computes the ends of several machines, side by side in lanes; ends [count][segments][dimension].
-static bool all_ends_beside(const orbit_equations *e, size_t count, const double *values, double period, double *ends) {
-    whirl_machine machines[MAX_BESIDE] = {0};
-    const whirl_system *systems[MAX_BESIDE];
+static bool all_ends_at(const orbit_equations *e, size_t count, const double *values, double period, double *ends) {
+    whirl_machine machines[MAX_MACHINES] = {0};
+    const whirl_system *systems[MAX_MACHINES];
     const size_t size = e->s->count * e->s->dimension;
     bool good = e->s->lanes != NULL;
     for (size_t k = 0; k < count && good; k++) {
         good = e->family->machine(e->family->context, values[k], &machines[k]).code == WHIRL_OK;
         systems[k] = machines[k].system;
     }
-    good = good && shooting_carry_beside(e->s, count, systems, e->nodes, period, ends);
+    good = good && shooting_carry_machines(e->s, count, systems, e->nodes, period, ends);
     for (size_t k = 0; k < count; k++) equations_release(&machines[k]);
     if (good) return true;
     for (size_t k = 0; k < count; k++)
-        if (!ends_beside(e, values[k], period, ends + k * size)) return false;
+        if (!ends_at(e, values[k], period, ends + k * size)) return false;
     return true;
 }
 
@@ -168,7 +168,7 @@ static bool by_parameter(orbit_equations *e, double period) {
     const double values[2] = {e->value + e->reach, e->value - e->reach};
     const size_t size = e->s->count * e->s->dimension;
     double *ends = e->work + e->s->dimension;
-    if (!all_ends_beside(e, 2, values, period, ends)) return false;
+    if (!all_ends_at(e, 2, values, period, ends)) return false;
     for (size_t i = 0; i < size; i++) ends[i] = (ends[i] - ends[size + i]) / (values[0] - values[1]);
     return true;
 }

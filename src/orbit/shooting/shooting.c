@@ -107,7 +107,7 @@ void shooting_free(shooting *s) {
     if (!s) return;
     for (size_t j = 0; s->integrators && j < s->part_count; j++) whirl_integrator_free(s->integrators[j]);
     whirl_ensemble_free(s->lanes);
-    whirl_ensemble_free(s->beside);
+    whirl_ensemble_free(s->motion_lanes);
     free(s->columns);
     free(s->integrators);
     free(s->parts);
@@ -156,10 +156,10 @@ static void shooting_place(const shooting *s, whirl_ensemble *lanes, size_t lane
 }
 
 /// Makes lanes for motions of other machines, unless they exist. Returns false if lanes do not carry such motions.
-static bool has_beside(shooting *s) {
-    const size_t some = MAX_BESIDE * s->count, lanes = some > MAX_ABREAST ? some : MAX_ABREAST;
-    if (!s->lanes || s->beside) return s->beside;
-    return whirl_ensemble_flow(s->first, &s->integrate, lanes, 0, &s->beside).code == WHIRL_OK;
+static bool has_motion_lanes(shooting *s) {
+    const size_t some = MAX_MACHINES * s->count, lanes = some > MAX_ABREAST ? some : MAX_ABREAST;
+    if (!s->lanes || s->motion_lanes) return s->motion_lanes;
+    return whirl_ensemble_flow(s->first, &s->integrate, lanes, 0, &s->motion_lanes).code == WHIRL_OK;
 }
 
 /// Carries `count` segments from segment `first` on, in lanes.
@@ -211,21 +211,21 @@ bool shooting_renew(shooting *s, const whirl_system *system) {
     return true;
 }
 
-bool shooting_carry_beside(shooting *s, size_t count, const whirl_system *const *systems, const double *nodes,
-                           double period, double *ends) {
+bool shooting_carry_machines(shooting *s, size_t count, const whirl_system *const *systems, const double *nodes,
+                             double period, double *ends) {
     const size_t d = s->dimension, lanes = count * s->count;
-    if (count > MAX_BESIDE || !has_beside(s)) return false;
+    if (count > MAX_MACHINES || !has_motion_lanes(s)) return false;
     shooting_stretch(s, period);
     for (size_t lane = 0; lane < lanes; lane++) {
         const size_t j = lane % s->count;
-        if (whirl_ensemble_load(s->beside, lane, systems[lane / s->count], nodes + j * d).code != WHIRL_OK)
+        if (whirl_ensemble_load(s->motion_lanes, lane, systems[lane / s->count], nodes + j * d).code != WHIRL_OK)
             return false;
-        shooting_place(s, s->beside, lane, j, nodes + j * d);
+        shooting_place(s, s->motion_lanes, lane, j, nodes + j * d);
     }
-    whirl_ensemble_revolve(s->beside, lanes, NULL);
+    whirl_ensemble_revolve(s->motion_lanes, lanes, NULL);
     for (size_t lane = 0; lane < lanes; lane++) {
-        whirl_ensemble_state(s->beside, lane, ends + lane * d);
-        if (whirl_ensemble_motion(s->beside, lane) != WHIRL_BOUNDED) return false;
+        whirl_ensemble_state(s->motion_lanes, lane, ends + lane * d);
+        if (whirl_ensemble_motion(s->motion_lanes, lane) != WHIRL_BOUNDED) return false;
     }
     return true;
 }
@@ -236,20 +236,20 @@ static bool map_in_lanes(shooting *s, size_t count, double *x, double period) {
     const size_t d = s->dimension, revolutions = s->revolutions > 0 ? s->revolutions : 1;
     bool good = true;
     for (size_t i = 0; i < count && good; i++)
-        good = whirl_ensemble_load(s->beside, i, s->system, x + i * d).code == WHIRL_OK;
+        good = whirl_ensemble_load(s->motion_lanes, i, s->system, x + i * d).code == WHIRL_OK;
     for (size_t i = 0; i < count && good; i++)
-        whirl_ensemble_part(s->beside, i, 0.0, s->revolutions > 0 ? s->system->period : period);
-    for (size_t i = 0; i < revolutions && good; i++) whirl_ensemble_revolve(s->beside, count, NULL);
+        whirl_ensemble_part(s->motion_lanes, i, 0.0, s->revolutions > 0 ? s->system->period : period);
+    for (size_t i = 0; i < revolutions && good; i++) whirl_ensemble_revolve(s->motion_lanes, count, NULL);
     for (size_t i = 0; i < count && good; i++) {
-        whirl_ensemble_state(s->beside, i, x + i * d);
-        good = whirl_ensemble_motion(s->beside, i) == WHIRL_BOUNDED;
+        whirl_ensemble_state(s->motion_lanes, i, x + i * d);
+        good = whirl_ensemble_motion(s->motion_lanes, i) == WHIRL_BOUNDED;
     }
     return good;
 }
 
 bool shooting_map(shooting *s, size_t count, double *x, double period) {
     shooting_stretch(s, period);
-    if (has_beside(s)) return map_in_lanes(s, count, x, period);
+    if (has_motion_lanes(s)) return map_in_lanes(s, count, x, period);
     for (size_t i = 0; i < count; i++)
         for (size_t j = 0; j < s->count; j++)
             if (s->lanes || whirl_integrator_revolve(s->integrators[j % s->part_count], x + i * s->dimension, NULL,

@@ -7,8 +7,8 @@
 #include "whirl/engine/orbit.h"
 
 enum {
-    MAX_BESIDE = 2, ///< most machines with neighbouring parameters
-    MAX_ABREAST = 8 ///< most motions of the present machine side by side
+    MAX_MACHINES = 2, ///< most machines with neighbouring parameters
+    MAX_ABREAST = 8   ///< most motions of the present machine side by side
 };
 
 /// A machine with the workspace of an orbit's segments. Segment j of `count` leads from node j to node j + 1, the last
@@ -27,7 +27,7 @@ typedef struct shooting {
     part *parts;                    ///< [part_count]
     whirl_integrator **integrators; ///< [part_count] NULL where lanes carry the segments
     whirl_ensemble *lanes;          ///< segments side by side; NULL: integrators carry one after the other
-    whirl_ensemble *beside;         ///< max(MAX_BESIDE count, MAX_ABREAST) lanes for other motions; NULL: not yet
+    whirl_ensemble *motion_lanes;   ///< max(MAX_MACHINES count, MAX_ABREAST) lanes for other motions; NULL: not yet
                                     ///< needed
     whirl_perturbations *columns;   ///< [count] perturbations of the segments in lanes
     double *unit;                   ///< [kept_count][dimension] unit perturbations
@@ -57,8 +57,8 @@ bool shooting_renew(shooting *s, const whirl_system *system);
 
 /// Carries the segments of `count` other machines from the same nodes: ends [count][segments][dimension]. Returns false
 /// if a motion is not bounded, or if lanes cannot carry the machines.
-bool shooting_carry_beside(shooting *s, size_t count, const whirl_system *const *systems, const double *nodes,
-                           double period, double *ends);
+bool shooting_carry_machines(shooting *s, size_t count, const whirl_system *const *systems, const double *nodes,
+                             double period, double *ends);
 
 /// Carries up to MAX_ABREAST motions x [count][dimension] over the orbit's whole time. Returns false if one of them is
 /// not bounded.

@@ -32,7 +32,7 @@ void whirl_torus_free(whirl_torus *torus) {
 static double error_between(torus_equations *e, const double *u) {
     const size_t n = e->n;
     const double half = 0.5 * two_pi / (double)e->count, angle = u[e->count * n];
-    double *points = e->beside, *turned = points + e->count * n, *images = turned + e->count * n, error = 0.0;
+    double *points = e->workspace, *turned = points + e->count * n, *images = turned + e->count * n, error = 0.0;
     harmonics_of(e->count, n, u, e->series);
     harmonics_spread(e->count, n, e->series, half, e->count, points, NULL);
     harmonics_spread(e->count, n, e->series, half + angle, e->count, turned, NULL);

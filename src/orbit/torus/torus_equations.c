@@ -58,8 +58,8 @@ bool torus_equations_resize(torus_equations *e, size_t count) {
     if (!e->images) return false;
     e->along = e->images + size;
     e->series = e->along + size;
-    e->beside = e->series + size;
-    e->matrices = e->beside + 3 * size;
+    e->workspace = e->series + size;
+    e->matrices = e->workspace + 3 * size;
     e->weights = e->matrices + size * e->n;
     e->slopes = e->weights + count;
     return true;
@@ -75,8 +75,8 @@ size_t torus_equations_unknowns(const torus_equations *e) {
 
 void torus_equations_refer(torus_equations *e, const double *u) {
     harmonics_of(e->count, e->n, u, e->series);
-    // The values go to `beside`, which is unused here; only the slopes are needed.
-    harmonics_spread(e->count, e->n, e->series, 0.0, e->count, e->beside, e->along);
+    // The values go to `workspace`, which is unused here; only the slopes are needed.
+    harmonics_spread(e->count, e->n, e->series, 0.0, e->count, e->workspace, e->along);
 }
 
 double torus_equations_reach(const torus_equations *e, const double *u) {
@@ -119,7 +119,7 @@ static bool turn_to(torus_equations *e, double value) {
     return true;
 }
 
-static bool images_beside(torus_equations *e, double value, const double *u, double *images) {
+static bool images_at(torus_equations *e, double value, const double *u, double *images) {
     whirl_machine machine;
     section_map *map;
     if (map_at(e, value, &machine, &map).code != WHIRL_OK) return false;
@@ -133,9 +133,8 @@ static bool images_beside(torus_equations *e, double value, const double *u, dou
 /// of the span: it costs Newton's method no step, and does not move its zeros.
 static bool by_parameter(torus_equations *e, const double *u) {
     const size_t size = e->count * e->n;
-    double *above = e->beside, *below = above + size;
-    if (!images_beside(e, e->value + e->reach, u, above) || !images_beside(e, e->value - e->reach, u, below))
-        return false;
+    double *above = e->workspace, *below = above + size;
+    if (!images_at(e, e->value + e->reach, u, above) || !images_at(e, e->value - e->reach, u, below)) return false;
     for (size_t i = 0; i < size; i++) above[i] = (above[i] - below[i]) / (2.0 * e->reach);
     return true;
 }
@@ -196,7 +195,7 @@ bool torus_equations_evaluate(void *context, const double *u, double *value, dou
     write_by_angle(e, u, columns, derivative);
     if (!e->family) return true;
     if (!by_parameter(e, u)) return false;
-    for (size_t i = 0; i < size; i++) derivative[(i + 1) * columns - 1] = e->beside[i];
+    for (size_t i = 0; i < size; i++) derivative[(i + 1) * columns - 1] = e->workspace[i];
     return true;
 }
 

@@ -27,7 +27,7 @@ typedef struct torus_equations {
     double *along;            ///< [count][n] derivative of the reference curve by the angle
     double *weights, *slopes; ///< [count] weights of x(angle) and of its derivative
     double *series;           ///< [count][n] workspace
-    double *beside;           ///< [3][count][n] workspace
+    double *workspace;        ///< [3][count][n] workspace
 } torus_equations;
 
 /// Makes the equations of a machine, or of a family at a value (system NULL), without nodes. The state `at` [dimension]

@@ -67,7 +67,7 @@ static double mirrored(const bifurcation *of, double a, double b) {
 }
 
 /// Returns the value of the next (side 1) or previous (-1) point; NaN if the table does not have it.
-static double value_beside(const bifurcation *of, size_t i, int side) {
+static double neighbour_value(const bifurcation *of, size_t i, int side) {
     const whirl_table *const table = of->table;
     if (side < 0 && i == 0) return NAN;
     const size_t other = side < 0 ? i - 1 : i + 1;
@@ -94,7 +94,7 @@ static double value_of_study(const bifurcation *of, size_t i, int side) {
 
 void bifurcation_edges(const bifurcation *of, size_t i, double *low, double *high) {
     const double at = of->table->values[i];
-    double before = value_beside(of, i, -1), after = value_beside(of, i, 1);
+    double before = neighbour_value(of, i, -1), after = neighbour_value(of, i, 1);
     if (isnan(before)) before = value_of_study(of, i, -1);
     if (isnan(after)) after = value_of_study(of, i, 1);
     if (isnan(before)) before = isnan(after) ? at - 1.0 : mirrored(of, at, after);

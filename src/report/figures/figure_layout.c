@@ -207,7 +207,7 @@ static void match_scales(const whirl_figure *figure, whirl_panel *panel) {
 
 /// Narrows the figure to its panels if each is alone in its row and narrower than the figure.
 static void fit_width(whirl_figure *figure) {
-    const double beside = *figure->scale.label ? SCALE : 0.0;
+    const double scale_width = *figure->scale.label ? SCALE : 0.0;
     double widest = 0.0;
     for (size_t first = 0, end; first < figure->count; first = end) {
         double shares = 0.0;
@@ -216,7 +216,7 @@ static void fit_width(whirl_figure *figure) {
         widest = fmax(widest, shares);
     }
     if (!(widest > 0.0 && widest < 1.0 - 1e-9)) return;
-    figure->width = beside + widest * (figure->width - beside);
+    figure->width = scale_width + widest * (figure->width - scale_width);
     for (size_t i = 0; i < figure->count; i++) figure->panels[i]->width /= widest;
 }
 

@@ -30,7 +30,7 @@ static bool is_taken(const figure_list *list, const char *name) {
 
 /// Returns the part of a table's name that distinguishes it from other tables of its study at rest: "first_minimum" for
 /// "unbalance_first_minimum"; "" without one.
-static const char *name_beside(const whirl_table *table) {
+static const char *table_own_part(const whirl_table *table) {
     if (whirl_analysis_kind(table->analyses)->moves || whirl_analysis_kind(table->analyses)->found) return "";
     for (const whirl_analysis *one = whirl_analyses(); one->name; one++) {
         const size_t length = strlen(one->name);
@@ -56,9 +56,9 @@ void list_figure(figure_list *list, const figure_place *place, const char *name,
     *own = (whirl_figure_name){.point = place->point, .station = place->station};
     // Make a name for files from the given one and the table's own part.
     char safe[sizeof added->within], whole[sizeof safe];
-    const char *const beside = place->kind->whole ? "" : name_beside(place->table);
+    const char *const own_part = place->kind->whole ? "" : table_own_part(place->table);
     safe_name(name, added->within, sizeof added->within);
-    snprintf(whole, sizeof whole, "%.80s%s%.60s", name, *beside ? "-" : "", beside);
+    snprintf(whole, sizeof whole, "%.80s%s%.60s", name, *own_part ? "-" : "", own_part);
     safe_name(whole, safe, sizeof safe);
     snprintf(own->name, sizeof own->name, "%s", safe);
     // Number figures of equal names.
@@ -70,6 +70,6 @@ void list_figure(figure_list *list, const figure_place *place, const char *name,
     vsnprintf(own->title, sizeof own->title, title, arguments);
     va_end(arguments);
     const size_t used = strlen(own->title);
-    if (*beside) snprintf(own->title + used, sizeof own->title - used, " (%.60s)", beside);
+    if (*own_part) snprintf(own->title + used, sizeof own->title - used, " (%.60s)", own_part);
     list->count++;
 }

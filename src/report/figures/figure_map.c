@@ -84,9 +84,9 @@ static double field_of(const map_drawing *map, size_t point, size_t station) {
     return shown_number(map->of, map->place, point, 0);
 }
 
-static double beside_of(const map_drawing *map, size_t point, size_t station) {
+static double coexisting_of(const map_drawing *map, size_t point, size_t station) {
     (void)station;
-    return map->table->attractors ? (double)map->table->attractors[point].beside : (double)NAN;
+    return map->table->attractors ? (double)map->table->attractors[point].coexisting : (double)NAN;
 }
 
 static double share_of(const map_drawing *map, size_t point, size_t station) {
@@ -136,7 +136,8 @@ static void scale_exponents(whirl_colour_scale *scale, span range) {
 static const map_quantity quantities[] = {
     {"basins", "Basins of attraction", "", attractor_of, NULL, false},
     {"map-regime", "Regimes", "", regime_of, NULL, false},
-    {"map-attractors", "Attractors side by side", "attractors that the starts lead to", beside_of, scale_counts, false},
+    {"map-attractors", "Coexisting attractors", "attractors that the starts lead to", coexisting_of, scale_counts,
+     false},
     {"map-share", "Share of the starts that lead to the attractor shown", "share of the starts (%)", share_of,
      scale_percent, false},
     {"map-period", "Period of periodic motions", "$k$ of P-$k$", period_of, scale_periods, false},
@@ -167,8 +168,8 @@ static double square_number(const map_drawing *map, const map_cells *cells, cons
     return 0.25 * sum;
 }
 
-/// Writes the numbers of all cells of a plane; NaN for cells without a point. mixes: squares have the mean of their
-/// corners, else the number of their point.
+/// Writes the numbers of all cells of a plane; NaN for cells without a point. mixes: a square that was
+/// not refined has the mean of its corners, else the number of its point.
 static void fill_cells(const map_drawing *map, const map_cells *cells, bool mixes, const double *of, double *values) {
     const size_t count = map->table->count;
     for (size_t slot = 0; slot < cells->columns * cells->rows; slot++) {
@@ -338,14 +339,14 @@ static void write_caption(const map_drawing *map, const map_quantity *what, size
             table->parameter, table->second, table->row, whirl_table_rows(table));
         if (table->refine > 0)
             snprintf(text + strlen(text), sizeof text - strlen(text),
-                     " %zu points were computed, where regimes meet; a square whose corners agree is of their regime.",
+                     " %zu points were computed, where regimes meet; a square whose corners agree has their regime.",
                      table->count);
     } else if (what == &quantities[BASINS]) {
-        snprintf(
-            text, sizeof text,
-            "Starts over %s and %s lead to %zu attractor%s, distinguished by their sections. The key has their shares "
-            "of all starts; starts without a verdict are white.",
-            table->parameter, table->second, map->attractor_count, map->attractor_count == 1 ? "" : "s");
+        snprintf(text, sizeof text,
+                 "Starts over %s and %s lead to %zu attractor%s, distinguished by their sections. The legend gives "
+                 "their shares "
+                 "of all starts; starts without a verdict are white.",
+                 table->parameter, table->second, map->attractor_count, map->attractor_count == 1 ? "" : "s");
     } else if (what == &of_field) {
         snprintf(text, sizeof text, "%.450s.", map->figure->title);
     } else {

@@ -61,12 +61,12 @@ static size_t stations_of(const drawing *of, const whirl_table *table, const siz
 static void orbits_list(figure_list *to, const drawing *of, const whirl_table *table) {
     const figure_place place = {.kind = &orbits_figure, .table = table, .point = NO_POINT};
     size_t motions[MAX_MOTIONS], stations[MAX_STATIONS];
-    if (!motions_beside(table)) return;
+    if (!accompanying_motions(table)) return;
     const size_t count = motions_of(table, motions);
     if (count == 0 || stations_of(of, table, motions, count, stations) == 0) return;
     char name[WHIRL_NAME_SIZE];
-    const char *const beside = table->name + strlen("motions");
-    snprintf(name, sizeof name, "orbits%s%s", *beside ? "-" : "", *beside ? beside + 1 : "");
+    const char *const own_name = table->name + strlen("motions");
+    snprintf(name, sizeof name, "orbits%s%s", *own_name ? "-" : "", *own_name ? own_name + 1 : "");
     list_figure(to, &place, name, "Orbits within their clearances: %.60s", table->name);
 }
 

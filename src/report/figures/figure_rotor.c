@@ -339,15 +339,15 @@ static void name_housings(const pen *p) {
         for (size_t k = 0; k < l->model.shaft_count; k++) on_axis = on_axis || l->y[s] == l->axis[k];
         if (on_axis) continue;
         const char *name = l->result->stations[s].name;
-        const double beside = l->x[s] + l->radius[s], side = l->y[s] - l->radius[s];
+        const double right = l->x[s] + l->radius[s], side = l->y[s] - l->radius[s];
         const double width = (figure_text_width(p->figure, strlen(name)) + 0.2) * p->cm;
         if (p->upright != 0.0) {
             pen_text(p, names, l->x[s], side - width, name);
             l->bottom = fmin(l->bottom, side - width);
             continue;
         }
-        pen_text(p, names, beside, l->y[s], name);
-        span_widen(&l->along, beside + width);
+        pen_text(p, names, right, l->y[s], name);
+        span_widen(&l->along, right + width);
     }
 }
 

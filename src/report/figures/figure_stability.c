@@ -69,8 +69,8 @@ static void stability_describe(const drawing *of, const figure_place *place, whi
     add_mark(figure, panel, limit / mega, low, high, "limit", 2);
     snprintf(
         figure->caption, sizeof figure->caption,
-        "The least logarithmic decrement of forward modes up to the speed over the cross coupling of all stages, each "
-        "in proportion, with bearings and without seals: what the stages are anticipated to bring, and the limit at "
+        "The smallest logarithmic decrement of forward modes up to the speed, over the cross coupling of all stages, "
+        "each in proportion, with bearings and without seals. Marks: the anticipated cross coupling, and the limit at "
         "which the decrement is 0.");
 }
 

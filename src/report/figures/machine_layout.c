@@ -160,7 +160,7 @@ static bool layout_is_housing(const machine_layout *l, size_t station) {
 
 static void layout_place_stations(machine_layout *l) {
     const size_t count = l->model.station_count < WHIRL_MAX_PROBES ? l->model.station_count : WHIRL_MAX_PROBES;
-    double beside = l->to_scale ? l->along.high + 4.0 * l->symbol : 0.0;
+    double next = l->to_scale ? l->along.high + 4.0 * l->symbol : 0.0;
     // Place the stations on shafts.
     for (size_t s = 0; s < count; s++) {
         const whirl_model_mass *own = &l->model.stations[s];
@@ -172,8 +172,8 @@ static void layout_place_stations(machine_layout *l) {
     // Without shafts to scale, place all stations but housings side by side.
     for (size_t s = 0; s < count && !l->to_scale; s++) {
         if (layout_is_housing(l, s)) continue;
-        l->x[s] = beside;
-        beside += 1.0;
+        l->x[s] = next;
+        next += 1.0;
         l->placed[s] = true;
     }
     // Place stations without a shaft below the placed ones to which elements join them, until no more can be placed.
@@ -185,8 +185,8 @@ static void layout_place_stations(machine_layout *l) {
     // Place all other stations next to the shafts.
     for (size_t s = 0; s < count; s++) {
         if (l->placed[s]) continue;
-        l->x[s] = beside;
-        beside += l->to_scale ? 4.0 * l->symbol : 1.0;
+        l->x[s] = next;
+        next += l->to_scale ? 4.0 * l->symbol : 1.0;
         l->placed[s] = true;
     }
 }

@@ -49,7 +49,7 @@ static measure measure_of(const figure_place *place) {
 }
 
 /// Returns the unit of frequencies and speeds: the requested one, or else that of the parameter if it is a speed.
-static whirl_unit speed_unit_beside(const drawing *of, const whirl_table *table) {
+static whirl_unit speed_unit_of(const drawing *of, const whirl_table *table) {
     whirl_unit unit = {.name = "rad/s", .size = 1.0};
     if (of->units->frequency > 0.0) {
         unit.size = 2.0 * acos(-1.0) * of->units->frequency;
@@ -68,7 +68,7 @@ static whirl_unit unit_of(const drawing *of, const figure_place *place) {
     const whirl_field *field = place->field;
     const measure how = measure_of(place);
     whirl_unit unit = {.size = 1.0};
-    if (how == OF_SPEED) return speed_unit_beside(of, place->table);
+    if (how == OF_SPEED) return speed_unit_of(of, place->table);
     if (how == OF_PARAMETER)
         return whirl_shown_parameter(of->units, strstr(field->meaning, "second parameter")  ? place->table->second
                                                 : strstr(field->meaning, "third parameter") ? place->table->third

@@ -158,7 +158,7 @@ static double *places_of(const finder *of, size_t places) {
     double *found = calloc(2 * places + 1, sizeof *found);
     if (!found) of->findings->failed = true;
     for (size_t i = 0; found && i < of->table->count; i++)
-        found[of->table->attractors[i].place] = (double)of->table->attractors[i].beside;
+        found[of->table->attractors[i].place] = (double)of->table->attractors[i].coexisting;
     for (size_t i = 0; found && i < source->count; i++)
         found[places + whirl_table_place(source, i)] = source->values[i];
     return found;
@@ -168,19 +168,19 @@ static double *places_of(const finder *of, size_t places) {
 static void state_places(const finder *of) {
     enum { MAX_RANGES = 8 };
     const size_t places = whirl_table_places(of->table->source);
-    double *beside = places_of(of, places);
-    const double *values = beside ? beside + places : NULL;
+    double *coexisting = places_of(of, places);
+    const double *values = coexisting ? coexisting + places : NULL;
     size_t several = 0, ranges = 0;
-    for (size_t k = 0; beside && k < places; k++) several += beside[k] > 1.5;
+    for (size_t k = 0; coexisting && k < places; k++) several += coexisting[k] > 1.5;
     whirl_phrase *found = &find_statement(of, "several attractors")->found;
     if (several == 0)
         phrase_text(of, found, "found at no point");
     else
-        phrase_text(of, found, "side by side at %zu of %zu point%s", several, places, places == 1 ? "" : "s");
-    for (size_t k = 0; beside && *of->table->parameter && of->table->row == 0 && k < places; k++) {
+        phrase_text(of, found, "coexist at %zu of %zu point%s", several, places, places == 1 ? "" : "s");
+    for (size_t k = 0; coexisting && *of->table->parameter && of->table->row == 0 && k < places; k++) {
         size_t last = k;
-        if (!(beside[k] > 1.5)) continue;
-        while (last + 1 < places && beside[last + 1] > 1.5) last++;
+        if (!(coexisting[k] > 1.5)) continue;
+        while (last + 1 < places && coexisting[last + 1] > 1.5) last++;
         if (ranges++ < MAX_RANGES) {
             phrase_text(of, found, ranges == 1 ? ": " : ", ");
             phrase_value(of, found, 6, values[k]);
@@ -192,7 +192,7 @@ static void state_places(const finder *of) {
         k = last;
     }
     if (ranges > MAX_RANGES) phrase_text(of, found, " and %zu more ranges", ranges - MAX_RANGES);
-    free(beside);
+    free(coexisting);
 }
 
 static void find_starts(const finder *of) {

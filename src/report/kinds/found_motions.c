@@ -15,12 +15,12 @@ bool find_alone(const finder *of) {
     return !*of->table->parameter && !of->table->attractors && whirl_table_planned(of->table) == 1;
 }
 
-bool motions_beside(const whirl_table *table) {
+bool accompanying_motions(const whirl_table *table) {
     return table->role == WHIRL_ROLE_MOTIONS;
 }
 
-bool find_beside_asked(const whirl_table *table) {
-    return motions_beside(table) || !whirl_layout_has_verdict(&table->layout);
+bool find_described_together(const whirl_table *table) {
+    return accompanying_motions(table) || !whirl_layout_has_verdict(&table->layout);
 }
 
 void sheet_points(const finder *of, whirl_sheet *sheet) {

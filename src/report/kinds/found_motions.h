@@ -14,7 +14,7 @@ bool find_alone(const finder *of);
 
 /// Returns true for tables whose motions are described together, as each by itself says little: those that accompany
 /// studies at rest, and those without verdicts.
-bool find_beside_asked(const whirl_table *table);
+bool find_described_together(const whirl_table *table);
 
 /// Adds the findings on each motion: verdicts, reasons, sizes, lines, 1X, watched numbers.
 void find_points(const finder *of);
@@ -26,7 +26,7 @@ void find_regimes(const finder *of);
 void find_attractors(const finder *of);
 
 /// Adds the statements on motions that are described together: their number, unbalances, clearances and contacts.
-void find_beside(const finder *of);
+void find_together(const finder *of);
 
 /// Add columns, and fill the cells, that identify a motion: the value of the parameter, and the attractor if points
 /// have several.

@@ -200,7 +200,7 @@ static void state_motion(const finder *of) {
         phrase_number(of, found, WHIRL_QUANTITY_NUMBER, 4, point_number(of->table, 0, WHIRL_FIELD_EXPONENTS_SUM_EXACT));
         phrase_text(of, found, "; take a smaller tolerance or more steps");
     }
-    if (!find_beside_asked(of->table)) state_contacts(of);
+    if (!find_described_together(of->table)) state_contacts(of);
 }
 
 // ---------------------------------------------------------------- size and sense

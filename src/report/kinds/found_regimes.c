@@ -54,7 +54,7 @@ static size_t range_length(const regime_ranges *ranges, size_t first) {
 /// States the ranges: "P-1 from 1 to 3.25 rad/s; changing: P-3, chaotic from 3.3 to 3.5 rad/s".
 static void state_ranges(const finder *of, const regime_ranges *ranges) {
     const double *values = of->table->values;
-    if (ranges->ranges > MAX_RANGES || motions_beside(of->table)) return; // find_beside describes these
+    if (ranges->ranges > MAX_RANGES || accompanying_motions(of->table)) return; // find_together describes these
     whirl_phrase *found = &find_statement(of, "regimes")->found;
     for (size_t i = 0, length; i < ranges->count; i += length) {
         char name[512];
@@ -188,7 +188,7 @@ static void sheet_counts(const finder *of, const regime_counts *counts) {
 
 /// States the number of motions that rub, and of verdicts by confidence.
 static void state_counts(const finder *of, const regime_counts *counts) {
-    if (of->result->contact_count > 0 && !motions_beside(of->table))
+    if (of->result->contact_count > 0 && !accompanying_motions(of->table))
         phrase_text(of, &find_statement(of, "rub")->found, "at %zu of %zu points", counts->rubbing, counts->all);
     if (counts->failed > 0)
         phrase_text(of, &find_statement(of, "exponents")->found,
@@ -265,7 +265,7 @@ static void find_jumps(const finder *of) {
     phrase_value(of, found, 5, table->values[jumps[0].from]);
     phrase_text(of, found, " and ");
     phrase_value(of, found, 5, table->values[jumps[0].to]);
-    phrase_text(of, found, ": two motions side by side, or one that changes suddenly");
+    phrase_text(of, found, ": two coexisting motions, or one that changes suddenly");
     // List them.
     whirl_sheet *sheet = find_sheet(of, "jumps", "Jumps within a regime");
     sheet->unsummarized = true;

@@ -42,7 +42,7 @@ static const char *fit_name(const shown_fit_of *f, size_t u) {
     return index >= 0.0 && index < (double)result->parameter_count ? result->parameters[(size_t)index].name : "";
 }
 
-/// Returns the unit of a parameter. A zero in the case does not tell the size of its unit: "0 deg".
+/// Returns the unit of a parameter. The size of a unit cannot be found from a zero in the case, such as "0 deg".
 static whirl_unit fit_unit(const shown_fit_of *f, size_t u) {
     const char *name = fit_name(f, u);
     whirl_unit unit = whirl_shown_parameter(f->of->units, name), written = {.name = ""};
@@ -58,7 +58,7 @@ static whirl_unit fit_unit(const shown_fit_of *f, size_t u) {
     return unit;
 }
 
-/// Returns the name of a number that is none of a motion.
+/// Returns the name of a number that does not belong to a motion.
 static const char *fit_value_name(double quantity) {
     switch ((whirl_fit_quantity)quantity) {
     case WHIRL_FIT_ONSET:
@@ -92,8 +92,7 @@ static void fit_phrase_lost(const finder *of, whirl_statement *own, size_t point
     for (size_t i = 0; field && rows && i < field->rows; i++, rows += FIT_NUMBER_COLUMNS) {
         if (rows[FIT_MOTION] != lost || rows[FIT_QUANTITY] < WHIRL_FIT_ONSET) continue;
         if (fit_is_statistic(rows)) {
-            phrase_text(of, &own->found,
-                        "motion %.0f of the measured ones leaves its bounds at the start: other start values",
+            phrase_text(of, &own->found, "motion %.0f of the measured ones diverges with the start values: give others",
                         lost + 1.0);
             return;
         }
@@ -121,7 +120,7 @@ static bool fit_has_statistics(const whirl_table *table, size_t point) {
 
 /// States why fits have failed.
 static void fit_find_failures(const finder *of) {
-    static const char *const why[] = {"", "it stopped after the most steps (steps: more)",
+    static const char *const why[] = {"", "it stopped at the limit of steps; increase the key steps",
                                       "no shorter step makes the sum of squares smaller", ""};
     for (size_t point = 0; point < of->table->count; point++) {
         const double *outcome = whirl_table_field(of->table, point, WHIRL_FIELD_FIT_OUTCOME, 0);
@@ -149,7 +148,7 @@ static void fit_phrase_end(const finder *of, whirl_statement *own, const whirl_u
 /// States a parameter's value, and judges it if the measured numbers do not determine it.
 static void fit_find_unknown(const shown_fit_of *f, size_t u) {
     static const char *const not_known[] = {
-        "", "at its bound: wider bounds, or another cause of what was measured",
+        "", "at its bound: give wider bounds, or the measurement has another cause",
         "hardly determined by the measured numbers: its interval is as wide as its bounds or its value",
         "not determined: the measured numbers do not depend on it, or only together with others"};
     // Choose a statement, or a judgement if the parameter is not determined.
@@ -178,7 +177,7 @@ static void fit_find_unknown(const shown_fit_of *f, size_t u) {
     }
     // State why it is not determined.
     if (known == WHIRL_FIT_DETERMINED) return;
-    phrase_text(of, &own->asked, "determined by what was measured");
+    phrase_text(of, &own->asked, "determined by the measured numbers");
     phrase_text(of, &own->judged, ": %s", not_known[known]);
 }
 
@@ -324,7 +323,7 @@ static void fit_find_channels(const shown_fit_of *f) {
     find_sheet_end(of);
 }
 
-/// Returns the unit of a number that is none of a motion.
+/// Returns the unit of a number that does not belong to a motion.
 static whirl_unit fit_value_unit(const shown_fit_of *f, const double *row) {
     const whirl_result *result = f->of->result;
     if (row[FIT_QUANTITY] == WHIRL_FIT_SHARE) return f->of->units->of[WHIRL_QUANTITY_PERCENT];
@@ -374,7 +373,8 @@ static void fit_find_agreement(const shown_fit_of *f) {
     const bool noise = of->table->record.fit.noise > 0.0, poor = noise && outcome[FIT_DEVIATION] > much_more_noise;
     if (!(outcome[FIT_DEGREES] > 0.0)) {
         whirl_statement *none = find_statement(of, "agreement");
-        phrase_text(of, &none->found, "there are as many parameters as numbers, so that nothing tests it (%.0f steps)",
+        phrase_text(of, &none->found,
+                    "there are as many parameters as numbers, so that the fit cannot be tested (%.0f steps)",
                     outcome[FIT_STEPS]);
         return;
     }
@@ -388,7 +388,8 @@ static void fit_find_agreement(const shown_fit_of *f) {
     else
         phrase_number(of, &own->found, WHIRL_QUANTITY_LENGTH, 4, outcome[FIT_DEVIATION]);
     phrase_text(of, &own->found, " (%.0f degrees of freedom, %.0f steps)", outcome[FIT_DEGREES], outcome[FIT_STEPS]);
-    if (poor) phrase_text(of, &own->judged, ": the machine does not do what was measured, or there was more noise");
+    if (poor)
+        phrase_text(of, &own->judged, ": the machine does not agree with the measurement, or the noise is larger");
 }
 
 /// Judges whether the motions are stable: an unstable motion cannot have been measured.
@@ -424,11 +425,11 @@ static void fit_find_statistics(const shown_fit_of *f) {
     if (count == 0) return;
     whirl_statement *own = find_judgement(of, "statistics", "", largest > 1.0 ? WHIRL_NOT_KNOWN : WHIRL_HOLDS);
     phrase_text(of, &own->asked, "statistics that scatter less than their noise");
-    phrase_text(
-        of, &own->found,
-        "%zu of %zu motions are compared by statistics of %d revolutions, not as orbits; their derivatives are "
-        "differences over %g %% of the parameters; they scatter by up to %.2g of the noise, which the errors contain",
-        count, motions->rows, options->record, 100.0 * options->difference, largest);
+    phrase_text(of, &own->found,
+                "%zu of %zu motions are compared by statistics of %d revolutions, not as orbits; their derivatives are "
+                "differences over %g %% of the parameters; they scatter by up to %.2g of the noise, and the standard "
+                "errors include this scatter",
+                count, motions->rows, options->record, 100.0 * options->difference, largest);
     if (largest > 1.0) phrase_text(of, &own->judged, ": a longer record is needed, or the noise is larger");
 }
 

@@ -20,7 +20,7 @@ typedef struct shown_kind {
 const shown_kind *shown_kind_of(const whirl_table *table);
 
 /// Returns true if a table has motions next to studies at rest (study: motions).
-bool motions_beside(const whirl_table *table);
+bool accompanying_motions(const whirl_table *table);
 
 /// Adds the findings on the machine: weight, shafts, stations, bearings and other parts.
 void find_machine(const finder *of);

@@ -12,7 +12,7 @@ static bool motions_listed(const whirl_table *table) {
 
 static void motions_find(const finder *of) {
     find_lost(of);
-    find_beside(of);
+    find_together(of);
     find_regimes(of);
     find_attractors(of);
     find_lines(of);

@@ -24,7 +24,8 @@ static void state_at(const finder *of, const whirl_spread_of *own, size_t number
     }
 }
 
-/// States the numbers that the case asks for, or some of the usual ones, where each is largest; or special points.
+/// States the derivatives of the numbers that the case lists, else of the first usual ones, each at the point where it
+/// is largest; for branches, at each special point.
 static void state_numbers(const finder *of) {
     enum { STATED = 4, POINTS = 8 };
     const whirl_table *table = of->table;

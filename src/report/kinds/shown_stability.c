@@ -73,13 +73,14 @@ static void stability_find(const finder *of) {
 const shown_kind shown_stability = {.field = WHIRL_FIELD_STABILITY_BASIC,
                                     .anchor = "stability",
                                     .name = "Stability by decrements",
-                                    .about = "The least logarithmic decrement of forward modes up to the speed, or of "
-                                             "the first where that is faster: with bearings alone, with the cross "
-                                             "coupling of stages (anticipated, and its limit, where the decrement is "
-                                             "0), and with seals and impellers. After API 617 (which edition counts is "
-                                             "for the user to check) bearings and stages tell enough where that limit "
-                                             "is 2 times the anticipated or more, in region B of the screening diagram "
-                                             "10 times or more, and the decrement 0.1 or more; else it is to be above "
-                                             "0.1 with seals and impellers. The critical speed ratio is the speed over "
+                                    .about = "The smallest logarithmic decrement of the forward modes up to the speed; "
+                                             "if the first of them is faster, its decrement. It is computed with "
+                                             "bearings alone, with the cross coupling of stages (as anticipated, and "
+                                             "the limit at which the decrement is 0), and with seals and impellers. By "
+                                             "API 617 (check which edition applies) bearings and stages alone suffice "
+                                             "if the limit is at least 2 times the anticipated coupling (10 times in "
+                                             "region B of the screening diagram) and the decrement is at least 0.1; "
+                                             "otherwise the decrement with seals and impellers must be above 0.1. The "
+                                             "critical speed ratio is the speed over "
                                              "the first forward critical speed without damping on rigid supports.",
                                     .find = stability_find};

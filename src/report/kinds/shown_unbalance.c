@@ -152,7 +152,7 @@ static void unbalance_find(const finder *of) {
     find_placed(of);
     if (whirl_layout_field(&of->table->layout, WHIRL_FIELD_UNBALANCE_SEEN))
         phrase_text(of, &find_statement(of, "runout")->found,
-                    "responses are compensated for it; what probes read with it is " WHIRL_FIELD_UNBALANCE_SEEN);
+                    "responses are without it; readings of probes with it are in |||" WHIRL_FIELD_UNBALANCE_SEEN);
     find_largest(of);
     find_peaks(of);
     find_scaled(of);

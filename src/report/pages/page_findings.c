@@ -32,7 +32,7 @@ size_t page_statements(const page *to, size_t result, const whirl_table *table) 
 }
 
 /// Returns the class of a cell: numbers are aligned right, long texts get a wide column, and the name of a regime stays
-/// beside its colour.
+/// next to its colour.
 static const char *cell_class(const whirl_column *column, const whirl_cell *cell, const char *text) {
     enum { LONG = 28 };
     if (column->digits > 0 && !column->between) return " class=\"number\"";

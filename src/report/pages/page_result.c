@@ -62,11 +62,11 @@ static void describe_refinement(const whirl_table *table, char *text, size_t siz
 static void describe_starts(const whirl_table *view, char *text, size_t size) {
     const whirl_table *table = view->source;
     const size_t all = table->count;
-    size_t beside = 0;
+    size_t added = 0;
     snprintf(text, size, "%zu points, %zu starts each", whirl_table_places(view), table->starts);
-    for (size_t i = 0; i < all; i++) beside += whirl_table_from_neighbour(table, i);
+    for (size_t i = 0; i < all; i++) added += whirl_table_from_neighbour(table, i);
     const size_t used = strlen(text);
-    if (table->neighbours > 0) snprintf(text + used, size - used, " and %zu from neighbours", beside);
+    if (table->neighbours > 0) snprintf(text + used, size - used, " and %zu from neighbours", added);
 }
 
 static void describe_points(const whirl_shown_units *units, const whirl_table *table, char *text, size_t size) {
@@ -120,7 +120,7 @@ static void write_way(FILE *stream, const whirl_table *table) {
     fputs("<td>", stream);
     html_text(stream, kind->method ? kind->method : how->method);
     if (how->chosen && !kind->method) fputs(" (by auto)", stream);
-    fputs(kind->beside, stream);
+    fputs(kind->remark, stream);
     if (!kind->moves) {
         fputs("</td><td class=\"number\">\u2013</td><td class=\"number\">\u2013</td>"
               "<td class=\"number\">\u2013</td>",

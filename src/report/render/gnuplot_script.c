@@ -160,10 +160,10 @@ static void write_upright_label(FILE *script, const whirl_figure *figure, const 
     if (!panel->y.shown || !*panel->y.label) return;
     gnuplot_markup(panel->y.label, label, sizeof label);
     const bool flat = panel->height < FIGURE_LOW_PANEL;
-    const double beside = figure_number_width(figure) + (flat ? 0.95 : 0.58);
+    const double labels = figure_number_width(figure) + (flat ? 0.95 : 0.58);
     char *rest = strchr(label, '\n');
     // A second line comes between the first and the numbers: both move by half a line.
-    const double left = panel->left - (beside + (rest ? 0.021 * figure->font : 0.0)) / figure->width;
+    const double left = panel->left - (labels + (rest ? 0.021 * figure->font : 0.0)) / figure->width;
     fputs("set label 2 ", script);
     // Write the line break as a double-quoted text: single quotes do not expand it.
     if (rest) *rest = '\0';

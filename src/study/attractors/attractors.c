@@ -17,7 +17,7 @@ static whirl_status attractors_join(const whirl_table *table, size_t point, attr
     const whirl_regime regime = whirl_table_verdict(table, point).regime;
     if (regime == WHIRL_UNDETERMINED || regime == WHIRL_NOT_JUDGED) return whirl_ok();
     motion *own = motion_read(table, point);
-    if (!own) return whirl_fail(WHIRL_NO_MEMORY, "no memory to tell attractors apart");
+    if (!own) return whirl_fail(WHIRL_NO_MEMORY, "no memory to distinguish attractors");
     size_t k = 0;
     while (k < groups->count && !motion_is_same(groups->motions[k], own)) k++;
     if (k < groups->count || k == MAX_ATTRACTORS) {

@@ -67,7 +67,7 @@ static whirl_status group_place(search *s, size_t place) {
                                                 .first = one->first,
                                                 .starts = one->points,
                                                 .of = groups.done,
-                                                .beside = groups.count,
+                                                .coexisting = groups.count,
                                                 .share = one->share,
                                                 .error = one->error};
         s->motions[s->count++] = groups.motions[k];

@@ -138,17 +138,17 @@ whirl_status elsewhere_find(const whirl_study *study, const whirl_batch *batch, 
                             const whirl_machine *machine, known_rests *rests, const double **rest, double **elsewhere,
                             double *growth) {
     const size_t neighbours[] = {slot - 1, slot + 1};
-    const known_rest *own, *beside;
+    const known_rest *own, *neighbour;
     *elsewhere = NULL;
     whirl_status status = look_up(study, batch, values, slot, machine, rests, &own);
     *rest = own->x;
     for (size_t i = 0; i < 2 && status.code == WHIRL_OK && own->x && !*elsewhere; i++) {
         const size_t other = neighbours[i];
         if (other >= batch->count || (batch->row > 0 && other / batch->row != slot / batch->row)) continue;
-        status = look_up(study, batch, values, other, NULL, rests, &beside);
-        if (status.code == WHIRL_OK && beside->x && beside->dimension == own->dimension &&
-            !is_same(machine->system, own->x, beside->x))
-            status = follow(machine, own->x, beside->x, elsewhere, growth);
+        status = look_up(study, batch, values, other, NULL, rests, &neighbour);
+        if (status.code == WHIRL_OK && neighbour->x && neighbour->dimension == own->dimension &&
+            !is_same(machine->system, own->x, neighbour->x))
+            status = follow(machine, own->x, neighbour->x, elsewhere, growth);
     }
     return status;
 }

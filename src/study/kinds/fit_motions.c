@@ -133,7 +133,7 @@ static void view_instant(const probe_view *v, const whirl_orbit_sensitivity *orb
 }
 
 /// Writes the displacement at any place of the orbit, in revolutions, by the cubic polynomials with the values and
-/// slopes of the instants beside it.
+/// slopes of the neighbouring instants.
 static void view_between(const probe_view *v, const whirl_orbit_sensitivity *orbit, double revolutions, double *value,
                          double *slopes) {
     const size_t n = orbit->dimension, all = orbit->revolutions * orbit->instants;

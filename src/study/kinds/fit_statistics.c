@@ -53,7 +53,7 @@ static double statistics_mean(const double *f, size_t count) {
     return sum / (double)count;
 }
 
-/// Returns the largest (sign 1) or smallest (-1) value, by the parabola through the instants beside it.
+/// Returns the largest (sign 1) or smallest (-1) value, by the parabola through the neighbouring instants.
 static double statistics_extreme(const double *f, size_t count, double sign) {
     size_t at = 0;
     for (size_t i = 1; i < count; i++)
@@ -243,7 +243,7 @@ whirl_status fit_statistics(const fit_place *p, size_t first, fit_orbit *tried, 
     const size_t motion = (size_t)(p->motion - fit->motions);
     size_t count = 0;
     while (first + count < fit->number_count && fit->numbers[first + count].motion == motion) count++;
-    // Compute them here and beside.
+    // Compute them here and at neighbouring values.
     double *work = calloc(3 * count + 1, sizeof *work), speed = NAN, largest = 0.0;
     whirl_status status = work ? statistics_at(p, p->values, first, count, model + first, work, &speed)
                                : whirl_fail(WHIRL_NO_MEMORY, "no memory for a motion of a fit");

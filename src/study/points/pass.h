@@ -41,7 +41,7 @@ enum {
 pass pass_confirming(const pass *points);
 
 /// Returns true if a pass computes only verdicts, which are compared with those of the points.
-static inline bool pass_is_beside(const pass *p) {
+static inline bool pass_is_comparison(const pass *p) {
     return p->confirming || p->copy > 0;
 }
 

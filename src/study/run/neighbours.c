@@ -27,14 +27,14 @@ typedef struct survey {
 // ---------------------------------------------------------------- what a place lacks
 
 /// Lists the neighbours of a place, along a sweep or all axes of a map.
-static size_t list_beside(const whirl_table *table, size_t place, size_t beside[2 * MAP_AXES]) {
+static size_t list_neighbours(const whirl_table *table, size_t place, size_t neighbours[2 * MAP_AXES]) {
     map_axis axes[MAP_AXES];
     const size_t count_axes = map_axes_of(table, axes);
     size_t count = 0;
     for (size_t i = 0; i < count_axes; i++) {
         const size_t step = axes[i].step, at = place / step % axes[i].count;
-        if (at > 0) beside[count++] = place - step;
-        if (at + 1 < axes[i].count) beside[count++] = place + step;
+        if (at > 0) neighbours[count++] = place - step;
+        if (at + 1 < axes[i].count) neighbours[count++] = place + step;
     }
     return count;
 }
@@ -74,10 +74,10 @@ static bool is_asked(const survey *s, size_t place, size_t before, size_t number
 
 /// Requests starts of a place: one for every attractor of its neighbours that it lacks.
 static void ask_place(const survey *s, size_t place) {
-    size_t beside[2 * MAP_AXES];
-    const size_t count = list_beside(s->table, place, beside), before = count_asked(s, place);
+    size_t neighbours[2 * MAP_AXES];
+    const size_t count = list_neighbours(s->table, place, neighbours), before = count_asked(s, place);
     for (size_t i = 0; i < count; i++)
-        for (size_t k = s->first[beside[i]]; k < s->first[beside[i] + 1]; k++) {
+        for (size_t k = s->first[neighbours[i]]; k < s->first[neighbours[i] + 1]; k++) {
             const whirl_coexisting *one = &s->found.items[k];
             const size_t asked = count_asked(s, place);
             if (asked == WHIRL_MAX_NEIGHBOUR_STARTS) return;

@@ -115,7 +115,7 @@ static whirl_status pass_work_new(pass_work *w, study_run *run, const pass *p) {
     const size_t waiting = length > 1 ? count : 1;
     w->ready = calloc(waiting, sizeof(point *));
     if (!w->ready) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", p->count);
-    return pass_is_beside(p) ? make_other_layout(w) : whirl_ok();
+    return pass_is_comparison(p) ? make_other_layout(w) : whirl_ok();
 }
 
 static void pass_work_free(pass_work *w) {
@@ -193,13 +193,13 @@ static double *block_of(const worker *w, size_t slot) {
 /// Makes the journal entry of a point: its block or its second verdict; and states if carried points need them.
 static journal_entry entry_of(const worker *w, size_t slot) {
     const pass_work *work = w->work;
-    const bool beside = pass_is_beside(work->pass);
+    const bool comparison = pass_is_comparison(work->pass);
     return (journal_entry){.batch = pass_number(work->run, work->pass),
                            .slot = slot,
-                           .block = beside ? w->other : block_of(w, slot),
-                           .size = beside ? work->other.size : work->table->layout.size,
+                           .block = comparison ? w->other : block_of(w, slot),
+                           .size = comparison ? work->other.size : work->table->layout.size,
                            .end = w->end,
-                           .dimension = beside || work->pass->round > 0 ? 0 : work->run->dimension};
+                           .dimension = comparison || work->pass->round > 0 ? 0 : work->run->dimension};
 }
 
 /// Compares a second verdict with the point's. Two copies of a point may end at the same time.
@@ -208,7 +208,7 @@ static void compare_verdict(const worker *w, size_t slot) {
     const whirl_layout *layout = &work->table->layout;
     const whirl_verdict other = whirl_block_verdict(&work->other, w->other);
     const double revolutions = w->other[whirl_layout_field(&work->other, WHIRL_FIELD_REGIME_REVOLUTIONS)->offset];
-#pragma omp critical(whirl_beside)
+#pragma omp critical(whirl_compare)
     {
         if (work->pass->confirming) {
             whirl_block_confirm(layout, block_of(w, slot), &other);
@@ -225,7 +225,7 @@ static void compare_verdict(const worker *w, size_t slot) {
 static void point_is_done(worker *w, point *p) {
     pass_work *work = w->work;
     const size_t slot = p->slot;
-    if (pass_is_beside(work->pass)) {
+    if (pass_is_comparison(work->pass)) {
         // Another run may have computed the point itself, and has its block.
         if (work->table->done[slot]) compare_verdict(w, slot);
     } else {
@@ -325,7 +325,7 @@ static whirl_status worker_analyze(const worker *w, const point *p, const whirl_
     const pass *own = work->pass;
     // A confirmation or a copy has only a verdict; confirmed chaos is also searched for coexisting attractors and its
     // end.
-    if (pass_is_beside(own)) {
+    if (pass_is_comparison(own)) {
         const whirl_system *system = p->machine.system;
         whirl_status status =
             whirl_analyze(record, &own->record, compared_analyses(own, work->batch), &work->other, w->other);

@@ -1,4 +1,4 @@
-/// Input files: their first bytes, from which programs tell their kind.
+/// Input files: their first bytes, from which programs recognise their kind.
 #ifndef WHIRL_INPUT_H
 #define WHIRL_INPUT_H
 

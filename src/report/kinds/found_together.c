@@ -55,7 +55,7 @@ static void add_undetermined(const finder *of, whirl_phrase *found) {
         phrase_text(of, found, " (%zu of %zu starts are computed)", done, whirl_table_planned(source));
     if (undetermined == 0) return;
     phrase_text(of, found, ", %zu of %zu starts have no verdict", undetermined, done);
-    for (size_t i = 0; i < table->count; i++) with_motions += 1.0 / (double)table->attractors[i].beside;
+    for (size_t i = 0; i < table->count; i++) with_motions += 1.0 / (double)table->attractors[i].coexisting;
     const double places = (double)whirl_table_places(table), without = places - round(with_motions);
     if (done == whirl_table_planned(source) && without > 0.0)
         phrase_text(of, found, " (at %.0f of %.0f points none of them has one)", without, places);
@@ -155,8 +155,8 @@ static void state_contact(const finder *of, size_t contact) {
     if (*table->parameter) phrase_text(of, found, ")");
 }
 
-void find_beside(const finder *of) {
-    if (!find_beside_asked(of->table) || of->table->row > 0) return;
+void find_together(const finder *of) {
+    if (!find_described_together(of->table) || of->table->row > 0) return;
     whirl_phrase *found = &find_statement(of, "motions")->found;
     const bool judged = whirl_layout_has_verdict(&of->table->layout);
     judged ? add_regimes(of, found) : add_count(of, found);
