@@ -383,7 +383,7 @@ by processor time. A check before the rounds proves that every program computes 
 ## More stations
 
 Chains of equal discs, a film at both ends, one rub in the middle; every shaft, disc and film from the list. In
-brackets: as a share of the rate with two stations, 2 x steps/s.
+brackets: the ratio to the rate of two stations, 2 x steps/s.
 
 {stations}
 """
@@ -688,8 +688,8 @@ OVERHUNG = """
 
 An overhung rotor of 20 elements (84 coordinates), reduced to its three stations and 8 modes a plane (22 coordinates),
 in two films, with gravity, unbalance and a rub at the disc (`bench/overhung.h`). RK4 takes {steps} steps per
-revolution, which resolve its highest mode, at 628 rad/s and, side by side, up to 1000. The peers read the same reduced
-matrices. Checks before the rounds: y of the left journal after 20 revolutions, the last ones with contact, agrees to
+revolution, which resolve its highest mode. A single machine turns at 628 rad/s, machines in lanes at 628 to 1000 rad/s.
+The peers read the same reduced matrices. Checks before the rounds: y of the left journal after 20 revolutions, the last ones with contact, agrees to
 1e-6 with {end:.10f} of RK4 for fixed steps. Adaptive methods, at rtol 1e-6 and atol 1e-9, agree to 1e-4 with
 {converged:.7f} of rodas5p at rtol 1e-10.
 

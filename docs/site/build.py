@@ -94,7 +94,7 @@ def lay_out_listings(source):
 
 
 def lay_out_gallery(build, source):
-    """The explorers that `make gallery` has built, beside the cases they are of."""
+    """The explorers that `make gallery` has built, next to their cases."""
     explorers = {path.stem: path for path in (build / "gallery").glob("*.html")}
 
     def links(case):
@@ -113,8 +113,8 @@ def lay_out_reference(build, work, source):
     """The C reference, also of the header that CMake makes, and the Python reference."""
     headers.run_doxygen([ROOT / "include", build / "include"], work / "doxygen")
     (source / "api").mkdir(exist_ok=True)
-    told = headers.write_pages(work / "doxygen/xml", source / "api", work / "doxygen/headers")
-    page = headers.index_page(headers.INDEX, ["what it has", "interface"], told)
+    listed = headers.write_pages(work / "doxygen/xml", source / "api", work / "doxygen/headers")
+    page = headers.index_page(headers.INDEX, ["what it has", "interface"], listed)
     write(source / "api/index.md", page + "\n```{toctree}\n:hidden:\n\nelement/index\n```\n")
     lay_out_element_headers(source / "api/element")
     lay_out_python(source)
@@ -124,12 +124,12 @@ def lay_out_element_headers(folder):
     """The headers that are installed for custom elements, as they are: macros of theirs are no plain C."""
     installed = re.search(r"install\(FILES ([^)]*)\n\s*DESTINATION \S*/whirl/element\)",
                           (ROOT / "cmake/install.cmake").read_text())[1].split()
-    told = []
+    listed = []
     for path in sorted((ROOT / name for name in installed), key=lambda path: path.name):
         write(folder / f"{path.stem}.md", pages.header_page(path))
         shutil.copy(path, folder)
-        told.append((f"element/{path.stem}", pages.first_sentence(path.read_text())))
-    write(folder / "index.md", headers.index_page(headers.ELEMENTS, ["what it has"], told))
+        listed.append((f"element/{path.stem}", pages.first_sentence(path.read_text())))
+    write(folder / "index.md", headers.index_page(headers.ELEMENTS, ["what it has"], listed))
 
 
 def lay_out_python(source):

@@ -84,8 +84,8 @@ def project_of(xml, header, folder):
         (folder / f"{compound}.xml").symlink_to(xml / f"{compound}.xml")
 
 
-def symbols(xml, header, told):
-    """Line and reStructuredText of every symbol of a header that is not in `told`, names, to which these are added."""
+def symbols(xml, header, listed):
+    """Line and reStructuredText of every symbol of a header that is not in `listed`, names, to which these are added."""
     project = header.findtext("compoundname")
     for inner in header.findall("innerclass"):
         compound = ElementTree.parse(xml / f"{inner.get('refid')}.xml").getroot()[0]
@@ -95,9 +95,9 @@ def symbols(xml, header, told):
     types |= {member.findtext("name") for member in header.iter("memberdef") if member.get("kind") == "enum"}
     for member in header.iter("memberdef"):
         name, kind = member.findtext("name"), member.get("kind")
-        if kind == "function" and name in told:
+        if kind == "function" and name in listed:
             continue
-        told.add(name)
+        listed.add(name)
         line = int(member.find("location").get("line"))
         if kind == "enum" and (not name or name.startswith("@")):
             for constant in constants(member):
@@ -133,7 +133,7 @@ def index_page(words, titles, entries):
 def write_pages(xml, folder, projects):
     """Gives the pages, without their suffix, each with its first sentence and "stable" where its interface is that; projects
     becomes a folder of what Breathe reads, a folder a header."""
-    pages, told = [], set()
+    pages, listed = [], set()
     shutil.rmtree(projects, ignore_errors=True)
     for path in sorted(xml.glob("*_8h.xml"), key=lambda path: (path.name.startswith("engine_2"), path.name)):
         header = ElementTree.parse(path).getroot()[0]
@@ -141,7 +141,7 @@ def write_pages(xml, folder, projects):
         name = header.find("location").get("file").rpartition("include/whirl/")[2]
         project_of(xml, header, projects / project)
         title = f"whirl/{name}"
-        body = [text for _, text in sorted(symbols(xml, header, told), key=lambda symbol: symbol[0])]
+        body = [text for _, text in sorted(symbols(xml, header, listed), key=lambda symbol: symbol[0])]
         words = description(header)
         page = f"{title}\n{'=' * len(title)}\n\n{words}\n\n" + "\n\n".join(body) + "\n"
         first = re.match(r".*?\.(?=\s|$)|.*", words, re.DOTALL)[0]
